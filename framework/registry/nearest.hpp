@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace netloft {
+namespace detail {
+
+inline char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+/// Damerau-Levenshtein distance (optimal string alignment), letter case ignored:
+///   d(i,j) = min( d(i-1,j)+1, d(i,j-1)+1, d(i-1,j-1)+[aᵢ≠bⱼ], d(i-2,j-2)+1 if aᵢaᵢ₋₁ = bⱼ₋₁bⱼ )   (1)
+inline std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(before, last);
+    std::swap(last, row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      const bool swapped =
+          i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);  // (1)
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace detail
+
+/// The candidate a person most likely meant by `word`: at most a third of its letters wrong (one in a short
+/// word). None when nothing is near. Of equally near candidates the first is taken.
+inline std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
+  constexpr std::size_t kLongestWord = 64;  // bounds the work done for nonsense
+  if (word.empty() || word.size() > kLongestWord) return std::nullopt;
+  std::size_t limit = std::min(std::max<std::size_t>(1, word.size() / 3), word.size() - 1);
+  const std::string* best = nullptr;
+  for (const std::string& candidate : candidates) {
+    if (candidate.size() > word.size() + limit) continue;
+    const std::size_t distance = detail::edit_distance(word, candidate);
+    if (distance > limit || (best && distance == limit)) continue;
+    best = &candidate;
+    limit = distance;
+  }
+  return best ? std::optional<std::string>(*best) : std::nullopt;
+}
+
+}  // namespace netloft
