@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/assembler/assembler.hpp"
+
+#include "framework/assembler/projection.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace netloft {
+
+namespace {
+
+constexpr std::size_t kLanes = NETLOFT_LANES;
+// Below this many tiles of one colour the threads cost more than they give (bench_assembly).
+constexpr std::size_t kSerialBelow = 8;
+
+std::uint32_t want_of(MatrixKind kind) {
+  switch (kind) {
+    case MatrixKind::exact:
+      return NETLOFT_WANT_TANGENT;
+    case MatrixKind::convex:
+      return NETLOFT_WANT_CONVEX;
+    case MatrixKind::metric:
+      return NETLOFT_WANT_METRIC;
+    default:
+      return 0;
+  }
+}
+
+std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
+
+}  // namespace
+
+/// One worker's tile: inputs, sums, and a square for what comes unpacked. Lines of 64 doubles.
+struct Assembler::Workspace {
+  Workspace(std::size_t dofs, bool symmetric)
+      : x(dofs * kLanes),
+        force(dofs * kLanes),
+        packed_tangent(packed(dofs) * kLanes),
+        square_tangent(symmetric ? 0 : dofs * dofs * kLanes),
+        scratch(dofs * dofs * kLanes),
+        element(dofs * dofs) {}
+  std::vector<double> x, force, packed_tangent, square_tangent, scratch, element;
+  double energy[kLanes] = {};
+  char message[sizeof ElementFault::message] = "";
+  ElementFault fault;
+  std::size_t fault_order = std::numeric_limits<std::size_t>::max();
+};
+
+Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
+    : water_density_(scene.water.density),
+      gravity_(scene.water.gravity),
+      numbering_(scene),
+      workers_(threads) {
+  std::size_t dofs = 0, tiles = 0;
+  for (const auto& family : plan.families) {
+    families_.push_back(std::make_unique<Family>(scene, family));
+    dofs = std::max(dofs, static_cast<std::size_t>(family.type->dofs()));
+  }
+  pattern_ = make_pattern(families_, numbering_, scene.node_count(), plan.symmetric);
+  for (const auto& family : families_) {
+    tilings_.push_back(make_tiling(*family, numbering_, pattern_, pattern_.entries() + tiles));
+    tiles += tilings_.back().tiles;
+  }
+  value_slots_ = pattern_.entries() + tiles;
+  tile_energy_.resize(tiles);
+  start_.resize(numbering_.dofs());
+  for (std::uint32_t n = 0; n < scene.node_count(); ++n)
+    for (int axis = 0; axis < 3; ++axis)
+      start_[static_cast<std::size_t>(numbering_.index(n, axis))] =
+          scene.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
+  for (std::size_t w = 0; w < workers_.size(); ++w)
+    workspaces_.push_back(std::make_unique<Workspace>(dofs, plan.symmetric));
+}
+
+bool Assembler::evaluate(std::span<const double> x, const Request& request) {
+  if (request.residual) std::fill_n(request.residual, numbering_.dofs(), 0.0);
+  if (request.values) std::fill_n(request.values, value_slots_, 0.0);
+  for (std::size_t f = 0; f < families_.size(); ++f)
+    if (!run_family(f, x, request)) return false;
+  if (request.energy) {
+    *request.energy = 0;
+    for (const double e : tile_energy_) *request.energy += e;
+  }
+  return true;
+}
+
+bool Assembler::run_family(std::size_t family, std::span<const double> x, const Request& request) {
+  const Tiling& tiling = tilings_[family];
+  for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c) {
+    const std::size_t begin = tiling.colour_begin[c], count = tiling.colour_begin[c + 1] - begin;
+    workers_.run(count, kSerialBelow, [&](std::size_t worker, std::size_t i) {
+      run_tile(family, tiling.order[begin + i], x, request, *workspaces_[worker]);
+    });
+  }
+  return collect_faults();
+}
+
+void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const double> x,
+                         const Request& request, Workspace& w) {
+  const Tiling& tiling = tilings_[family];
+  const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
+  netloft_tile t = make_tile(tiling, tile, x, w);
+  if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
+  if (request.residual) std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
+  if (request.values) {
+    std::fill_n(w.packed_tangent.begin(), packed(dofs) * kLanes, 0.0);
+    if (!pattern_.symmetric) std::fill_n(w.square_tangent.begin(), dofs * dofs * kLanes, 0.0);
+  }
+  if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
+    return report(family, t, status, w);
+  scatter(tiling, tile, request, w);
+}
+
+netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
+                                  Workspace& w) const {
+  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
+  const std::size_t count = tiling.lanes(tile);
+  const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
+  for (std::size_t d = 0; d < dofs; ++d)
+    for (std::size_t lane = 0; lane < count; ++lane)
+      w.x[d * kLanes + lane] = x[static_cast<std::size_t>(map[d * kLanes + lane])];
+  netloft_tile t{};
+  t.size = sizeof t;
+  t.first = static_cast<std::uint32_t>(tile * kLanes), t.count = static_cast<std::uint32_t>(count);
+  t.cu = 1;
+  t.water_density = water_density_, t.gravity = gravity_;
+  t.x = w.x.data();
+  t.message = w.message, t.message_size = sizeof w.message;
+  return t;
+}
+
+int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
+  const Family& f = *families_[family];
+  for (const auto& term : f.active_terms()) {
+    const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
+    const bool moving = !(term.traits & NETLOFT_CONSTANT);
+    const bool packed_here =
+        request.values && moving && request.matrix == MatrixKind::exact && (term.traits & NETLOFT_SYMMETRIC);
+    t.energy = request.energy && conservative ? w.energy : nullptr;
+    t.force = request.residual ? w.force.data() : nullptr;
+    t.tangent = packed_here ? w.packed_tangent.data() : nullptr;
+    t.want = 0;
+    if (t.energy) t.want |= NETLOFT_WANT_ENERGY;
+    if (t.force) t.want |= NETLOFT_WANT_FORCE;
+    if (t.tangent) t.want |= NETLOFT_WANT_TANGENT;
+    if (t.want)
+      if (const int status = term.evaluate(f.self(), &t); status != NETLOFT_OK) return status;
+    if (request.values && moving && !packed_here)
+      if (const int status = call_matrix_term(term, f.self(), f.type().dofs(), t, request.matrix, w);
+          status != NETLOFT_OK)
+        return status;
+  }
+  return NETLOFT_OK;
+}
+
+/// A matrix that is not simply the packed exact tangent: convex part or metric, offered by the term or made
+/// here, or a full square.
+int Assembler::call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& t,
+                                MatrixKind kind, Workspace& w) {
+  const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
+  const bool offered = kind == MatrixKind::exact ||
+                       (kind == MatrixKind::convex && (term.traits & NETLOFT_HAS_CONVEX)) ||
+                       (kind == MatrixKind::metric && (term.traits & NETLOFT_HAS_METRIC));
+  t.energy = nullptr, t.force = nullptr;
+  t.want = offered ? want_of(kind) : std::uint32_t{NETLOFT_WANT_TANGENT};
+  if (offered) {
+    t.tangent = symmetric ? w.packed_tangent.data() : w.square_tangent.data();
+    return term.evaluate(self, &t);
+  }
+  const auto n = static_cast<std::size_t>(dofs);
+  std::fill_n(w.scratch.begin(), (symmetric ? packed(n) : n * n) * kLanes, 0.0);
+  t.tangent = w.scratch.data();
+  if (const int status = term.evaluate(self, &t); status != NETLOFT_OK) return status;
+  for (std::size_t lane = 0; lane < t.count; ++lane) {
+    for (std::size_t r = 0; r < n; ++r)
+      for (std::size_t c = 0; c < n; ++c) {
+        const std::size_t entry = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * n + c;
+        w.element[r * n + c] = w.scratch[entry * kLanes + lane];
+      }
+    if (kind == MatrixKind::convex)
+      project_convex(w.element.data(), dofs);
+    else
+      bound_by_diagonal(w.element.data(), dofs);
+    for (std::size_t r = 0; r < n; ++r)
+      for (std::size_t c = 0; c <= r; ++c)
+        w.packed_tangent[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];
+  }
+  return NETLOFT_OK;
+}
+
+void Assembler::scatter(const Tiling& tiling, std::size_t tile, const Request& request, Workspace& w) {
+  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
+  const std::size_t count = tiling.lanes(tile);
+  if (request.energy) {
+    double sum = 0;
+    for (std::size_t lane = 0; lane < count; ++lane) sum += w.energy[lane];
+    tile_energy_[tiling.first_spare - pattern_.entries() + tile] = sum;
+  }
+  if (request.residual) {
+    const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
+    for (std::size_t d = 0; d < dofs; ++d)
+      for (std::size_t lane = 0; lane < count; ++lane)
+        request.residual[map[d * kLanes + lane]] += w.force[d * kLanes + lane];
+  }
+  if (!request.values) return;
+  const std::int32_t* map = &tiling.matrix_map[tile * tiling.entries_per_element * kLanes];
+  const double* tangent = w.packed_tangent.data();
+  if (!pattern_.symmetric) {
+    for (std::size_t r = 0; r < dofs; ++r)
+      for (std::size_t c = 0; c < dofs; ++c)
+        for (std::size_t lane = 0; lane < count; ++lane)
+          w.square_tangent[(r * dofs + c) * kLanes + lane] +=
+              tangent[(packed(std::max(r, c)) + std::min(r, c)) * kLanes + lane];
+    tangent = w.square_tangent.data();
+  }
+  for (std::size_t entry = 0; entry < tiling.entries_per_element; ++entry)
+    for (std::size_t lane = 0; lane < count; ++lane)
+      request.values[map[entry * kLanes + lane]] += tangent[entry * kLanes + lane];
+}
+
+void Assembler::report(std::size_t family, const netloft_tile& t, int status, Workspace& w) {
+  // The earliest element is reported, whichever thread met it.
+  const std::size_t element = t.first + std::min(t.lane_at_fault, t.count - 1);
+  if (element >= w.fault_order) return;
+  w.fault_order = element;
+  w.fault.status = status, w.fault.family = family, w.fault.element = element;
+  std::memcpy(w.fault.message, w.message, sizeof w.message);
+}
+
+bool Assembler::collect_faults() {
+  Workspace* first = nullptr;
+  for (auto& w : workspaces_)
+    if (w->fault.status != NETLOFT_OK && (!first || w->fault_order < first->fault_order)) first = w.get();
+  if (!first) return true;
+  fault_ = first->fault;
+  for (auto& w : workspaces_)
+    w->fault = {}, w->message[0] = 0, w->fault_order = std::numeric_limits<std::size_t>::max();
+  return false;
+}
+
+std::string Assembler::fault_sentence(const Scene& scene) const {
+  const Family& f = *families_[fault_.family];
+  std::size_t first = 0;
+  for (const std::size_t begin : f.part_begin())
+    if (begin <= fault_.element) first = begin;
+  return scene.parts[f.part(fault_.element)].name + " element " + std::to_string(fault_.element - first) +
+         " (" + f.type().type + "): " + (fault_.message[0] ? fault_.message : "no force at this state");
+}
+
+bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
+                              std::span<double> residual) {
+  std::fill(residual.begin(), residual.end(), 0.0);
+  const Tiling& tiling = tilings_[family];
+  const Family& f = *families_[family];
+  const auto dofs = static_cast<std::size_t>(f.type().dofs());
+  Workspace& w = *workspaces_[0];
+  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
+    netloft_tile t = make_tile(tiling, tile, x, w);
+    std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
+    t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
+    if (const int status = f.active_terms()[term].evaluate(f.self(), &t); status != NETLOFT_OK) {
+      report(family, t, status, w);
+      return collect_faults();
+    }
+    scatter(tiling, tile, Request{.residual = residual.data()}, w);
+  }
+  return true;
+}
+
+bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::size_t term,
+                         std::span<double> sums) {
+  std::fill(sums.begin(), sums.end(), 0.0);
+  const Tiling& tiling = tilings_[family];
+  const Family& f = *families_[family];
+  const auto dofs = static_cast<std::size_t>(f.type().dofs());
+  Workspace& w = *workspaces_[0];
+  std::size_t part = 0;
+  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
+    netloft_tile t = make_tile(tiling, tile, x, w);
+    std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
+    t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
+    if (const int status = f.active_terms()[term].evaluate(f.self(), &t); status != NETLOFT_OK) {
+      report(family, t, status, w);
+      return collect_faults();
+    }
+    for (std::size_t lane = 0; lane < t.count; ++lane) {
+      while (t.first + lane >= f.part_begin()[part + 1]) ++part;
+      for (std::size_t d = 0; d < dofs; ++d) sums[3 * part + d % 3] += w.force[d * kLanes + lane];
+    }
+  }
+  return true;
+}
+
+bool Assembler::outputs(std::span<const double> x, std::size_t family,
+                        std::vector<std::vector<double>>& values) {
+  const Tiling& tiling = tilings_[family];
+  const Family& f = *families_[family];
+  const std::size_t count = f.type().outputs.size();
+  values.assign(count, std::vector<double>(f.size()));
+  if (!count) return true;
+  Workspace& w = *workspaces_[0];
+  std::vector<double> lines(count * kLanes);
+  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
+    netloft_tile t = make_tile(tiling, tile, x, w);
+    if (const int status = f.type().element.output(f.self(), &t, lines.data()); status != NETLOFT_OK) {
+      report(family, t, status, w);
+      return collect_faults();
+    }
+    for (std::size_t k = 0; k < count; ++k)
+      std::copy_n(&lines[k * kLanes], t.count, &values[k][tile * kLanes]);
+  }
+  return true;
+}
+
+}  // namespace netloft

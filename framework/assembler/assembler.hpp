@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/tiling.hpp"
+#include "framework/assembler/workers.hpp"
+
+#include <memory>
+#include <span>
+
+namespace netloft {
+
+enum class MatrixKind { none, exact, convex, metric };
+
+/// What an evaluation adds up. Null or none: not wanted, not computed.
+struct Request {
+  double* energy = nullptr;    // one number [J]
+  double* residual = nullptr;  // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
+  MatrixKind matrix = MatrixKind::none;
+  double* values = nullptr;  // Assembler::value_slots() long [N/m]
+};
+
+/// Which element could not be evaluated, and why.
+struct ElementFault {
+  int status = NETLOFT_OK;  // NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR
+  std::size_t family = 0, element = 0;
+  char message[256] = "";
+};
+
+/// The families of a scene as one sum: gathers positions, evaluates active terms on tiles of 64 elements,
+/// scatters. Vectors over all dofs are in the order of `numbering()`. Evaluation allocates nothing.
+class Assembler {
+ public:
+  Assembler(const Scene& scene, const Plan& plan, int threads);
+
+  const Numbering& numbering() const { return numbering_; }
+  const SparsePattern& pattern() const { return pattern_; }
+  std::size_t value_slots() const { return value_slots_; }
+  std::span<const std::unique_ptr<Family>> families() const { return families_; }
+  int threads() const { return static_cast<int>(workers_.size()); }
+
+  /// Start positions over all dofs [m].
+  const std::vector<double>& start() const { return start_; }
+
+  /// Evaluates at positions x (over all dofs). False: see fault().
+  bool evaluate(std::span<const double> x, const Request& request);
+  const ElementFault& fault() const { return fault_; }
+  std::string fault_sentence(const Scene& scene) const;
+
+  /// Force of one active term alone, as a residual over all dofs. False: see fault().
+  bool evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
+                     std::span<double> residual);
+  /// Force of one active term summed per part of the family, +dE/dx [N]: 3 numbers per part.
+  bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums);
+  /// Outputs of a family: [output][element].
+  bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values);
+
+ private:
+  struct Workspace;
+  bool run_family(std::size_t family, std::span<const double> x, const Request& request);
+  void run_tile(std::size_t family, std::size_t tile, std::span<const double> x, const Request& request,
+                Workspace& w);
+  int call_terms(std::size_t family, netloft_tile& tile, const Request& request, Workspace& w);
+  int call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& tile,
+                       MatrixKind kind, Workspace& w);
+  void scatter(const Tiling& tiling, std::size_t tile, const Request& request, Workspace& w);
+  netloft_tile make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
+                         Workspace& w) const;
+  void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
+  bool collect_faults();
+
+  double water_density_, gravity_;
+  std::vector<std::unique_ptr<Family>> families_;
+  Numbering numbering_;
+  SparsePattern pattern_;
+  std::vector<Tiling> tilings_;
+  std::size_t value_slots_ = 0;
+  std::vector<double> start_, tile_energy_;
+  Workers workers_;
+  std::vector<std::unique_ptr<Workspace>> workspaces_;
+  ElementFault fault_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/assembler/family.hpp"
+
+namespace netloft {
+
+Family::Family(const Scene& scene, const FamilyPlan& plan) : type_(plan.type), parts_(plan.parts) {
+  for (std::size_t i = 0; i < plan.terms.size(); ++i)
+    if (plan.terms[i].on) terms_.push_back(type_->terms[i]);
+  gather_parameters(scene);
+  gather_elements(scene);
+  create(scene);
+}
+
+Family::~Family() {
+  if (self_) type_->element.destroy(self_);
+}
+
+void Family::gather_parameters(const Scene& scene) {
+  std::vector<SceneFault> faults;
+  for (const auto part : parts_) {
+    std::vector<std::string> wrong;
+    parameters_.emplace_back(type_->parameters, type_->element.parameter_bytes, scene.parts[part].parameters,
+                             wrong);
+    for (auto& w : wrong) faults.push_back({scene.parts[part].name, std::move(w)});
+  }
+  if (!faults.empty()) throw SceneError(std::move(faults));
+}
+
+void Family::gather_elements(const Scene& scene) {
+  const auto width = static_cast<std::size_t>(type_->nodes());
+  for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+    const auto& nodes = scene.parts[parts_[p]].nodes;
+    part_begin_.push_back(part_.size());
+    part_.insert(part_.end(), nodes.size() / width, p);
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  }
+  part_begin_.push_back(part_.size());
+}
+
+std::vector<double> Family::gather_datum(const Scene& scene, const netloft_datum& datum) const {
+  std::vector<double> all;
+  for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+    const Part& part = scene.parts[parts_[p]];
+    const auto given = part.data.find(datum.name);
+    const std::size_t wanted = (part_begin_[p + 1] - part_begin_[p]) * datum.width;
+    if (given == part.data.end())
+      throw SceneError({{part.name, type_->type + " wants \"" + datum.name + "\" (" + datum.doc +
+                                        ") of every element; this part's geometry does not give it"}});
+    if (given->second.size() != wanted)
+      throw SceneError(
+          {{part.name, "\"" + std::string(datum.name) + "\" has " + std::to_string(given->second.size()) +
+                           " numbers, " + std::to_string(wanted) + " are wanted"}});
+    all.insert(all.end(), given->second.begin(), given->second.end());
+  }
+  return all;
+}
+
+void Family::create(const Scene& scene) {
+  std::vector<std::vector<double>> data;
+  std::vector<const double*> data_pointers;
+  for (const auto& datum : type_->data) data.push_back(gather_datum(scene, datum));
+  for (const auto& d : data) data_pointers.push_back(d.data());
+  std::vector<const void*> blocks;
+  for (const auto& block : parameters_) blocks.push_back(block.data());
+
+  char message[512] = "";
+  netloft_create in{};
+  in.size = sizeof in;
+  in.count = static_cast<std::uint32_t>(size());
+  in.part_count = static_cast<std::uint32_t>(parts_.size());
+  in.parameters = blocks.data(), in.part = part_.data(), in.data = data_pointers.data();
+  in.message = message, in.message_size = sizeof message;
+  if (type_->element.create(&in, &self_) == NETLOFT_OK) return;
+  self_ = nullptr;
+  const std::size_t e = std::min<std::size_t>(in.at_fault, size() - 1);
+  throw SceneError(
+      {{scene.parts[part(e)].name,
+        type_->type + " element " + std::to_string(e - part_begin_[part_[e]]) + " is refused: " + message}});
+}
+
+}  // namespace netloft

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/scene/plan.hpp"
+
+#include <memory>
+
+namespace netloft {
+
+/// All elements of one type in a scene, made by their plugin; stands on the nodes of the scene.
+/// Elements keep the order of the parts, and within a part the order they were given in.
+class Family {
+ public:
+  /// Throws SceneError when parameters or data are wrong or the plugin refuses an element.
+  Family(const Scene& scene, const FamilyPlan& plan);
+  ~Family();
+  Family(const Family&) = delete;
+  Family& operator=(const Family&) = delete;
+
+  const ElementType& type() const { return *type_; }
+  std::size_t size() const { return part_.size(); }
+  int nodes_per_element() const { return type_->nodes(); }
+  std::uint32_t node(std::size_t element, int corner) const {
+    return nodes_[element * static_cast<std::size_t>(type_->nodes()) + static_cast<std::size_t>(corner)];
+  }
+  /// Scene part of an element.
+  std::uint32_t part(std::size_t element) const { return parts_[part_[element]]; }
+  const std::vector<std::uint32_t>& parts() const { return parts_; }
+  /// First element of each part, and one past the last.
+  const std::vector<std::size_t>& part_begin() const { return part_begin_; }
+  const void* self() const { return self_; }
+
+  const std::vector<netloft_term>& active_terms() const { return terms_; }
+
+ private:
+  void gather_parameters(const Scene& scene);
+  void gather_elements(const Scene& scene);
+  void create(const Scene& scene);
+  std::vector<double> gather_datum(const Scene& scene, const netloft_datum& datum) const;
+
+  const ElementType* type_;
+  std::vector<std::uint32_t> parts_;         // scene parts
+  std::vector<std::size_t> part_begin_;      // per part of parts_, +1
+  std::vector<std::uint32_t> part_, nodes_;  // per element: place in parts_; its nodes
+  std::vector<ParameterBlock> parameters_;
+  std::vector<netloft_term> terms_;
+  void* self_ = nullptr;
+};
+
+}  // namespace netloft

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cmath>
+
+namespace netloft {
+
+/// A number with its gradient and Hessian with respect to N variables (forward mode, second order).
+/// Slow and sure: it makes force and tangent of an element out of nothing but its energy, and is the
+/// oracle that faster kernels are tested against.
+template <int N>
+struct Dual {
+  double value = 0;
+  std::array<double, N> gradient{};
+  std::array<double, N*(N + 1) / 2> hessian{};  // lower triangle, entry r(r+1)/2 + c
+
+  Dual() = default;
+  Dual(double v) : value(v) {}  // NOLINT: a plain number is a constant
+
+  static Dual variable(double v, int index) {
+    Dual d(v);
+    d.gradient[static_cast<std::size_t>(index)] = 1;
+    return d;
+  }
+
+  /// f(this) from f, f' and f'' at the value: the chain rule, once for all functions of one argument.
+  Dual chain(double f, double f1, double f2) const {
+    Dual d(f);
+    std::size_t k = 0;
+    for (std::size_t r = 0; r < N; ++r) {
+      d.gradient[r] = f1 * gradient[r];
+      for (std::size_t c = 0; c <= r; ++c, ++k)
+        d.hessian[k] = f1 * hessian[k] + f2 * gradient[r] * gradient[c];
+    }
+    return d;
+  }
+
+  Dual& operator+=(const Dual& b) { return *this = *this + b; }
+  Dual& operator-=(const Dual& b) { return *this = *this - b; }
+  Dual& operator*=(const Dual& b) { return *this = *this * b; }
+
+  friend Dual operator-(const Dual& a) { return a.chain(-a.value, -1, 0); }
+  friend Dual operator+(const Dual& a, const Dual& b) { return combine(a, 1, b, 1, a.value + b.value); }
+  friend Dual operator-(const Dual& a, const Dual& b) { return combine(a, 1, b, -1, a.value - b.value); }
+  friend Dual operator*(const Dual& a, const Dual& b) {
+    Dual d = combine(a, b.value, b, a.value, a.value * b.value);
+    std::size_t k = 0;
+    for (std::size_t r = 0; r < N; ++r)
+      for (std::size_t c = 0; c <= r; ++c, ++k)
+        d.hessian[k] += a.gradient[r] * b.gradient[c] + b.gradient[r] * a.gradient[c];
+    return d;
+  }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const double i = 1 / b.value;
+    return a * b.chain(i, -i * i, 2 * i * i * i);
+  }
+
+  friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
+  friend bool operator>(const Dual& a, const Dual& b) { return a.value > b.value; }
+  friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
+  friend bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
+
+  friend Dual sqrt(const Dual& a) {
+    const double s = std::sqrt(a.value);
+    return a.chain(s, 0.5 / s, -0.25 / (s * a.value));
+  }
+  friend Dual log(const Dual& a) { return a.chain(std::log(a.value), 1 / a.value, -1 / (a.value * a.value)); }
+  friend Dual exp(const Dual& a) {
+    const double e = std::exp(a.value);
+    return a.chain(e, e, e);
+  }
+  friend Dual sin(const Dual& a) { return a.chain(std::sin(a.value), std::cos(a.value), -std::sin(a.value)); }
+  friend Dual cos(const Dual& a) {
+    return a.chain(std::cos(a.value), -std::sin(a.value), -std::cos(a.value));
+  }
+  friend Dual acos(const Dual& a) {
+    const double q = 1 - a.value * a.value, s = std::sqrt(q);
+    return a.chain(std::acos(a.value), -1 / s, -a.value / (q * s));
+  }
+  friend Dual atan(const Dual& a) {
+    const double q = 1 / (1 + a.value * a.value);
+    return a.chain(std::atan(a.value), q, -2 * a.value * q * q);
+  }
+  friend Dual abs(const Dual& a) { return a.value < 0 ? -a : a; }
+  friend Dual pow(const Dual& a, double p) {
+    const double f = std::pow(a.value, p);
+    return a.chain(f, p * std::pow(a.value, p - 1), p * (p - 1) * std::pow(a.value, p - 2));
+  }
+
+ private:
+  static Dual combine(const Dual& a, double fa, const Dual& b, double fb, double value) {
+    Dual d(value);
+    for (std::size_t r = 0; r < N; ++r) d.gradient[r] = fa * a.gradient[r] + fb * b.gradient[r];
+    for (std::size_t k = 0; k < d.hessian.size(); ++k) d.hessian[k] = fa * a.hessian[k] + fb * b.hessian[k];
+    return d;
+  }
+};
+
+}  // namespace netloft

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
+ *
+ * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of the
+ * elements and solvers inside. No C++ type, exception or allocation crosses; the plugin links to nothing of ours.
+ * Authors seldom need this file: netloft/element.hpp and netloft/solver.hpp write these structs for them.
+ *
+ * Every struct begins with its own size. Fields are only ever appended, so that a host reads an older
+ * plugin (what is missing is zero) and a plugin of the same major version runs in a newer host.
+ * Arrays of structs are stepped through by the size of their first entry.
+ *
+ * Units are SI. World frame: z up, z = 0 at the water surface. Positions [m], velocities [m/s], forces [N].
+ *
+ * Signs: a term returns its contribution to the residual, +dE/dx (minus the physical force). Its tangent
+ * cu dforce/du + cv dforce/dv + ca dforce/da is positive definite for a taut twine.
+ */
+#ifndef NETLOFT_PLUGIN_H
+#define NETLOFT_PLUGIN_H
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETLOFT_ABI_MAJOR 1
+#define NETLOFT_ABI_MINOR 0
+#define NETLOFT_LANES 64 /* elements in a tile */
+
+/* What a function returns. OUTSIDE_DOMAIN: this state has no force, shorten the step. ERROR: stop. */
+enum { NETLOFT_OK = 0, NETLOFT_OUTSIDE_DOMAIN = 1, NETLOFT_ERROR = -1 };
+
+/* ---------------------------------------------------------------- parameters */
+
+enum netloft_kind {
+  NETLOFT_REAL = 0,    /* double */
+  NETLOFT_INTEGER = 1, /* int64_t */
+  NETLOFT_BOOLEAN = 2, /* one byte, 0 or 1 (bool) */
+  NETLOFT_CHOICE = 3,  /* int64_t: place in `choices` */
+  NETLOFT_TEXT = 4     /* const char *, owned by the host */
+};
+
+enum { NETLOFT_REQUIRED = 1 };
+
+/* One value that a user may set. Its name may hold dots: "twine.EA" is EA in the table `twine`. */
+typedef struct netloft_parameter {
+  uint32_t size;
+  uint32_t kind;
+  const char *name;
+  const char *unit;    /* SI unit of a real; "1" is the unit of a pure number */
+  const char *doc;     /* half a sentence: "axial stiffness of one twine" */
+  double fallback;     /* value when absent; with `fallback_of`, a factor on that parameter */
+  double lo, hi;       /* allowed range, both ends included */
+  uint32_t flags;      /* NETLOFT_REQUIRED */
+  uint32_t offset;     /* of the value in the parameter struct */
+  const char *fallback_of;            /* name of an earlier real, or null */
+  const char *const *choices;         /* null-terminated, for NETLOFT_CHOICE */
+  const char *fallback_text;          /* for NETLOFT_TEXT */
+} netloft_parameter;
+
+/* ---------------------------------------------------------------- elements */
+
+/* What an element stands on. The value is the number of nodes in the low byte. */
+enum netloft_stencil {
+  NETLOFT_NODE = 1,
+  NETLOFT_BAR = 2,
+  NETLOFT_TRIANGLE = 3
+};
+
+/* A number (or `width` numbers) that every element has of its own: rest length, twine coordinates of corners. */
+typedef struct netloft_datum {
+  uint32_t size;
+  uint32_t width;
+  const char *name, *unit, *doc;
+} netloft_datum;
+
+/* Traits of a term. */
+enum {
+  NETLOFT_CONSERVATIVE = 1 << 0,     /* force is the gradient of an energy, which it gives */
+  NETLOFT_SYMMETRIC = 1 << 1,        /* tangent is symmetric and packed as lower triangle */
+  NETLOFT_CONSTANT = 1 << 2,         /* force does not depend on the state: no tangent */
+  NETLOFT_READS_VELOCITY = 1 << 3,   /* wants tile.v when there is one */
+  NETLOFT_READS_ACCELERATION = 1 << 4,
+  NETLOFT_READS_CURRENT = 1 << 5,    /* wants tile.current and tile.current_dz when there is one */
+  NETLOFT_NEEDS_GRAVITY = 1 << 6,    /* gives nothing without gravity */
+  NETLOFT_NEEDS_FLOW = 1 << 7,       /* gives nothing without a current or motion */
+  NETLOFT_NEEDS_MOTION = 1 << 8,     /* gives nothing in a static analysis */
+  NETLOFT_HAS_CONVEX = 1 << 9,       /* answers WANT_CONVEX itself; otherwise the host projects its tangent */
+  NETLOFT_HAS_METRIC = 1 << 10       /* answers WANT_METRIC itself; otherwise the host bounds its tangent */
+};
+
+/* What a call of a term must add. At most one of the three matrices is asked for in a call. */
+enum {
+  NETLOFT_WANT_ENERGY = 1,
+  NETLOFT_WANT_FORCE = 2,
+  NETLOFT_WANT_TANGENT = 4, /* the exact tangent */
+  NETLOFT_WANT_CONVEX = 8,  /* a positive semi-definite part of the tangent */
+  NETLOFT_WANT_METRIC = 16  /* the linear stiffness: constant, positive semi-definite, bounds the convex part */
+};
+
+/* Up to 64 elements of one family. Arrays are [degree of freedom][64], lanes 0 … count-1 in use; the degree of
+ * freedom is 3*node + axis. Inputs that the term did not ask for, or that the scene does not have, are null.
+ * A term ADDS to its outputs, in lanes below `count` only; outputs that are not wanted are null. */
+typedef struct netloft_tile {
+  uint32_t size;
+  uint32_t want;
+  uint32_t first;           /* index of lane 0 in the family; a multiple of 64 */
+  uint32_t count;
+  double time;              /* [s] */
+  double cu, cv, ca;        /* factors of the tangent */
+  double water_density;     /* [kg/m3] */
+  double gravity;           /* [m/s2] */
+  const double *x;          /* positions [m] */
+  const double *v, *a;      /* velocities, accelerations; null at rest */
+  const double *current;    /* velocity of the water at the nodes [m/s] */
+  const double *current_dz; /* its derivative with z [1/s] */
+  double *energy;           /* [64] [J] */
+  double *force;            /* [dof][64] residual [N] */
+  double *tangent;          /* packed lower triangle, entry r(r+1)/2+c, if symmetric; else r*dofs+c; [entry][64] */
+  char *message;            /* room for a sentence when the status is not OK */
+  uint32_t message_size;
+  uint32_t lane_at_fault;   /* set with a status that is not OK */
+} netloft_tile;
+
+typedef struct netloft_term {
+  uint32_t size;
+  uint32_t traits;
+  const char *name, *doc;
+  const char *needs;        /* a real parameter that must differ from zero for the term to act, or null */
+  int (*evaluate)(const void *self, netloft_tile *tile);
+} netloft_term;
+
+/* A number reported per element, in physical sign: tension is positive when the rope pulls. */
+typedef struct netloft_output {
+  uint32_t size;
+  uint32_t reserved;
+  const char *name, *unit, *doc;
+} netloft_output;
+
+/* What the host hands to `create`: all elements of one type in a scene, at once. */
+typedef struct netloft_create {
+  uint32_t size;
+  uint32_t count;                    /* elements */
+  uint32_t part_count;
+  uint32_t at_fault;                 /* set by `create`: the element it refuses */
+  const void *const *parameters;     /* [part] filled parameter struct; valid as long as the family */
+  const uint32_t *part;              /* [element] which part it belongs to */
+  const double *const *data;         /* [datum] -> [element][width] */
+  char *message;
+  uint32_t message_size;
+} netloft_create;
+
+typedef struct netloft_element {
+  uint32_t size;
+  uint32_t stencil;
+  const char *name, *doc;            /* "bar" in plugin "rope" is rope/bar */
+  uint32_t parameter_bytes;          /* size of the parameter struct */
+  uint32_t parameter_count;
+  const netloft_parameter *parameters;
+  const netloft_datum *data;
+  uint32_t datum_count;
+  uint32_t term_count;
+  const netloft_term *terms;
+  const netloft_output *outputs;
+  uint32_t output_count;
+  uint32_t reserved;
+  int (*create)(netloft_create *in, void **self);
+  void (*destroy)(void *self);
+  int (*output)(const void *self, netloft_tile *tile, double *values); /* values[output][64] */
+} netloft_element;
+
+/* ---------------------------------------------------------------- solvers */
+
+/* Which matrix of the last evaluation a factorisation takes. With INDEFINITE added, any matrix that is not
+ * singular will do (LU); without it, a symmetric matrix that is not positive definite is refused at no great price. */
+enum netloft_matrix { NETLOFT_EXACT = 0, NETLOFT_CONVEX = 1, NETLOFT_NONE = 2, NETLOFT_INDEFINITE = 16 };
+
+/* How a factorisation ended. */
+enum netloft_factor { NETLOFT_FACTOR_OK = 0, NETLOFT_NOT_POSITIVE = 1, NETLOFT_SINGULAR = 2, NETLOFT_FACTOR_FAILED = 3 };
+
+/* Answer of `progress`: go on, the point is good enough, or give up (limit reached, interrupted). */
+enum netloft_progress { NETLOFT_GO_ON = 0, NETLOFT_ARRIVED = 1, NETLOFT_GIVE_UP = 2 };
+
+/* Why a solver returned. The host recomputes the residual and has the last word on convergence. */
+enum netloft_outcome {
+  NETLOFT_STOPPED = 0,         /* `progress` said ARRIVED or GIVE_UP */
+  NETLOFT_STEP_TOO_SHORT = 1,  /* no step brings it closer */
+  NETLOFT_LINEAR_SOLVE = 2,    /* the matrix could not be factorised */
+  NETLOFT_LEFT_DOMAIN = 3,     /* an element has no force at the point */
+  NETLOFT_NOT_FINITE = 4,      /* numbers overflowed */
+  NETLOFT_SOLVER_ERROR = 5     /* see message */
+};
+
+/* What a solver sees of a scene: r(u) = 0, with an energy whose gradient is r if the problem is conservative.
+ * `u` are displacements of the unknowns from the start [m]. Every function takes `host` first. */
+typedef struct netloft_problem {
+  uint32_t size;
+  uint32_t unknowns;
+  uint32_t traits;              /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC */
+  uint32_t reserved;
+  void *host;
+  double *u;                    /* in: where to start; out: where the solver ended */
+
+  /* Evaluates at u: energy [J] and residual [N] as wanted (either may be null), and keeps the wanted matrix.
+   * Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */
+  int (*evaluate)(void *host, uint32_t want, const double *u, double *energy, double *residual);
+  /* Factorises `matrix` of the last evaluation + shift x metric. The metric is the linear stiffness. */
+  int (*factorise)(void *host, int matrix, double shift);
+  /* Solves with the last good factor; rhs and x may be the same. */
+  int (*solve)(void *host, const double *rhs, double *x);
+  /* y = (matrix + shift x metric) x, of the last evaluation. */
+  int (*multiply)(void *host, int matrix, double shift, const double *x, double *y);
+  /* Books one iteration at an accepted point u whose residual is given; says whether to go on. */
+  int (*progress)(void *host, const double *u, double energy, const double *residual, const char *note);
+  /* Largest move of a node over the largest element length, of a step du: a pure number. */
+  double (*step_length)(void *host, const double *du);
+
+  char *message;                /* room for a sentence of the solver's */
+  uint32_t message_size;
+} netloft_problem;
+
+typedef struct netloft_solver {
+  uint32_t size;
+  uint32_t needs;               /* traits without which it cannot work */
+  const char *name, *doc;
+  uint32_t parameter_bytes;
+  uint32_t parameter_count;
+  const netloft_parameter *parameters;
+  int (*solve)(const void *parameters, netloft_problem *problem); /* returns a netloft_outcome */
+} netloft_solver;
+
+/* ---------------------------------------------------------------- the plugin */
+
+enum { NETLOFT_FAST_MATH = 1 };
+
+typedef struct netloft_plugin {
+  uint32_t size;
+  uint32_t abi_major, abi_minor;
+  uint32_t flags;               /* NETLOFT_FAST_MATH when compiled so: refused */
+  const char *name;             /* the stem of its file: "rope" in rope.so */
+  const char *version, *doc, *compiler;
+  const netloft_element *elements;
+  const netloft_solver *solvers;
+  uint32_t element_count, solver_count;
+} netloft_plugin;
+
+#if defined(__FAST_MATH__)
+#define NETLOFT_BUILD_FLAGS NETLOFT_FAST_MATH
+#else
+#define NETLOFT_BUILD_FLAGS 0
+#endif
+
+#ifndef NETLOFT_PLUGIN_SYMBOL
+#define NETLOFT_PLUGIN_SYMBOL netloft_plugin_v1
+#endif
+#define NETLOFT_EXPORT __attribute__((visibility("default")))
+
+typedef const netloft_plugin *(*netloft_plugin_function)(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

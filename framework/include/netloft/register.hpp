@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/plugin.h>
+
+#include <memory>
+#include <vector>
+
+namespace netloft {
+
+template <class E>
+class ElementTable;
+template <class S>
+class SolverTable;
+
+/// Collects the tables of a plugin and turns them into what crosses the boundary.
+class Plugin {
+ public:
+  template <class E>
+  ElementTable<E>& element(const char* name, const char* doc) {
+    return add<ElementTable<E>>(name, doc);
+  }
+  template <class S>
+  SolverTable<S>& solver(const char* name, const char* doc) {
+    return add<SolverTable<S>>(name, doc);
+  }
+
+  const netloft_plugin* finish(const char* name, const char* version, const char* doc) {
+    for (const auto& table : pending_) table->describe(*this);
+    plugin_.size = sizeof plugin_;
+    plugin_.abi_major = NETLOFT_ABI_MAJOR, plugin_.abi_minor = NETLOFT_ABI_MINOR;
+    plugin_.flags = NETLOFT_BUILD_FLAGS;
+    plugin_.name = name, plugin_.version = version, plugin_.doc = doc, plugin_.compiler = __VERSION__;
+    plugin_.elements = elements_.data(), plugin_.element_count = static_cast<std::uint32_t>(elements_.size());
+    plugin_.solvers = solvers_.data(), plugin_.solver_count = static_cast<std::uint32_t>(solvers_.size());
+    return &plugin_;
+  }
+
+ private:
+  template <class Table>
+  Table& add(const char* name, const char* doc) {
+    auto pending = std::make_unique<Holder<Table>>(name, doc);
+    Table& table = pending->table;
+    pending_.push_back(std::move(pending));
+    return table;
+  }
+
+  /// A table that is complete only when the author's function has returned.
+  struct Pending {
+    virtual ~Pending() = default;
+    virtual void describe(Plugin& plugin) const = 0;
+  };
+  template <class Table>
+  struct Holder : Pending {
+    Holder(const char* name, const char* doc) : table(name, doc) {}
+    void describe(Plugin& plugin) const override { plugin.take(table.descriptor()); }
+    Table table;
+  };
+  void take(const netloft_element& e) { elements_.push_back(e); }
+  void take(const netloft_solver& s) { solvers_.push_back(s); }
+
+  std::vector<std::unique_ptr<Pending>> pending_;
+  std::vector<netloft_element> elements_;
+  std::vector<netloft_solver> solvers_;
+  netloft_plugin plugin_{};
+};
+
+namespace detail {
+/// Describes the plugin at the first call; a plugin that cannot describe itself is a null pointer.
+template <void (*Describe)(Plugin&)>
+const netloft_plugin* describe_once(const char* name, const char* version, const char* doc) noexcept {
+  try {
+    static Plugin plugin;
+    static const netloft_plugin* described = (Describe(plugin), plugin.finish(name, version, doc));
+    return described;
+  } catch (...) {
+    return nullptr;
+  }
+}
+}  // namespace detail
+}  // namespace netloft
+
+/// The one exported symbol of a plugin. What follows in braces registers its elements and solvers on
+/// `plugin`.
+#define NETLOFT_PLUGIN(name, version, doc)                                        \
+  static void netloft_describe(netloft::Plugin& plugin);                          \
+  extern "C" NETLOFT_EXPORT const netloft_plugin* NETLOFT_PLUGIN_SYMBOL(void) {   \
+    return netloft::detail::describe_once<&netloft_describe>(name, version, doc); \
+  }                                                                               \
+  static void netloft_describe([[maybe_unused]] netloft::Plugin& plugin)

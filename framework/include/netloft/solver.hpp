@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the author of a solver includes. A solver is a struct with `Parameters` and one function,
+//
+//   static Outcome solve(const Parameters&, Problem&);
+//
+// that moves `problem.u()` towards r(u) = 0. It reports every accepted point with `progress`, which says
+// whether to go on. The host counts, times and judges; a solver has nothing to say about convergence.
+#pragma once
+#include <netloft/plugin.h>
+#include <netloft/parameters.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+enum class Outcome {
+  stopped = NETLOFT_STOPPED,
+  step_too_short = NETLOFT_STEP_TOO_SHORT,
+  linear_solve = NETLOFT_LINEAR_SOLVE,
+  left_domain = NETLOFT_LEFT_DOMAIN,
+  not_finite = NETLOFT_NOT_FINITE,
+};
+
+enum class Matrix { exact = NETLOFT_EXACT, convex = NETLOFT_CONVEX, none = NETLOFT_NONE };
+enum class Factor {
+  ok = NETLOFT_FACTOR_OK,
+  not_positive = NETLOFT_NOT_POSITIVE,
+  singular = NETLOFT_SINGULAR,
+  failed = NETLOFT_FACTOR_FAILED
+};
+enum class Evaluation { ok = NETLOFT_OK, outside_domain = NETLOFT_OUTSIDE_DOMAIN };
+
+/// r(u) = 0 as a solver sees it.
+class Problem {
+ public:
+  explicit Problem(netloft_problem& p) : p_(p) {}
+
+  std::size_t size() const { return p_.unknowns; }
+  bool conservative() const { return p_.traits & NETLOFT_CONSERVATIVE; }
+  bool symmetric() const { return p_.traits & NETLOFT_SYMMETRIC; }
+  std::span<double> u() { return {p_.u, size()}; }
+
+  /// Residual [N] and energy [J] (zero if there is none) at u; keeps the matrix asked for.
+  Evaluation evaluate(std::span<const double> u, double& energy, std::span<double> residual,
+                      Matrix keep = Matrix::none) {
+    const std::uint32_t matrix = keep == Matrix::exact    ? std::uint32_t{NETLOFT_WANT_TANGENT}
+                                 : keep == Matrix::convex ? std::uint32_t{NETLOFT_WANT_CONVEX}
+                                                          : 0u;
+    return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | matrix, u.data(), &energy,
+                               residual.data()));
+  }
+  /// Energy alone.
+  Evaluation evaluate(std::span<const double> u, double& energy) {
+    return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY, u.data(), &energy, nullptr));
+  }
+  /// A matrix alone.
+  Evaluation evaluate(std::span<const double> u, Matrix keep) {
+    const std::uint32_t want =
+        keep == Matrix::exact ? std::uint32_t{NETLOFT_WANT_TANGENT} : std::uint32_t{NETLOFT_WANT_CONVEX};
+    return checked(p_.evaluate(p_.host, want, u.data(), nullptr, nullptr));
+  }
+  /// Factorises matrix + shift x metric, the metric being the linear stiffness.
+  Factor factorise(Matrix matrix, double shift) {
+    return static_cast<Factor>(p_.factorise(p_.host, static_cast<int>(matrix), shift));
+  }
+  /// The same for a matrix of any definiteness.
+  Factor factorise_indefinite(Matrix matrix, double shift) {
+    return static_cast<Factor>(p_.factorise(p_.host, static_cast<int>(matrix) | NETLOFT_INDEFINITE, shift));
+  }
+  void solve(std::span<const double> rhs, std::span<double> x) {
+    check(p_.solve(p_.host, rhs.data(), x.data()));
+  }
+  /// y = (matrix + shift x metric) x
+  void multiply(Matrix matrix, double shift, std::span<const double> x, std::span<double> y) {
+    check(p_.multiply(p_.host, static_cast<int>(matrix), shift, x.data(), y.data()));
+  }
+  /// Books an accepted point. True: go on. False: return Outcome::stopped.
+  bool progress(std::span<const double> u, double energy, std::span<const double> residual,
+                const char* note = "") {
+    return p_.progress(p_.host, u.data(), energy, residual.data(), note) == NETLOFT_GO_ON;
+  }
+  /// Largest nodal move over the largest element length, of a step.
+  double step_length(std::span<const double> du) { return p_.step_length(p_.host, du.data()); }
+
+ private:
+  static Evaluation checked(int status) {
+    check(status);
+    return static_cast<Evaluation>(status);
+  }
+  static void check(int status) {
+    if (status < 0) throw std::runtime_error("");  // the host knows what went wrong
+  }
+  netloft_problem& p_;
+};
+
+namespace detail {
+template <class S>
+int run_solver(const void* parameters, netloft_problem* problem) noexcept {
+  try {
+    Problem p(*problem);
+    return static_cast<int>(S::solve(*static_cast<const typename S::Parameters*>(parameters), p));
+  } catch (const std::exception& e) {
+    if (problem->message) std::snprintf(problem->message, problem->message_size, "%s", e.what());
+  } catch (...) {
+  }
+  return NETLOFT_SOLVER_ERROR;
+}
+}  // namespace detail
+
+/// Describes one solver to the host. `needs` are traits the problem must have.
+template <class S>
+class SolverTable : public ParameterTable<typename S::Parameters> {
+ public:
+  SolverTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
+  void needs(std::uint32_t traits) { needs_ = traits; }
+
+  netloft_solver descriptor() const {
+    netloft_solver s{};
+    s.size = sizeof s, s.needs = needs_, s.name = name_, s.doc = doc_;
+    s.parameter_bytes = sizeof(typename S::Parameters);
+    s.parameter_count = static_cast<std::uint32_t>(this->rows().size()), s.parameters = this->rows().data();
+    s.solve = &detail::run_solver<S>;
+    return s;
+  }
+
+ private:
+  const char *name_, *doc_;
+  std::uint32_t needs_ = 0;
+};
+
+}  // namespace netloft
+
+#include <netloft/register.hpp>

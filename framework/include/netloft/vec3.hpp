@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cmath>
+
+namespace netloft {
+
+/// Three numbers of the world frame (x, y, z up), of double or of a dual number.
+template <class T>
+struct Vec3 {
+  T x{}, y{}, z{};
+
+  T& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+  const T& operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+  Vec3& operator+=(const Vec3& b) { return *this = *this + b; }
+  Vec3& operator-=(const Vec3& b) { return *this = *this - b; }
+
+  friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
+};
+
+template <class T, class S>
+Vec3<T> operator*(const S& s, const Vec3<T>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class T>
+T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T>
+T norm(const Vec3<T>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+
+/// Positions, velocities … of the nodes of one element.
+template <class T, int Nodes>
+using Points = std::array<Vec3<T>, Nodes>;
+
+}  // namespace netloft

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/parameters/parameters.hpp"
+
+#include "framework/registry/nearest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace netloft {
+
+namespace {
+
+std::string number_text(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", v);
+  return text;
+}
+
+std::string with_unit(const std::string& text, const netloft_parameter& p) {
+  return std::string_view(p.unit) == "1" ? text : text + " " + p.unit;
+}
+
+std::optional<std::int64_t> place_of(const netloft_parameter& p, const std::string& word) {
+  for (std::int64_t i = 0; p.choices[i]; ++i)
+    if (word == p.choices[i]) return i;
+  return {};
+}
+
+std::vector<std::string> words_of(const netloft_parameter& p) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; p.choices[i]; ++i) words.push_back(p.choices[i]);
+  return words;
+}
+
+std::optional<std::string> range_fault(const netloft_parameter& p, double v) {
+  if (v >= p.lo && v <= p.hi) return {};
+  return std::string(p.name) + " = " + with_unit(number_text(v), p) + " is outside " + allowed(p) + " (" +
+         p.doc + ")";
+}
+
+const char* kind_name(std::uint32_t kind) {
+  switch (kind) {
+    case NETLOFT_REAL:
+      return "a number";
+    case NETLOFT_INTEGER:
+      return "a whole number";
+    case NETLOFT_BOOLEAN:
+      return "true or false";
+    case NETLOFT_CHOICE:
+      return "a word";
+    default:
+      return "a text";
+  }
+}
+
+bool fits(std::uint32_t kind, const Value& value) {
+  switch (kind) {
+    case NETLOFT_REAL:
+      return std::holds_alternative<double>(value);
+    case NETLOFT_INTEGER:
+      return std::holds_alternative<std::int64_t>(value);
+    case NETLOFT_BOOLEAN:
+      return std::holds_alternative<bool>(value);
+    default:
+      return std::holds_alternative<std::string>(value);
+  }
+}
+
+}  // namespace
+
+std::string allowed(const netloft_parameter& p) {
+  switch (p.kind) {
+    case NETLOFT_BOOLEAN:
+      return "true or false";
+    case NETLOFT_TEXT:
+      return "a text";
+    case NETLOFT_CHOICE: {
+      std::string text = "one of ";
+      for (std::size_t i = 0; p.choices[i]; ++i) text += (i ? ", " : "") + std::string(p.choices[i]);
+      return text;
+    }
+    default:
+      return with_unit("[" + number_text(p.lo) + ", " + number_text(p.hi) + "]", p);
+  }
+}
+
+std::string default_of(const netloft_parameter& p) {
+  if (p.flags & NETLOFT_REQUIRED) return "required";
+  if (p.fallback_of) return number_text(p.fallback) + " x " + p.fallback_of;
+  switch (p.kind) {
+    case NETLOFT_CHOICE:
+      return p.choices[static_cast<std::size_t>(p.fallback)];
+    case NETLOFT_BOOLEAN:
+      return p.fallback != 0 ? "true" : "false";
+    case NETLOFT_TEXT:
+      return p.fallback_text ? p.fallback_text : "";
+    default:
+      return number_text(p.fallback);
+  }
+}
+
+std::optional<std::string> fault_of(const netloft_parameter& p, const Value& value) {
+  if (!fits(p.kind, value)) return std::string(p.name) + " must be " + kind_name(p.kind) + " (" + p.doc + ")";
+  if (const double* v = std::get_if<double>(&value)) return range_fault(p, *v);
+  if (const auto* v = std::get_if<std::int64_t>(&value)) return range_fault(p, static_cast<double>(*v));
+  if (p.kind == NETLOFT_CHOICE && !place_of(p, std::get<std::string>(value))) {
+    const auto near = nearest(std::get<std::string>(value), words_of(p));
+    return std::string(p.name) + " = \"" + std::get<std::string>(value) + "\" is not " + allowed(p) +
+           (near ? "; did you mean \"" + *near + "\"?" : "");
+  }
+  return {};
+}
+
+ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes,
+                               const Values& values, std::vector<std::string>& faults)
+    : bytes_(new std::max_align_t[bytes / sizeof(std::max_align_t) + 1]()) {
+  std::vector<std::string> names;
+  for (const auto& p : table) {
+    names.push_back(p.name);
+    const auto given = values.find(p.name);
+    if (given == values.end() && (p.flags & NETLOFT_REQUIRED)) {
+      faults.push_back(std::string(p.name) + " is missing: " + p.doc + ", " + allowed(p));
+      continue;
+    }
+    const Value value = given == values.end() ? fallback(table, p) : given->second;
+    if (const auto fault = fault_of(p, value))
+      faults.push_back(*fault);
+    else
+      store(p, value);
+  }
+  for (const auto& [name, value] : values)
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      const auto near = nearest(name, names);
+      faults.push_back("unknown parameter \"" + name + "\"" +
+                       (near ? "; did you mean \"" + *near + "\"?" : ""));
+    }
+}
+
+double ParameterBlock::number(const netloft_parameter& p) const {
+  const char* at = reinterpret_cast<const char*>(bytes_.get()) + p.offset;
+  if (p.kind == NETLOFT_REAL) {
+    double v;
+    std::memcpy(&v, at, sizeof v);
+    return v;
+  }
+  if (p.kind == NETLOFT_BOOLEAN) return *at ? 1 : 0;
+  std::int64_t v;
+  std::memcpy(&v, at, sizeof v);
+  return static_cast<double>(v);
+}
+
+Value ParameterBlock::fallback(std::span<const netloft_parameter> table, const netloft_parameter& p) const {
+  switch (p.kind) {
+    case NETLOFT_INTEGER:
+      return static_cast<std::int64_t>(p.fallback);
+    case NETLOFT_BOOLEAN:
+      return p.fallback != 0;
+    case NETLOFT_CHOICE:
+      return std::string(p.choices[static_cast<std::size_t>(p.fallback)]);
+    case NETLOFT_TEXT:
+      return std::string(p.fallback_text ? p.fallback_text : "");
+    default:
+      break;
+  }
+  if (!p.fallback_of) return p.fallback;
+  for (const auto& other : table)
+    if (std::string_view(other.name) == p.fallback_of) return p.fallback * number(other);
+  return p.fallback;
+}
+
+void ParameterBlock::store(const netloft_parameter& p, const Value& value) {
+  char* at = reinterpret_cast<char*>(bytes_.get()) + p.offset;
+  const auto put = [at](auto v) { std::memcpy(at, &v, sizeof v); };
+  switch (p.kind) {
+    case NETLOFT_REAL:
+      return put(std::get<double>(value));
+    case NETLOFT_INTEGER:
+      return put(std::get<std::int64_t>(value));
+    case NETLOFT_BOOLEAN:
+      return put(std::get<bool>(value));
+    case NETLOFT_CHOICE:
+      return put(*place_of(p, std::get<std::string>(value)));
+    default:
+      texts_.push_back(std::make_unique<std::string>(std::get<std::string>(value)));
+      put(texts_.back()->c_str());
+  }
+}
+
+}  // namespace netloft

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/plugin.h>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace netloft {
+
+/// A value as a user gave it, by the kind of its parameter: real and SI, integer, boolean, word (choice or
+/// text).
+using Value = std::variant<double, std::int64_t, bool, std::string>;
+using Values = std::map<std::string, Value>;
+
+/// What is wrong with a value, as a sentence; empty when nothing is.
+std::optional<std::string> fault_of(const netloft_parameter& parameter, const Value& value);
+
+/// "[0, 1e+09] N", "one of classic, robust", "true or false".
+std::string allowed(const netloft_parameter& parameter);
+
+/// "required", "1e-4 x twine.EA", "classic".
+std::string default_of(const netloft_parameter& parameter);
+
+/// The struct that a plugin reads, filled from values and defaults. Copies share nothing with a plugin.
+class ParameterBlock {
+ public:
+  /// Faults (missing, unknown, out of range) are appended to `faults`; a block with faults must not be used.
+  ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes, const Values& values,
+                 std::vector<std::string>& faults);
+  ParameterBlock(ParameterBlock&&) = default;
+  ParameterBlock& operator=(ParameterBlock&&) = default;
+
+  const void* data() const { return bytes_.get(); }
+  /// The value of a real, integer, choice or boolean parameter as stored.
+  double number(const netloft_parameter& parameter) const;
+
+ private:
+  void store(const netloft_parameter& parameter, const Value& value);
+  Value fallback(std::span<const netloft_parameter> table, const netloft_parameter& parameter) const;
+
+  std::unique_ptr<std::max_align_t[]> bytes_;
+  std::vector<std::unique_ptr<std::string>> texts_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace netloft {
+
+/// Where a sparse matrix may be non-zero: compressed columns, rows ascending, every diagonal entry present.
+/// Symmetric matrices keep the lower triangle only.
+struct SparsePattern {
+  std::int32_t size = 0;                   // unknowns
+  std::vector<std::int32_t> column_start;  // size + 1
+  std::vector<std::int32_t> row;           // one per entry
+  std::vector<std::int32_t> node;          // unknown -> node, for orderings of the node graph; size long
+  bool symmetric = true;
+
+  std::size_t entries() const { return row.size(); }
+};
+
+enum class FactorStatus { ok, not_positive_definite, singular, out_of_memory, failed };
+
+struct FactorResult {
+  FactorStatus status = FactorStatus::ok;
+  std::int32_t column = -1;           // unknown at which it stopped, in the caller's numbering; -1 not known
+  std::int32_t negative_pivots = -1;  // -1 not known
+};
+
+/// A direct factorisation of one sparse pattern, analysed once and factorised many times.
+/// Implementations live with the solvers; the framework only counts and times the calls.
+class Factorisation {
+ public:
+  virtual ~Factorisation() = default;
+
+  /// What it is, for people: "CHOLMOD supernodal LLT 3.0.14, METIS on the node graph".
+  virtual std::string description() const = 0;
+
+  /// Orders and analyses the pattern, which must outlive this object. Throws std::runtime_error when it
+  /// cannot.
+  virtual void analyse(const SparsePattern& pattern) = 0;
+
+  /// Factorises `values`, one per pattern entry. On failure the last good factor is gone.
+  virtual FactorResult factorise(std::span<const double> values) = 0;
+
+  /// Solves with the last good factor; `rhs` and `x` have `size` entries and may be the same array.
+  virtual void solve(std::span<const double> rhs, std::span<double> x) = 0;
+
+  /// Non-zeros of the factor and floating-point operations of one factorisation; 0 when not known.
+  virtual double factor_entries() const { return 0; }
+  virtual double factor_flops() const { return 0; }
+};
+
+using MakeFactorisation = std::function<std::unique_ptr<Factorisation>(bool symmetric)>;
+
+}  // namespace netloft

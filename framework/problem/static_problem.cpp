@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/static_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace netloft {
+
+namespace {
+
+template <class... Args>
+struct Callback {
+  /// A C function that forwards to a member of the StaticProblem behind `host`; no exception passes.
+  template <auto Member>
+  static int call(void* host, Args... args) noexcept {
+    try {
+      return (static_cast<StaticProblem*>(host)->*Member)(args...);
+    } catch (...) {
+      return NETLOFT_ERROR;
+    }
+  }
+};
+
+MatrixKind kind_of(std::uint32_t want) {
+  if (want & NETLOFT_WANT_TANGENT) return MatrixKind::exact;
+  if (want & NETLOFT_WANT_CONVEX) return MatrixKind::convex;
+  return MatrixKind::none;
+}
+
+netloft_factor factor_code(FactorStatus status) {
+  switch (status) {
+    case FactorStatus::ok:
+      return NETLOFT_FACTOR_OK;
+    case FactorStatus::not_positive_definite:
+      return NETLOFT_NOT_POSITIVE;
+    case FactorStatus::singular:
+      return NETLOFT_SINGULAR;
+    default:
+      return NETLOFT_FACTOR_FAILED;
+  }
+}
+
+/// Calls visit(node, norm of the node's entries) for entries begin … end, which come node by node.
+template <class Visit>
+void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end, std::span<const double> v,
+               Visit&& visit) {
+  for (std::int32_t i = begin; i < end;) {
+    const std::uint32_t node = numbering.node(i);
+    const std::int32_t first = i;
+    double sum = 0;
+    for (; i < end && numbering.node(i) == node; ++i)
+      sum += v[static_cast<std::size_t>(i)] * v[static_cast<std::size_t>(i)];
+    visit(node, first, i, std::sqrt(sum));
+  }
+}
+
+bool all_finite(std::span<const double> v) {
+  double sum = 0;
+  for (const double a : v) sum += a - a;  // zero unless something is infinite or no number
+  return sum == 0;
+}
+
+}  // namespace
+
+StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
+                             std::function<void(const IterationRecord&)> on_iteration)
+    : assembler_(assembler),
+      make_(std::move(make)),
+      limits_(limits),
+      on_iteration_(std::move(on_iteration)),
+      begun_(wall_seconds()),
+      u_(static_cast<std::size_t>(assembler.pattern().size), 0.0),
+      x_(assembler.start()),
+      residual_(assembler.numbering().dofs()) {
+  history_.reserve(static_cast<std::size_t>(std::max(0, limits.iterations)) + 2);
+  interface_.size = sizeof interface_;
+  interface_.unknowns = static_cast<std::uint32_t>(u_.size());
+  interface_.host = this, interface_.u = u_.data();
+  interface_.message = message_, interface_.message_size = sizeof message_;
+  bool conservative = true;
+  for (const auto& family : assembler.families())
+    for (const auto& term : family->active_terms()) conservative &= (term.traits & NETLOFT_CONSERVATIVE) != 0;
+  interface_.traits =
+      (conservative ? NETLOFT_CONSERVATIVE : 0) | (assembler.pattern().symmetric ? NETLOFT_SYMMETRIC : 0);
+
+  interface_.evaluate =
+      Callback<std::uint32_t, const double*, double*, double*>::call<&StaticProblem::evaluate>;
+  interface_.factorise = Callback<int, double>::call<&StaticProblem::factorise>;
+  interface_.solve = Callback<const double*, double*>::call<&StaticProblem::solve>;
+  interface_.multiply = Callback<int, double, const double*, double*>::call<&StaticProblem::multiply>;
+  interface_.progress =
+      Callback<const double*, double, const double*, const char*>::call<&StaticProblem::progress>;
+  interface_.step_length = [](void* host, const double* du) {
+    return static_cast<StaticProblem*>(host)->step_length(du);
+  };
+  find_dead_loads();
+  find_element_size();
+}
+
+/// Largest nodal sum of the forces that do not depend on the state.
+void StaticProblem::find_dead_loads() {
+  std::vector<double> term(residual_.size()), sum(residual_.size(), 0.0);
+  for (std::size_t f = 0; f < assembler_.families().size(); ++f) {
+    const auto& terms = assembler_.families()[f]->active_terms();
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      if (!(terms[t].traits & NETLOFT_CONSTANT) || !assembler_.evaluate_term(x_, f, t, term)) continue;
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term[i];
+    }
+  }
+  for_nodes(assembler_.numbering(), 0, assembler_.pattern().size, sum,
+            [&](std::uint32_t, std::int32_t, std::int32_t, double norm) {
+              dead_load_ = std::max(dead_load_, norm);
+            });
+}
+
+void StaticProblem::find_element_size() {
+  double largest = 0;
+  const Numbering& numbering = assembler_.numbering();
+  for (const auto& family : assembler_.families())
+    for (std::size_t e = 0; e < family->size(); ++e)
+      for (int corner = 1; corner < family->nodes_per_element(); ++corner)
+        for (int axis = 0; axis < 3; ++axis)
+          largest = std::max(
+              largest, std::abs(x_[static_cast<std::size_t>(numbering.index(family->node(e, corner), axis))] -
+                                x_[static_cast<std::size_t>(numbering.index(family->node(e, 0), axis))]));
+  if (largest > 0) element_size_ = largest;
+}
+
+void StaticProblem::place(const double* u) {
+  const auto& start = assembler_.start();
+  for (std::size_t i = 0; i < u_.size(); ++i) x_[i] = start[i] + u[i];
+}
+
+int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy, double* residual) {
+  const MatrixKind kind = kind_of(want);
+  books_.energies += energy != nullptr, books_.residuals += residual != nullptr,
+      books_.matrices += kind != MatrixKind::none;
+  Timed timed(books_.assembly_seconds);
+  place(u);
+  Request request;
+  request.energy = energy;
+  request.residual = residual ? residual_.data() : nullptr;
+  request.matrix = kind;
+  request.values = kind == MatrixKind::none ? nullptr : values(kind).data();
+  if (!assembler_.evaluate(x_, request)) return assembler_.fault().status;
+  if (residual) std::copy_n(residual_.begin(), u_.size(), residual);
+  bad_numbers_ = (energy && !std::isfinite(*energy)) || (residual && !all_finite(residual_));
+  return bad_numbers_ ? NETLOFT_OUTSIDE_DOMAIN : NETLOFT_OK;
+}
+
+std::vector<double>& StaticProblem::values(MatrixKind kind) {
+  auto& v = kind == MatrixKind::exact ? exact_ : kind == MatrixKind::convex ? convex_ : metric_;
+  v.resize(assembler_.value_slots());
+  return v;
+}
+
+void StaticProblem::need_metric() {
+  if (!metric_.empty()) return;
+  Timed timed(books_.assembly_seconds);
+  if (!assembler_.evaluate(assembler_.start(),
+                           {.matrix = MatrixKind::metric, .values = values(MatrixKind::metric).data()}))
+    metric_.assign(assembler_.value_slots(), 0.0);
+}
+
+/// matrix + shift x metric, over the entries of the pattern.
+std::span<const double> StaticProblem::shifted(int matrix, double shift) {
+  const std::size_t entries = assembler_.pattern().entries();
+  const std::vector<double>* base = matrix == NETLOFT_EXACT    ? &exact_
+                                    : matrix == NETLOFT_CONVEX ? &convex_
+                                                               : nullptr;
+  if (base && base->empty()) return {};
+  if (shift == 0 && base) return {base->data(), entries};
+  need_metric();
+  shifted_.resize(entries);
+  for (std::size_t i = 0; i < entries; ++i) shifted_[i] = (base ? (*base)[i] : 0.0) + shift * metric_[i];
+  return shifted_;
+}
+
+int StaticProblem::factorise(int matrix, double shift) {
+  const auto v = shifted(matrix & ~NETLOFT_INDEFINITE, shift);
+  if (v.empty() && !u_.empty()) return NETLOFT_FACTOR_FAILED;
+  const bool general = !assembler_.pattern().symmetric || (matrix & NETLOFT_INDEFINITE);
+  const netloft_factor code = general ? factorise_general(v) : factorise_symmetric(v);
+  ++books_.factorisations;
+  books_.refused_factorisations += code != NETLOFT_FACTOR_OK;
+  return code;
+}
+
+netloft_factor StaticProblem::factorise_symmetric(std::span<const double> v) {
+  if (!symmetric_) {
+    Timed timed(books_.analysis_seconds);
+    symmetric_ = make_(true);
+    symmetric_->analyse(assembler_.pattern());
+  }
+  Timed timed(books_.factorisation_seconds);
+  last_ = symmetric_.get();
+  factor_result_ = symmetric_->factorise(v);
+  return factor_code(factor_result_.status);
+}
+
+netloft_factor StaticProblem::factorise_general(std::span<const double> v) {
+  if (!general_) {
+    Timed timed(books_.analysis_seconds);
+    general_ = make_(false);
+    if (assembler_.pattern().symmetric) expand_pattern();
+    general_->analyse(assembler_.pattern().symmetric ? full_pattern_ : assembler_.pattern());
+  }
+  Timed timed(books_.factorisation_seconds);
+  last_ = general_.get();
+  if (assembler_.pattern().symmetric) {
+    for (std::size_t i = 0; i < full_values_.size(); ++i) full_values_[i] = v[full_from_[i]];
+    v = full_values_;
+  }
+  factor_result_ = general_->factorise(v);
+  return factor_code(factor_result_.status);
+}
+
+/// The whole matrix of a lower triangle, and where each of its entries comes from.
+void StaticProblem::expand_pattern() {
+  const SparsePattern& lower = assembler_.pattern();
+  const auto n = static_cast<std::size_t>(lower.size);
+  full_pattern_ = {lower.size, std::vector<std::int32_t>(n + 1, 0), {}, lower.node, false};
+  const auto for_entries = [&](auto&& visit) {
+    for (std::size_t c = 0; c < n; ++c)
+      for (auto k = static_cast<std::size_t>(lower.column_start[c]);
+           k < static_cast<std::size_t>(lower.column_start[c + 1]); ++k)
+        visit(static_cast<std::size_t>(lower.row[k]), c, k);
+  };
+  for_entries([&](std::size_t r, std::size_t c, std::size_t) {
+    ++full_pattern_.column_start[c + 1];
+    if (r != c) ++full_pattern_.column_start[r + 1];
+  });
+  for (std::size_t c = 0; c < n; ++c) full_pattern_.column_start[c + 1] += full_pattern_.column_start[c];
+  const auto entries = static_cast<std::size_t>(full_pattern_.column_start[n]);
+  full_pattern_.row.resize(entries), full_from_.resize(entries), full_values_.resize(entries);
+  std::vector<std::int32_t> next(full_pattern_.column_start.begin(), full_pattern_.column_start.end() - 1);
+  const auto put = [&](std::size_t r, std::size_t c, std::size_t from) {
+    const auto at = static_cast<std::size_t>(next[c]++);
+    full_pattern_.row[at] = static_cast<std::int32_t>(r), full_from_[at] = from;
+  };
+  // Upper entries of a column come from earlier columns, in ascending order; so rows come out sorted.
+  for_entries([&](std::size_t r, std::size_t c, std::size_t k) {
+    if (r != c) put(c, r, k);
+  });
+  for_entries([&](std::size_t r, std::size_t c, std::size_t k) { put(r, c, k); });
+}
+
+int StaticProblem::solve(const double* rhs, double* x) {
+  if (!last_) return NETLOFT_ERROR;
+  Timed timed(books_.solve_seconds);
+  ++books_.solves;
+  last_->solve({rhs, u_.size()}, {x, u_.size()});
+  return NETLOFT_OK;
+}
+
+int StaticProblem::multiply(int matrix, double shift, const double* x, double* y) {
+  const auto v = shifted(matrix, shift);
+  const SparsePattern& p = assembler_.pattern();
+  std::fill_n(y, u_.size(), 0.0);
+  for (std::size_t c = 0; c < u_.size(); ++c)
+    for (auto k = static_cast<std::size_t>(p.column_start[c]);
+         k < static_cast<std::size_t>(p.column_start[c + 1]); ++k) {
+      const auto r = static_cast<std::size_t>(p.row[k]);
+      y[r] += v[k] * x[c];
+      if (p.symmetric && r != c) y[c] += v[k] * x[r];
+    }
+  return NETLOFT_OK;
+}
+
+int StaticProblem::progress(const double* u, double energy, const double* residual, const char* note) {
+  place(u);
+  std::copy_n(residual, u_.size(), residual_.begin());
+  const Balance b = balance(x_, residual_);
+  IterationRecord record{books_.iterations,       b.residual, b.scale, energy, books_.factorisations,
+                         wall_seconds() - begun_, ""};
+  std::snprintf(record.note, sizeof record.note, "%s", note ? note : "");
+  if (history_.size() < history_.capacity()) history_.push_back(record);
+  if (on_iteration_) on_iteration_(record);
+  if (b.balanced)
+    stop_ = Stop::arrived;
+  else if (limits_.interrupt && limits_.interrupt->load())
+    stop_ = Stop::interrupted;
+  else if (books_.iterations >= limits_.iterations)
+    stop_ = Stop::iterations;
+  else if (record.seconds >= limits_.seconds)
+    stop_ = Stop::time;
+  if (stop_ != Stop::none) return stop_ == Stop::arrived ? NETLOFT_ARRIVED : NETLOFT_GIVE_UP;
+  ++books_.iterations;
+  return NETLOFT_GO_ON;
+}
+
+Balance StaticProblem::balance(std::span<const double> x, std::span<const double> residual) {
+  need_metric();
+  const Numbering& numbering = assembler_.numbering();
+  const SparsePattern& pattern = assembler_.pattern();
+  Balance b;
+  b.scale = dead_load_;
+  for_nodes(
+      numbering, pattern.size, static_cast<std::int32_t>(residual.size()), residual,
+      [&](std::uint32_t, std::int32_t, std::int32_t, double norm) { b.scale = std::max(b.scale, norm); });
+  b.balanced = true;
+  for_nodes(numbering, 0, pattern.size, residual,
+            [&](std::uint32_t node, std::int32_t first, std::int32_t last, double norm) {
+              if (!(norm <= b.residual)) b.residual = norm, b.worst = node;
+              if (norm <= limits_.tolerance * b.scale) return;
+              // Forces come from differences of coordinates: stiffness x rounding of the position is what
+              // they are worth.
+              double floor = 0;
+              for (std::int32_t i = first; i < last; ++i) {
+                const double stiffness = metric_[find_entry(pattern, i, i)];
+                floor = std::max(floor, 4 * std::numeric_limits<double>::epsilon() * stiffness *
+                                            std::abs(x[static_cast<std::size_t>(i)]));
+              }
+              if (norm <= floor)
+                b.at_round_off = true;
+              else
+                b.balanced = false;
+            });
+  return b;
+}
+
+double StaticProblem::step_length(const double* du) const {
+  double largest = 0;
+  for (std::size_t i = 0; i < u_.size(); ++i) largest = std::max(largest, std::abs(du[i]));
+  return largest / element_size_;
+}
+
+bool StaticProblem::recompute(std::span<const double> u, std::vector<double>& x,
+                              std::vector<double>& residual, double& energy) {
+  place(u.data());
+  x = x_;
+  residual.resize(residual_.size());
+  return assembler_.evaluate(x, {.energy = &energy, .residual = residual.data()}) && all_finite(residual);
+}
+
+netloft_factor StaticProblem::factorise_at(std::span<const double> u, double shift) {
+  place(u.data());
+  if (!assembler_.evaluate(x_, {.matrix = MatrixKind::exact, .values = values(MatrixKind::exact).data()}))
+    return NETLOFT_FACTOR_FAILED;
+  return factorise_symmetric(shifted(NETLOFT_EXACT, shift));
+}
+
+std::string StaticProblem::factorisation_name() const { return last_ ? last_->description() : "none"; }
+
+}  // namespace netloft

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+#include "framework/problem/books.hpp"
+
+#include <atomic>
+#include <functional>
+#include <limits>
+
+namespace netloft {
+
+/// When to stop.
+struct Limits {
+  double tolerance = 1e-10;  // largest nodal residual over the largest nodal load
+  int iterations = 1000;
+  double seconds = std::numeric_limits<double>::infinity();
+  const std::atomic<bool>* interrupt = nullptr;
+};
+
+/// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
+/// ones.
+struct Balance {
+  double residual = 0;        // largest nodal residual [N]
+  double scale = 0;           // largest nodal load [N]
+  std::uint32_t worst = 0;    // node of the largest residual
+  bool balanced = false;      // every node within tolerance x scale, or at its round-off floor
+  bool at_round_off = false;  // some node only by the latter
+};
+
+/// r(u) = 0 of a static scene: what a solver sees, with the host's books behind it. Counts and times every
+/// call, decides on convergence, keeps matrices and factors.
+class StaticProblem {
+ public:
+  enum class Stop { none, arrived, iterations, time, interrupted };
+
+  StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
+                std::function<void(const IterationRecord&)> on_iteration = {});
+
+  netloft_problem& interface() { return interface_; }
+  const Books& books() const { return books_; }
+  const std::vector<IterationRecord>& history() const { return history_; }
+  Stop stop() const { return stop_; }
+  const char* solver_message() const { return message_; }
+  bool met_bad_numbers() const { return bad_numbers_; }
+  std::string factorisation_name() const;
+  const FactorResult& last_factor() const { return factor_result_; }
+
+  /// Residual over all dofs and energy at displacements u, computed anew. False: see the assembler's fault.
+  bool recompute(std::span<const double> u, std::vector<double>& x, std::vector<double>& residual,
+                 double& energy);
+  Balance balance(std::span<const double> x, std::span<const double> residual);
+  /// The exact tangent at u, factorised with `shift` times the metric.
+  netloft_factor factorise_at(std::span<const double> u, double shift);
+
+ private:
+  int evaluate(std::uint32_t want, const double* u, double* energy, double* residual);
+  int factorise(int matrix, double shift);
+  int solve(const double* rhs, double* x);
+  int multiply(int matrix, double shift, const double* x, double* y);
+  int progress(const double* u, double energy, const double* residual, const char* note);
+  double step_length(const double* du) const;
+
+  void place(const double* u);
+  std::vector<double>& values(MatrixKind kind);
+  void need_metric();
+  std::span<const double> shifted(int matrix, double shift);
+  netloft_factor factorise_symmetric(std::span<const double> values);
+  netloft_factor factorise_general(std::span<const double> values);
+  void expand_pattern();
+  void find_dead_loads();
+  void find_element_size();
+
+  Assembler& assembler_;
+  MakeFactorisation make_;
+  Limits limits_;
+  std::function<void(const IterationRecord&)> on_iteration_;
+  netloft_problem interface_{};
+  Books books_;
+  std::vector<IterationRecord> history_;
+  Stop stop_ = Stop::none;
+  bool bad_numbers_ = false;
+  double begun_ = 0, dead_load_ = 0, element_size_ = 1;
+  char message_[256] = "";
+
+  std::vector<double> u_, x_, residual_;
+  std::vector<double> exact_, convex_, metric_, shifted_;
+  std::unique_ptr<Factorisation> symmetric_, general_;
+  Factorisation* last_ = nullptr;
+  FactorResult factor_result_;
+  SparsePattern full_pattern_;  // of a symmetric problem, for LU
+  std::vector<std::size_t> full_from_;
+  std::vector<double> full_values_;
+};
+
+}  // namespace netloft

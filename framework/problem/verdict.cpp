@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/verdict.hpp"
+
+#include <cstdio>
+
+namespace netloft {
+
+namespace {
+
+// A direction is neutral when the linear stiffness times this much makes it stable.
+constexpr double kNeutral = 1e-9;
+
+std::string newtons(double force) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g N", force);
+  return text;
+}
+
+std::string balance_text(const Solution& s, const Scene& scene) {
+  return "largest residual " + newtons(s.balance.residual) + " at " + scene.node_name(s.balance.worst) +
+         ", largest load " + newtons(s.balance.scale);
+}
+
+std::string outcome_text(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
+                         const Scene& scene) {
+  switch (outcome) {
+    case NETLOFT_STOPPED:
+      switch (problem.stop()) {
+        case StaticProblem::Stop::iterations:
+          return "the limit of " + std::to_string(problem.books().iterations) + " iterations was reached";
+        case StaticProblem::Stop::time:
+          return "the time limit was reached";
+        case StaticProblem::Stop::interrupted:
+          return "interrupted";
+        default:
+          return "the solver stopped by itself";
+      }
+    case NETLOFT_STEP_TOO_SHORT:
+      return "no step brings it closer to balance";
+    case NETLOFT_LINEAR_SOLVE: {
+      const auto column = problem.last_factor().column;
+      return "the tangent stiffness is singular" +
+             (column >= 0 ? ", first met at " + scene.node_name(assembler.numbering().node(column))
+                          : std::string());
+    }
+    case NETLOFT_LEFT_DOMAIN:
+      return problem.met_bad_numbers() ? "forces overflowed"
+                                       : "a state without forces was met: " + assembler.fault_sentence(scene);
+    case NETLOFT_NOT_FINITE:
+      return "forces overflowed";
+    default:
+      return std::string("the solver failed") +
+             (problem.solver_message()[0] ? std::string(": ") + problem.solver_message() : "");
+  }
+}
+
+Stability find_stability(StaticProblem& problem, std::span<const double> u) {
+  if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
+  const netloft_factor shifted = problem.factorise_at(u, kNeutral);
+  if (shifted == NETLOFT_FACTOR_OK) return Stability::neutral;
+  return shifted == NETLOFT_NOT_POSITIVE ? Stability::unstable : Stability::unknown;
+}
+
+void judge(Solution& s, netloft_outcome outcome, StaticProblem& problem, const Assembler& assembler,
+           const Scene& scene) {
+  s.at_fault = scene.node_name(s.balance.worst);
+  if (!s.balance.balanced) {
+    s.status = problem.stop() == StaticProblem::Stop::interrupted ? SolveStatus::interrupted
+                                                                  : SolveStatus::not_converged;
+    s.reason = outcome_text(outcome, problem, assembler, scene) + "; " + balance_text(s, scene);
+    return;
+  }
+  s.status = SolveStatus::converged;
+  s.reason = balance_text(s, scene);
+  if (s.balance.at_round_off) s.reason += "; at the round-off of the positions, which the tolerance is below";
+  if (s.stability == Stability::unstable) {
+    s.status = SolveStatus::unstable;
+    s.reason =
+        "a stationary point, but not a stable one: its tangent is not positive definite, first met at " +
+        scene.node_name(assembler.numbering().node(std::max(0, problem.last_factor().column))) + "; " +
+        s.reason;
+  }
+  if (s.stability == Stability::neutral)
+    s.reason += "; something in it can move without any force (slack netting or rope)";
+}
+
+}  // namespace
+
+Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
+                      const void* parameters, const Limits& limits, const MakeFactorisation& make,
+                      std::function<void(const IterationRecord&)> on_iteration) {
+  const double wall = wall_seconds(), cpu = cpu_seconds();
+  StaticProblem problem(assembler, make, limits, std::move(on_iteration));
+  const std::uint32_t lacking = solver.solver.needs & ~problem.interface().traits;
+  Solution s;
+  netloft_outcome outcome = NETLOFT_SOLVER_ERROR;
+  if (lacking)
+    std::snprintf(problem.interface().message, problem.interface().message_size,
+                  "%s needs a problem that is %s", solver.type.c_str(), describe_traits(lacking).c_str());
+  else
+    outcome = static_cast<netloft_outcome>(solver.solver.solve(parameters, &problem.interface()));
+
+  const std::span<const double> u{problem.interface().u, problem.interface().unknowns};
+  const bool evaluated = problem.recompute(u, s.x, s.residual, s.energy);
+  if (evaluated) s.balance = problem.balance(s.x, s.residual);
+  s.books = problem.books();
+  s.factorisation = problem.factorisation_name();
+  const std::string fault = evaluated ? "" : assembler.fault_sentence(scene);
+  if (s.balance.balanced && (problem.interface().traits & NETLOFT_CONSERVATIVE))
+    s.stability = find_stability(problem, u);
+  if (evaluated)
+    judge(s, outcome, problem, assembler, scene);
+  else
+    s.reason = "the solver ended at a state without forces: " + fault;
+  s.history = problem.history();
+  s.books.total_seconds = wall_seconds() - wall;
+  s.books.total_cpu_seconds = cpu_seconds() - cpu;
+  return s;
+}
+
+const char* name_of(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::converged:
+      return "converged";
+    case SolveStatus::unstable:
+      return "unstable";
+    case SolveStatus::interrupted:
+      return "interrupted";
+    default:
+      return "not converged";
+  }
+}
+
+const char* name_of(Stability stability) {
+  switch (stability) {
+    case Stability::stable:
+      return "stable";
+    case Stability::neutral:
+      return "neutral";
+    case Stability::unstable:
+      return "unstable";
+    default:
+      return "unknown";
+  }
+}
+
+}  // namespace netloft

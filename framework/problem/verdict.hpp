@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/static_problem.hpp"
+
+namespace netloft {
+
+enum class SolveStatus { converged, unstable, not_converged, interrupted };
+enum class Stability { stable, neutral, unstable, unknown };
+
+/// Where a solver ended and what the host makes of it.
+struct Solution {
+  SolveStatus status = SolveStatus::not_converged;
+  Stability stability = Stability::unknown;
+  std::string reason;               // a sentence
+  std::string at_fault;             // the part that is furthest from balance or could not be evaluated
+  std::vector<double> x, residual;  // over all dofs [m], [N]
+  double energy = 0;
+  Balance balance;
+  Books books;
+  std::vector<IterationRecord> history;
+  std::string factorisation;
+};
+
+/// Lets `solver` find the static equilibrium of the assembled scene, recomputes the residual where it ended
+/// and judges it. A stationary point whose tangent is not positive definite is called unstable.
+Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
+                      const void* parameters, const Limits& limits, const MakeFactorisation& make,
+                      std::function<void(const IterationRecord&)> on_iteration = {});
+
+const char* name_of(SolveStatus status);
+const char* name_of(Stability stability);
+
+}  // namespace netloft

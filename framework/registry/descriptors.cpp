@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/registry/descriptors.hpp"
+
+#include <cmath>
+#include <set>
+
+namespace netloft {
+
+namespace {
+
+/// Collects the faults of one plugin, so that its author sees all of them at once.
+class Faults {
+ public:
+  explicit Faults(std::string file) : file_(std::move(file)) {}
+  void add(const std::string& fault) { text_ += (text_.empty() ? "" : "\n") + file_ + ": " + fault; }
+  void require(bool holds, const std::string& fault) {
+    if (!holds) add(fault);
+  }
+  void raise() const {
+    if (!text_.empty()) throw PluginRefused(text_);
+  }
+
+ private:
+  std::string file_, text_;
+};
+
+bool named(const char* text) { return text && *text; }
+std::string shown(const char* text) { return named(text) ? text : "(no name)"; }
+
+template <class Rows>
+void check_names(const Rows& rows, const std::string& owner, const char* what, Faults& faults) {
+  std::set<std::string> seen;
+  for (const auto& row : rows) {
+    faults.require(named(row.name), owner + ": a " + what + " has no name");
+    faults.require(named(row.doc),
+                   owner + ": " + what + " \"" + shown(row.name) + "\" has no sentence that says what it is");
+    if (named(row.name) && !seen.insert(row.name).second)
+      faults.add(owner + ": two " + what + "s are called \"" + row.name + "\"; names must be unique");
+  }
+}
+
+std::size_t bytes_of(std::uint32_t kind) {
+  switch (kind) {
+    case NETLOFT_REAL:
+      return sizeof(double);
+    case NETLOFT_INTEGER:
+    case NETLOFT_CHOICE:
+      return sizeof(std::int64_t);
+    case NETLOFT_BOOLEAN:
+      return 1;
+    case NETLOFT_TEXT:
+      return sizeof(const char*);
+    default:
+      return 0;
+  }
+}
+
+bool has_earlier_real(const std::vector<netloft_parameter>& rows, std::size_t before,
+                      const std::string& name) {
+  for (std::size_t i = 0; i < before; ++i)
+    if (rows[i].kind == NETLOFT_REAL && name == rows[i].name) return true;
+  return false;
+}
+
+void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, const std::string& owner,
+                     Faults& faults) {
+  const std::string who = owner + ": parameter \"" + shown(p.name) + "\"";
+  const std::size_t bytes = bytes_of(p.kind);
+  faults.require(bytes > 0,
+                 who + " is of kind " + std::to_string(p.kind) + ", which this program does not know");
+  if (bytes && p.offset + bytes > struct_bytes)
+    faults.add(who + " lies at bytes " + std::to_string(p.offset) + " to " +
+               std::to_string(p.offset + bytes) + ", outside its struct of " + std::to_string(struct_bytes) +
+               " bytes");
+  faults.require(!bytes || p.offset % bytes == 0, who + " is not aligned in its struct");
+  faults.require(named(p.unit), who + " has no unit (\"1\" is the unit of a pure number)");
+  faults.require(p.kind == NETLOFT_TEXT || p.lo <= p.hi, who + " has an empty range");
+  faults.require(p.kind != NETLOFT_CHOICE || (p.choices && p.choices[0]), who + " is a choice of nothing");
+}
+
+void check_parameters(const std::vector<netloft_parameter>& rows, std::uint32_t struct_bytes,
+                      const std::string& owner, Faults& faults) {
+  check_names(rows, owner, "parameter", faults);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    check_parameter(rows[i], struct_bytes, owner, faults);
+    if (rows[i].fallback_of && !has_earlier_real(rows, i, rows[i].fallback_of))
+      faults.add(owner + ": the default of \"" + shown(rows[i].name) + "\" leans on \"" +
+                 rows[i].fallback_of + "\", which is no earlier real parameter");
+  }
+}
+
+bool is_stencil(std::uint32_t s) { return s == NETLOFT_NODE || s == NETLOFT_BAR || s == NETLOFT_TRIANGLE; }
+
+void check_terms(const ElementType& e, const std::string& owner, Faults& faults) {
+  check_names(e.terms, owner, "term", faults);
+  faults.require(!e.terms.empty(), owner + " has no term");
+  for (const auto& t : e.terms) {
+    const std::string who = owner + ": term \"" + shown(t.name) + "\"";
+    faults.require(t.evaluate != nullptr, who + " has no function");
+    faults.require(!(t.traits & NETLOFT_CONSERVATIVE) || (t.traits & NETLOFT_SYMMETRIC),
+                   who + " is said to be conservative and not symmetric, which cannot be");
+    faults.require(!t.needs || has_earlier_real(e.parameters, e.parameters.size(), t.needs),
+                   who + " needs the parameter \"" + shown(t.needs) + "\", which the element does not have");
+  }
+}
+
+ElementType read_element(const netloft_element& raw, const std::string& plugin, Faults& faults) {
+  ElementType e;
+  e.element = raw;
+  e.type = plugin + "/" + shown(raw.name);
+  e.parameters = read_array(raw.parameters, raw.parameter_count);
+  e.data = read_array(raw.data, raw.datum_count);
+  e.terms = read_array(raw.terms, raw.term_count);
+  e.outputs = read_array(raw.outputs, raw.output_count);
+  faults.require(is_stencil(raw.stencil), e.type + " stands on a stencil this program does not know (" +
+                                              std::to_string(raw.stencil) + ")");
+  faults.require(raw.create && raw.destroy, e.type + " has no create or no destroy");
+  faults.require(!raw.output_count || raw.output, e.type + " declares outputs but has no function for them");
+  check_parameters(e.parameters, raw.parameter_bytes, e.type, faults);
+  check_names(e.data, e.type, "datum", faults);
+  check_names(e.outputs, e.type, "output", faults);
+  check_terms(e, e.type, faults);
+  return e;
+}
+
+SolverType read_solver(const netloft_solver& raw, const std::string& plugin, Faults& faults) {
+  SolverType s;
+  s.solver = raw;
+  s.type = plugin + "/" + shown(raw.name);
+  s.parameters = read_array(raw.parameters, raw.parameter_count);
+  faults.require(raw.solve != nullptr, s.type + " has no solve");
+  check_parameters(s.parameters, raw.parameter_bytes, s.type, faults);
+  return s;
+}
+
+void check_version(const netloft_plugin& p, const std::string& file) {
+  const std::string built = std::to_string(p.abi_major) + "." + std::to_string(p.abi_minor);
+  const std::string here = std::to_string(NETLOFT_ABI_MAJOR) + "." + std::to_string(NETLOFT_ABI_MINOR);
+  if (p.abi_major != NETLOFT_ABI_MAJOR)
+    throw PluginRefused(file + ": built for plugin interface " + built + ", this program speaks " + here +
+                        "; build the plugin again with this program's headers");
+  if (p.abi_minor > NETLOFT_ABI_MINOR)
+    throw PluginRefused(file + ": built for the newer plugin interface " + built + ", this program speaks " +
+                        here + "; update the program");
+  if (p.flags & NETLOFT_FAST_MATH)
+    throw PluginRefused(file +
+                        ": compiled with -ffast-math, which changes the arithmetic of the whole program; "
+                        "build it without");
+}
+
+}  // namespace
+
+PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem) {
+  if (!plugin)
+    throw PluginRefused(file + ": the plugin could not describe itself (netloft_plugin_v1 returned null)");
+  const netloft_plugin p = read_struct(plugin);
+  check_version(p, file);
+
+  Faults faults(file);
+  faults.require(shown(p.name) == stem, "calls itself \"" + shown(p.name) + "\"; the file " + stem +
+                                            ".so must hold the plugin \"" + stem + "\"");
+  PluginContent content;
+  content.origin = {
+      shown(p.name), p.version ? p.version : "", p.doc ? p.doc : "", p.compiler ? p.compiler : "", file, ""};
+  const auto elements = read_array(p.elements, p.element_count);
+  const auto solvers = read_array(p.solvers, p.solver_count);
+  check_names(elements, stem, "element", faults);
+  check_names(solvers, stem, "solver", faults);
+  for (const auto& raw : elements) content.elements.push_back(read_element(raw, stem, faults));
+  for (const auto& raw : solvers) content.solvers.push_back(read_solver(raw, stem, faults));
+  faults.require(!elements.empty() || !solvers.empty(), "holds neither an element nor a solver");
+  faults.raise();
+  return content;
+}
+
+}  // namespace netloft

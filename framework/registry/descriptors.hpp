@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/plugin.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// A plugin that must not be used, and why; the sentence names the file.
+struct PluginRefused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Where a component came from: kept in results.
+struct PluginOrigin {
+  std::string name, version, doc, compiler;
+  std::string file;         // empty when compiled into the program
+  std::string fingerprint;  // FNV-1a 64 of the file, hexadecimal
+};
+
+/// The first `size` bytes of a struct from a plugin; fields it does not know are zero.
+template <class T>
+T read_struct(const T* from) {
+  T to{};
+  std::uint32_t size = 0;
+  std::memcpy(&size, from, sizeof size);
+  std::memcpy(&to, from, std::min<std::size_t>(size, sizeof to));
+  return to;
+}
+
+template <class T>
+std::vector<T> read_array(const T* from, std::uint32_t count) {
+  std::vector<T> to;
+  const char* at = reinterpret_cast<const char*>(from);
+  std::uint32_t stride = 0;
+  if (count && from) std::memcpy(&stride, from, sizeof stride);
+  for (std::uint32_t i = 0; i < count && from; ++i)
+    to.push_back(read_struct(reinterpret_cast<const T*>(at + std::size_t{i} * stride)));
+  return to;
+}
+
+/// An element as the host knows it: the plugin's description, checked and brought to this host's layout.
+struct ElementType {
+  std::string type;  // "rope/bar"
+  netloft_element element{};
+  std::vector<netloft_parameter> parameters;
+  std::vector<netloft_datum> data;
+  std::vector<netloft_term> terms;
+  std::vector<netloft_output> outputs;
+  const PluginOrigin* origin = nullptr;
+
+  int nodes() const { return static_cast<int>(element.stencil & 0xff); }
+  int dofs() const { return 3 * nodes(); }
+};
+
+/// A solver as the host knows it.
+struct SolverType {
+  std::string type;  // "newton/newton"
+  netloft_solver solver{};
+  std::vector<netloft_parameter> parameters;
+  const PluginOrigin* origin = nullptr;
+};
+
+/// Everything in one plugin.
+struct PluginContent {
+  PluginOrigin origin;
+  std::vector<ElementType> elements;
+  std::vector<SolverType> solvers;
+};
+
+/// Reads and checks what a plugin says of itself. `stem` is the name its file promises.
+/// Throws PluginRefused with one sentence per fault found.
+PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem);
+
+}  // namespace netloft

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/registry/library.hpp"
+
+#include <dlfcn.h>
+
+#include <cfenv>
+#include <fstream>
+#include <iterator>
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+namespace netloft {
+
+namespace {
+
+/// Restores rounding and flush-to-zero modes, and tells whether someone changed the latter.
+class FloatingPointGuard {
+ public:
+  FloatingPointGuard() {
+    std::fegetenv(&environment_);
+    before_ = control();
+  }
+  ~FloatingPointGuard() { std::fesetenv(&environment_); }
+  FloatingPointGuard(const FloatingPointGuard&) = delete;
+  FloatingPointGuard& operator=(const FloatingPointGuard&) = delete;
+  bool changed() const { return control() != before_; }
+
+ private:
+  static unsigned control() {
+#if defined(__x86_64__)
+    constexpr unsigned flags = 0x3f;  // exception flags may come and go
+    return _mm_getcsr() & ~flags;
+#else
+    return 0;
+#endif
+  }
+  std::fenv_t environment_{};
+  unsigned before_ = 0;
+};
+
+std::string fingerprint(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a 64
+  for (std::istreambuf_iterator<char> at(in), end; at != end; ++at)
+    hash = (hash ^ static_cast<unsigned char>(*at)) * 1099511628211ull;
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+}  // namespace
+
+PluginContent open_library(const std::filesystem::path& file) {
+  FloatingPointGuard guard;
+  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (!handle) throw PluginRefused(std::string("cannot open the plugin: ") + dlerror());
+  if (guard.changed())
+    throw PluginRefused(file.string() +
+                        ": opening it changed the floating-point mode of the program "
+                        "(linked with -ffast-math); build it without");
+  auto* symbol = dlsym(handle, "netloft_plugin_v1");
+  if (!symbol)
+    throw PluginRefused(file.string() +
+                        ": is no Netloft plugin, or one for another major version of the interface "
+                        "(it does not export netloft_plugin_v1)");
+  PluginContent content =
+      read_plugin(reinterpret_cast<netloft_plugin_function>(symbol)(), file.string(), file.stem().string());
+  content.origin.fingerprint = fingerprint(file);
+  return content;
+}
+
+std::filesystem::path best_build(const std::filesystem::path& folder, const std::string& name) {
+  const std::string so = name + ".so";
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  const bool v3 =
+      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+  if (v3 && std::filesystem::is_regular_file(folder / "x86-64-v3" / so)) return folder / "x86-64-v3" / so;
+#endif
+  if (std::filesystem::is_regular_file(folder / so)) return folder / so;
+  return {};
+}
+
+}  // namespace netloft

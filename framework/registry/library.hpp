@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/descriptors.hpp"
+
+#include <filesystem>
+
+namespace netloft {
+
+/// Opens a shared object and returns its checked content. It stays open until the program ends.
+/// The floating-point environment is the same after as before; a plugin that changes it is refused.
+/// Throws PluginRefused.
+PluginContent open_library(const std::filesystem::path& file);
+
+/// The build of `folder/NAME.so` for the newest x86-64 level this processor runs, or an empty path if there
+/// is none.
+std::filesystem::path best_build(const std::filesystem::path& folder, const std::string& name);
+
+}  // namespace netloft

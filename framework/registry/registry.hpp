@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/descriptors.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string_view>
+
+namespace netloft {
+
+/// A component that no plugin offers; the sentence gives the paths tried and near names.
+struct UnknownComponent : PluginRefused {
+  using PluginRefused::PluginRefused;
+};
+
+/// Finds, opens and checks plugins. The name carries the file: "rope/bar" is the element "bar" of rope.so.
+/// Only what is asked for is opened, and nothing is ever closed.
+class Registry {
+ public:
+  /// Folders are searched in the order they were added.
+  void add_folder(std::filesystem::path folder);
+  /// A plugin compiled into the program; found before any folder.
+  void add_builtin(const std::string& name, netloft_plugin_function describe);
+  /// A plugin by its file, whatever its folder; its name is the stem of the file.
+  const PluginContent& add_file(const std::filesystem::path& file);
+
+  /// "rope/bar". Throws UnknownComponent or PluginRefused.
+  const ElementType& element(const std::string& type);
+  /// "newton", short for "newton/newton".
+  const SolverType& solver(const std::string& type);
+  const PluginContent& plugin(const std::string& name);
+
+  /// Names of all plugins that could be opened, sorted; opens none.
+  std::vector<std::string> available() const;
+  /// Plugins opened so far.
+  std::vector<const PluginOrigin*> opened() const;
+
+ private:
+  template <class Types>
+  const typename Types::value_type& find(const Types& types, const std::string& type, const char* what,
+                                         const std::string& plugin) const;
+  const PluginContent& keep(PluginContent content);
+  [[noreturn]] void not_found(const std::string& name) const;
+
+  std::vector<std::filesystem::path> folders_;
+  std::map<std::string, netloft_plugin_function> builtin_;
+  std::map<std::string, std::unique_ptr<PluginContent>> opened_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/scene/plan.hpp"
+
+#include <algorithm>
+
+namespace netloft {
+
+namespace {
+
+FamilyPlan& family_of(std::vector<FamilyPlan>& families, const ElementType& type) {
+  for (auto& f : families)
+    if (f.type == &type) return f;
+  families.push_back({&type, {}, 0, {}});
+  return families.back();
+}
+
+/// Whether some part of the family sets `name` to something else than zero.
+bool any_part_sets(const char* name, const FamilyPlan& family, const Scene& scene) {
+  for (const auto part : family.parts) {
+    std::vector<std::string> faults;
+    const ParameterBlock block(family.type->parameters, family.type->element.parameter_bytes,
+                               scene.parts[part].parameters, faults);
+    for (const auto& p : family.type->parameters)
+      if (faults.empty() && std::string_view(p.name) == name && block.number(p) != 0) return true;
+  }
+  return false;
+}
+
+TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene& scene) {
+  TermPlan plan{term.name, term.doc, term.traits, false, ""};
+  if (term.needs && !any_part_sets(term.needs, family, scene))
+    plan.reason = std::string(term.needs) + " is zero";
+  else if ((term.traits & NETLOFT_NEEDS_GRAVITY) && scene.water.gravity == 0)
+    plan.reason = "no gravity in the scene";
+  else if (term.traits & NETLOFT_NEEDS_FLOW)
+    plan.reason = "no current in the scene";
+  else if (term.traits & NETLOFT_NEEDS_MOTION)
+    plan.reason = "the analysis is static";
+  else
+    plan.on = true,
+    plan.reason = term.needs ? std::string(term.needs) + " is set" : "the scene has what it needs";
+  return plan;
+}
+
+void note_traits(Plan& plan, const FamilyPlan& family, const TermPlan& term) {
+  if (!term.on || (term.traits & NETLOFT_CONSTANT)) return;
+  if (!(term.traits & NETLOFT_SYMMETRIC) && plan.symmetric) {
+    plan.symmetric = false;
+    plan.unsymmetric_because = family.type->type + " " + term.name;
+  }
+}
+
+void count_unknowns(Plan& plan, const Scene& scene) {
+  plan.nodes = scene.node_count();
+  for (const auto held : scene.held) {
+    if (held) ++plan.held_nodes;
+    for (int axis = 0; axis < 3; ++axis) plan.unknowns += !(held & (1 << axis));
+  }
+}
+
+std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry) {
+  auto names = registry.available();
+  for (const auto& family : plan.families) std::erase(names, family.type->origin->name);
+  return names;
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene, Registry& registry) {
+  Plan plan;
+  for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
+    const ElementType& type = registry.element(scene.parts[p].type);
+    FamilyPlan& family = family_of(plan.families, type);
+    family.parts.push_back(p);
+    family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(type.nodes());
+  }
+  for (auto& family : plan.families)
+    for (const auto& term : family.type->terms) {
+      family.terms.push_back(decide(term, family, scene));
+      note_traits(plan, family, family.terms.back());
+      plan.conservative &= !family.terms.back().on || (term.traits & NETLOFT_CONSERVATIVE);
+    }
+  count_unknowns(plan, scene);
+  plan.not_loaded = unused_plugins(plan, registry);
+  return plan;
+}
+
+std::string describe_traits(std::uint32_t traits) {
+  static constexpr std::pair<std::uint32_t, const char*> kNames[] = {
+      {NETLOFT_CONSERVATIVE, "conservative"},
+      {NETLOFT_SYMMETRIC, "symmetric"},
+      {NETLOFT_CONSTANT, "constant"},
+      {NETLOFT_READS_VELOCITY, "reads velocity"},
+      {NETLOFT_READS_ACCELERATION, "reads acceleration"},
+      {NETLOFT_READS_CURRENT, "reads current"},
+      {NETLOFT_NEEDS_GRAVITY, "needs gravity"},
+      {NETLOFT_NEEDS_FLOW, "needs flow"},
+      {NETLOFT_NEEDS_MOTION, "needs motion"}};
+  std::string text;
+  for (const auto& [bit, name] : kNames)
+    if (traits & bit) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace netloft

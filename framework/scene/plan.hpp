@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/registry.hpp"
+#include "framework/scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// One term of a family: whether it acts in this scene, and why.
+struct TermPlan {
+  std::string name, doc;
+  std::uint32_t traits = 0;
+  bool on = false;
+  std::string reason;
+};
+
+/// All elements of one type.
+struct FamilyPlan {
+  const ElementType* type = nullptr;
+  std::vector<std::uint32_t> parts;  // of the scene
+  std::size_t elements = 0;
+  std::vector<TermPlan> terms;
+};
+
+/// What a scene needs, decided once and printable: nothing else is loaded, evaluated or factorised.
+struct Plan {
+  std::vector<FamilyPlan> families;
+  std::vector<std::string> not_loaded;  // plugins that were there and that no part uses
+  std::size_t nodes = 0, held_nodes = 0, unknowns = 0;
+  bool symmetric = true, conservative = true;
+  std::string unsymmetric_because;  // "priour/triangle drag"
+};
+
+/// Decides which terms of which families act in a static analysis of the scene.
+/// Opens the plugins the scene names. Throws SceneError for parts that are wrong, PluginRefused for plugins.
+Plan make_plan(const Scene& scene, Registry& registry);
+
+/// "conservative, symmetric, constant"
+std::string describe_traits(std::uint32_t traits);
+
+}  // namespace netloft

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/scene/scene.hpp"
+
+#include <numeric>
+#include <set>
+
+namespace netloft {
+
+namespace {
+
+/// Nodes that elements tie together (union-find with path halving).
+class Pieces {
+ public:
+  explicit Pieces(std::size_t nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  std::uint32_t find(std::uint32_t node) {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+    return node;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element) {
+  Pieces pieces(scene.node_count());
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    const auto& nodes = scene.parts[p].nodes;
+    const auto width = static_cast<std::size_t>(nodes_per_element[p]);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (i % width) pieces.join(nodes[i], nodes[i - i % width]);
+  }
+  return pieces;
+}
+
+std::string axes_text(std::uint8_t axes) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+    if (axes & (1 << axis)) text += (text.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
+  return text;
+}
+
+}  // namespace
+
+std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element) {
+  Pieces pieces = find_pieces(scene, nodes_per_element);
+  std::vector<std::uint8_t> held(scene.node_count(), 0);
+  for (std::uint32_t n = 0; n < scene.node_count(); ++n) held[pieces.find(n)] |= scene.held[n];
+
+  std::vector<SceneFault> faults;
+  std::set<std::uint32_t> told;
+  for (std::uint32_t n = 0; n < scene.node_count(); ++n) {
+    const std::uint32_t piece = pieces.find(n);
+    if (held[piece] == kAllAxes || !told.insert(piece).second) continue;
+    const auto free = static_cast<std::uint8_t>(kAllAxes & ~held[piece]);
+    const std::string& part = scene.parts[scene.labels[n].part].name;
+    faults.push_back({part, scene.node_name(n) + " is connected to nothing that is held" +
+                                (free == kAllAxes ? "" : " along " + axes_text(free)) +
+                                ": it would drift away; add a [[hold]] on \"" + part +
+                                "\" or on what it is joined to"});
+  }
+  return faults;
+}
+
+}  // namespace netloft

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/parameters/parameters.hpp"
+
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// The water a gear hangs in. World frame z up, z = 0 at the surface.
+struct Water {
+  double density = 1025;     // [kg/m3]
+  double gravity = 9.80665;  // [m/s2]
+};
+
+/// A named piece of a gear: elements of one type on nodes of the scene.
+struct Part {
+  std::string name;                  // "net"
+  std::string type;                  // "priour/triangle"
+  Values parameters;                 // by parameter name
+  std::vector<std::uint32_t> nodes;  // scene nodes of the elements, as many each as the stencil has
+  std::map<std::string, std::vector<double>> data;  // by datum name: [element][width]
+};
+
+/// The part a node was first made for, and its number within that part.
+struct NodeLabel {
+  std::uint32_t part = 0, id = 0;
+};
+
+enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
+
+/// What is solved: parts on nodes in water, some of them held. Plain data; whoever reads a file makes one.
+struct Scene {
+  std::string name;
+  Water water;
+  std::vector<double> positions;   // start, 3 per node [m]
+  std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move
+  std::vector<NodeLabel> labels;   // per node
+  std::vector<Part> parts;
+
+  std::size_t node_count() const { return positions.size() / 3; }
+  std::string node_name(std::uint32_t node) const {
+    return parts[labels[node].part].name + " node " + std::to_string(labels[node].id);
+  }
+};
+
+/// Something wrong with a part of a scene that its author can mend.
+struct SceneFault {
+  std::string part;  // empty: the scene as a whole
+  std::string message;
+};
+
+struct SceneError : std::runtime_error {
+  explicit SceneError(std::vector<SceneFault> all)
+      : std::runtime_error(all.empty() ? "" : all.front().message), faults(std::move(all)) {}
+  std::vector<SceneFault> faults;
+};
+
+/// Parts that could drift away: nothing they are connected to is held along some axis. One fault per loose
+/// piece.
+std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element);
+
+}  // namespace netloft

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/priour/triangle.hpp"
+
+using netloft::priour::Triangle;
+
+NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
+  auto& t = plugin.element<Triangle>("triangle", "Triangle of netting with straight, parallel twines inside");
+  t.real("twine.EA", &Triangle::Parameters::EA, "N", "axial stiffness of one twine", {.lo = 0, .hi = 1e9});
+  t.real("twine.EA_compression", &Triangle::Parameters::EA_compression, "N",
+         "axial stiffness of a slack twine",
+         {.lo = 0, .hi = 1e9, .fallback = 1e-4, .fallback_of = "twine.EA"});
+  t.real("twine.diameter", &Triangle::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
+  t.real("twine.density", &Triangle::Parameters::density, "kg/m3", "density of the twine's material",
+         {.lo = 0, .hi = 3e4});
+  t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
+  t.data("v", &Triangle::Data::v, "1", "twine coordinate of the corners along v, in bars");
+  t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched bar, from knot to knot");
+  t.term<Triangle::Elastic,
+         netloft::conservative | netloft::symmetric | netloft::has_convex | netloft::has_metric>(
+      "elastic", "tension of the twines, and their small resistance when slack");
+  t.term<Triangle::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
+                               netloft::needs_gravity>("weight", "weight in water of the unstretched twines");
+  t.output("tension", "N", "tension of one twine, the larger of both directions",
+           [](auto& p, auto& d, auto& s) {
+             return std::max(Triangle::stretch(0, p, d, s).T, Triangle::stretch(1, p, d, s).T);
+           });
+  t.output(
+      "strain", "1", "elongation over unstretched length, the larger of both directions",
+      [](auto& p, auto& d, auto& s) {
+        return std::max(Triangle::stretch(0, p, d, s).l, Triangle::stretch(1, p, d, s).l) / d.bar_length - 1;
+      });
+  t.output("tension_u", "N", "tension of one twine along u",
+           [](auto& p, auto& d, auto& s) { return Triangle::stretch(0, p, d, s).T; });
+  t.output("tension_v", "N", "tension of one twine along v",
+           [](auto& p, auto& d, auto& s) { return Triangle::stretch(1, p, d, s).T; });
+  t.output("half_angle", "rad", "half the angle between the twines of a mesh",
+           [](auto&, auto& d, auto& s) { return Triangle::half_angle(d, s); });
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/priour/triangle.hpp"
+
+#include <numbers>
+
+namespace netloft::priour {
+
+namespace {
+
+constexpr std::size_t at(int dof, std::size_t lane) { return static_cast<std::size_t>(dof) * kLanes + lane; }
+
+double determinant(const Triangle::Data& d) {  // (1)
+  return (d.u[1] - d.u[0]) * (d.v[2] - d.v[0]) - (d.u[2] - d.u[0]) * (d.v[1] - d.v[0]);
+}
+
+Vec3<double> combine(const double (&c)[3], const State<3>& s) {
+  return c[0] * s.x[0] + c[1] * s.x[1] + c[2] * s.x[2];
+}
+
+}  // namespace
+
+Triangle::Shape Triangle::shape(const Data& d) {
+  const double i = 1 / determinant(d);
+  return {{(d.v[1] - d.v[2]) * i, (d.v[2] - d.v[0]) * i, (d.v[0] - d.v[1]) * i},  // (2)
+          {(d.u[2] - d.u[1]) * i, (d.u[0] - d.u[2]) * i, (d.u[1] - d.u[0]) * i},  // (3)
+          std::abs(determinant(d)) / 2};
+}
+
+void Triangle::check(const Parameters&, const Data& d) {
+  if (!(d.bar_length > 0)) throw std::invalid_argument("a bar length of zero leaves no netting");
+  const double across = std::abs(d.u[1] - d.u[0]) + std::abs(d.v[1] - d.v[0]);
+  const double along = std::abs(d.u[2] - d.u[0]) + std::abs(d.v[2] - d.v[0]);
+  if (!(std::abs(determinant(d)) > 1e-14 * across * along))
+    throw std::invalid_argument("a triangle whose corners lie on one line of meshes holds no netting");
+}
+
+void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
+  const Shape s = shape(d);
+  for (std::size_t k = 0; k < 3; ++k) lanes.a[k][lane] = s.a[k], lanes.b[k][lane] = s.b[k];
+  lanes.bars[lane] = s.bars;
+  lanes.l0[lane] = d.bar_length;
+  lanes.EA[lane] = p.EA;
+  lanes.EA_compression[lane] = p.EA_compression;
+  lanes.volume[lane] = 2 * s.bars * std::numbers::pi / 4 * p.diameter * p.diameter * d.bar_length;
+  lanes.density[lane] = p.density;
+}
+
+axial::Bar Triangle::stretch(int direction, const Parameters& p, const Data& d, const State<3>& s) {
+  const Shape h = shape(d);
+  const Vec3<double> w = combine(direction == 0 ? h.a : h.b, s);
+  return axial::stretch(w.x, w.y, w.z, d.bar_length, p.EA, p.EA_compression);
+}
+
+double Triangle::half_angle(const Data& d, const State<3>& s) {
+  const Shape h = shape(d);
+  const Vec3<double> U = combine(h.a, s), V = combine(h.b, s);
+  return 0.5 * std::atan2(norm(cross(U, V)), dot(U, V));
+}
+
+namespace {
+
+/// Stiffness n·A of the bars of one direction in every lane, six numbers each.
+struct Blocks {
+  double v[6][kLanes];
+};
+
+/// Energy, force and stiffness of the bars along one direction, whose vector is Σ c_p x_p. (4), (5)
+void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], const netloft_tile& t,
+                       Blocks* __restrict blocks) {
+  const double* __restrict x = t.x;
+  double* __restrict energy = t.energy;
+  double* __restrict force = t.force;
+  const bool convex = t.want & NETLOFT_WANT_CONVEX;
+  const double cu = t.cu;
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double c0 = c[0][i], c1 = c[1][i], c2 = c[2][i], n = p.bars[i];
+    const double wx = c0 * x[at(0, i)] + c1 * x[at(3, i)] + c2 * x[at(6, i)];
+    const double wy = c0 * x[at(1, i)] + c1 * x[at(4, i)] + c2 * x[at(7, i)];
+    const double wz = c0 * x[at(2, i)] + c1 * x[at(5, i)] + c2 * x[at(8, i)];
+    const auto b = axial::stretch(wx, wy, wz, p.l0[i], p.EA[i], p.EA_compression[i]);
+    if (energy) energy[i] += n * b.energy;
+    if (force) {
+      const double f = n * b.T * b.inverse;
+      const double fx = f * wx, fy = f * wy, fz = f * wz;
+      force[at(0, i)] += c0 * fx, force[at(1, i)] += c0 * fy, force[at(2, i)] += c0 * fz;
+      force[at(3, i)] += c1 * fx, force[at(4, i)] += c1 * fy, force[at(5, i)] += c1 * fz;
+      force[at(6, i)] += c2 * fx, force[at(7, i)] += c2 * fy, force[at(8, i)] += c2 * fz;
+    }
+    if (blocks) {
+      const auto A = axial::stiffness(b, wx, wy, wz, cu * n, convex);
+      for (int k = 0; k < 6; ++k) blocks->v[k][i] = A.v[k];
+    }
+  }
+}
+
+/// K_pq += a_p a_q A_U + b_p b_q A_V on the packed lower triangle. (6)
+template <int P, int Q>
+void add_block(const Triangle::Lanes& p, const Blocks& U, const Blocks& V, std::uint32_t count,
+               double* __restrict tangent) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double aa = p.a[P][i] * p.a[Q][i], bb = p.b[P][i] * p.b[Q][i];
+    double k[6];
+    for (int m = 0; m < 6; ++m) k[m] = aa * U.v[m][i] + bb * V.v[m][i];
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < (P == Q ? r + 1 : 3); ++c) {
+        constexpr int row = 3 * P, column = 3 * Q;
+        const int entry = (row + r) * (row + r + 1) / 2 + column + c;
+        tangent[at(entry, i)] += k[axial::kPlace[r][c]];
+      }
+  }
+}
+
+void add_blocks(const Triangle::Lanes& p, const Blocks& U, const Blocks& V, std::uint32_t count,
+                double* tangent) {
+  add_block<0, 0>(p, U, V, count, tangent);
+  add_block<1, 0>(p, U, V, count, tangent);
+  add_block<1, 1>(p, U, V, count, tangent);
+  add_block<2, 0>(p, U, V, count, tangent);
+  add_block<2, 1>(p, U, V, count, tangent);
+  add_block<2, 2>(p, U, V, count, tangent);
+}
+
+void fill_metric(const Triangle::Lanes& p, std::uint32_t count, Blocks& blocks) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double m = p.bars[i] * p.EA[i] / p.l0[i];  // axial (6)
+    for (int k = 0; k < 6; ++k) blocks.v[k][i] = k == 0 || k == 2 || k == 5 ? m : 0;
+  }
+}
+
+}  // namespace
+
+Status Triangle::Elastic::tile(const Family<Triangle>& family, netloft_tile& t) {
+  const Lanes& p = family.lanes(t);
+  Blocks U, V;
+  if (t.want & NETLOFT_WANT_METRIC) {
+    fill_metric(p, t.count, U);
+    add_blocks(p, U, U, t.count, t.tangent);
+    return Status::ok;
+  }
+  stretch_direction(p, p.a, t, t.tangent ? &U : nullptr);
+  stretch_direction(p, p.b, t, t.tangent ? &V : nullptr);
+  if (t.tangent) add_blocks(p, U, V, t.count, t.tangent);
+  return Status::ok;
+}
+
+Status Triangle::Weight::tile(const Family<Triangle>& family, netloft_tile& t) {
+  const Lanes& p = family.lanes(t);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double third = p.volume[i] * (p.density[i] - t.water_density) * t.gravity / 3;  // (7)
+    if (t.energy) t.energy[i] += third * (t.x[at(2, i)] + t.x[at(5, i)] + t.x[at(8, i)]);
+    if (t.force)
+      for (int corner = 0; corner < 3; ++corner) t.force[at(3 * corner + 2, i)] += third;
+  }
+  return Status::ok;
+}
+
+}  // namespace netloft::priour

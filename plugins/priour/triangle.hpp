@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "plugins/common/axial.hpp"
+
+#include <array>
+
+namespace netloft::priour {
+
+/// Priour's triangle of netting: the twines of both directions stay straight and parallel inside it.
+/// Corners x₁ x₂ x₃ have twine coordinates (u_i, v_i), counted in bars along the two twine directions.
+///   d = (u₂−u₁)(v₃−v₁) − (u₃−u₁)(v₂−v₁);  |d|/2 bars of each direction lie in the triangle      (1)
+///   U = Σ a_p x_p,  a = (v₂−v₃, v₃−v₁, v₁−v₂)/d          vector of one u bar                       (2)
+///   V = Σ b_p x_p,  b = (u₃−u₂, u₁−u₃, u₂−u₁)/d          vector of one v bar                       (3)
+///   E = (|d|/2) [ψ(‖U‖) + ψ(‖V‖)],  ψ, T, A by axial (1)–(6) with l₀ the bar length                (4)
+///   r_p = (|d|/2) [a_p T_U Û + b_p T_V V̂]                residual ∂E/∂x_p                          (5)
+///   K_pq = (|d|/2) [a_p a_q A_U + b_p b_q A_V]                                                     (6)
+///   W = |d| (π/4) t² l₀ (ρ − ρ_w) g                       weight in water, a third per corner      (7)
+/// t [m] twine diameter, ρ [kg/m³] twine density. d may be negative: |d| counts, d itself stands in U and V.
+/// Source: Priour 1999; A Finite Element Method for Netting (Springer 2013), as used in the paper's
+/// section 2.4.
+struct Triangle {
+  static constexpr auto stencil = NETLOFT_TRIANGLE;
+
+  struct Parameters {
+    double EA = 0, EA_compression = 0, diameter = 0, density = 0;
+  };
+  struct Data {
+    std::array<double, 3> u{}, v{};  // twine coordinates of the corners [bars]
+    double bar_length = 0;           // l₀, knot to knot [m]
+  };
+  struct Lanes {
+    double a[3][kLanes], b[3][kLanes];  // (2), (3) [1/bar]
+    double bars[kLanes];                // |d|/2
+    double l0[kLanes], EA[kLanes], EA_compression[kLanes];
+    double volume[kLanes], density[kLanes];
+  };
+
+  /// (1)–(3) of one triangle.
+  struct Shape {
+    double a[3], b[3], bars;
+  };
+  static Shape shape(const Data& d);
+  /// Bars along u (0) or v (1), stretched at state s.
+  static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
+  /// Half the angle between Û and V̂ [rad].
+  static double half_angle(const Data& d, const State<3>& s);
+
+  static void check(const Parameters&, const Data& d);
+  static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
+
+  struct Elastic {
+    static Status tile(const Family<Triangle>& family, netloft_tile& t);
+    template <class T>
+    static T oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 3>& x) {
+      const Shape s = shape(d);
+      const Vec3<T> U = s.a[0] * x[0] + s.a[1] * x[1] + s.a[2] * x[2];
+      const Vec3<T> V = s.b[0] * x[0] + s.b[1] * x[1] + s.b[2] * x[2];
+      const axial::Material m{p.EA, p.EA_compression};
+      return s.bars * (axial::energy(U, d.bar_length, m) + axial::energy(V, d.bar_length, m));
+    }
+  };
+
+  struct Weight {
+    static Status tile(const Family<Triangle>& family, netloft_tile& t);
+  };
+};
+
+}  // namespace netloft::priour
