@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hdf5.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace netloft::io {
+
+/// A result file that cannot be written or read; what() is a sentence for the person at the terminal.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Stops HDF5 printing its error stack on stderr and cleaning up at exit. The first switch is per thread and
+/// the second must be ahead of any other call, so every entry point begins with this.
+void silence_hdf5();
+
+/// The newest HDF5 error in one line: what was asked for, and the cause at the bottom of the stack.
+std::string hdf5_message();
+
+/// Passes a status or an id through; a negative one becomes a FileError with the HDF5 message.
+template <class Status>
+Status check(Status status) {
+  if (status < 0) throw FileError(hdf5_message());
+  return status;
+}
+
+/// Runs `action`; a FileError out of it gets `context` (file, path) in front.
+template <class Action>
+decltype(auto) with_context(const std::string& context, Action&& action) {
+  try {
+    return action();
+  } catch (const FileError& error) {
+    throw FileError(context + ": " + error.what());
+  }
+}
+
+/// Owns one HDF5 id: `Handle space(H5Screate(H5S_SCALAR), H5Sclose);`
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle() = default;
+  Handle(hid_t id, Close function) : id_(check(id)), close_(function) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+
+  /// Closes now, where a failure can still be reported.
+  void close() {
+    if (id_ >= 0) check(close_(std::exchange(id_, H5I_INVALID_HID)));
+  }
+
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+}  // namespace netloft::io

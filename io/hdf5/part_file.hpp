@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "io/hdf5/handle.hpp"
+
+namespace netloft::io {
+
+/// Owns a file descriptor; closing it also drops its lock.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd = -1) : fd_(fd) {}
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+
+  void close();
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+/// An HDF5 file that grows as NAME.hdf.part and takes its name only when it is complete.
+///
+///   construct   NAME.hdf.part is created, or a dead writer's one replaced; a live writer's one is an error
+///   finish()    NAME.hdf -> NAME.hdf~, NAME.hdf.part -> NAME.hdf; NAME.hdf exists throughout if it did
+///   before destroy     without finish(): the .part stays as it was flushed last
+///
+/// A live writer is known by an exclusive flock() on the .part, which the system drops when the process dies.
+/// HDF5 keeps readers out by the same lock, unless they set HDF5_USE_FILE_LOCKING=FALSE.
+class PartFile {
+ public:
+  explicit PartFile(std::filesystem::path final_path);
+
+  hid_t id() const { return file_; }
+  const std::filesystem::path& part_path() const { return part_; }
+  const std::filesystem::path& final_path() const { return final_; }
+
+  void flush();
+  void finish();
+  bool is_finished() const { return finished_; }
+
+ private:
+  std::filesystem::path final_;
+  std::filesystem::path part_;
+  Descriptor lock_;  // outlives file_: nobody may take the .part while HDF5 still closes it
+  Handle file_;
+  bool finished_ = false;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/hdf5/handle.hpp"
+#include "io/hdf5/vtkhdf.hpp"
+
+namespace netloft::io {
+
+/// Reads a finished result or a .part that a dead writer left. Every error is a FileError that names file and
+/// path.
+class Reader {
+ public:
+  explicit Reader(std::filesystem::path path);
+
+  bool has(const std::string& path) const;
+  /// Names in a group, sorted.
+  std::vector<std::string> list(const std::string& group) const;
+  /// Extents of a dataset; empty for a scalar.
+  std::vector<std::size_t> shape(const std::string& path) const;
+
+  /// All numbers of a dataset, row by row; a scalar is one number.
+  std::vector<double> reals(const std::string& path) const;
+  std::vector<std::int64_t> integers(const std::string& path) const;
+  double real(const std::string& path) const;
+  std::int64_t integer(const std::string& path) const;
+
+  std::string text(const std::string& path) const;
+  std::vector<std::string> strings(const std::string& path) const;
+
+  bool has_attribute(const std::string& path, const std::string& name) const;
+  std::string text_attribute(const std::string& path, const std::string& name) const;
+  double real_attribute(const std::string& path, const std::string& name) const;
+
+  /// Times of the stored states, in order; the last is the newest.
+  std::vector<double> times() const;
+  /// Points, 3n [m], or a field as it was at a step 0 … times().size()-1.
+  std::vector<double> points(std::size_t step) const;
+  std::vector<double> field(Location location, const std::string& name, std::size_t step) const;
+
+ private:
+  Handle dataset(const std::string& path) const;
+  Handle object(const std::string& path) const;
+  std::string describe_neighbours(const std::string& path) const;
+  template <class Number>
+  std::vector<Number> numbers(const std::string& path, hid_t memory_type) const;
+  std::vector<double> slot(const std::string& path, const std::string& offsets, const std::string& count,
+                           std::size_t step) const;
+  std::string at(const std::string& path) const { return path + " in " + path_.string(); }
+
+  std::filesystem::path path_;
+  Handle file_;
+};
+
+}  // namespace netloft::io

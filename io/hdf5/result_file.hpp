@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "io/hdf5/part_file.hpp"
+#include "io/hdf5/tree.hpp"
+#include "io/hdf5/vtkhdf.hpp"
+
+namespace netloft::io {
+
+/// The result of one run: what ParaView shows under /VTKHDF, everything else under /netloft (LAYOUT.md).
+///
+///   ResultFile file("codend.hdf");                 // grows as codend.hdf.part
+///   file.begin(mesh, {tension}, {part, node_id});
+///   file.write_state(0.0, points, {tensions});     // flushed: survives a crash of the program
+///   file.tree().write_text("/netloft/provenance/scene/text", scene);
+///   file.finish();                                 // now codend.hdf; an earlier one is codend.hdf~
+///
+/// Throws FileError for what the disk or the user did, std::invalid_argument for what the caller did.
+class ResultFile {
+ public:
+  explicit ResultFile(std::filesystem::path final_path);
+
+  /// Once, before the first state.
+  void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed = {});
+  void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::initializer_list<StaticField> fixed) {
+    begin(mesh, std::move(changing), std::span<const StaticField>(fixed.begin(), fixed.size()));
+  }
+
+  /// Makes this the newest state. `points` 3n [m]; `fields` in the order of `changing`.
+  void write_state(double time, std::span<const double> points,
+                   std::span<const std::span<const double>> fields);
+  void write_state(double time, std::span<const double> points,
+                   std::initializer_list<std::span<const double>> fields) {
+    write_state(time, points, std::span<const std::span<const double>>(fields.begin(), fields.size()));
+  }
+  std::size_t n_states() const { return grid_ ? grid_->n_states() : 0; }
+
+  /// For everything but the grid; written out at the next flush().
+  Tree& tree() { return tree_; }
+  void flush() { part_.flush(); }
+
+  /// Flushes, closes, and gives the file its name; nothing can be written afterwards.
+  void finish();
+
+  const std::filesystem::path& part_path() const { return part_.part_path(); }
+  const std::filesystem::path& final_path() const { return part_.final_path(); }
+
+ private:
+  PartFile part_;
+  Tree tree_;
+  std::optional<VtkHdf> grid_;
+};
+
+}  // namespace netloft::io
