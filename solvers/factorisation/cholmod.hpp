@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+
+#include "framework/problem/factorisation.hpp"
+#include "solvers/factorisation/node_ordering.hpp"
+
+namespace netloft {
+
+/// Supernodal Cholesky factorisation of symmetric positive definite matrices, by CHOLMOD.
+///   P A Pᵀ = L Lᵀ                                          (1)
+///   x = Pᵀ L⁻ᵀ L⁻¹ P b                                     (2)
+/// P orders the nodes, L is stored in dense blocks of columns (supernodes). From the second `factorise` on
+/// neither `factorise` nor `solve` allocates. A matrix that is not positive definite is found in passing:
+/// `column` is then the first unknown whose pivot in (1) is not positive, which depends on P.
+std::unique_ptr<Factorisation> make_cholmod_factorisation(OrderingMethod method = OrderingMethod::best);
+
+}  // namespace netloft

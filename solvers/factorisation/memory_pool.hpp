@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cstddef>
+
+namespace netloft {
+
+/// Keeps the blocks that SuiteSparse frees and hands them out again, so that the second and every later
+/// factorisation of one pattern calls no malloc.
+///
+/// Every block is a plain malloc block and its size is what the C library says of it. So a block may be taken
+/// here and freed by free(), or the other way round, and nobody has to know who made it. The pool never keeps
+/// more than twice what was in use at one time. One owner, one thread: no lock.
+class MemoryPool {
+ public:
+  MemoryPool() = default;
+  MemoryPool(const MemoryPool&) = delete;
+  MemoryPool& operator=(const MemoryPool&) = delete;
+  ~MemoryPool() { clear(); }
+
+  void* take(std::size_t bytes);
+  void* take_zeroed(std::size_t bytes);
+  void* resize(void* block, std::size_t bytes);  // a block that is large enough stays where it is
+  void give_back(void* block);
+
+  /// Gives all kept blocks back to the C library and starts afresh.
+  void clear();
+  std::size_t kept_bytes() const { return kept_bytes_; }
+
+ private:
+  struct FreeBlock {
+    FreeBlock* next;
+  };
+  FreeBlock* pop(std::size_t size_class);
+  void* count_as_used(void* block);
+
+  std::array<FreeBlock*, 256> free_{};  // per size class: four classes to a doubling
+  std::size_t kept_bytes_ = 0;
+  std::size_t used_bytes_ = 0, most_used_bytes_ = 0;
+};
+
+/// SuiteSparse takes its memory from `pool` while this object lives, in this thread only.
+/// Does nothing when the program has given SuiteSparse an allocator of its own.
+class MemoryPoolScope {
+ public:
+  explicit MemoryPoolScope(MemoryPool& pool);
+  MemoryPoolScope(const MemoryPoolScope&) = delete;
+  MemoryPoolScope& operator=(const MemoryPoolScope&) = delete;
+  ~MemoryPoolScope();
+
+ private:
+  MemoryPool* outer_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cholmod.h>
+
+namespace netloft {
+
+/// Calls into SuiteSparse stay in the calling thread while this object lives.
+///
+/// CHOLMOD 3 has four OpenMP threads compiled in and opens a parallel region in each of some 10⁴ supernodes;
+/// OMP_NUM_THREADS does not reach it. On a busy machine the threads spin for each other: up to 70 s for a
+/// factorisation of 1 s. On a quiet one they take 2.5 times the CPU time and gain nothing on nets.
+class SingleThreadScope {
+ public:
+  SingleThreadScope();
+  SingleThreadScope(const SingleThreadScope&) = delete;
+  SingleThreadScope& operator=(const SingleThreadScope&) = delete;
+  ~SingleThreadScope();
+
+ private:
+  int max_active_levels_ = -1;
+};
+
+/// CHOLMOD's parameters and workspace: 32-bit indices, silent.
+class CholmodCommon {
+ public:
+  CholmodCommon();
+  CholmodCommon(const CholmodCommon&) = delete;
+  CholmodCommon& operator=(const CholmodCommon&) = delete;
+  ~CholmodCommon() { cholmod_finish(&common_); }
+
+  cholmod_common* operator->() { return &common_; }
+  const cholmod_common* operator->() const { return &common_; }
+  cholmod_common* get() { return &common_; }
+
+ private:
+  cholmod_common common_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/unit/solvers/factorisation/net_matrix.hpp"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define NETLOFT_SANITIZED
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define NETLOFT_SANITIZED
+#endif
+#if defined(__GLIBC__) && !defined(NETLOFT_SANITIZED)
+#define NETLOFT_COUNTS_MALLOC
+#endif
+
+namespace {
+thread_local long allocations = 0;
+}
+
+#ifdef NETLOFT_COUNTS_MALLOC
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+
+void* malloc(std::size_t bytes) {
+  ++allocations;
+  return __libc_malloc(bytes);
+}
+void* calloc(std::size_t count, std::size_t bytes) {
+  ++allocations;
+  return __libc_calloc(count, bytes);
+}
+void* realloc(void* block, std::size_t bytes) {
+  ++allocations;
+  return __libc_realloc(block, bytes);
+}
+}
+#endif
+
+namespace netloft {
+namespace {
+
+/// Allocations of one factorisation and one solve, after `rounds` of them.
+long count_allocations(Factorisation& factorisation, const TestMatrix& matrix, int rounds) {
+  std::vector<double> x(matrix.pattern.size, 1.0);
+  long count = 0;
+  for (int round = 0; round <= rounds; ++round) {
+    const long before = allocations;
+    const FactorResult result = factorisation.factorise(matrix.value);
+    factorisation.solve(x, x);
+    count = allocations - before;
+    EXPECT_EQ(result.status, FactorStatus::ok);
+  }
+  return count;
+}
+
+class Allocations : public testing::TestWithParam<bool> {
+ protected:
+  void SetUp() override {
+#ifndef NETLOFT_COUNTS_MALLOC
+    GTEST_SKIP() << "malloc cannot be counted in this build";
+#endif
+  }
+  TestMatrix make_net(int side) const {
+    return make_net_matrix({.rings = side, .nodes_per_ring = side, .symmetric = GetParam()});
+  }
+};
+
+TEST_P(Allocations, AreSeenInTheFirstFactorisation) {
+  const TestMatrix net = make_net(20);
+  const auto factorisation = make_factorisation(GetParam());
+  factorisation->analyse(net.pattern);
+  EXPECT_GT(count_allocations(*factorisation, net, 0), 0);
+}
+
+TEST_P(Allocations, AreNoneInTheSecondFactorisation) {
+  for (const int side : {5, 20, 60}) {
+    const TestMatrix net = make_net(side);
+    const auto factorisation = make_factorisation(GetParam());
+    factorisation->analyse(net.pattern);
+    EXPECT_EQ(count_allocations(*factorisation, net, 1), 0) << side;
+    EXPECT_EQ(count_allocations(*factorisation, net, 5), 0) << side;
+  }
+}
+
+TEST_P(Allocations, AreNoneAfterAFailedFactorisation) {
+  const TestMatrix net = make_net(20);
+  const auto factorisation = make_factorisation(GetParam());
+  factorisation->analyse(net.pattern);
+  count_allocations(*factorisation, net, 1);
+  const std::vector<double> zeros(net.value.size(), 0);
+  const long before = allocations;
+  EXPECT_NE(factorisation->factorise(zeros).status, FactorStatus::ok);
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(count_allocations(*factorisation, net, 0), 0);
+}
+
+TEST_P(Allocations, AreNoneWithTwoFactorisationsSideBySide) {
+  const TestMatrix small = make_net(10), large = make_net(30);
+  const auto first = make_factorisation(GetParam()), second = make_factorisation(GetParam());
+  first->analyse(small.pattern);
+  second->analyse(large.pattern);
+  count_allocations(*first, small, 0);
+  count_allocations(*second, large, 0);
+  EXPECT_EQ(count_allocations(*first, small, 0), 0);
+  EXPECT_EQ(count_allocations(*second, large, 0), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Factorisation, Allocations, testing::Values(true, false),
+                         [](const auto& test) { return std::string(test.param ? "Cholmod" : "Umfpack"); });
+
+}  // namespace
+}  // namespace netloft
