@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace netloft::io {
+
+/// Where something was written. Lines and columns count from 1, columns in characters.
+struct Place {
+  int file = -1;  // what Diagnostics::add_source returned; -1: nowhere
+  int line = 0;   // 0: the file as a whole
+  int column = 0;
+  int length = 1;  // characters to underline, never beyond the line
+};
+
+enum class Severity { error, warning };
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  Place place;
+  std::string message;
+  std::string hint;  // the cure; may be empty
+};
+
+/// Collects everything that is wrong with an input, so that all of it is shown at once.
+class Diagnostics {
+ public:
+  enum class Source { file, command_line };
+
+  /// Sources sort in the order they are added: the root file first. A command line is shown by its name only.
+  int add_source(std::string name, std::string text, Source kind = Source::file);
+
+  void error(const Place& place, std::string message, std::string hint = {});
+  void warning(const Place& place, std::string message, std::string hint = {});
+
+  int errors() const { return errors_; }
+  int warnings() const { return static_cast<int>(entries_.size()) - errors_; }
+
+  /// Each once, by source, line and column.
+  std::vector<Diagnostic> sorted() const;
+
+  /// "codend.toml:41:13", "--set parts.net.cells", or "" for nowhere.
+  std::string where(const Place& place) const;
+
+  /// For each: `codend.toml:41:13: error: message`, the line of source with the spot underlined, `  hint: …`.
+  /// At most `limit` of them, then how many were left out. Control characters are not passed on to a
+  /// terminal.
+  std::string render(bool color, std::size_t limit = 100) const;
+
+ private:
+  struct Text {
+    std::string name;
+    std::string text;
+    Source kind;
+  };
+  void add(Diagnostic entry);
+  std::string source_line(const Place& place) const;
+  std::string excerpt(const Place& place) const;
+
+  std::vector<Text> sources_;
+  std::vector<Diagnostic> entries_;
+  std::set<std::tuple<int, int, int, std::string>> seen_;
+  int errors_ = 0;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/toml/value.hpp"
+
+namespace netloft::io {
+
+/// Tables and arrays deeper than this are refused, so that all that walks the tree may recurse.
+constexpr int kDeepestValue = 64;
+
+/// The table that `text` holds; `file` is its number in `diagnostics`. None after an error.
+std::optional<Value> parse_toml(const std::string& text, int file, Diagnostics& diagnostics);
+
+}  // namespace netloft::io
