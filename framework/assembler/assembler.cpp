@@ -74,6 +74,8 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
     workspaces_.push_back(std::make_unique<Workspace>(dofs, plan.symmetric));
 }
 
+Assembler::~Assembler() = default;
+
 bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   if (request.residual) std::fill_n(request.residual, numbering_.dofs(), 0.0);
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);

@@ -30,6 +30,9 @@ struct ElementFault {
 class Assembler {
  public:
   Assembler(const Scene& scene, const Plan& plan, int threads);
+  ~Assembler();
+  Assembler(const Assembler&) = delete;
+  Assembler& operator=(const Assembler&) = delete;
 
   const Numbering& numbering() const { return numbering_; }
   const SparsePattern& pattern() const { return pattern_; }

@@ -49,8 +49,9 @@ struct Block {
   double v[6];
 };
 
-inline Block stiffness(const Bar& b, double wx, double wy, double wz, double factor, bool convex) {
-  const double g = factor * (convex ? std::max(b.T, 0.0) : b.T) * b.inverse;
+/// `lowest_T` is 0 for A₊ and −∞ for A.
+inline Block stiffness(const Bar& b, double wx, double wy, double wz, double factor, double lowest_T) {
+  const double g = factor * std::max(b.T, lowest_T) * b.inverse;
   const double s = (factor * b.k - g) * b.inverse * b.inverse;
   return {{s * wx * wx + g, s * wy * wx, s * wy * wy + g, s * wz * wx, s * wz * wy, s * wz * wz + g}};
 }

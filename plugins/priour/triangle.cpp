@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/priour/triangle.hpp"
 
+#include <limits>
 #include <numbers>
 
 namespace netloft::priour {
@@ -64,32 +65,46 @@ struct Blocks {
   double v[6][kLanes];
 };
 
-/// Energy, force and stiffness of the bars along one direction, whose vector is Σ c_p x_p. (4), (5)
+/// The bars of one direction in every lane: vector, scalars of axial (1)–(4).
+struct Stretched {
+  double wx[kLanes], wy[kLanes], wz[kLanes];
+  double inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
+};
+
+/// Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
 void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], const netloft_tile& t,
-                       Blocks* __restrict blocks) {
+                       Stretched& s) {
   const double* __restrict x = t.x;
-  double* __restrict energy = t.energy;
-  double* __restrict force = t.force;
-  const bool convex = t.want & NETLOFT_WANT_CONVEX;
-  const double cu = t.cu;
   for (std::size_t i = 0; i < t.count; ++i) {
-    const double c0 = c[0][i], c1 = c[1][i], c2 = c[2][i], n = p.bars[i];
+    const double c0 = c[0][i], c1 = c[1][i], c2 = c[2][i];
     const double wx = c0 * x[at(0, i)] + c1 * x[at(3, i)] + c2 * x[at(6, i)];
     const double wy = c0 * x[at(1, i)] + c1 * x[at(4, i)] + c2 * x[at(7, i)];
     const double wz = c0 * x[at(2, i)] + c1 * x[at(5, i)] + c2 * x[at(8, i)];
     const auto b = axial::stretch(wx, wy, wz, p.l0[i], p.EA[i], p.EA_compression[i]);
-    if (energy) energy[i] += n * b.energy;
-    if (force) {
-      const double f = n * b.T * b.inverse;
-      const double fx = f * wx, fy = f * wy, fz = f * wz;
-      force[at(0, i)] += c0 * fx, force[at(1, i)] += c0 * fy, force[at(2, i)] += c0 * fz;
-      force[at(3, i)] += c1 * fx, force[at(4, i)] += c1 * fy, force[at(5, i)] += c1 * fz;
-      force[at(6, i)] += c2 * fx, force[at(7, i)] += c2 * fy, force[at(8, i)] += c2 * fz;
-    }
-    if (blocks) {
-      const auto A = axial::stiffness(b, wx, wy, wz, cu * n, convex);
-      for (int k = 0; k < 6; ++k) blocks->v[k][i] = A.v[k];
-    }
+    s.wx[i] = wx, s.wy[i] = wy, s.wz[i] = wz;
+    s.inverse[i] = b.inverse, s.T[i] = b.T, s.k[i] = b.k, s.energy[i] = b.energy;
+  }
+}
+
+/// r_p += n c_p T t, (5).
+void add_force(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Stretched& s,
+               std::uint32_t count, double* __restrict force) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double f = p.bars[i] * s.T[i] * s.inverse[i];
+    const double fx = f * s.wx[i], fy = f * s.wy[i], fz = f * s.wz[i];
+    force[at(0, i)] += c[0][i] * fx, force[at(1, i)] += c[0][i] * fy, force[at(2, i)] += c[0][i] * fz;
+    force[at(3, i)] += c[1][i] * fx, force[at(4, i)] += c[1][i] * fy, force[at(5, i)] += c[1][i] * fz;
+    force[at(6, i)] += c[2][i] * fx, force[at(7, i)] += c[2][i] * fy, force[at(8, i)] += c[2][i] * fz;
+  }
+}
+
+void fill_stiffness(const Triangle::Lanes& p, const Stretched& s, double cu, bool convex, std::uint32_t count,
+                    Blocks& blocks) {
+  const double lowest = convex ? 0.0 : -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < count; ++i) {
+    const axial::Bar b{0, s.inverse[i], s.T[i], s.k[i], 0};
+    const auto A = axial::stiffness(b, s.wx[i], s.wy[i], s.wz[i], cu * p.bars[i], lowest);
+    for (int k = 0; k < 6; ++k) blocks.v[k][i] = A.v[k];
   }
 }
 
@@ -137,9 +152,21 @@ Status Triangle::Elastic::tile(const Family<Triangle>& family, netloft_tile& t) 
     add_blocks(p, U, U, t.count, t.tangent);
     return Status::ok;
   }
-  stretch_direction(p, p.a, t, t.tangent ? &U : nullptr);
-  stretch_direction(p, p.b, t, t.tangent ? &V : nullptr);
-  if (t.tangent) add_blocks(p, U, V, t.count, t.tangent);
+  Stretched u, v;
+  stretch_direction(p, p.a, t, u);
+  stretch_direction(p, p.b, t, v);
+  if (t.energy)
+    for (std::size_t i = 0; i < t.count; ++i) t.energy[i] += p.bars[i] * (u.energy[i] + v.energy[i]);  // (4)
+  if (t.force) {
+    add_force(p, p.a, u, t.count, t.force);
+    add_force(p, p.b, v, t.count, t.force);
+  }
+  if (t.tangent) {
+    const bool convex = t.want & NETLOFT_WANT_CONVEX;
+    fill_stiffness(p, u, t.cu, convex, t.count, U);
+    fill_stiffness(p, v, t.cu, convex, t.count, V);
+    add_blocks(p, U, V, t.count, t.tangent);
+  }
   return Status::ok;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/bar.hpp"
 
+#include <limits>
+
 namespace netloft::rope {
 
 void Bar::check(const Parameters&, const Data& d) {
@@ -22,6 +24,8 @@ axial::Bar Bar::stretch(const Parameters& p, const Data& d, const State<2>& s) {
 
 namespace {
 
+constexpr std::size_t at(int dof, std::size_t lane) { return static_cast<std::size_t>(dof) * kLanes + lane; }
+
 /// Adds ±A to the four blocks of a bar's packed tangent: [ A −A; −A A ].
 inline void add_blocks(const axial::Block& A, double* __restrict tangent, std::size_t lane) {
   std::size_t entry = 0;
@@ -37,31 +41,33 @@ inline void add_blocks(const axial::Block& A, double* __restrict tangent, std::s
 Status Bar::Elastic::tile(const Family<Bar>& family, netloft_tile& t) {
   const Lanes& p = family.lanes(t);
   const double* __restrict x = t.x;
-  double* __restrict energy = t.energy;
-  double* __restrict force = t.force;
-  double* __restrict tangent = t.tangent;
-  const bool convex = t.want & NETLOFT_WANT_CONVEX, metric = t.want & NETLOFT_WANT_METRIC;
-  const double cu = t.cu;
-  const auto at = [](int dof, std::size_t lane) { return static_cast<std::size_t>(dof) * kLanes + lane; };
-
-  if (metric) {
+  if (t.want & NETLOFT_WANT_METRIC) {
     for (std::size_t i = 0; i < t.count; ++i) {
       const double m = p.EA[i] / p.l0[i];  // axial (6)
-      add_blocks({{m, 0, m, 0, 0, m}}, tangent, i);
+      add_blocks({{m, 0, m, 0, 0, m}}, t.tangent, i);
     }
     return Status::ok;
   }
+  // Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
+  double wx[kLanes], wy[kLanes], wz[kLanes], inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
   for (std::size_t i = 0; i < t.count; ++i) {
-    const double wx = x[at(3, i)] - x[at(0, i)], wy = x[at(4, i)] - x[at(1, i)],
-                 wz = x[at(5, i)] - x[at(2, i)];
-    const auto b = axial::stretch(wx, wy, wz, p.l0[i], p.EA[i], p.EA_compression[i]);
-    if (energy) energy[i] += b.energy;
-    if (force) {
-      const double f = b.T * b.inverse;  // (1)
-      force[at(0, i)] -= f * wx, force[at(1, i)] -= f * wy, force[at(2, i)] -= f * wz;
-      force[at(3, i)] += f * wx, force[at(4, i)] += f * wy, force[at(5, i)] += f * wz;
+    wx[i] = x[at(3, i)] - x[at(0, i)], wy[i] = x[at(4, i)] - x[at(1, i)], wz[i] = x[at(5, i)] - x[at(2, i)];
+    const auto b = axial::stretch(wx[i], wy[i], wz[i], p.l0[i], p.EA[i], p.EA_compression[i]);
+    inverse[i] = b.inverse, T[i] = b.T, k[i] = b.k, energy[i] = b.energy;
+  }
+  if (t.energy)
+    for (std::size_t i = 0; i < t.count; ++i) t.energy[i] += energy[i];
+  if (double* __restrict force = t.force)
+    for (std::size_t i = 0; i < t.count; ++i) {
+      const double f = T[i] * inverse[i];  // (1)
+      force[at(0, i)] -= f * wx[i], force[at(1, i)] -= f * wy[i], force[at(2, i)] -= f * wz[i];
+      force[at(3, i)] += f * wx[i], force[at(4, i)] += f * wy[i], force[at(5, i)] += f * wz[i];
     }
-    if (tangent) add_blocks(axial::stiffness(b, wx, wy, wz, cu, convex), tangent, i);
+  if (t.tangent) {
+    const double lowest = t.want & NETLOFT_WANT_CONVEX ? 0.0 : -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < t.count; ++i)
+      add_blocks(axial::stiffness({0, inverse[i], T[i], k[i], 0}, wx[i], wy[i], wz[i], t.cu, lowest),
+                 t.tangent, i);
   }
   return Status::ok;
 }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/report/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json family_json(const Scene& scene, const FamilyPlan& family) {
+  Json parts = Json::array(), terms = Json::array();
+  for (const auto part : family.parts) parts.push_back(scene.parts[part].name);
+  for (const auto& t : family.terms)
+    terms.push_back({{"name", t.name},
+                     {"on", t.on},
+                     {"reason", t.reason},
+                     {"traits", describe_traits(t.traits)},
+                     {"doc", t.doc}});
+  return {{"type", family.type->type},
+          {"elements", family.elements},
+          {"parts", parts},
+          {"plugin", family.type->origin->file},
+          {"version", family.type->origin->version},
+          {"terms", terms}};
+}
+
+Json terms_json(const Scene& scene, const Plan& plan) {
+  Json families = Json::array();
+  for (const auto& family : plan.families) families.push_back(family_json(scene, family));
+  return families;
+}
+
+Json seconds_json(const RunResult& r) {
+  const Books& b = r.solution.books;
+  return {{"reading", r.reading_seconds},
+          {"setup", r.setup_seconds},
+          {"assembly", b.assembly_seconds},
+          {"analysis", b.analysis_seconds},
+          {"factorisation", b.factorisation_seconds},
+          {"solve", b.solve_seconds},
+          {"solver_total", b.total_seconds},
+          {"total", r.reading_seconds + r.setup_seconds + b.total_seconds}};
+}
+
+/// One line per nothing; invalid bytes of a file name are replaced, so that the output is always JSON.
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& extras) {
+  return dump({{"scene", scene.name},
+               {"families", terms_json(scene, plan)},
+               {"not_loaded", plan.not_loaded},
+               {"nodes", plan.nodes},
+               {"held_nodes", plan.held_nodes},
+               {"unknowns", plan.unknowns},
+               {"matrix_entries", extras.matrix_entries},
+               {"symmetric", plan.symmetric},
+               {"unsymmetric_because", plan.unsymmetric_because},
+               {"conservative", plan.conservative},
+               {"solver", extras.solver},
+               {"factorisation", extras.factorisation},
+               {"threads", {{"given", extras.threads_given}, {"used", extras.threads_used}}}});
+}
+
+std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResult& r) {
+  const Solution& s = r.solution;
+  Json results = Json::object(), units = Json::object(), forces = Json::array(), held = Json::array();
+  for (const auto& scalar : r.scalars) results[scalar.name] = scalar.value, units[scalar.name] = scalar.unit;
+  for (const auto& f : r.part_forces)
+    forces.push_back({{"part", f.part}, {"term", f.term}, {"force", f.force}});
+  for (const auto& h : r.hold_forces) held.push_back({{"name", h.name}, {"force", h.force}});
+  return dump({{"scene", loaded.scene.name},
+               {"status", name_of(s.status)},
+               {"stability", name_of(s.stability)},
+               {"reason", s.reason},
+               {"at_fault", s.status == SolveStatus::converged ? Json(nullptr) : Json(s.at_fault)},
+               {"iterations", s.books.iterations},
+               {"factorisations", s.books.factorisations},
+               {"residual", s.balance.residual},
+               {"largest_load", s.balance.scale},
+               {"energy", s.energy},
+               {"wall_seconds", seconds_json(r)},
+               {"cpu_seconds", s.books.total_cpu_seconds},
+               {"unknowns", plan.unknowns},
+               {"solver", loaded.analysis.solver},
+               {"factorisation", s.factorisation},
+               {"terms", terms_json(loaded.scene, plan)},
+               {"results", results},
+               {"units", units},
+               {"part_forces", forces},
+               {"hold_forces", held},
+               {"output", r.output_file.empty() ? Json(nullptr) : Json(r.output_file)}});
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/report/run_result.hpp"
+
+#include "io/scene/result_request.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+void collect_part_forces(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+  for (std::size_t f = 0; f < assembler.families().size(); ++f) {
+    const Family& family = *assembler.families()[f];
+    std::vector<double> sums(3 * family.parts().size());
+    for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
+      if (!assembler.sum_term(result.solution.x, f, t, sums)) continue;
+      for (std::size_t p = 0; p < family.parts().size(); ++p)
+        result.part_forces.push_back({loaded.scene.parts[family.parts()[p]].name,
+                                      family.active_terms()[t].name,
+                                      {-sums[3 * p], -sums[3 * p + 1], -sums[3 * p + 2]}});
+    }
+  }
+}
+
+void collect_hold_forces(const LoadedScene& loaded, const Assembler& assembler, RunResult& result) {
+  for (const auto& hold : loaded.holds) {
+    HoldForce sum{hold.name, {}};
+    for (const auto node : hold.nodes)
+      for (int axis = 0; axis < 3; ++axis)
+        if (loaded.scene.held[node] & (1 << axis))
+          sum.force[static_cast<std::size_t>(axis)] +=
+              result.solution.residual[static_cast<std::size_t>(assembler.numbering().index(node, axis))];
+    result.hold_forces.push_back(sum);
+  }
+}
+
+}  // namespace
+
+void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+  result.outputs.resize(assembler.families().size());
+  for (std::size_t f = 0; f < result.outputs.size(); ++f)
+    assembler.outputs(result.solution.x, f, result.outputs[f]);
+  collect_part_forces(loaded, assembler, result);
+  collect_hold_forces(loaded, assembler, result);
+  for (const auto& request : loaded.results)
+    result.scalars.push_back({request.name, request.unit, request.take + " of " + request.of,
+                              value_of(request, loaded.scene, assembler, result.solution, result.outputs)});
+}
+
+}  // namespace netloft::io

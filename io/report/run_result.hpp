@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/verdict.hpp"
+#include "framework/scene/plan.hpp"
+#include "io/scene/loaded_scene.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// Sum of one force over one part, as the gear feels it [N].
+struct PartForce {
+  std::string part, term;
+  std::array<double, 3> force{};
+};
+
+/// Sum of the forces with which one hold acts on the gear [N].
+struct HoldForce {
+  std::string name;
+  std::array<double, 3> force{};
+};
+
+struct NamedScalar {
+  std::string name, unit, doc;
+  double value = 0;
+};
+
+/// Everything a run tells, whoever it is told to: a terminal, a program, a file.
+struct RunResult {
+  Solution solution;
+  std::vector<PartForce> part_forces;
+  std::vector<HoldForce> hold_forces;
+  std::vector<NamedScalar> scalars;
+  std::vector<std::vector<std::vector<double>>> outputs;  // [family][output][element]
+  double reading_seconds = 0, setup_seconds = 0;
+  std::string output_file;
+};
+
+/// Sums, outputs and named scalars at the solution's last point.
+void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result);
+
+}  // namespace netloft::io

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/report/text.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace netloft::io {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+void family_text(const FamilyPlan& family, Out out) {
+  fmt::format_to(out, "{}: {} element{} in {} part{} ({} {})\n", family.type->type, family.elements,
+                 family.elements == 1 ? "" : "s", family.parts.size(), family.parts.size() == 1 ? "" : "s",
+                 family.type->origin->file.empty() ? "compiled in," : family.type->origin->file,
+                 family.type->origin->version);
+  for (const auto& term : family.terms)
+    fmt::format_to(out, "  {:<12} {:<4} {}; {}\n", term.name, term.on ? "on" : "off", term.reason,
+                   describe_traits(term.traits));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+std::string plan_text(const Plan& plan, const PlanExtras& extras) {
+  std::string text;
+  const Out out = std::back_inserter(text);
+  for (const auto& family : plan.families) family_text(family, out);
+  if (!plan.not_loaded.empty())
+    fmt::format_to(out, "not loaded: {} (no part uses them)\n", joined(plan.not_loaded));
+  fmt::format_to(out, "problem: {} nodes, {} of them held, {} unknowns, {} matrix entries; {}{}\n",
+                 plan.nodes, plan.held_nodes, plan.unknowns, extras.matrix_entries,
+                 plan.symmetric ? "symmetric" : "unsymmetric because of " + plan.unsymmetric_because,
+                 plan.conservative ? ", every force has an energy" : "");
+  fmt::format_to(out, "solver: {}\nfactorisation: {}\nthreads: {} given, {} used by the assembly\n",
+                 extras.solver, extras.factorisation, extras.threads_given, extras.threads_used);
+  return text;
+}
+
+std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResult& result) {
+  const Solution& s = result.solution;
+  std::string text;
+  const Out out = std::back_inserter(text);
+  fmt::format_to(out, "{}: {}", loaded.scene.name, name_of(s.status));
+  if (s.stability != Stability::unknown) fmt::format_to(out, ", {} equilibrium", name_of(s.stability));
+  fmt::format_to(out, "\n  {}\n", s.reason);
+  fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, {:.3g} s\n", plan.unknowns,
+                 s.books.iterations, s.books.factorisations, s.books.total_seconds);
+  for (const auto& scalar : result.scalars)
+    fmt::format_to(out, "  {:<24} {:>18.10g} {:<8} {}\n", scalar.name, scalar.value,
+                   scalar.unit == "1" ? "" : scalar.unit, scalar.doc);
+  if (!result.hold_forces.empty())
+    fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n", "forces on the gear [N]", "x", "y", "z");
+  for (const auto& f : result.part_forces)
+    if (f.term != "elastic")
+      fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", f.part + ", " + f.term, f.force[0],
+                     f.force[1], f.force[2]);
+  for (const auto& h : result.hold_forces)
+    fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", h.name + ", held", h.force[0], h.force[1],
+                   h.force[2]);
+  if (!result.output_file.empty()) fmt::format_to(out, "  written to {}\n", result.output_file);
+  return text;
+}
+
+}  // namespace netloft::io

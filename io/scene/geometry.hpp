@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scene/loaded_scene.hpp"
+#include "io/toml/table_reader.hpp"
+
+namespace netloft::io {
+
+/// A part on nodes of its own: what an element type needs to stand on, before parts are joined.
+struct Geometry {
+  PartGeometry names;                               // sets and panel coordinates; `nodes` is left empty
+  std::vector<double> positions;                    // 3 per own node [m]
+  std::vector<std::uint32_t> elements;              // own nodes, as many each as the stencil has
+  std::map<std::string, std::vector<double>> data;  // per element, by datum name
+
+  std::size_t node_count() const { return positions.size() / 3; }
+};
+
+/// A rope in bars: `length` unstretched, `cells` bars, `sketch` a line of two or more points along which the
+/// nodes are spread evenly. Sets: start, end, middle (with an even number of bars). Data: rest_length [m].
+Geometry read_line(TableReader& part);
+
+/// A rectangle of netting in triangles, the paper's section 2.2 for a panel cut along meshes: `panel` in
+/// meshes, `cells` across and along, `sketch` four corners: fore left, fore right, aft right, aft left. In
+/// cell (i, j) the diagonal runs (i,j)-(i+1,j+1) if i+j is even. Nodes are row by row from the fore edge: j
+/// (across+1) + i. Sets: fore, aft, left, right and the corners fore-left … Data: u, v [bars], bar_length
+/// [m].
+Geometry read_panel(TableReader& part);
+
+}  // namespace netloft::io

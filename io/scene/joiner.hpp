@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scene/geometry.hpp"
+
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// Makes the nodes of a scene out of the nodes of its parts: joined nodes become one, with the position of
+/// the first.
+class Joiner {
+ public:
+  /// Some own nodes of one part.
+  struct Ends {
+    std::size_t part;
+    std::vector<std::uint32_t> own;
+  };
+
+  explicit Joiner(const std::vector<Geometry>& geometries) : geometries_(geometries) {
+    std::uint32_t next = 0;
+    for (const auto& g : geometries) {
+      first_.push_back(next);
+      next += static_cast<std::uint32_t>(g.node_count());
+    }
+    leader_.resize(next);
+    std::iota(leader_.begin(), leader_.end(), 0u);
+  }
+
+  /// Node i of every set becomes one node.
+  void join(const std::vector<Ends>& sets) {
+    for (std::size_t s = 1; s < sets.size(); ++s)
+      for (std::size_t i = 0; i < sets[0].own.size(); ++i) {
+        const auto a = find(first_[sets[0].part] + sets[0].own[i]),
+                   b = find(first_[sets[s].part] + sets[s].own[i]);
+        leader_[std::max(a, b)] = std::min(a, b);
+      }
+  }
+
+  /// Numbers what is left and fills positions, labels and `held` of the scene.
+  void number(Scene& scene) {
+    number_.assign(leader_.size(), 0);
+    std::uint32_t node = 0;
+    for (std::uint32_t p = 0; p < geometries_.size(); ++p)
+      for (std::uint32_t own = 0; own < geometries_[p].node_count(); ++own, ++node) {
+        if (const auto leader = find(node); leader != node) {
+          number_[node] = number_[leader];
+          continue;
+        }
+        number_[node] = static_cast<std::uint32_t>(scene.held.size());
+        const double* x = &geometries_[p].positions[3 * std::size_t{own}];
+        scene.positions.insert(scene.positions.end(), x, x + 3);
+        scene.labels.push_back({p, own});
+        scene.held.push_back(0);
+      }
+  }
+
+  /// Scene nodes of a part, by own number.
+  std::vector<std::uint32_t> nodes(std::size_t part) const {
+    const auto begin = number_.begin() + first_[part];
+    return {begin, begin + static_cast<std::ptrdiff_t>(geometries_[part].node_count())};
+  }
+
+ private:
+  std::uint32_t find(std::uint32_t node) {
+    while (leader_[node] != node) node = leader_[node] = leader_[leader_[node]];
+    return node;
+  }
+
+  const std::vector<Geometry>& geometries_;
+  std::vector<std::uint32_t> first_, leader_, number_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/keys.hpp"
+
+namespace netloft::io {
+
+std::span<const netloft_parameter> water_keys() {
+  static const auto table = [] {
+    ParameterTable<Water> t;
+    t.real("density", &Water::density, "kg/m3", "density of the water; 0 is air",
+           {.lo = 0, .hi = 3000, .fallback = 1025});
+    t.real("gravity", &Water::gravity, "m/s2", "gravity", {.lo = 0, .hi = 100, .fallback = 9.80665});
+    return t;
+  }();
+  return table.rows();
+}
+
+std::span<const netloft_parameter> analysis_keys() {
+  static const auto table = [] {
+    ParameterTable<AnalysisKeys> t;
+    t.choice("kind", &AnalysisKeys::kind, "what is looked for: the static equilibrium", {"static"});
+    t.text("solver", &AnalysisKeys::solver, "solver plugin; its own parameters stand in a table of its name",
+           "newton");
+    t.real("tolerance", &AnalysisKeys::tolerance, "1", "largest nodal residual over the largest nodal load",
+           {.lo = 1e-16, .hi = 1, .fallback = 1e-10});
+    t.integer("max_iterations", &AnalysisKeys::max_iterations, "iterations after which the solver gives up",
+              0, 1000000, 1000);
+    t.real("max_seconds", &AnalysisKeys::max_seconds, "s", "wall time after which the solver gives up",
+           {.lo = 0, .hi = 1e9, .fallback = 1e9});
+    return t;
+  }();
+  return table.rows();
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/static_problem.hpp"
+#include "framework/scene/scene.hpp"
+#include "io/toml/document.hpp"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// A part as its author sees it: its own nodes, numbered from 0, and the names of its edges and corners.
+struct PartGeometry {
+  std::string name;
+  Place place;
+  std::vector<std::uint32_t> nodes;                        // own number -> scene node
+  std::vector<std::array<double, 2>> panel;                // own number -> (U, V) [meshes]; empty off a panel
+  std::map<std::string, std::vector<std::uint32_t>> sets;  // "fore" -> own numbers, in order along the edge
+};
+
+/// A `[[hold]]`, for reactions by name.
+struct Hold {
+  std::string name;
+  std::vector<std::uint32_t> nodes;  // of the scene
+};
+
+/// One line of `[results]`: a named scalar, such as the lowest z of the net.
+struct ResultRequest {
+  enum class Source { position, displacement, reaction, output };
+  std::string name, of, take;
+  std::string how;       // min, max, mean, sum, range
+  std::string quantity;  // "z", "tension"
+  std::string unit, doc;
+  Source source = Source::position;
+  int axis = 0;                      // of positions, displacements and reactions; 3 is the length
+  std::vector<std::uint32_t> nodes;  // of the scene
+  std::uint32_t part = 0;            // for outputs
+};
+
+/// How the scene is to be solved.
+struct Analysis {
+  std::string solver;
+  Values solver_parameters;
+  Limits limits;
+};
+
+/// A scene file, read and checked.
+struct LoadedScene {
+  Scene scene;
+  std::vector<PartGeometry> parts;  // as in scene.parts
+  std::vector<Hold> holds;
+  std::vector<ResultRequest> results;
+  Analysis analysis;
+  std::vector<SourceFile> files;
+
+  /// Place of the part that a fault speaks of, for messages.
+  Place place_of(const std::string& part) const {
+    for (const auto& p : parts)
+      if (p.name == part) return p.place;
+    return {0, 0, 0};
+  }
+};
+
+}  // namespace netloft::io

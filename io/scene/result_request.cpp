@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/result_request.hpp"
+
+#include "framework/registry/nearest.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace netloft::io {
+
+namespace {
+
+const std::vector<std::string> kHow = {"min", "max", "mean", "sum", "range"};
+
+/// A quantity of nodes.
+struct NodeQuantity {
+  const char *name, *unit, *doc;
+  ResultRequest::Source source;
+  int axis;
+};
+
+using Source = ResultRequest::Source;
+const NodeQuantity kNodeQuantities[] = {
+    {"x", "m", "position along x", Source::position, 0},
+    {"y", "m", "position along y", Source::position, 1},
+    {"z", "m", "height above the water surface", Source::position, 2},
+    {"displacement", "m", "distance from the start", Source::displacement, 3},
+    {"reaction", "N", "force of what holds it on the gear", Source::reaction, 3},
+    {"reaction x", "N", "force of what holds it on the gear, along x", Source::reaction, 0},
+    {"reaction y", "N", "force of what holds it on the gear, along y", Source::reaction, 1},
+    {"reaction z", "N", "force of what holds it on the gear, along z", Source::reaction, 2},
+};
+
+/// Splits "max reaction z" into how ("max") and quantity ("reaction z"); how is empty if it is not said.
+void split_take(ResultRequest& request) {
+  const auto space = request.take.find(' ');
+  const std::string first = request.take.substr(0, space);
+  if (space != std::string::npos && std::find(kHow.begin(), kHow.end(), first) != kHow.end()) {
+    request.how = first;
+    request.quantity = request.take.substr(space + 1);
+  } else {
+    request.quantity = request.take;
+  }
+}
+
+std::vector<std::string> quantity_names(const ElementType* type) {
+  std::vector<std::string> names;
+  for (const auto& q : kNodeQuantities) names.push_back(q.name);
+  if (type)
+    for (const auto& o : type->outputs) names.push_back(o.name);
+  return names;
+}
+
+bool find_quantity(ResultRequest& request, const ElementType* type) {
+  for (const auto& q : kNodeQuantities)
+    if (request.quantity == q.name) {
+      request.source = q.source, request.axis = q.axis, request.unit = q.unit, request.doc = q.doc;
+      return true;
+    }
+  if (type)
+    for (const auto& o : type->outputs)
+      if (request.quantity == o.name) {
+        request.source = Source::output, request.unit = o.unit, request.doc = o.doc;
+        return true;
+      }
+  return false;
+}
+
+double node_value(const ResultRequest& r, std::uint32_t node, const Scene& scene, const Assembler& assembler,
+                  const Solution& s) {
+  std::array<double, 3> v{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(assembler.numbering().index(node, axis));
+    const auto a = static_cast<std::size_t>(axis);
+    const bool held = scene.held[node] & (1 << axis);
+    v[a] = r.source == Source::position   ? s.x[i]
+           : r.source == Source::reaction ? (held ? s.residual[i] : 0.0)
+                                          : s.x[i] - scene.positions[3 * std::size_t{node} + a];
+  }
+  return r.axis == 3 ? std::hypot(v[0], v[1], v[2]) : v[static_cast<std::size_t>(r.axis)];
+}
+
+std::vector<double> output_values(const ResultRequest& r, const Assembler& assembler,
+                                  const std::vector<std::vector<std::vector<double>>>& outputs) {
+  std::vector<double> values;
+  for (std::size_t f = 0; f < outputs.size(); ++f) {
+    const Family& family = *assembler.families()[f];
+    for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
+      if (r.quantity == family.type().outputs[k].name)
+        for (std::size_t e = 0; e < family.size(); ++e)
+          if (family.part(e) == r.part) values.push_back(outputs[f][k][e]);
+  }
+  return values;
+}
+
+double reduce(const std::string& how, const std::vector<double>& v) {
+  if (v.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto [lo, hi] = std::minmax_element(v.begin(), v.end());
+  const double sum = std::accumulate(v.begin(), v.end(), 0.0);
+  if (how == "min") return *lo;
+  if (how == "max") return *hi;
+  if (how == "range") return *hi - *lo;
+  if (how == "mean") return sum / static_cast<double>(v.size());
+  return sum;
+}
+
+}  // namespace
+
+bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::string& name,
+                    std::vector<std::uint32_t>& own) {
+  if (const auto set = part.sets.find(name); set != part.sets.end()) {
+    own = set->second;
+    return true;
+  }
+  if (!name.starts_with("node-")) return false;
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(name.data() + 5, name.data() + name.size(), number);
+  if (error != std::errc() || end != name.data() + name.size() || number >= count) return false;
+  own = {number};
+  return true;
+}
+
+std::vector<std::string> set_names(const PartGeometry& part) {
+  std::vector<std::string> names;
+  for (const auto& [name, set] : part.sets) names.push_back(name);
+  return names;
+}
+
+std::string name_hint(const std::string& name, const std::vector<std::string>& there) {
+  if (const auto near = nearest(name, there)) return "did you mean \"" + *near + "\"?";
+  std::string text = there.empty() ? "there are none" : "there is: ";
+  for (const auto& n : there) text += (&n == there.data() ? "" : ", ") + n;
+  return text;
+}
+
+bool understand(ResultRequest& request, const ElementType* type, TableReader& entry) {
+  split_take(request);
+  if (!find_quantity(request, type)) {
+    const std::string wanted = "write one of min, max, mean, sum, range and a quantity: ";
+    entry.error("take", "\"" + request.quantity + "\" is nothing that can be taken of \"" + request.of + "\"",
+                wanted + name_hint(request.quantity, quantity_names(type)));
+    return false;
+  }
+  const bool many = request.source == Source::output || request.nodes.size() > 1;
+  if (request.how.empty() && many) {
+    entry.error("take", "\"" + request.of + "\" has many; say which to take: \"min " + request.quantity +
+                            "\", max, mean, sum or range");
+    return false;
+  }
+  if (request.how.empty()) request.how = "sum";
+  return true;
+}
+
+double value_of(const ResultRequest& request, const Scene& scene, const Assembler& assembler,
+                const Solution& solution, const std::vector<std::vector<std::vector<double>>>& outputs) {
+  if (request.source == Source::output)
+    return reduce(request.how, output_values(request, assembler, outputs));
+  std::vector<double> values;
+  for (const auto node : request.nodes)
+    values.push_back(node_value(request, node, scene, assembler, solution));
+  return reduce(request.how, values);
+}
+
+}  // namespace netloft::io
