@@ -76,6 +76,14 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
 
 Assembler::~Assembler() = default;
 
+int Assembler::threads_used() const {
+  for (const auto& tiling : tilings_)
+    for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
+      if (tiling.colour_begin[c + 1] - tiling.colour_begin[c] >= kSerialBelow)
+        return static_cast<int>(workers_.size());
+  return 1;
+}
+
 bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   if (request.residual) std::fill_n(request.residual, numbering_.dofs(), 0.0);
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);

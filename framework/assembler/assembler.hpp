@@ -38,7 +38,8 @@ class Assembler {
   const SparsePattern& pattern() const { return pattern_; }
   std::size_t value_slots() const { return value_slots_; }
   std::span<const std::unique_ptr<Family>> families() const { return families_; }
-  int threads() const { return static_cast<int>(workers_.size()); }
+  /// Threads that evaluations share out: 1 while the scene is too small to gain from more.
+  int threads_used() const;
 
   /// Start positions over all dofs [m].
   const std::vector<double>& start() const { return start_; }

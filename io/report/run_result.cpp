@@ -16,7 +16,7 @@ void collect_part_forces(const LoadedScene& loaded, Assembler& assembler, RunRes
       for (std::size_t p = 0; p < family.parts().size(); ++p)
         result.part_forces.push_back({loaded.scene.parts[family.parts()[p]].name,
                                       family.active_terms()[t].name,
-                                      {-sums[3 * p], -sums[3 * p + 1], -sums[3 * p + 2]}});
+                                      {0.0 - sums[3 * p], 0.0 - sums[3 * p + 1], 0.0 - sums[3 * p + 2]}});
     }
   }
 }

@@ -14,14 +14,52 @@ constexpr std::int64_t kMostElements = 4000000;  // of one part
 
 using Point = std::array<double, 3>;
 
-std::vector<Point> read_sketch(TableReader& part, Count points, const std::string& doc) {
-  std::vector<Point> sketch;
-  const auto rows = part.rows(
-      "sketch",
-      {.unit = "m", .doc = doc, .range = between(-1e6, 1e6), .rows = points, .columns = exactly(3)});
-  for (const auto& row : rows)
-    if (row.size() == 3) sketch.push_back({row[0], row[1], row[2]});
-  return sketch;
+using Shape = GeometryKey::Shape;
+const Range kCoordinates = between(-1e6, 1e6);
+const Range kMeshes{.lo = 0, .hi = 1e6, .lo_open = true};
+
+const GeometryKey kAt{"at", "m", "where the point starts", Shape::points, kCoordinates, exactly(1)};
+const GeometryKey kLength{
+    "length", "m", "unstretched length of the rope", Shape::real, {.lo = 0, .hi = 1e6, .lo_open = true}, {}};
+const GeometryKey kBars{"cells", "1", "bars the rope is divided into", Shape::integer, between(1, kMostCells),
+                        {}};
+const GeometryKey kLine{"sketch",      "m",          "points of the line along which the rope starts",
+                        Shape::points, kCoordinates, {.least = 2}};
+const GeometryKey kAcross{"panel.across", "1", "meshes across the panel", Shape::real, kMeshes, {}};
+const GeometryKey kAlong{"panel.along", "1", "meshes along the panel", Shape::real, kMeshes, {}};
+const GeometryKey kBar{"panel.bar",
+                       "m",
+                       "unstretched bar, from knot to knot: half the mesh size",
+                       Shape::real,
+                       {.lo = 0, .hi = 100, .lo_open = true},
+                       {}};
+const GeometryKey kCells{
+    "cells",   "1", "cells across and along, two triangles each", Shape::integers, between(1, kMostCells),
+    exactly(2)};
+const GeometryKey kCorners{
+    "sketch",      "m",          "corners: fore left, fore right, aft right, aft left; need not be accurate",
+    Shape::points, kCoordinates, exactly(4)};
+
+/// The last word of a dotted name.
+std::string leaf(const GeometryKey& key) { return key.name.substr(key.name.find('.') + 1); }
+
+double read_real(TableReader& table, const GeometryKey& key) {
+  return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range});
+}
+
+std::vector<std::int64_t> read_integers(TableReader& table, const GeometryKey& key) {
+  const auto lo = static_cast<std::int64_t>(key.range.lo), hi = static_cast<std::int64_t>(key.range.hi);
+  if (key.shape == Shape::integer) return {table.integer(leaf(key), {.doc = key.doc, .lo = lo, .hi = hi})};
+  return table.integers(leaf(key), {.doc = key.doc, .lo = lo, .hi = hi, .count = key.count});
+}
+
+std::vector<Point> read_points(TableReader& table, const GeometryKey& key) {
+  std::vector<Point> points;
+  for (const auto& row : table.rows(
+           leaf(key),
+           {.unit = key.unit, .doc = key.doc, .range = key.range, .rows = key.count, .columns = exactly(3)}))
+    if (row.size() == 3) points.push_back({row[0], row[1], row[2]});
+  return points;
 }
 
 double distance(const Point& a, const Point& b) { return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]); }
@@ -97,16 +135,29 @@ void add_triangle(const Grid& g, std::array<std::array<std::size_t, 2>, 3> corne
 
 }  // namespace
 
+const std::vector<GeometryKey>& geometry_keys(std::uint32_t stencil) {
+  static const std::vector<GeometryKey> point{kAt}, line{kLength, kBars, kLine},
+      panel{kAcross, kAlong, kBar, kCells, kCorners};
+  return stencil == NETLOFT_NODE ? point : stencil == NETLOFT_BAR ? line : panel;
+}
+
+Geometry read_point(TableReader& part) {
+  Geometry out;
+  const auto at =
+      part.reals(leaf(kAt), {.unit = kAt.unit, .doc = kAt.doc, .range = kAt.range, .count = exactly(3)});
+  if (at.size() != 3) return out;
+  out.positions = at;
+  out.elements = {0};
+  out.names.sets["point"] = {0};
+  return out;
+}
+
 Geometry read_line(TableReader& part) {
   Geometry out;
-  const double length = part.real(
-      "length",
-      {.unit = "m", .doc = "unstretched length of the rope", .range = {.lo = 0, .hi = 1e6, .lo_open = true}});
-  const auto cells =
-      part.integer("cells", {.doc = "bars the rope is divided into", .lo = 1, .hi = kMostCells});
-  const auto sketch = read_sketch(part, {.least = 2}, "points of the line along which the rope starts");
-  if (sketch.size() < 2 || cells < 1) return out;
-  const auto n = static_cast<std::uint32_t>(cells);
+  const double length = read_real(part, kLength);
+  const auto n = static_cast<std::uint32_t>(read_integers(part, kBars)[0]);
+  const auto sketch = read_points(part, kLine);
+  if (sketch.size() < 2 || n < 1) return out;
   for (std::uint32_t i = 0; i <= n; ++i) append(out.positions, along_line(sketch, double(i) / n));
   for (std::uint32_t i = 0; i < n; ++i) out.elements.insert(out.elements.end(), {i, i + 1});
   out.data["rest_length"].assign(n, length / n);
@@ -119,16 +170,10 @@ Geometry read_line(TableReader& part) {
 Geometry read_panel(TableReader& part) {
   Geometry out;
   TableReader panel = part.table("panel", Presence::required, "size of the panel in meshes");
-  const Range meshes{.lo = 0, .hi = 1e6, .lo_open = true};
-  const double across = panel.real("across", {.doc = "meshes across the panel", .range = meshes});
-  const double along = panel.real("along", {.doc = "meshes along the panel", .range = meshes});
-  const double bar = panel.real("bar", {.unit = "m",
-                                        .doc = "unstretched bar, from knot to knot: half the mesh size",
-                                        .range = {.lo = 0, .hi = 100, .lo_open = true}});
-  const auto cells = part.integers(
-      "cells",
-      {.doc = "cells across and along, two triangles each", .lo = 1, .hi = kMostCells, .count = exactly(2)});
-  const auto sketch = read_sketch(part, exactly(4), "corners: fore left, fore right, aft right, aft left");
+  const double across = read_real(panel, kAcross), along = read_real(panel, kAlong),
+               bar = read_real(panel, kBar);
+  const auto cells = read_integers(part, kCells);
+  const auto sketch = read_points(part, kCorners);
   if (cells.size() != 2 || sketch.size() != 4) return out;
   if (cells[0] * cells[1] * 2 > kMostElements) {
     part.error("cells", "makes " + std::to_string(cells[0] * cells[1] * 2) + " triangles; at most " +

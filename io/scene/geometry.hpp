@@ -15,6 +15,21 @@ struct Geometry {
   std::size_t node_count() const { return positions.size() / 3; }
 };
 
+/// A key with which a part says where it stands; a dot is a table within.
+struct GeometryKey {
+  enum class Shape { real, integer, integers, points };
+  std::string name, unit, doc;
+  Shape shape;
+  Range range;
+  Count count;  // of integers or points
+};
+
+/// The keys of parts whose elements stand on this stencil.
+const std::vector<GeometryKey>& geometry_keys(std::uint32_t stencil);
+
+/// A point: one node. Set: point.
+Geometry read_point(TableReader& part);
+
 /// A rope in bars: `length` unstretched, `cells` bars, `sketch` a line of two or more points along which the
 /// nodes are spread evenly. Sets: start, end, middle (with an even number of bars). Data: rest_length [m].
 Geometry read_line(TableReader& part);

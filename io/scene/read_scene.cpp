@@ -104,17 +104,8 @@ class SceneReader {
         return read_line(table);
       case NETLOFT_TRIANGLE:
         return read_panel(table);
-      default: {
-        Geometry point;
-        const auto at = table.reals(
-            "at",
-            {.unit = "m", .doc = "where the point starts", .range = between(-1e6, 1e6), .count = exactly(3)});
-        if (at.size() != 3) return point;
-        point.positions = at;
-        point.elements = {0};
-        point.names.sets["point"] = {0};
-        return point;
-      }
+      default:
+        return read_point(table);
     }
   }
 

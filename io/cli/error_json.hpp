@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/toml/diagnostics.hpp"
+
+#include <string>
+
+namespace netloft::io {
+
+/// What was wrong with an input, for a program: one JSON object with `status` and `errors`.
+std::string errors_json(const Diagnostics& diagnostics, int exit_code);
+/// The same for one sentence without a place.
+std::string error_json(const std::string& message, int exit_code);
+
+}  // namespace netloft::io

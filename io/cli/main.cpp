@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cli/commands.hpp"
+#include "io/cli/error_json.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+namespace netloft::io {
+namespace {
+
+void add_plugin_options(CLI::App& command, Options& o) {
+  command.add_option("--plugins", o.plugins, "folder with plugins, searched before all others")
+      ->type_name("DIR");
+  command.add_option("--color", o.color, "colour on standard error")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+  command.add_flag("--json", o.json, "one JSON object on standard output");
+}
+
+void add_scene_options(CLI::App& command, Options& o) {
+  command.add_option("SCENE", o.target, "scene file (TOML)")->required();
+  command.add_option("--solver", o.solver, "solver plugin, with parameters: newton:method=classic")
+      ->type_name("NAME[:key=value,…]");
+  command.add_option("--set", o.set, "a value of the scene: parts.net.cells=[64,64]")
+      ->type_name("path=value")
+      ->allow_extra_args(false);
+  command
+      .add_option("--threads", o.threads,
+                  "threads of the assembly; results have the same bits for any number")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--scene-plugins", o.scene_plugins, "search the scene's folder for plugins, too");
+  add_plugin_options(command, o);
+}
+
+void add_commands(CLI::App& app, Options& o) {
+  auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
+  add_scene_options(*run, o);
+  run->add_option("-o,--output", o.output, "result file; else the scene's name with .hdf, in this folder")
+      ->type_name("FILE.hdf");
+  add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
+  add_plugin_options(*app.add_subcommand("list", "list all elements and solvers"), o);
+  auto* describe = app.add_subcommand(
+      "describe", "parameters, terms and outputs of a component, or of the tables water and analysis");
+  describe->add_option("TYPE", o.target, "such as rope/bar, newton, water")->required();
+  add_plugin_options(*describe, o);
+  add_plugin_options(*app.add_subcommand("schema", "JSON schema of scene files, for editors"), o);
+  auto* test =
+      app.add_subcommand("test", "check the elements of a plugin: derivatives, balance, lanes, manners");
+  test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
+  add_plugin_options(*test, o);
+  app.require_subcommand(1);
+}
+
+int dispatch(const Options& o) {
+  if (o.command == "run") return run_command(o);
+  if (o.command == "plan") return plan_command(o);
+  if (o.command == "list") return list_command(o);
+  if (o.command == "describe") return describe_command(o);
+  if (o.command == "schema") return schema_command(o);
+  return test_command(o);
+}
+
+int fail(const Options& o, const std::string& message, int code) {
+  std::fprintf(stderr, "netloft: %s\n", message.c_str());
+  if (o.json) std::puts(error_json(message, code).c_str());
+  return code;
+}
+
+int guarded(const Options& o) {
+  try {
+    return dispatch(o);
+  } catch (const UsageError& e) {
+    return fail(o, e.message, kWrongInput);
+  } catch (const PluginRefused& e) {
+    return fail(o, e.what(), kRefused);
+  } catch (const std::bad_alloc&) {
+    return fail(o, "not enough memory", kOther);
+  } catch (const std::exception& e) {
+    return fail(o, e.what(), kOther);
+  }
+}
+
+int start(int argc, char** argv) {
+  Options o;
+  o.words.assign(argv, argv + argc);
+  CLI::App app{"Netloft finds the shape and the forces of trawl gears.", "netloft"};
+  app.set_version_flag("--version", std::string("netloft " NETLOFT_VERSION));
+  add_commands(app, o);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kDone : kWrongInput;
+  }
+  o.command = app.get_subcommands().front()->get_name();
+  return guarded(o);
+}
+
+}  // namespace
+}  // namespace netloft::io
+
+int main(int argc, char** argv) { return netloft::io::start(argc, argv); }

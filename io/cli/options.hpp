@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// The command line, taken apart.
+struct Options {
+  std::string command;               // run, plan, list, describe, schema, test
+  std::string target;                // scene, component or plugin
+  std::string output;                // -o
+  std::string solver;                // --solver NAME[:key=value[,key=value]]
+  std::vector<std::string> set;      // --set path=value
+  std::vector<std::string> plugins;  // --plugins DIR
+  bool scene_plugins = false;        // --scene-plugins
+  int threads = 0;                   // 0: as many as the machine has
+  bool json = false;
+  std::string color = "auto";
+  std::vector<std::string> words;  // the command line as given
+};
+
+/// Something wrong with the command line: exit 2.
+struct UsageError {
+  std::string message;
+};
+
+/// Exit codes: the promise of the README.
+enum Exit { kDone = 0, kOther = 1, kWrongInput = 2, kNotConverged = 3, kRefused = 4, kInterrupted = 130 };
+
+}  // namespace netloft::io

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cli/session.hpp"
+#include "io/report/provenance.hpp"
+#include "io/report/write_result.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+
+#include <cstdio>
+
+namespace netloft::io {
+
+namespace {
+
+Solution solve(Session& session) {
+  const LoadedScene& loaded = session.loaded();
+  const SolverType& solver = session.registry().solver(loaded.analysis.solver);
+  std::vector<std::string> faults;
+  const ParameterBlock parameters(solver.parameters, solver.solver.parameter_bytes,
+                                  loaded.analysis.solver_parameters, faults);
+  if (!faults.empty()) throw UsageError{faults.front()};
+  Limits limits = loaded.analysis.limits;
+  limits.interrupt = &interrupt_flag();
+  return solve_static(
+      loaded.scene, session.assembler(), solver, parameters.data(), limits, make_factorisation,
+      [&](const IterationRecord& record) { session.terminal().progress(record, limits.tolerance); });
+}
+
+int exit_code(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::converged:
+      return kDone;
+    case SolveStatus::interrupted:
+      return kInterrupted;
+    default:
+      return kNotConverged;
+  }
+}
+
+}  // namespace
+
+int run_command(const Options& options) {
+  RunContext context{options.words, utc_now(), {}, ""};
+  catch_interrupts();
+  Session session(options);
+  if (const int code = session.open(); code != kDone) return code;
+  context.plugins = session.registry().opened();
+  context.plan_text = plan_text(session.plan(), session.plan_extras());
+
+  ResultFile file(options.output.empty() ? session.loaded().scene.name + ".hdf" : options.output);
+  RunResult result;
+  result.reading_seconds = session.reading_seconds(), result.setup_seconds = session.setup_seconds();
+  result.solution = solve(session);
+  collect(session.loaded(), session.assembler(), result);
+  context.plugins = session.registry().opened();
+  write_result(file, session.loaded(), session.assembler(), result, context);
+  result.output_file = file.final_path().string();
+
+  session.terminal().clear();
+  std::puts(options.json ? run_json(session.loaded(), session.plan(), result).c_str()
+                         : run_text(session.loaded(), session.plan(), result).c_str());
+  return exit_code(result.solution.status);
+}
+
+int plan_command(const Options& options) {
+  Session session(options);
+  if (const int code = session.open(); code != kDone) return code;
+  const PlanExtras extras = session.plan_extras();
+  std::puts(options.json ? plan_json(session.loaded().scene, session.plan(), extras).c_str()
+                         : plan_text(session.plan(), extras).c_str());
+  return kDone;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/parameters/parameters.hpp"
+#include "io/cli/commands.hpp"
+#include "io/scene/geometry.hpp"
+#include "io/scene/keys.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json object() {
+  return {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
+}
+
+/// An SI number, or a text with a unit.
+Json quantity(const std::string& unit, double lo, double hi, const std::string& doc) {
+  Json number = {{"type", "number"}};
+  if (std::isfinite(lo)) number["minimum"] = lo;
+  if (std::isfinite(hi)) number["maximum"] = hi;
+  return {{"description", unit == "1" ? doc : doc + " [" + unit + "]; a number in SI or a text with a unit"},
+          {"anyOf", {number, {{"type", "string"}}}}};
+}
+
+Json parameter_schema(const netloft_parameter& p) {
+  switch (p.kind) {
+    case NETLOFT_INTEGER:
+      return {{"type", "integer"},
+              {"minimum", p.lo},
+              {"maximum", p.hi},
+              {"default", p.fallback},
+              {"description", p.doc}};
+    case NETLOFT_BOOLEAN:
+      return {{"type", "boolean"}, {"default", p.fallback != 0}, {"description", p.doc}};
+    case NETLOFT_TEXT:
+      return {{"type", "string"}, {"description", p.doc}};
+    case NETLOFT_CHOICE: {
+      Json words = Json::array();
+      for (std::size_t i = 0; p.choices[i]; ++i) words.push_back(p.choices[i]);
+      return {{"enum", words}, {"default", default_of(p)}, {"description", p.doc}};
+    }
+    default: {
+      Json q = quantity(p.unit, p.lo, p.hi, p.doc);
+      if (!(p.flags & NETLOFT_REQUIRED) && !p.fallback_of) q["default"] = p.fallback;
+      return q;
+    }
+  }
+}
+
+/// Puts a schema at a dotted name, making tables on the way.
+void put(Json& owner, const std::string& name, const Json& schema, bool required) {
+  Json* at = &owner;
+  std::size_t begin = 0;
+  for (auto dot = name.find('.'); dot != std::string::npos; begin = dot + 1, dot = name.find('.', begin)) {
+    const std::string group = name.substr(begin, dot - begin);
+    if (required) (*at)["required"].push_back(group);
+    Json& properties = (*at)["properties"];
+    if (!properties.contains(group)) properties[group] = object();
+    at = &properties[group];
+  }
+  const std::string leaf = name.substr(begin);
+  (*at)["properties"][leaf] = schema;
+  if (required) (*at)["required"].push_back(leaf);
+}
+
+void drop_repeats(Json& schema) {
+  if (schema.contains("required")) {
+    Json once = Json::array();
+    for (const auto& name : schema["required"])
+      if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+    schema["required"] = once;
+  }
+  if (schema.contains("properties"))
+    for (auto& [key, value] : schema["properties"].items()) drop_repeats(value);
+}
+
+void put_table(Json& owner, std::span<const netloft_parameter> table) {
+  for (const auto& p : table) put(owner, p.name, parameter_schema(p), p.flags & NETLOFT_REQUIRED);
+}
+
+Json count_limits(Json array, const Count& count) {
+  if (count.least > 0) array["minItems"] = count.least;
+  if (count.most < 1000000) array["maxItems"] = count.most;
+  return array;
+}
+
+Json geometry_schema(const GeometryKey& key) {
+  const Json number = quantity(key.unit, key.range.lo, key.range.hi, key.doc);
+  const Json integer = {
+      {"type", "integer"}, {"minimum", key.range.lo}, {"maximum", key.range.hi}, {"description", key.doc}};
+  const Json point = {{"type", "array"},
+                      {"items", quantity(key.unit, key.range.lo, key.range.hi, "x, y or z")},
+                      {"minItems", 3},
+                      {"maxItems", 3}};
+  switch (key.shape) {
+    case GeometryKey::Shape::integer:
+      return integer;
+    case GeometryKey::Shape::integers:
+      return count_limits({{"type", "array"}, {"items", integer}, {"description", key.doc}}, key.count);
+    case GeometryKey::Shape::points:
+      if (key.count.most == 1) return point;
+      return count_limits({{"type", "array"}, {"items", point}, {"description", key.doc}}, key.count);
+    default:
+      return number;
+  }
+}
+
+Json part_schema(const ElementType& e) {
+  Json part = object();
+  part["title"] = e.type;
+  part["description"] = e.element.doc;
+  put(part, "type", {{"const", e.type}, {"description", e.element.doc}}, true);
+  for (const auto& key : geometry_keys(e.element.stencil)) put(part, key.name, geometry_schema(key), true);
+  put_table(part, e.parameters);
+  drop_repeats(part);
+  return part;
+}
+
+Json text(const std::string& doc) { return {{"type", "string"}, {"description", doc}}; }
+
+Json hold_schema() {
+  Json hold = object();
+  put(hold, "on", text("what is held: a part, an edge or a point (net.fore)"), true);
+  put(hold, "axes",
+      {{"type", "string"}, {"pattern", "^[xyz]+$"}, {"description", "along which it cannot move"}}, false);
+  put(hold, "at", {{"description", "\"sketch\", a point, or points of a line"}}, false);
+  put(hold, "name", text("name of the reaction"), false);
+  return {{"type", "array"}, {"items", hold}};
+}
+
+Json join_schema() {
+  Json join = object();
+  put(join, "points",
+      {{"type", "array"},
+       {"items", {{"type", "string"}}},
+       {"minItems", 2},
+       {"description", "points or edges that become one"}},
+      true);
+  return {{"type", "array"}, {"items", join}};
+}
+
+Json results_schema() {
+  Json entry = object();
+  put(entry, "of", text("a part, an edge or a point"), true);
+  put(entry, "take",
+      text("min, max, mean, sum or range, and a quantity: x, y, z, displacement, reaction z, tension …"),
+      true);
+  return {{"type", "object"}, {"additionalProperties", entry}, {"description", "named scalars"}};
+}
+
+}  // namespace
+
+int schema_command(const Options& options) {
+  Registry registry;
+  find_plugins(options, registry);
+  Json parts = Json::array(), analysis = object(), water = object();
+  put_table(water, water_keys());
+  put_table(analysis, analysis_keys());
+  for (const auto& name : registry.available()) {
+    const PluginContent& plugin = registry.plugin(name);
+    for (const auto& e : plugin.elements) parts.push_back(part_schema(e));
+    for (const auto& s : plugin.solvers) {
+      Json own = object();
+      own["description"] = s.solver.doc;
+      put_table(own, s.parameters);
+      analysis["properties"][plugin.origin.name] = own;
+    }
+  }
+  Json scene = object();
+  scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  scene["title"] = "Netloft scene";
+  put(scene, "include",
+      {{"type", "array"},
+       {"items", {{"type", "string"}}},
+       {"description", "files laid down first, relative to this one"}},
+      false);
+  put(scene, "water", water, false);
+  put(scene, "parts",
+      {{"type", "object"},
+       {"minProperties", 1},
+       {"additionalProperties", {{"oneOf", parts}}},
+       {"description", "the pieces of the gear"}},
+      false);
+  put(scene, "hold", hold_schema(), false);
+  put(scene, "join", join_schema(), false);
+  put(scene, "analysis", analysis, false);
+  put(scene, "results", results_schema(), false);
+  std::puts(scene.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  return kDone;
+}
+
+}  // namespace netloft::io
