@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace netloft::test {
+
+/// Answers of an independent program at one refinement: the numbers of a `level` line and the `node` lines
+/// below it. What they mean stands at the top of the file.
+struct Level {
+  int n = 0;
+  std::vector<double> values;
+  std::vector<std::vector<double>> nodes;
+};
+
+inline std::vector<double> numbers_of(std::istringstream& line) {
+  std::vector<double> numbers;
+  for (double number; line >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+inline std::vector<Level> read_levels(const std::string& name) {
+  std::ifstream file(std::string(NETLOFT_SOURCE_DIR "/tests/verification/data/") + name);
+  if (!file) throw std::runtime_error("no " + name + " among the data");
+  std::vector<Level> levels;
+  for (std::string text; std::getline(file, text);) {
+    std::istringstream line(text);
+    std::string word;
+    line >> word;
+    if (word == "level") {
+      Level level;
+      line >> level.n;
+      level.values = numbers_of(line);
+      levels.push_back(std::move(level));
+    } else if (word == "node") {
+      levels.at(levels.size() - 1).nodes.push_back(numbers_of(line));
+    }
+  }
+  return levels;
+}
+
+inline Level read_level(const std::string& name, int n) {
+  for (auto& level : read_levels(name))
+    if (level.n == n) return level;
+  throw std::runtime_error(name + " has no level " + std::to_string(n));
+}
+
+}  // namespace netloft::test

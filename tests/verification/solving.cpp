@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/verification/solving.hpp"
+
+#include "solvers/factorisation/factorisation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#ifdef NETLOFT_STATIC
+#include "netloft_static_plugins.hpp"
+#endif
+
+namespace netloft::test {
+
+Registry& shipped_plugins() {
+  static Registry registry;
+  [[maybe_unused]] static const bool filled = [] {
+#ifdef NETLOFT_STATIC
+    for (const auto& [name, describe] : io::static_plugins()) registry.add_builtin(name, describe);
+#endif
+    registry.add_folder(NETLOFT_PLUGIN_DIR);
+    return true;
+  }();
+  return registry;
+}
+
+Solved solve(Scene scene, const Solving& how) {
+  const SolverType& solver = shipped_plugins().solver(how.solver);
+  std::vector<std::string> faults;
+  const ParameterBlock parameters(solver.parameters, solver.solver.parameter_bytes, how.solver_parameters,
+                                  faults);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  Solved s{std::move(scene), {}, nullptr, {}};
+  s.plan = make_plan(s.scene, shipped_plugins());
+  s.assembler = std::make_unique<Assembler>(s.scene, s.plan, how.threads);
+  s.solution = solve_static(s.scene, *s.assembler, solver, parameters.data(), how.limits, make_factorisation);
+  return s;
+}
+
+double elastic_energy(const Solved& solved) {
+  Scene scene = solved.scene;
+  scene.water.gravity = 0;
+  const Plan plan = make_plan(scene, shipped_plugins());
+  Assembler assembler(scene, plan, 1);
+  double energy = 0;
+  if (!assembler.evaluate(solved.solution.x, {.energy = &energy}))
+    throw std::runtime_error(assembler.fault_sentence(scene));
+  return energy;
+}
+
+std::array<double, 3> Solved::vector_at(const std::vector<double>& v, std::uint32_t node) const {
+  std::array<double, 3> at{};
+  for (int axis = 0; axis < 3; ++axis)
+    at[static_cast<std::size_t>(axis)] =
+        v[static_cast<std::size_t>(assembler->numbering().index(node, axis))];
+  return at;
+}
+
+std::array<double, 3> Solved::total_reaction() const {
+  std::array<double, 3> sum{};
+  for (std::uint32_t n = 0; n < scene.node_count(); ++n)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (scene.held[n] & (1 << axis)) sum[axis] += reaction(n)[axis];
+  return sum;
+}
+
+double Solved::lowest_z() const {
+  double lowest = position(0)[2];
+  for (std::uint32_t n = 1; n < scene.node_count(); ++n) lowest = std::min(lowest, position(n)[2]);
+  return lowest;
+}
+
+std::vector<double> Solved::output(const std::string& name) const {
+  const auto& outputs = assembler->families()[0]->type().outputs;
+  std::vector<std::vector<double>> values;
+  assembler->outputs(solution.x, 0, values);
+  for (std::size_t k = 0; k < outputs.size(); ++k)
+    if (outputs[k].name == name) return values[k];
+  throw std::invalid_argument("no output \"" + name + "\"");
+}
+
+}  // namespace netloft::test

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/verdict.hpp"
+
+#include <array>
+#include <memory>
+
+namespace netloft::test {
+
+/// The shipped plugins of this build.
+Registry& shipped_plugins();
+
+/// How a test wants its scene solved; what is not said is what a user gets by default.
+struct Solving {
+  Values solver_parameters;
+  Limits limits;
+  int threads = 1;
+  std::string solver = "newton";
+};
+
+/// A scene with its assembler and what the solver made of it.
+struct Solved {
+  Scene scene;
+  Plan plan;
+  std::unique_ptr<Assembler> assembler;
+  Solution solution;
+
+  std::array<double, 3> position(std::uint32_t node) const { return vector_at(solution.x, node); }
+  /// Force of the support on what is held, as far as the node is held [N].
+  std::array<double, 3> reaction(std::uint32_t node) const { return vector_at(solution.residual, node); }
+  /// Sum of reaction(n) over all nodes.
+  std::array<double, 3> total_reaction() const;
+  double lowest_z() const;
+  /// First output of the only family that is called so, by element.
+  std::vector<double> output(const std::string& name) const;
+
+ private:
+  std::array<double, 3> vector_at(const std::vector<double>& v, std::uint32_t node) const;
+};
+
+Solved solve(Scene scene, const Solving& how = {});
+
+/// Energy of the same positions without gravity: what is stored in the stretched netting [J].
+double elastic_energy(const Solved& solved);
+
+}  // namespace netloft::test
