@@ -13,7 +13,7 @@ namespace netloft::axial {
 ///   ψ = ½ T (l − l₀)                                           (3)  energy, dψ/dl = T
 ///   A = ∂(T t)/∂w = k t tᵀ + g (I − t tᵀ),  k = dT/dl,  g = T/l (4)
 ///   A₊: g clamped at zero, positive semi-definite               (5)
-///   M = (EA/l₀) I, bounds A₊ for every w                        (6)
+///   M = (max(EA, EA_c)/l₀) I, bounds A₊ for every w             (6)
 /// EA, EA_c [N] stiffness in tension and in compression; l₀ [m] unstretched length.
 /// Source: the linear spring of the trawl-gear paper, section 2.3; Priour, A Finite Element Method for
 /// Netting (Springer 2013), for the reduced stiffness of a slack twine.

@@ -73,8 +73,8 @@ struct Stretched {
 
 /// Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
 void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], const netloft_tile& t,
-                       Stretched& s) {
-  const double* __restrict x = t.x;
+                       Stretched& __restrict s) {
+  const double* x = t.x;
   for (std::size_t i = 0; i < t.count; ++i) {
     const double c0 = c[0][i], c1 = c[1][i], c2 = c[2][i];
     const double wx = c0 * x[at(0, i)] + c1 * x[at(3, i)] + c2 * x[at(6, i)];
@@ -99,7 +99,7 @@ void add_force(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Str
 }
 
 void fill_stiffness(const Triangle::Lanes& p, const Stretched& s, double cu, bool convex, std::uint32_t count,
-                    Blocks& blocks) {
+                    Blocks& __restrict blocks) {
   const double lowest = convex ? 0.0 : -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < count; ++i) {
     const axial::Bar b{0, s.inverse[i], s.T[i], s.k[i], 0};
@@ -137,7 +137,7 @@ void add_blocks(const Triangle::Lanes& p, const Blocks& U, const Blocks& V, std:
 
 void fill_metric(const Triangle::Lanes& p, std::uint32_t count, Blocks& blocks) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double m = p.bars[i] * p.EA[i] / p.l0[i];  // axial (6)
+    const double m = p.bars[i] * std::max(p.EA[i], p.EA_compression[i]) / p.l0[i];  // axial (6)
     for (int k = 0; k < 6; ++k) blocks.v[k][i] = k == 0 || k == 2 || k == 5 ? m : 0;
   }
 }

@@ -26,13 +26,14 @@ namespace {
 
 constexpr std::size_t at(int dof, std::size_t lane) { return static_cast<std::size_t>(dof) * kLanes + lane; }
 
-/// Adds ±A to the four blocks of a bar's packed tangent: [ A −A; −A A ].
-inline void add_blocks(const axial::Block& A, double* __restrict tangent, std::size_t lane) {
-  std::size_t entry = 0;
+/// Adds ±A to the four blocks of a bar's packed tangent: [ A −A; −A A ]. `A` has six numbers per lane.
+inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double* __restrict tangent) {
+  int entry = 0;
   for (int r = 0; r < 6; ++r)
     for (int c = 0; c <= r; ++c, ++entry) {
-      const double a = A.v[axial::kPlace[r % 3][c % 3]];
-      tangent[entry * kLanes + lane] += r / 3 == c / 3 ? a : -a;
+      const double* a = A[axial::kPlace[r % 3][c % 3]];
+      const double sign = r / 3 == c / 3 ? 1 : -1;
+      for (std::size_t i = 0; i < count; ++i) tangent[at(entry, i)] += sign * a[i];
     }
 }
 
@@ -41,11 +42,13 @@ inline void add_blocks(const axial::Block& A, double* __restrict tangent, std::s
 Status Bar::Elastic::tile(const Family<Bar>& family, netloft_tile& t) {
   const Lanes& p = family.lanes(t);
   const double* __restrict x = t.x;
+  double A[6][kLanes];
   if (t.want & NETLOFT_WANT_METRIC) {
     for (std::size_t i = 0; i < t.count; ++i) {
-      const double m = p.EA[i] / p.l0[i];  // axial (6)
-      add_blocks({{m, 0, m, 0, 0, m}}, t.tangent, i);
+      A[0][i] = A[2][i] = A[5][i] = p.EA[i] / p.l0[i];  // axial (6)
+      A[1][i] = A[3][i] = A[4][i] = 0;
     }
+    add_blocks(A, t.count, t.tangent);
     return Status::ok;
   }
   // Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
@@ -65,9 +68,11 @@ Status Bar::Elastic::tile(const Family<Bar>& family, netloft_tile& t) {
     }
   if (t.tangent) {
     const double lowest = t.want & NETLOFT_WANT_CONVEX ? 0.0 : -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < t.count; ++i)
-      add_blocks(axial::stiffness({0, inverse[i], T[i], k[i], 0}, wx[i], wy[i], wz[i], t.cu, lowest),
-                 t.tangent, i);
+    for (std::size_t i = 0; i < t.count; ++i) {
+      const auto a = axial::stiffness({0, inverse[i], T[i], k[i], 0}, wx[i], wy[i], wz[i], t.cu, lowest);
+      for (int m = 0; m < 6; ++m) A[m][i] = a.v[m];
+    }
+    add_blocks(A, t.count, t.tangent);
   }
   return Status::ok;
 }

@@ -254,6 +254,7 @@ enum Trait : std::uint32_t {
   needs_motion = NETLOFT_NEEDS_MOTION,
   has_convex = NETLOFT_HAS_CONVEX,
   has_metric = NETLOFT_HAS_METRIC,
+  from_outside = NETLOFT_FROM_OUTSIDE,
 };
 
 /// Describes one element to the host: parameters, data, terms, outputs.

@@ -86,10 +86,13 @@ enum {
   NETLOFT_NEEDS_FLOW = 1 << 7,       /* gives nothing without a current or motion */
   NETLOFT_NEEDS_MOTION = 1 << 8,     /* gives nothing in a static analysis */
   NETLOFT_HAS_CONVEX = 1 << 9,       /* answers WANT_CONVEX itself; otherwise the host projects its tangent */
-  NETLOFT_HAS_METRIC = 1 << 10       /* answers WANT_METRIC itself; otherwise the host bounds its tangent */
+  NETLOFT_HAS_METRIC = 1 << 10,      /* answers WANT_METRIC itself; otherwise the host bounds its tangent */
+  NETLOFT_FROM_OUTSIDE = 1 << 11     /* pushes against something that is no node (seabed, wall, pressure): the
+                                        forces need not sum to zero, nor be the same in another place */
 };
 
-/* What a call of a term must add. At most one of the three matrices is asked for in a call. */
+/* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC
+ * are asked for alone. */
 enum {
   NETLOFT_WANT_ENERGY = 1,
   NETLOFT_WANT_FORCE = 2,

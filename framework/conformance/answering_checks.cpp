@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/conformance/checks.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace netloft::conformance {
+
+namespace {
+
+/// "energy", "force[4]" … of the first number in `lane` that is not finite; empty when all are.
+std::string not_finite(const std::vector<double>& values, const char* name, std::size_t lane) {
+  for (std::size_t row = 0; row * kLanes < values.size(); ++row)
+    if (!std::isfinite(values[at(row, lane)])) return std::string(name) + "[" + std::to_string(row) + "]";
+  return {};
+}
+
+std::string not_finite(const Answer& a, std::size_t lane) {
+  for (const auto& fault : {not_finite(a.energy, "energy", lane), not_finite(a.force, "force", lane),
+                            not_finite(a.matrix, "matrix", lane)})
+    if (!fault.empty()) return fault;
+  return {};
+}
+
+/// The first answer to these states that is not finite. Outside the domain is an answer, too.
+std::string fault_of_terms(const Bench& b, const States& s) {
+  for (const auto& term : b.type.terms)
+    for (const auto want : wants_of(term)) {
+      const Answer a = b.specimen->evaluate(term, s, want);
+      if (a.status == NETLOFT_OUTSIDE_DOMAIN) continue;
+      if (!a.ok()) return b.place(term, s, a.lane_at_fault) + ": " + a.message;
+      for (std::size_t lane = 0; lane < s.count; ++lane)
+        if (const auto f = not_finite(a, lane); !f.empty())
+          return b.place(term, s, lane) + ", asked for " + want_text(want) + ": " + f + " is not finite";
+    }
+  return {};
+}
+
+std::string fault_of_outputs(const Bench& b, const States& s) {
+  if (b.type.outputs.empty()) return {};
+  std::vector<double> values(b.type.outputs.size() * kLanes, 0.0);
+  if (const Answer a = b.specimen->outputs(s, values); !a.ok()) return "outputs: " + a.message;
+  for (std::size_t k = 0; k < b.type.outputs.size(); ++k)
+    for (std::size_t lane = 0; lane < s.count; ++lane)
+      if (!std::isfinite(values[at(k, lane)]))
+        return std::string("output ") + b.type.outputs[k].name + ", element " +
+               std::to_string(s.first + lane) + " is not finite";
+  return {};
+}
+
+/// Nodes of each lane in one point, then lane by lane, since one element outside its domain speaks for all.
+std::string fault_one_by_one(Bench& b, const States& all) {
+  for (std::size_t lane = 0; lane < all.count; ++lane) {
+    States one = b.tiles[all.first / kLanes];
+    for (std::size_t d = 0; d < b.dofs(); ++d)
+      for (auto field : {&States::x, &States::v, &States::a, &States::current, &States::current_dz})
+        (one.*field)[at(d, lane)] = (all.*field)[at(d, lane)];
+    if (auto fault = fault_of_terms(b, one); !fault.empty()) return fault;
+  }
+  return {};
+}
+
+States collapsed(const Bench& b, States s) {
+  for (std::size_t d = 3; d < b.dofs(); ++d)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) s.x[at(d, lane)] = s.x[at(d % 3, lane)];
+  return s;
+}
+
+/// At rest as far as the description tells: nodes one length apart along the axes, nothing moves.
+States resting(const Bench& b, const States& like) {
+  States s = b.blank(like.first, like.count);
+  for (std::size_t lane = 0; lane < s.count; ++lane)
+    for (std::size_t node = 1; 3 * node < b.dofs(); ++node)
+      s.x[at(3 * node + (node - 1) % 3, lane)] = b.sampler.length(b.sample, s.first + lane);
+  return s;
+}
+
+bool is_refused(const Bench& b, const netloft_parameter& p, double value) {
+  Sample wrong = b.sample;
+  for (auto& part : wrong.parameters) part[p.name] = value;
+  try {
+    const Specimen made(b.type, wrong);
+    return false;
+  } catch (const Refused&) {
+    return true;
+  } catch (const Escaped&) {
+    return false;
+  }
+}
+
+bool is_refused_missing(const Bench& b, const netloft_parameter& p) {
+  Sample wrong = b.sample;
+  for (auto& part : wrong.parameters) part.erase(p.name);
+  try {
+    const Specimen made(b.type, wrong);
+    return false;
+  } catch (const std::runtime_error&) {
+    return true;
+  }
+}
+
+std::vector<double> wrong_values(const netloft_parameter& p) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  std::vector<double> wrong = {std::numeric_limits<double>::quiet_NaN(), inf, -inf};
+  if (std::isfinite(p.lo)) wrong.push_back(std::nextafter(p.lo, -inf));
+  if (std::isfinite(p.hi)) wrong.push_back(std::nextafter(p.hi, inf));
+  return wrong;
+}
+
+}  // namespace
+
+Finding makes_elements(Bench& b) {
+  if (b.specimen || !b.escape.empty()) return {};
+  return failed("refused: " + b.refusal);
+}
+
+Finding no_exception_escapes(Bench& b) { return judged(b.escape); }
+
+Finding evaluates_without_error(Bench& b) { return judged(b.error); }
+
+Finding outputs_finite(Bench& b) {
+  for (const auto& s : b.tiles) {
+    if (auto fault = fault_of_terms(b, s); !fault.empty()) return failed(fault);
+    if (auto fault = fault_of_outputs(b, s); !fault.empty()) return failed(fault);
+  }
+  return {};
+}
+
+Finding collapsed_finite(Bench& b) {
+  if (b.dofs() == 3) return nothing_to_ask("one node cannot collapse");
+  for (const auto& s : b.tiles)
+    if (auto fault = fault_one_by_one(b, collapsed(b, s)); !fault.empty()) return failed(fault);
+  return {};
+}
+
+Finding finite_at_rest(Bench& b) {
+  for (const auto& s : b.tiles)
+    if (auto fault = fault_one_by_one(b, resting(b, s)); !fault.empty()) return failed(fault);
+  return {};
+}
+
+Finding defaults_are_allowed(Bench& b) {
+  std::vector<std::string> faults;
+  Values given;
+  for (const auto& p : b.type.parameters)
+    if (p.flags & NETLOFT_REQUIRED) given[p.name] = b.sample.parameters[0].at(p.name);
+  const ParameterBlock block(b.type.parameters, b.type.element.parameter_bytes, given, faults);
+  return faults.empty() ? Finding{} : failed(faults.front());
+}
+
+Finding refuses_wrong_parameters(Bench& b) {
+  for (const auto& p : b.type.parameters) {
+    if ((p.flags & NETLOFT_REQUIRED) && !is_refused_missing(b, p))
+      return failed(std::string(p.name) + " is required, and not missed");
+    if (p.kind != NETLOFT_REAL) continue;
+    for (const double wrong : wrong_values(p))
+      if (!is_refused(b, p, wrong))
+        return failed(std::string(p.name) + " = " + number_text(wrong) + " is taken");
+  }
+  return b.type.parameters.empty() ? nothing_to_ask("the element has no parameters") : Finding{};
+}
+
+}  // namespace netloft::conformance

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/conformance/bench.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace netloft::conformance {
+
+namespace {
+
+constexpr int kTriesPerElement = 50;
+constexpr int kTriesPerState = 200;
+
+}  // namespace
+
+Bench::Bench(const ElementType& t, const ConformanceOptions& o)
+    : type(t), options(o), sampler(t, o.seed), threads_before(count_threads()) {
+  make_elements();
+  if (specimen) make_states();
+}
+
+void Bench::make_elements() {
+  const auto count = static_cast<std::size_t>(std::clamp(options.elements, 1, 640));
+  for (std::size_t p = 0; p < sampler.parts(); ++p) sample.parameters.push_back(sampler.parameters(p));
+  for (std::size_t e = 0; e < count; ++e)
+    sample.part.push_back(static_cast<std::uint32_t>(e % sample.parameters.size()));
+  for (std::size_t e = 0; e < count; ++e) sampler.data(sample, e);
+  for (std::size_t tries = 0; tries < kTriesPerElement * count; ++tries) try {
+      refusal.clear();
+      specimen = std::make_unique<Specimen>(type, sample);
+      return;
+    } catch (const Refused& e) {
+      refusal = e.what();
+      const std::size_t part = sample.part[e.element];
+      sampler.data(sample, e.element);
+      if (tries % 10 == 9) sample.parameters[part] = sampler.parameters(part);
+    } catch (const Escaped& e) {
+      escape = e.what();
+      return;
+    }
+}
+
+void Bench::make_states() {
+  for (std::size_t first = 0; first < sample.part.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, sample.part.size() - first);
+    States s = blank(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
+    for (std::size_t lane = 0; lane < count; ++lane) sampler.state(sample, first + lane, s, lane);
+    settle(s);
+    if (!error.empty() || !escape.empty()) return;
+    tiles.push_back(std::move(s));
+  }
+}
+
+/// Draws the states again that are outside the domain of some term.
+void Bench::settle(States& s) {
+  for (int tries = 0; tries < kTriesPerState; ++tries) {
+    bool settled = true;
+    for (const auto& term : type.terms) settled = settled && is_settled(s, term);
+    if (settled || !error.empty() || !escape.empty()) return;
+  }
+  error = "of " + std::to_string(kTriesPerState) + " states drawn, none was inside the domain of all terms";
+}
+
+bool Bench::is_settled(States& s, const netloft_term& term) {
+  for (const auto want : wants_of(term)) {
+    const Answer answer = specimen->evaluate(term, s, want);
+    if (answer.ok()) continue;
+    const std::size_t lane = std::min(answer.lane_at_fault, s.count - 1);
+    const std::string told =
+        place(term, s, lane) + ", asked for " + want_text(want) + ": " +
+        (answer.message.empty() ? "status " + std::to_string(answer.status) : answer.message);
+    if (answer.status == kThrew)
+      escape = told;
+    else if (answer.status != NETLOFT_OUTSIDE_DOMAIN)
+      error = told;
+    else
+      sampler.state(sample, s.first + lane, s, lane);
+    return false;
+  }
+  return true;
+}
+
+States Bench::blank(std::uint32_t first, std::uint32_t count) const {
+  const std::vector<double> zero(dofs() * kLanes, 0.0);
+  return {first, count, zero, zero, zero, zero, zero};
+}
+
+std::string Bench::place(const netloft_term& term, const States& s, std::size_t lane) const {
+  return "term " + std::string(term.name) + ", element " + std::to_string(s.first + lane);
+}
+
+double Bench::spacing(const States& s, std::size_t lane) const {
+  double least = dofs() == 3 ? 1 : size(s, lane) * 1e9;
+  for (std::size_t p = 0; p < dofs(); p += 3)
+    for (std::size_t q = 0; q < p; q += 3) {
+      double square = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        square += std::pow(s.x[at(p + axis, lane)] - s.x[at(q + axis, lane)], 2);
+      least = std::min(least, std::sqrt(square));
+    }
+  return std::max(least, 1e-6 * size(s, lane));
+}
+
+std::vector<double> Bench::random_field() {
+  std::vector<double> field(dofs() * kLanes);
+  for (std::size_t node = 0; node < dofs(); node += 3)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      double d[3];
+      sampler.direction(d);
+      for (std::size_t axis = 0; axis < 3; ++axis) field[at(node + axis, lane)] = d[axis];
+    }
+  return field;
+}
+
+std::vector<double> Bench::force_scale(const netloft_term& term, const States& s) {
+  std::vector<double> scale(kLanes, 0.0), step(kLanes, 0.0);
+  for (int k = 0; k < 4; ++k) {
+    const Answer answer = specimen->evaluate(term, moved(s, random_field(), step), NETLOFT_WANT_FORCE);
+    for (std::size_t lane = 0; lane < s.count; ++lane) {
+      step[lane] = 0.1 * spacing(s, lane);
+      for (std::size_t d = 0; d < dofs() && answer.ok(); ++d)
+        scale[lane] = std::max(scale[lane], std::abs(answer.force[at(d, lane)]));
+    }
+  }
+  return scale;
+}
+
+std::size_t count_threads() {
+  std::error_code none;
+  const std::filesystem::directory_iterator tasks("/proc/self/task", none), end;
+  return none ? 0 : static_cast<std::size_t>(std::distance(begin(tasks), end));
+}
+
+States moved(const States& from, const std::vector<double>& direction, const std::vector<double>& step) {
+  States to = from;
+  for (std::size_t i = 0; i < to.x.size(); ++i) {
+    const std::size_t lane = i % kLanes, z = at(i / kLanes / 3 * 3 + 2, lane);
+    to.x[i] += step[lane] * direction[i];
+    to.current[i] += from.current_dz[i] * step[lane] * direction[z];
+  }
+  return to;
+}
+
+double ratio(double a, double b) { return a == 0 ? 0 : std::abs(a) / std::abs(b); }
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+}  // namespace netloft::conformance

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/conformance/conformance.hpp"
+#include "framework/conformance/sampler.hpp"
+#include "framework/conformance/specimen.hpp"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace netloft::conformance {
+
+/// One element type on the bench: a family of sampled elements, each in a sampled state in which all terms
+/// have a force.
+struct Bench {
+  Bench(const ElementType& type, const ConformanceOptions& options);
+
+  std::size_t dofs() const { return static_cast<std::size_t>(type.dofs()); }
+  /// "term elastic, element 12"
+  std::string place(const netloft_term& term, const States& states, std::size_t lane) const;
+  /// Shortest distance between two nodes of a lane [m]; 1 m for a single node. Never below 1e-6 of the size.
+  double spacing(const States& states, std::size_t lane) const;
+  double size(const States& states, std::size_t lane) const {
+    return sampler.size(sample, states.first + lane);
+  }
+  /// Largest force of each lane, here and at three states not far from here [N].
+  std::vector<double> force_scale(const netloft_term& term, const States& states);
+  /// States of the same shape without content.
+  States blank(std::uint32_t first, std::uint32_t count) const;
+  /// A random field [dof][64] of size 1 in every node.
+  std::vector<double> random_field();
+
+  const ElementType& type;
+  ConformanceOptions options;
+  Sampler sampler;
+  std::size_t threads_before;
+  Sample sample;
+  std::unique_ptr<Specimen> specimen;  // null: see `refusal` or `escape`
+  std::vector<States> tiles;
+  std::string refusal;  // why no elements could be made
+  std::string escape;   // which exception came out of the plugin
+  std::string error;    // which evaluation ended in an error
+
+ private:
+  void make_elements();
+  void make_states();
+  void settle(States& states);
+  bool is_settled(States& states, const netloft_term& term);
+};
+
+/// Threads of this program.
+std::size_t count_threads();
+
+/// states + step·direction, [dof][64] with a step per lane. The current moves along its derivative with
+/// depth.
+States moved(const States& states, const std::vector<double>& direction, const std::vector<double>& step);
+
+/// The worst figure of a check and where it was found. What is not a number is worse than anything.
+class Worst {
+ public:
+  explicit Worst(double limit) : limit_(limit) {}
+  template <class Where>
+  void note(double figure, Where&& where) {
+    ++count_;
+    if (std::isnan(figure)) figure = std::numeric_limits<double>::infinity();
+    if (figure <= figure_) return;
+    figure_ = figure;
+    where_ = where();
+  }
+  std::size_t count() const { return count_; }
+  double figure() const { return figure_; }
+  double limit() const { return limit_; }
+  const std::string& where() const { return where_; }
+
+ private:
+  double limit_, figure_ = 0;
+  std::size_t count_ = 0;
+  std::string where_;
+};
+
+/// |a| / |b|, zero when both are.
+double ratio(double a, double b);
+std::string number_text(double value);
+
+}  // namespace netloft::conformance

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/conformance/conformance.hpp"
+
+#include "framework/conformance/checks.hpp"
+
+#include <algorithm>
+
+namespace netloft {
+
+namespace {
+
+using namespace conformance;
+
+struct Check {
+  const char* name;
+  Finding (*run)(Bench&);
+  std::vector<const char*>
+      leans_on;  // skipped when one of these failed or was itself skipped for that reason
+  const char* hint;
+};
+
+// Order matters: a check stands below those that it leans on.
+const std::vector<Check>& table() {
+  static const std::vector<Check> checks = {
+      {"defaults-are-allowed",
+       defaults_are_allowed,
+       {},
+       "a default must lie in the range that its own parameter allows"},
+      {"refuses-wrong-parameters",
+       refuses_wrong_parameters,
+       {},
+       "give every parameter the range in which the formulas hold, or refuse in check()"},
+      {"makes-elements",
+       makes_elements,
+       {},
+       "create() or check() refuses everything drawn from the declared ranges and units; narrow the ranges"},
+      {"no-exception-escapes",
+       no_exception_escapes,
+       {},
+       "catch everything before it crosses the boundary; the layer of element.hpp does"},
+      {"evaluates-without-error",
+       evaluates_without_error,
+       {"makes-elements", "no-exception-escapes"},
+       "a state without a force is OUTSIDE_DOMAIN (throw OutsideDomain); ERROR stops the whole simulation"},
+      {"outputs-finite",
+       outputs_finite,
+       {"evaluates-without-error"},
+       "look for a division by zero, a root or logarithm of something negative"},
+      {"no-hidden-state",
+       no_hidden_state,
+       {"outputs-finite"},
+       "no static or mutable variables: an answer may depend on nothing but the tile"},
+      {"nothing-written-past-count",
+       nothing_written_past_count,
+       {"evaluates-without-error"},
+       "loop to tile.count, not to 64"},
+      {"adds-not-overwrites",
+       adds_not_overwrites,
+       {"no-hidden-state"},
+       "use += : other terms have written there before"},
+      {"same-in-any-lane",
+       same_in_any_lane,
+       {"no-hidden-state"},
+       "an element's answer may not depend on its place in the tile, nor on its neighbours"},
+      {"same-force-without-tangent",
+       same_force_without_tangent,
+       {"no-hidden-state"},
+       "compute the force in one way only; solvers compare forces asked for with and without a tangent"},
+      {"same-energy-alone",
+       same_energy_alone,
+       {"no-hidden-state"},
+       "compute the energy in one way only; line searches compare energies asked for alone and not"},
+      {"same-from-two-threads",
+       same_from_two_threads,
+       {"no-hidden-state"},
+       "no static scratch space: tiles are evaluated by several threads at once"},
+      {"missing-inputs-are-zero",
+       missing_inputs_are_zero,
+       {"no-hidden-state"},
+       "v, a, current and current_dz are null when the scene has none; that means zero"},
+      {"constant-where-claimed",
+       constant_where_claimed,
+       {"no-hidden-state"},
+       "the trait `constant` is for forces that no motion changes, such as weight"},
+      {"force-is-gradient",
+       force_is_gradient,
+       {"no-hidden-state"},
+       "the force of a conservative term is +dE/dx, the residual: minus the physical force"},
+      {"no-work-round-a-closed-path",
+       no_work_round_a_closed_path,
+       {"force-is-gradient"},
+       "does the energy jump between branches (slack and taut)? Give both the same value where they meet"},
+      {"tangent-is-derivative",
+       tangent_is_derivative,
+       {"no-hidden-state", "constant-where-claimed"},
+       "differentiate the force once more; is the part from the turning direction (T/l) there, and are cu, "
+       "cv "
+       "and ca used?"},
+      {"symmetric-where-claimed",
+       symmetric_where_claimed,
+       {"tangent-is-derivative"},
+       "only a force that is a gradient has a symmetric tangent; drop the trait `symmetric`"},
+      {"convex-is-positive",
+       convex_is_positive,
+       {"no-hidden-state"},
+       "leave out what pushes: clamp T/l at zero"},
+      {"metric-is-constant",
+       metric_is_constant,
+       {"no-hidden-state"},
+       "the metric is the stiffness of the element as made, whatever its state"},
+      {"metric-bounds-convex",
+       metric_bounds_convex,
+       {"convex-is-positive", "metric-is-constant"},
+       "the metric must be at least as stiff as the convex part in every state"},
+      {"translation-changes-nothing",
+       translation_changes_nothing,
+       {"no-hidden-state"},
+       "use differences of positions only, or declare the trait `from_outside`"},
+      {"rotation-turns-the-force",
+       rotation_turns_the_force,
+       {"translation-changes-nothing"},
+       "no direction of the compass is special: use lengths, dot and cross products"},
+      {"forces-sum-to-zero",
+       forces_sum_to_zero,
+       {"force-is-gradient", "translation-changes-nothing"},
+       "what one node is pulled by, the others must be pulled back by"},
+      {"moments-sum-to-zero",
+       moments_sum_to_zero,
+       {"rotation-turns-the-force", "forces-sum-to-zero"},
+       "forces between two nodes must lie along the line between them"},
+      {"collapsed-finite",
+       collapsed_finite,
+       {"outputs-finite"},
+       "with all nodes in one point, answer something finite or OUTSIDE_DOMAIN (throw OutsideDomain)"},
+      {"finite-at-rest",
+       finite_at_rest,
+       {"outputs-finite"},
+       "at rest length, zero velocity or zero flow something is divided by zero"},
+      {"no-force-without-flow",
+       no_force_without_flow,
+       {"no-hidden-state"},
+       "hydrodynamic forces come from the velocity relative to the water, current minus v"},
+      {"never-gains-energy",
+       never_gains_energy,
+       {"no-force-without-flow"},
+       "drag acts along the relative velocity; the residual is minus the physical force"},
+      {"starts-no-threads",
+       starts_no_threads,
+       {},
+       "the host divides the work; a plugin that starts threads takes the processor from it"},
+  };
+  return checks;
+}
+
+/// Names of checks that failed, and of those left out because of them.
+class Doubtful {
+ public:
+  void add(std::string name) { names_.push_back(std::move(name)); }
+  const char* among(const std::vector<const char*>& names) const {
+    const auto found = std::find_if(names.begin(), names.end(), [this](const char* n) {
+      return std::find(names_.begin(), names_.end(), n) != names_.end();
+    });
+    return found == names.end() ? nullptr : *found;
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+CheckResult run(const Check& check, Bench& bench, Doubtful& doubtful) {
+  CheckResult r;
+  r.name = check.name, r.hint = check.hint;
+  if (const char* first = doubtful.among(check.leans_on)) {
+    doubtful.add(check.name);
+    r.skipped = true, r.detail = std::string("leans on ") + first;
+    return r;
+  }
+  Finding f = check.run(bench);
+  r.passed = f.passed && !f.skipped, r.skipped = f.skipped;
+  r.figure = f.figure, r.limit = f.limit, r.detail = std::move(f.detail);
+  if (!f.passed) doubtful.add(check.name);
+  return r;
+}
+
+}  // namespace
+
+bool ConformanceReport::passed() const {
+  return std::all_of(checks.begin(), checks.end(),
+                     [](const CheckResult& c) { return c.passed || c.skipped; });
+}
+
+ConformanceReport check_element(const ElementType& type, const ConformanceOptions& options) {
+  ConformanceReport report;
+  report.type = type.type;
+  Bench bench(type, options);
+  Doubtful doubtful;
+  for (const auto& check : table()) report.checks.push_back(run(check, bench, doubtful));
+  if (options.timings && !doubtful.among({"evaluates-without-error"})) report.timings = time_terms(bench);
+  return report;
+}
+
+std::vector<std::string> conformance_checks() {
+  std::vector<std::string> names;
+  for (const auto& check : table()) names.push_back(check.name);
+  return names;
+}
+
+std::string failures(const ConformanceReport& report) {
+  std::string text;
+  for (const auto& c : report.checks) {
+    if (c.passed || c.skipped) continue;
+    text += report.type + " fails " + c.name;
+    if (c.limit > 0) text += " (" + number_text(c.figure) + ", allowed " + number_text(c.limit) + ")";
+    text += ": " + c.detail + "\n  " + c.hint + "\n";
+  }
+  return text;
+}
+
+namespace conformance {
+
+Finding judged(const Worst& worst, const char* nothing_noted) {
+  if (worst.count() == 0) return nothing_to_ask(nothing_noted);
+  return {worst.figure() <= worst.limit(), false, worst.figure(), worst.limit(), worst.where()};
+}
+
+Finding judged(const std::string& fault) { return fault.empty() ? Finding{} : failed(fault); }
+
+}  // namespace conformance
+}  // namespace netloft

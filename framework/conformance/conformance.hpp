@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/descriptors.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+struct ConformanceOptions {
+  std::uint64_t seed = 1;  // of the sampled parameters, data and states; the same seed gives the same report
+  int elements = 100;      // sampled elements, 1 … 640
+  int directions = 3;      // directions of each directional check, 1 … 100
+  bool timings = true;
+};
+
+/// Answer to one question about an element. A check that leans on one that failed is skipped, so that one
+/// mistake shows as one failure.
+struct CheckResult {
+  std::string name;  // "force-is-gradient"
+  bool passed = false, skipped = false;
+  double figure = 0, limit = 0;  // the worst found, and what is allowed; both zero for questions of yes or no
+  std::string detail;            // where the worst was found, or why the check was skipped
+  std::string hint;              // what to look for in the element
+};
+
+struct TermTiming {
+  std::string term;
+  std::string want;        // "force", "force + tangent"
+  double nanoseconds = 0;  // per element, in full tiles that stay in the cache
+};
+
+struct ConformanceReport {
+  std::string type;
+  std::vector<CheckResult> checks;
+  std::vector<TermTiming> timings;
+  bool passed() const;
+};
+
+/// Does an element keep what its description promises? Everything asked is sampled from the description, see
+/// sampler.hpp. Never throws on account of the element; an element that crashes takes the program with it.
+ConformanceReport check_element(const ElementType& type, const ConformanceOptions& options = {});
+
+/// Names of all checks, in the order they are made.
+std::vector<std::string> conformance_checks();
+
+/// One line per failed check; empty when all passed.
+std::string failures(const ConformanceReport& report);
+
+}  // namespace netloft

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/conformance/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::conformance {
+
+namespace {
+
+constexpr double kMotionLimit = 1e-8;
+constexpr const char* kAllFromOutside = "all terms act from outside";
+
+bool is_from_outside(const netloft_term& term) { return term.traits & NETLOFT_FROM_OUTSIDE; }
+
+/// Whether the nodes only act on each other: no weight, no water, no inertia.
+bool is_internal(const netloft_term& term) {
+  return !(term.traits & (NETLOFT_FROM_OUTSIDE | NETLOFT_NEEDS_GRAVITY | NETLOFT_NEEDS_FLOW |
+                          NETLOFT_READS_CURRENT | NETLOFT_READS_ACCELERATION));
+}
+
+std::uint32_t all_of(const netloft_term& term) {
+  return NETLOFT_WANT_FORCE | (term.traits & NETLOFT_CONSERVATIVE ? std::uint32_t{NETLOFT_WANT_ENERGY} : 0u);
+}
+
+/// Largest difference of two answers in a lane, over the force of the lane (energy: times its size).
+double difference(const Bench& b, const Answer& one, const Answer& two, const States& s, double scale,
+                  std::size_t lane) {
+  double worst = 0;
+  for (std::size_t d = 0; d < b.dofs(); ++d)
+    worst = std::max(worst, ratio(one.force[at(d, lane)] - two.force[at(d, lane)], scale));
+  if (one.energy.empty()) return worst;
+  const double energy = scale * b.size(s, lane) + std::abs(one.energy[lane]);
+  return std::max(worst, ratio(one.energy[lane] - two.energy[lane], energy));
+}
+
+/// Notes how much the answer to `there` differs from `expected`, the answer here carried there.
+void compare(Bench& b, const netloft_term& term, const States& s, const Answer& expected, const States& there,
+             Worst& worst) {
+  const Answer found = b.specimen->evaluate(term, there, all_of(term));
+  const auto scale = b.force_scale(term, s);
+  for (std::size_t lane = 0; lane < s.count; ++lane)
+    worst.note(found.ok() ? difference(b, expected, found, s, scale[lane], lane) : std::nan(""),
+               [&] { return b.place(term, s, lane) + (found.ok() ? "" : ": " + found.message); });
+}
+
+States translated(const Bench& b, States s, const double (&by)[3]) {
+  for (std::size_t d = 0; d < b.dofs(); ++d)
+    for (std::size_t lane = 0; lane < s.count; ++lane) s.x[at(d, lane)] += by[d % 3];
+  return s;
+}
+
+/// Every vector of a field [dof][64] turned about z.
+void turn(std::vector<double>& field, double angle) {
+  const double c = std::cos(angle), sine = std::sin(angle);
+  for (std::size_t i = 0; i + 2 * kLanes < field.size(); ++i) {
+    if (i / kLanes % 3 != 0) continue;
+    const double x = field[i], y = field[i + kLanes];
+    field[i] = c * x - sine * y, field[i + kLanes] = sine * x + c * y;
+  }
+}
+
+States turned(States s, double angle) {
+  for (auto field : {&States::x, &States::v, &States::a, &States::current, &States::current_dz})
+    turn(s.*field, angle);
+  return s;
+}
+
+}  // namespace
+
+Finding translation_changes_nothing(Bench& b) {
+  Worst worst(kMotionLimit);
+  for (const auto& term : b.type.terms) {
+    if (is_from_outside(term)) continue;
+    const double vertical = term.traits & NETLOFT_NEEDS_GRAVITY ? 0 : 3.7;
+    for (const auto& s : b.tiles) {
+      const Answer here = b.specimen->evaluate(term, s, all_of(term));
+      compare(b, term, s, here, translated(b, s, {7.3, -5.9, vertical}), worst);
+    }
+  }
+  return judged(worst, kAllFromOutside);
+}
+
+Finding rotation_turns_the_force(Bench& b) {
+  Worst worst(kMotionLimit);
+  for (const auto& term : b.type.terms) {
+    if (is_from_outside(term)) continue;
+    for (const auto& s : b.tiles) {
+      const double angle = b.sampler.uniform(0.3, 1.2);
+      Answer expected = b.specimen->evaluate(term, s, all_of(term));
+      turn(expected.force, angle);
+      compare(b, term, s, expected, turned(s, angle), worst);
+    }
+  }
+  return judged(worst, kAllFromOutside);
+}
+
+Finding forces_sum_to_zero(Bench& b) {
+  Worst worst(kMotionLimit);
+  for (const auto& term : b.type.terms) {
+    if (!is_internal(term)) continue;
+    for (const auto& s : b.tiles) {
+      const Answer a = b.specimen->evaluate(term, s, NETLOFT_WANT_FORCE);
+      const auto scale = b.force_scale(term, s);
+      for (std::size_t lane = 0; lane < s.count; ++lane) {
+        double sum[3] = {};
+        for (std::size_t d = 0; d < b.dofs(); ++d) sum[d % 3] += a.force[at(d, lane)];
+        for (const double component : sum)
+          worst.note(ratio(component, scale[lane]), [&] { return b.place(term, s, lane); });
+      }
+    }
+  }
+  return judged(worst, "no term acts between nodes alone");
+}
+
+Finding moments_sum_to_zero(Bench& b) {
+  Worst worst(kMotionLimit);
+  for (const auto& term : b.type.terms) {
+    if (!is_internal(term)) continue;
+    for (const auto& s : b.tiles) {
+      const Answer a = b.specimen->evaluate(term, s, NETLOFT_WANT_FORCE);
+      const auto scale = b.force_scale(term, s);
+      for (std::size_t lane = 0; lane < s.count; ++lane)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3;
+          double moment = 0;
+          for (std::size_t node = 3; node < b.dofs(); node += 3) {
+            const double rp = s.x[at(node + p, lane)] - s.x[at(p, lane)];
+            const double rq = s.x[at(node + q, lane)] - s.x[at(q, lane)];
+            moment += rp * a.force[at(node + q, lane)] - rq * a.force[at(node + p, lane)];
+          }
+          worst.note(ratio(moment, scale[lane] * b.spacing(s, lane)), [&] { return b.place(term, s, lane); });
+        }
+    }
+  }
+  return judged(worst, "no term acts between nodes alone");
+}
+
+}  // namespace netloft::conformance

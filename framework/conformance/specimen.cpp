@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/conformance/specimen.hpp"
+
+namespace netloft::conformance {
+
+namespace {
+
+constexpr std::uint32_t kMessage = 256;
+
+/// Runs a function of the plugin; what it throws becomes a status.
+template <class Call>
+int guarded(std::string& message, Call&& call) {
+  try {
+    return call();
+  } catch (const std::exception& e) {
+    message = e.what();
+  } catch (...) {
+    message = "an exception that is no std::exception";
+  }
+  return kThrew;
+}
+
+const double* pointer(const std::vector<double>& v) { return v.empty() ? nullptr : v.data(); }
+
+}  // namespace
+
+Specimen::Specimen(const ElementType& type, const Sample& sample) : type_(type) {
+  std::vector<std::string> faults;
+  std::vector<const void*> blocks;
+  std::vector<const double*> data;
+  for (const auto& values : sample.parameters)
+    parameters_.emplace_back(type.parameters, type.element.parameter_bytes, values, faults);
+  if (!faults.empty()) throw Refused(0, faults.front());
+  for (const auto& block : parameters_) blocks.push_back(block.data());
+  for (const auto& datum : sample.data) data.push_back(datum.data());
+
+  char message[kMessage] = "";
+  std::string thrown;
+  netloft_create in{};
+  in.size = sizeof in;
+  in.count = static_cast<std::uint32_t>(sample.part.size());
+  in.part_count = static_cast<std::uint32_t>(blocks.size());
+  in.parameters = blocks.data(), in.part = sample.part.data(), in.data = data.data();
+  in.message = message, in.message_size = kMessage;
+  const int status = guarded(thrown, [&] { return type.element.create(&in, &self_); });
+  if (status == kThrew) throw Escaped("create: " + thrown);
+  if (status != NETLOFT_OK) throw Refused(std::min(in.at_fault, in.count - 1), message);
+}
+
+Specimen::~Specimen() {
+  if (self_) type_.element.destroy(self_);
+}
+
+std::size_t Specimen::entries(const netloft_term& term) const {
+  const auto n = static_cast<std::size_t>(type_.dofs());
+  return term.traits & NETLOFT_SYMMETRIC ? n * (n + 1) / 2 : n * n;
+}
+
+netloft_tile Specimen::tile(const States& states, Factors factors) const {
+  netloft_tile t{};
+  t.size = sizeof t;
+  t.first = states.first, t.count = states.count;
+  t.time = 1;
+  t.cu = factors.cu, t.cv = factors.cv, t.ca = factors.ca;
+  t.water_density = 1025, t.gravity = 9.81;
+  t.x = pointer(states.x), t.v = pointer(states.v), t.a = pointer(states.a);
+  t.current = pointer(states.current), t.current_dz = pointer(states.current_dz);
+  return t;
+}
+
+Answer Specimen::evaluate(const netloft_term& term, const States& states, std::uint32_t want,
+                          Factors factors) const {
+  Answer answer;
+  if (want & NETLOFT_WANT_ENERGY) answer.energy.assign(kLanes, 0.0);
+  if (want & NETLOFT_WANT_FORCE) answer.force.assign(static_cast<std::size_t>(type_.dofs()) * kLanes, 0.0);
+  if (wants_matrix(want)) answer.matrix.assign(entries(term) * kLanes, 0.0);
+  evaluate(term, states, want, factors, answer);
+  return answer;
+}
+
+void Specimen::evaluate(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
+                        Answer& answer) const {
+  Answer told = evaluate_into(term, states, want, factors, answer.energy.data(), answer.force.data(),
+                              answer.matrix.data());
+  answer.status = told.status, answer.lane_at_fault = told.lane_at_fault;
+  answer.message = std::move(told.message);
+}
+
+Answer Specimen::evaluate_into(const netloft_term& term, const States& states, std::uint32_t want,
+                               Factors factors, double* energy, double* force, double* matrix) const {
+  Answer answer;
+  char message[kMessage] = "";
+  netloft_tile t = tile(states, factors);
+  t.want = want;
+  if (!(term.traits & NETLOFT_READS_VELOCITY)) t.v = nullptr;
+  if (!(term.traits & NETLOFT_READS_ACCELERATION)) t.a = nullptr;
+  if (!(term.traits & NETLOFT_READS_CURRENT)) t.current = t.current_dz = nullptr;
+  t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
+  t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;
+  t.tangent = wants_matrix(want) ? matrix : nullptr;
+  t.message = message, t.message_size = kMessage;
+  answer.status = guarded(answer.message, [&] { return term.evaluate(self_, &t); });
+  if (answer.status != kThrew) answer.message = message;
+  answer.lane_at_fault = t.lane_at_fault;
+  return answer;
+}
+
+Answer Specimen::outputs(const States& states, std::vector<double>& values) const {
+  Answer answer;
+  char message[kMessage] = "";
+  netloft_tile t = tile(states, {});
+  t.message = message, t.message_size = kMessage;
+  answer.status = guarded(answer.message, [&] { return type_.element.output(self_, &t, values.data()); });
+  if (answer.status != kThrew) answer.message = message;
+  return answer;
+}
+
+bool wants_matrix(std::uint32_t want) {
+  return want & (NETLOFT_WANT_TANGENT | NETLOFT_WANT_CONVEX | NETLOFT_WANT_METRIC);
+}
+
+std::string want_text(std::uint32_t want) {
+  constexpr const char* names[] = {"energy", "force", "tangent", "convex part", "metric"};
+  std::string text;
+  for (std::uint32_t i = 0; i < 5; ++i)
+    if (want & (1u << i)) text += (text.empty() ? "" : " + ") + std::string(names[i]);
+  return text;
+}
+
+std::vector<std::uint32_t> wants_of(const netloft_term& term) {
+  std::vector<std::uint32_t> wants = {NETLOFT_WANT_FORCE};
+  const auto energy = term.traits & NETLOFT_CONSERVATIVE ? std::uint32_t{NETLOFT_WANT_ENERGY} : 0u;
+  if (energy) wants.insert(wants.end(), {energy, energy | NETLOFT_WANT_FORCE});
+  if (term.traits & NETLOFT_CONSTANT) return wants;
+  wants.push_back(NETLOFT_WANT_TANGENT);
+  wants.push_back(energy | NETLOFT_WANT_FORCE | NETLOFT_WANT_TANGENT);
+  if (term.traits & NETLOFT_HAS_CONVEX) wants.push_back(NETLOFT_WANT_CONVEX);
+  if (term.traits & NETLOFT_HAS_METRIC) wants.push_back(NETLOFT_WANT_METRIC);
+  return wants;
+}
+
+}  // namespace netloft::conformance

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/parameters/parameters.hpp"
+#include "framework/registry/descriptors.hpp"
+
+#include <stdexcept>
+
+namespace netloft::conformance {
+
+inline constexpr std::size_t kLanes = NETLOFT_LANES;
+
+/// Place of a degree of freedom (or matrix entry) of a lane in a tile's array.
+constexpr std::size_t at(std::size_t row, std::size_t lane) { return row * kLanes + lane; }
+
+/// What a family is made from: parameters of each part, part and data of each element.
+struct Sample {
+  std::vector<Values> parameters;
+  std::vector<std::uint32_t> part;
+  std::vector<std::vector<double>> data;  // [datum] -> [element][width]
+};
+
+/// The world as up to 64 elements see it, arrays [dof][64] like those of a tile. Empty: null.
+struct States {
+  std::uint32_t first = 0, count = 0;
+  std::vector<double> x, v, a, current, current_dz;
+};
+
+struct Factors {
+  double cu = 1, cv = 0, ca = 0;
+};
+
+/// What a term said of a tile. Arrays that were not asked for are empty.
+struct Answer {
+  int status = NETLOFT_OK;
+  std::string message;
+  std::uint32_t lane_at_fault = 0;
+  std::vector<double> energy, force, matrix;
+  bool ok() const { return status == NETLOFT_OK; }
+};
+
+/// Status of a call that an exception came out of.
+inline constexpr int kThrew = -1000;
+
+struct Refused : std::runtime_error {
+  Refused(std::uint32_t refused, const std::string& why) : std::runtime_error(why), element(refused) {}
+  std::uint32_t element;
+};
+struct Escaped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A family of sampled elements, made by its plugin.
+class Specimen {
+ public:
+  /// Throws Refused when the plugin refuses an element, Escaped when an exception comes out of it.
+  Specimen(const ElementType& type, const Sample& sample);
+  ~Specimen();
+  Specimen(const Specimen&) = delete;
+  Specimen& operator=(const Specimen&) = delete;
+
+  /// Adds to zeros.
+  Answer evaluate(const netloft_term& term, const States& states, std::uint32_t want,
+                  Factors factors = {}) const;
+  /// Adds to what is in `answer`, whose arrays must be large enough for what is wanted.
+  void evaluate(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
+                Answer& answer) const;
+  /// The plain call: adds to arrays of the caller, of which those not wanted are passed as null.
+  Answer evaluate_into(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
+                       double* energy, double* force, double* matrix) const;
+  /// The element's outputs, [output][64], added to nothing: they are written.
+  Answer outputs(const States& states, std::vector<double>& values) const;
+
+  std::size_t entries(const netloft_term& term) const;
+
+ private:
+  netloft_tile tile(const States& states, Factors factors) const;
+
+  const ElementType& type_;
+  std::vector<ParameterBlock> parameters_;
+  void* self_ = nullptr;
+};
+
+bool wants_matrix(std::uint32_t want);
+/// "energy + force + tangent"
+std::string want_text(std::uint32_t want);
+/// All combinations that the host asks of a term.
+std::vector<std::uint32_t> wants_of(const netloft_term& term);
+
+}  // namespace netloft::conformance

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Elements that are wrong in one place each. The sentence of each names the check that must find it, and no
+// other may: tests/unit/framework/conformance/wrong_elements_test.cpp reads it from there.
+#include "tests/support/wrong_elements/spring.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+using namespace netloft;
+using namespace netloft::wrong;
+
+namespace {
+
+constexpr auto kPotential = conservative | symmetric;
+constexpr auto kWater = reads_current | reads_velocity | needs_flow;
+
+struct ForceSign {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    evaluate_spring(p, d, s, out);
+    const double energy = out.energy;
+    scale(out, -1);
+    out.energy = energy;
+    return Status::ok;
+  }
+};
+
+struct ComponentDoubled {
+  static Status evaluate(const Parameters& p, const Data&, const State<2>& s, Local<2>& out) {
+    return evaluate_diagonal(s, out, {p.EA, p.EA, p.EA}, {p.EA, p.EA, 2 * p.EA});
+  }
+};
+
+struct EnergyDoubled {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    evaluate_spring(p, d, s, out);
+    out.energy *= 2;
+    return Status::ok;
+  }
+};
+
+struct EnergyJumps {  // by a constant where the bar goes slack
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    evaluate_spring(p, d, s, out);
+    if (Spring(p, d, s).T < 0) out.energy += 0.2 * p.EA * d.rest_length;
+    return Status::ok;
+  }
+};
+
+struct NoGeometricPart {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    const Spring spring(p, d, s);
+    out.energy = spring.energy;
+    pull(out, spring.geometric * spring.w);
+    stiffen(out, s.cu,
+            [&](int r, int c) { return spring.k * spring.w[r] * spring.w[c] / (spring.l * spring.l); });
+    return Status::ok;
+  }
+};
+
+struct IgnoresFactor {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    State<2> unscaled = s;
+    unscaled.cu = 1;
+    return evaluate_spring(p, d, unscaled, out);
+  }
+};
+
+struct Asymmetric {  // f = k w_z² w: along the bar, the same about z, and the gradient of nothing
+  static Status evaluate(const Parameters& p, const Data&, const State<2>& s, Local<2>& out) {
+    const Vec3<double> w = s.x[1] - s.x[0];
+    const double g = p.EA * w.z * w.z;
+    pull(out, g * w);
+    stiffen(out, s.cu, [&](int r, int c) { return (r == c ? g : 0) + (c == 2 ? 2 * p.EA * w.z * w[r] : 0); });
+    return Status::ok;
+  }
+};
+
+struct NotConstant {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    return evaluate_spring(p, d, s, out);
+  }
+};
+
+struct ConvexNotPositive {  // the exact tangent, which is negative across a slack bar
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    return evaluate_spring(p, d, s, out);
+  }
+};
+
+/// Convex part and metric of a spring; the metric is `Metric::of` times k I.
+template <class Metric>
+struct WithMetric {
+  static Status tile(const Family<On<WithMetric>>& f, netloft_tile& t) {
+    return each_lane(f, t, true, [&](std::size_t lane, Local<2>& local) {
+      const Spring spring(f.parameters(t.first + lane), f.data(t.first + lane), detail::gather<2>(t, lane));
+      if (!(t.want & (NETLOFT_WANT_CONVEX | NETLOFT_WANT_METRIC))) return;
+      Spring part = spring;
+      if (t.want & NETLOFT_WANT_METRIC) part.k = part.geometric = spring.k * Metric::of(spring);
+      part.geometric = std::max(part.geometric, 0.0);
+      local = {};
+      stiffen(local, t.cu, [&](int r, int c) { return part.stiffness(r, c); });
+    });
+  }
+};
+struct One {
+  static double of(const Spring&) { return 1; }
+};
+struct Half {
+  static double of(const Spring&) { return 0.5; }
+};
+struct Growing {
+  static double of(const Spring& s) { return 1 + s.l; }
+};
+
+struct CountsCalls {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    static int calls = 0;
+    evaluate_spring(p, d, s, out);
+    scale(out, 1 + 1e-3 * (++calls % 1000));
+    return Status::ok;
+  }
+};
+
+struct WritesPastCount {
+  static Status tile(const Family<On<WritesPastCount>>& f, netloft_tile& t) {
+    each_lane(f, t, true, [](std::size_t, Local<2>&) {});
+    for (std::size_t lane = t.count; lane < kLanes && t.force; ++lane) t.force[lane] = 0;
+    return Status::ok;
+  }
+};
+
+struct Overwrites {
+  static Status tile(const Family<On<Overwrites>>& f, netloft_tile& t) {
+    for (std::size_t i = 0; i < 6 * kLanes && t.force; ++i)
+      if (i % kLanes < t.count) t.force[i] = 0;
+    return each_lane(f, t, true, [](std::size_t, Local<2>&) {});
+  }
+};
+
+struct KnowsLane {
+  static Status tile(const Family<On<KnowsLane>>& f, netloft_tile& t) {
+    return each_lane(f, t, true, [](std::size_t lane, Local<2>& l) { scale(l, lane % 2 ? 1 : 1.001); });
+  }
+};
+
+struct ForceFromTangent {
+  static Status tile(const Family<On<ForceFromTangent>>& f, netloft_tile& t) {
+    return each_lane(f, t, true, [&](std::size_t, Local<2>& l) {
+      for (auto& force : l.force) force = (t.tangent ? 1 + 1e-14 : 1) * force;
+    });
+  }
+};
+
+struct SloppyEnergy {
+  static Status tile(const Family<On<SloppyEnergy>>& f, netloft_tile& t) {
+    return each_lane(f, t, true, [&](std::size_t, Local<2>& l) { l.energy *= t.force ? 1 : 1 + 1e-14; });
+  }
+};
+
+struct SharedScratch {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    static volatile double length;
+    length = d.rest_length + 1e-3 * s.x[0].x;
+    std::this_thread::yield();  // lets the other thread in, also on one processor
+    evaluate_spring(p, {d.rest_length + 1e-3 * (length - d.rest_length - 1e-3 * s.x[0].x)}, s, out);
+    return Status::ok;
+  }
+};
+
+struct StartsThread {
+  static Status tile(const Family<On<StartsThread>>& f, netloft_tile& t) {
+    std::thread([] { std::this_thread::sleep_for(std::chrono::microseconds(20)); }).join();
+    return each_lane(f, t, true, [](std::size_t, Local<2>&) {});
+  }
+};
+
+struct KeepsThread : On<KeepsThread> {  // as long as the family lives
+  struct Lanes {
+    std::jthread worker;
+  };
+  static void pack(const Parameters&, const Data&, Lanes& lanes, std::size_t) {
+    if (lanes.worker.joinable()) return;
+    lanes.worker = std::jthread([](const std::stop_token& stop) {
+      while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  }
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    return evaluate_spring(p, d, s, out);
+  }
+};
+
+struct NeedsVelocity {
+  static Status tile(const Family<On<NeedsVelocity>>& f, netloft_tile& t) {
+    return each_lane(f, t, false, [&](std::size_t, Local<2>& l) { scale(l, t.v ? 1 : 2); });
+  }
+};
+
+struct Anisotropic {
+  static Status evaluate(const Parameters& p, const Data&, const State<2>& s, Local<2>& out) {
+    const double k[3] = {2 * p.EA, p.EA, p.EA};
+    return evaluate_diagonal(s, out, k, k);
+  }
+};
+
+struct StifferUpright {
+  static Status evaluate(const Parameters& p, const Data&, const State<2>& s, Local<2>& out) {
+    const double k[3] = {p.EA, p.EA, 2 * p.EA};
+    return evaluate_diagonal(s, out, k, k);
+  }
+};
+
+struct Lopsided {  // the second node is pulled half as much
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    evaluate_spring(p, d, s, out);
+    out.force[1] = 0.5 * out.force[1];
+    for (int r = 3; r < 6; ++r)
+      for (double& entry : out.tangent[r]) entry *= 0.5;
+    return Status::ok;
+  }
+};
+
+struct Anchored {
+  template <class T>
+  static T energy(const Parameters& p, const Data&, const Water&, const Points<T, 2>& x) {
+    return (0.5 * p.EA) * (dot(x[1] - x[0], x[1] - x[0]) + dot(x[0], x[0]));
+  }
+};
+
+struct Throws {
+  static Status evaluate(const Parameters&, const Data&, const State<2>&, Local<2>&) {
+    throw std::runtime_error("the author has not finished this");
+  }
+};
+
+struct NotANumber {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    evaluate_spring(p, d, s, out);
+    out.force[1].y = std::sqrt(-1 - s.x[0].x * s.x[0].x);
+    return Status::ok;
+  }
+};
+
+struct NotANumberAtRest {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    evaluate_spring(p, d, s, out);
+    const double elongation = norm(s.x[1] - s.x[0]) - d.rest_length;
+    scale(out, elongation / elongation);
+    return Status::ok;
+  }
+};
+
+struct InfiniteWhenCollapsed {
+  template <class T>
+  static T energy(const Parameters& p, const Data&, const Water&, const Points<T, 2>& x) {
+    return p.EA / norm(x[1] - x[0]);
+  }
+};
+
+/// Linear drag k (c - v) on both nodes, k = EA/1000. `Sign` +1 is right: the residual is minus the force.
+template <int Sign, bool Moves>
+struct Drag {
+  static Status evaluate(const Parameters& p, const Data&, const State<2>& s, Local<2>& out) {
+    const double k = Sign * 1e-3 * p.EA;
+    for (std::size_t n = 0; n < 2; ++n) {
+      const Vec3<double> slip = Moves ? s.current[n] - s.v[n] : s.current[n];
+      out.force[n] = -k * slip;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto dof = 3 * n + static_cast<std::size_t>(axis);
+        out.tangent[dof][3 * n + 2] -= s.cu * k * s.current_dz[n][axis];
+        out.tangent[dof][dof] += Moves ? s.cv * k : 0;
+      }
+    }
+    return Status::ok;
+  }
+};
+
+struct RefusesAll {
+  static constexpr auto stencil = NETLOFT_BAR;
+  using Parameters = wrong::Parameters;
+  using Data = wrong::Data;
+  static void check(const Parameters&, const Data&) { throw std::invalid_argument("nothing is good enough"); }
+};
+
+template <class E>
+ElementTable<E>& bar(Plugin& plugin, const char* name, const char* found_by, Real EA = {.lo = 1, .hi = 1e6}) {
+  auto& table = plugin.element<E>(name, found_by);
+  table.real("EA", &Parameters::EA, "N", "axial stiffness", EA);
+  table.data("rest_length", &Data::rest_length, "m", "unstretched length");
+  return table;
+}
+
+template <class Term, std::uint32_t Traits = kPotential>
+void add(Plugin& plugin, const char* name, const char* found_by) {
+  bar<On<Term>>(plugin, name, found_by).template term<Term, Traits>("elastic", "what is wrong");
+}
+
+struct NeverMade {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    return evaluate_spring(p, d, s, out);
+  }
+};
+struct BadDefault : NeverMade {};
+
+}  // namespace
+
+NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
+  add<WithMetric<One>, kPotential | has_convex | has_metric>(plugin, "right", "nothing");
+  add<ForceSign>(plugin, "force_sign", "force-is-gradient");
+  add<ComponentDoubled>(plugin, "component_doubled", "force-is-gradient");
+  add<EnergyDoubled>(plugin, "energy_doubled", "force-is-gradient");
+  add<EnergyJumps>(plugin, "energy_jumps", "no-work-round-a-closed-path");
+  add<NoGeometricPart>(plugin, "no_geometric_part", "tangent-is-derivative");
+  add<IgnoresFactor>(plugin, "ignores_factor", "tangent-is-derivative");
+  add<Asymmetric, symmetric>(plugin, "asymmetric", "symmetric-where-claimed");
+  add<NotConstant, kPotential | constant>(plugin, "not_constant", "constant-where-claimed");
+  add<ConvexNotPositive, kPotential | has_convex>(plugin, "convex_not_positive", "convex-is-positive");
+  add<WithMetric<Half>, kPotential | has_convex | has_metric>(plugin, "metric_too_small",
+                                                              "metric-bounds-convex");
+  add<WithMetric<Growing>, kPotential | has_convex | has_metric>(plugin, "metric_moves",
+                                                                 "metric-is-constant");
+  add<CountsCalls>(plugin, "counts_calls", "no-hidden-state");
+  add<WritesPastCount>(plugin, "writes_past_count", "nothing-written-past-count");
+  add<Overwrites>(plugin, "overwrites", "adds-not-overwrites");
+  add<KnowsLane>(plugin, "knows_lane", "same-in-any-lane");
+  add<ForceFromTangent>(plugin, "force_from_tangent", "same-force-without-tangent");
+  add<SloppyEnergy>(plugin, "sloppy_energy", "same-energy-alone");
+  add<SharedScratch>(plugin, "shared_scratch", "same-from-two-threads");
+  add<StartsThread>(plugin, "starts_thread", "starts-no-threads");
+  add<NeedsVelocity, reads_velocity>(plugin, "needs_velocity", "missing-inputs-are-zero");
+  add<Anisotropic>(plugin, "anisotropic", "rotation-turns-the-force");
+  add<StifferUpright>(plugin, "stiffer_upright", "moments-sum-to-zero");
+  add<Lopsided, 0>(plugin, "lopsided", "forces-sum-to-zero");
+  add<Anchored>(plugin, "anchored", "translation-changes-nothing");
+  add<Throws>(plugin, "throws", "evaluates-without-error");
+  add<NotANumber>(plugin, "not_a_number", "outputs-finite");
+  add<NotANumberAtRest>(plugin, "not_a_number_at_rest", "finite-at-rest");
+  add<InfiniteWhenCollapsed>(plugin, "infinite_when_collapsed", "collapsed-finite");
+  add<Drag<1, true>, kWater>(plugin, "right_in_water", "nothing");
+  add<Drag<-1, true>, kWater>(plugin, "gains_energy", "never-gains-energy");
+  add<Drag<1, false>, kWater>(plugin, "ignores_motion", "no-force-without-flow");
+  bar<KeepsThread>(plugin, "keeps_thread", "starts-no-threads")
+      .term<KeepsThread, kPotential>("elastic", "right");
+  bar<RefusesAll>(plugin, "refuses_all", "makes-elements").term<NeverMade, kPotential>("elastic", "unused");
+  bar<On<BadDefault>>(plugin, "bad_default", "defaults-are-allowed", {.lo = 1, .hi = 1e6, .fallback = 0})
+      .term<BadDefault, kPotential>("elastic", "right");
+}

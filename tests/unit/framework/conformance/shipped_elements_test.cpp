@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Everything shipped passes the suite, in each of its builds, and all builds give the same bits.
+#include "framework/conformance/conformance.hpp"
+#include "framework/conformance/sampler.hpp"
+#include "framework/registry/library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace netloft::conformance;
+
+const fs::path kFolder = NETLOFT_BINARY_DIR "/lib/netloft";
+
+bool runs_v3() { return netloft::best_build(kFolder, "rope").parent_path() != kFolder; }
+
+/// All shipped plugins that hold elements.
+std::vector<std::string> shipped() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(kFolder))
+    if (entry.path().extension() == ".so" && !netloft::open_library(entry.path()).elements.empty())
+      names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class Shipped : public testing::TestWithParam<std::string> {};
+
+void expect_conformance(const fs::path& file) {
+  const auto content = netloft::open_library(file);
+  for (const auto& type : content.elements) {
+    const auto report = netloft::check_element(type);
+    EXPECT_TRUE(report.passed()) << failures(report);
+    for (const auto& t : report.timings)
+      std::cout << file.string() << ' ' << type.type << ' ' << t.term << ' ' << t.want << ": "
+                << t.nanoseconds << " ns per element\n";
+  }
+}
+
+TEST_P(Shipped, KeepsItsPromises) { expect_conformance(kFolder / (GetParam() + ".so")); }
+
+TEST_P(Shipped, KeepsItsPromisesBuiltForAvx2) {
+  if (!runs_v3()) GTEST_SKIP() << "this processor or build has no x86-64-v3";
+  expect_conformance(kFolder / "x86-64-v3" / (GetParam() + ".so"));
+}
+
+Sample sampled(Sampler& sampler) {
+  Sample sample;
+  for (std::size_t p = 0; p < sampler.parts(); ++p) sample.parameters.push_back(sampler.parameters(p));
+  for (std::size_t e = 0; e < kLanes; ++e)
+    sample.part.push_back(static_cast<std::uint32_t>(e % sample.parameters.size()));
+  for (std::size_t e = 0; e < kLanes; ++e) sampler.data(sample, e);
+  return sample;
+}
+
+States sampled_states(Sampler& sampler, const Sample& sample, int dofs) {
+  const std::vector<double> zero(static_cast<std::size_t>(dofs) * kLanes, 0.0);
+  States states{0, kLanes, zero, zero, zero, zero, zero};
+  for (std::size_t lane = 0; lane < kLanes; ++lane) sampler.state(sample, lane, states, lane);
+  return states;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+TEST_P(Shipped, GivesTheSameBitsInEveryBuild) {
+  if (!runs_v3()) GTEST_SKIP() << "this processor or build has no x86-64-v3";
+  const auto base = netloft::open_library(kFolder / (GetParam() + ".so"));
+  const auto v3 = netloft::open_library(kFolder / "x86-64-v3" / (GetParam() + ".so"));
+  for (std::size_t k = 0; k < base.elements.size(); ++k) {
+    Sampler sampler(base.elements[k], 7);
+    const Sample sample = sampled(sampler);
+    const States states = sampled_states(sampler, sample, base.elements[k].dofs());
+    const Specimen one(base.elements[k], sample), two(v3.elements[k], sample);
+    for (std::size_t t = 0; t < base.elements[k].terms.size(); ++t)
+      for (const auto want : wants_of(base.elements[k].terms[t])) {
+        const Answer a = one.evaluate(base.elements[k].terms[t], states, want);
+        const Answer b = two.evaluate(v3.elements[k].terms[t], states, want);
+        EXPECT_TRUE(same_bits(a.energy, b.energy) && same_bits(a.force, b.force) &&
+                    same_bits(a.matrix, b.matrix))
+            << base.elements[k].type << ' ' << base.elements[k].terms[t].name << ' ' << want_text(want);
+      }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Shipped, testing::ValuesIn(shipped()), [](const testing::TestParamInfo<std::string>& plugin) { return plugin.param; });
+
+}  // namespace
