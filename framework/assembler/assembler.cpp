@@ -58,12 +58,15 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
     families_.push_back(std::make_unique<Family>(scene, family));
     dofs = std::max(dofs, static_cast<std::size_t>(family.type->dofs()));
   }
-  pattern_ = make_pattern(families_, numbering_, scene.node_count(), plan.symmetric);
+  const NodeBlocks blocks = make_blocks(families_, scene, plan.symmetric);
+  pattern_ = make_pattern(blocks, numbering_, plan.symmetric);
   for (const auto& family : families_) {
-    tilings_.push_back(make_tiling(*family, numbering_, pattern_, pattern_.entries() + tiles));
+    tilings_.push_back(
+        make_tiling(*family, scene, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles));
+    first_tile_.push_back(tiles);
     tiles += tilings_.back().tiles;
   }
-  value_slots_ = pattern_.entries() + tiles;
+  value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
   start_.resize(numbering_.dofs());
   for (std::uint32_t n = 0; n < scene.node_count(); ++n)
@@ -98,12 +101,16 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
 
 bool Assembler::run_family(std::size_t family, std::span<const double> x, const Request& request) {
   const Tiling& tiling = tilings_[family];
-  for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c) {
-    const std::size_t begin = tiling.colour_begin[c], count = tiling.colour_begin[c + 1] - begin;
-    workers_.run(count, kSerialBelow, [&](std::size_t worker, std::size_t i) {
+  const auto run = [&](std::size_t begin, std::size_t end) {
+    workers_.run(end - begin, kSerialBelow, [&](std::size_t worker, std::size_t i) {
       run_tile(family, tiling.order[begin + i], x, request, *workspaces_[worker]);
     });
-  }
+  };
+  if (!request.residual && !request.values)
+    run(0, tiling.tiles);  // nothing is scattered, so nothing can collide
+  else
+    for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
+      run(tiling.colour_begin[c], tiling.colour_begin[c + 1]);
   return collect_faults();
 }
 
@@ -120,7 +127,7 @@ void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const d
   }
   if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
     return report(family, t, status, w);
-  scatter(tiling, tile, request, w);
+  scatter(family, tile, request, w);
 }
 
 netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
@@ -200,13 +207,51 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
   return NETLOFT_OK;
 }
 
-void Assembler::scatter(const Tiling& tiling, std::size_t tile, const Request& request, Workspace& w) {
+namespace {
+
+/// Adds the blocks of a packed lower triangle, corner by corner. `Nodes` is known so that the loops unroll.
+template <int Nodes>
+void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* __restrict tangent,
+                      double* values) {
+  for (int P = 0; P < Nodes; ++P)
+    for (int Q = 0; Q <= P; ++Q, map += kLanes) {
+      const double* row[3];
+      for (int r = 0; r < 3; ++r)
+        row[r] = tangent +
+                 (packed(static_cast<std::size_t>(3 * P + r)) + static_cast<std::size_t>(3 * Q)) * kLanes;
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const bool transposed = map[lane] < 0;
+        double* to = values + (transposed ? ~map[lane] : map[lane]);
+        const int down = transposed ? 1 : 3, across = transposed ? 3 : 1;
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < (P == Q ? r + 1 : 3); ++c)
+            to[r * down + c * across] += row[r][static_cast<std::size_t>(c) * kLanes + lane];
+      }
+    }
+}
+
+/// Adds the blocks of a full square.
+void add_square_blocks(const std::int32_t* map, std::size_t nodes, std::size_t count, const double* tangent,
+                       double* values) {
+  for (std::size_t P = 0; P < nodes; ++P)
+    for (std::size_t Q = 0; Q < nodes; ++Q, map += kLanes)
+      for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t c = 0; c < 3; ++c)
+          for (std::size_t lane = 0; lane < count; ++lane)
+            values[static_cast<std::size_t>(map[lane]) + 3 * r + c] +=
+                tangent[((3 * P + r) * 3 * nodes + 3 * Q + c) * kLanes + lane];
+}
+
+}  // namespace
+
+void Assembler::scatter(std::size_t family, std::size_t tile, const Request& request, Workspace& w) {
+  const Tiling& tiling = tilings_[family];
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
   if (request.energy) {
     double sum = 0;
     for (std::size_t lane = 0; lane < count; ++lane) sum += w.energy[lane];
-    tile_energy_[tiling.first_spare - pattern_.entries() + tile] = sum;
+    tile_energy_[first_tile_[family] + tile] = sum;
   }
   if (request.residual) {
     const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
@@ -214,20 +259,31 @@ void Assembler::scatter(const Tiling& tiling, std::size_t tile, const Request& r
       for (std::size_t lane = 0; lane < count; ++lane)
         request.residual[map[d * kLanes + lane]] += w.force[d * kLanes + lane];
   }
-  if (!request.values) return;
-  const std::int32_t* map = &tiling.matrix_map[tile * tiling.entries_per_element * kLanes];
-  const double* tangent = w.packed_tangent.data();
-  if (!pattern_.symmetric) {
-    for (std::size_t r = 0; r < dofs; ++r)
-      for (std::size_t c = 0; c < dofs; ++c)
-        for (std::size_t lane = 0; lane < count; ++lane)
-          w.square_tangent[(r * dofs + c) * kLanes + lane] +=
-              tangent[(packed(std::max(r, c)) + std::min(r, c)) * kLanes + lane];
-    tangent = w.square_tangent.data();
+  if (request.values) scatter_matrix(tiling, tile, request.values, w);
+}
+
+void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w) {
+  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
+  const std::size_t count = tiling.lanes(tile);
+  const std::int32_t* map = &tiling.block_map[tile * tiling.blocks_per_element * kLanes];
+  if (pattern_.symmetric) {
+    switch (dofs) {
+      case 3:
+        return add_lower_blocks<1>(map, count, w.packed_tangent.data(), values);
+      case 6:
+        return add_lower_blocks<2>(map, count, w.packed_tangent.data(), values);
+      case 9:
+        return add_lower_blocks<3>(map, count, w.packed_tangent.data(), values);
+      default:
+        return add_lower_blocks<4>(map, count, w.packed_tangent.data(), values);
+    }
   }
-  for (std::size_t entry = 0; entry < tiling.entries_per_element; ++entry)
-    for (std::size_t lane = 0; lane < count; ++lane)
-      request.values[map[entry * kLanes + lane]] += tangent[entry * kLanes + lane];
+  for (std::size_t r = 0; r < dofs; ++r)
+    for (std::size_t c = 0; c < dofs; ++c)
+      for (std::size_t lane = 0; lane < count; ++lane)
+        w.square_tangent[(r * dofs + c) * kLanes + lane] +=
+            w.packed_tangent[(packed(std::max(r, c)) + std::min(r, c)) * kLanes + lane];
+  add_square_blocks(map, dofs / 3, count, w.square_tangent.data(), values);
 }
 
 void Assembler::report(std::size_t family, const netloft_tile& t, int status, Workspace& w) {
@@ -274,7 +330,7 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
       report(family, t, status, w);
       return collect_faults();
     }
-    scatter(tiling, tile, Request{.residual = residual.data()}, w);
+    scatter(family, tile, Request{.residual = residual.data()}, w);
   }
   return true;
 }

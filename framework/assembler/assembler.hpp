@@ -65,7 +65,8 @@ class Assembler {
   int call_terms(std::size_t family, netloft_tile& tile, const Request& request, Workspace& w);
   int call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& tile,
                        MatrixKind kind, Workspace& w);
-  void scatter(const Tiling& tiling, std::size_t tile, const Request& request, Workspace& w);
+  void scatter(std::size_t family, std::size_t tile, const Request& request, Workspace& w);
+  void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
   netloft_tile make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
                          Workspace& w) const;
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
@@ -76,6 +77,7 @@ class Assembler {
   Numbering numbering_;
   SparsePattern pattern_;
   std::vector<Tiling> tilings_;
+  std::vector<std::size_t> first_tile_;  // per family
   std::size_t value_slots_ = 0;
   std::vector<double> start_, tile_energy_;
   Workers workers_;

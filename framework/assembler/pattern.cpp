@@ -7,55 +7,72 @@ namespace netloft {
 
 namespace {
 
-using Neighbours = std::vector<std::vector<std::uint32_t>>;
-
-/// Per node, the nodes that share an element with it, itself included, ascending.
-Neighbours find_neighbours(std::span<const std::unique_ptr<Family>> families, std::size_t nodes) {
-  Neighbours near(nodes);
+/// Per node, the nodes with unknowns that share an element with it; itself included.
+std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const std::unique_ptr<Family>> families,
+                                                        const Scene& scene, bool symmetric) {
+  std::vector<std::vector<std::uint32_t>> near(scene.node_count());
+  const auto has_unknowns = [&](std::uint32_t node) { return scene.held[node] != kAllAxes; };
+  const auto add = [&](std::uint32_t column, std::uint32_t row) {
+    if (has_unknowns(row) && has_unknowns(column) && (!symmetric || row >= column))
+      near[column].push_back(row);
+  };
+  for (std::uint32_t n = 0; n < scene.node_count(); ++n) add(n, n);
   for (const auto& family : families)
     for (std::size_t e = 0; e < family->size(); ++e)
       for (int i = 0; i < family->nodes_per_element(); ++i)
         for (int j = 0; j < family->nodes_per_element(); ++j)
-          near[family->node(e, i)].push_back(family->node(e, j));
-  for (std::size_t n = 0; n < nodes; ++n) {
-    near[n].push_back(static_cast<std::uint32_t>(n));
-    std::sort(near[n].begin(), near[n].end());
-    near[n].erase(std::unique(near[n].begin(), near[n].end()), near[n].end());
+          if (i != j) add(family->node(e, i), family->node(e, j));
+  for (auto& rows : near) {
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   }
   return near;
 }
 
-void append_column(SparsePattern& pattern, const Numbering& numbering, const std::vector<std::uint32_t>& near,
-                   std::int32_t column) {
-  for (const auto node : near)
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::int32_t row = numbering.index(node, axis);
-      if (numbering.is_unknown(row) && (!pattern.symmetric || row >= column)) pattern.row.push_back(row);
-    }
-  pattern.column_start.push_back(static_cast<std::int32_t>(pattern.row.size()));
-}
-
 }  // namespace
 
-SparsePattern make_pattern(std::span<const std::unique_ptr<Family>> families, const Numbering& numbering,
-                           std::size_t nodes, bool symmetric) {
-  const Neighbours near = find_neighbours(families, nodes);
+std::size_t NodeBlocks::base(std::uint32_t row, std::uint32_t column) const {
+  const auto begin = row_node.begin() + static_cast<std::ptrdiff_t>(column_start[column]);
+  const auto end = row_node.begin() + static_cast<std::ptrdiff_t>(column_start[column + 1]);
+  return 9 * static_cast<std::size_t>(std::lower_bound(begin, end, row) - row_node.begin());
+}
+
+NodeBlocks make_blocks(std::span<const std::unique_ptr<Family>> families, const Scene& scene,
+                       bool symmetric) {
+  NodeBlocks blocks;
+  blocks.column_start.push_back(0);
+  for (const auto& rows : find_neighbours(families, scene, symmetric)) {
+    blocks.row_node.insert(blocks.row_node.end(), rows.begin(), rows.end());
+    blocks.column_start.push_back(blocks.row_node.size());
+  }
+  return blocks;
+}
+
+SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering, bool symmetric) {
   SparsePattern pattern;
   pattern.size = numbering.unknowns();
   pattern.symmetric = symmetric;
+  pattern.slots = 9 * blocks.count();
   pattern.column_start.push_back(0);
   for (std::int32_t column = 0; column < pattern.size; ++column) {
     const std::uint32_t node = numbering.node(column);
     pattern.node.push_back(static_cast<std::int32_t>(node));
-    append_column(pattern, numbering, near[node], column);
+    for (std::size_t b = blocks.column_start[node]; b < blocks.column_start[node + 1]; ++b)
+      for (int axis = 0; axis < 3; ++axis) {
+        const std::int32_t row = numbering.index(blocks.row_node[b], axis);
+        if (!numbering.is_unknown(row) || (symmetric && row < column)) continue;
+        pattern.row.push_back(row);
+        pattern.slot.push_back(static_cast<std::int32_t>(9 * b) + 3 * axis + numbering.axis(column));
+      }
+    pattern.column_start.push_back(static_cast<std::int32_t>(pattern.row.size()));
   }
   return pattern;
 }
 
-std::size_t find_entry(const SparsePattern& pattern, std::int32_t row, std::int32_t column) {
+std::size_t find_slot(const SparsePattern& pattern, std::int32_t row, std::int32_t column) {
   const auto begin = pattern.row.begin() + pattern.column_start[static_cast<std::size_t>(column)];
   const auto end = pattern.row.begin() + pattern.column_start[static_cast<std::size_t>(column) + 1];
-  return static_cast<std::size_t>(std::lower_bound(begin, end, row) - pattern.row.begin());
+  return pattern.slot_of(static_cast<std::size_t>(std::lower_bound(begin, end, row) - pattern.row.begin()));
 }
 
 }  // namespace netloft

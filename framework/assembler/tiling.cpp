@@ -44,13 +44,6 @@ void order_by_colour(const std::vector<int>& colours, Tiling& tiling) {
   tiling.colour_begin.push_back(colours.size());
 }
 
-std::size_t count_nodes(const Family& family) {
-  std::uint32_t last = 0;
-  for (std::size_t e = 0; e < family.size(); ++e)
-    for (int n = 0; n < family.nodes_per_element(); ++n) last = std::max(last, family.node(e, n));
-  return std::size_t{last} + 1;
-}
-
 void map_vectors(const Numbering& numbering, Tiling& tiling) {
   const Family& family = *tiling.family;
   const auto dofs = static_cast<std::size_t>(family.type().dofs());
@@ -61,38 +54,43 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
           numbering.index(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3));
 }
 
-void map_element(const SparsePattern& pattern, const Tiling& tiling, std::size_t e,
-                 std::vector<std::int32_t>& map) {
-  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
-  const std::int32_t* place = &tiling.vector_map[e / kLanes * dofs * kLanes + e % kLanes];
-  const auto spare = static_cast<std::int32_t>(tiling.first_spare + e / kLanes);
-  std::size_t entry = 0;
-  for (std::size_t r = 0; r < dofs; ++r)
-    for (std::size_t c = 0; c < (pattern.symmetric ? r + 1 : dofs); ++c, ++entry) {
-      std::int32_t row = place[r * kLanes], column = place[c * kLanes];
-      if (pattern.symmetric && row < column) std::swap(row, column);
-      const bool held = row >= pattern.size || column >= pattern.size;
-      map[(e / kLanes * tiling.entries_per_element + entry) * kLanes + e % kLanes] =
-          held ? spare : static_cast<std::int32_t>(find_entry(pattern, row, column));
-    }
+/// Where the block of corners (P, Q) of an element is added.
+std::int32_t find_block(const Family& family, const Scene& scene, const NodeBlocks& blocks, bool symmetric,
+                        std::size_t e, int P, int Q, std::size_t spare) {
+  const std::uint32_t row = family.node(e, P), column = family.node(e, Q);
+  if (scene.held[row] == kAllAxes || scene.held[column] == kAllAxes) return static_cast<std::int32_t>(spare);
+  if (symmetric && row < column) return ~static_cast<std::int32_t>(blocks.base(column, row));
+  return static_cast<std::int32_t>(blocks.base(row, column));
+}
+
+void map_blocks(const Scene& scene, const NodeBlocks& blocks, bool symmetric, Tiling& tiling) {
+  const Family& family = *tiling.family;
+  const int corners = family.nodes_per_element();
+  tiling.blocks_per_element =
+      static_cast<std::size_t>(symmetric ? corners * (corners + 1) / 2 : corners * corners);
+  tiling.block_map.assign(tiling.tiles * tiling.blocks_per_element * kLanes, 0);
+  for (std::size_t e = 0; e < family.size(); ++e) {
+    std::int32_t* map = &tiling.block_map[e / kLanes * tiling.blocks_per_element * kLanes + e % kLanes];
+    const std::size_t spare = tiling.first_spare + 9 * (e / kLanes);
+    for (int P = 0; P < corners; ++P)
+      for (int Q = 0; Q < (symmetric ? P + 1 : corners); ++Q, map += kLanes)
+        *map = find_block(family, scene, blocks, symmetric, e, P, Q, spare);
+  }
 }
 
 }  // namespace
 
 std::size_t Tiling::lanes(std::size_t tile) const { return std::min(kLanes, family->size() - tile * kLanes); }
 
-Tiling make_tiling(const Family& family, const Numbering& numbering, const SparsePattern& pattern,
-                   std::size_t first_spare) {
+Tiling make_tiling(const Family& family, const Scene& scene, const Numbering& numbering,
+                   const NodeBlocks& blocks, bool symmetric, std::size_t first_spare) {
   Tiling tiling;
   tiling.family = &family;
   tiling.tiles = (family.size() + kLanes - 1) / kLanes;
   tiling.first_spare = first_spare;
-  const auto dofs = static_cast<std::size_t>(family.type().dofs());
-  tiling.entries_per_element = pattern.symmetric ? dofs * (dofs + 1) / 2 : dofs * dofs;
-  order_by_colour(colour_tiles(family, tiling.tiles, count_nodes(family)), tiling);
+  order_by_colour(colour_tiles(family, tiling.tiles, scene.node_count()), tiling);
   map_vectors(numbering, tiling);
-  tiling.matrix_map.assign(tiling.tiles * tiling.entries_per_element * kLanes, 0);
-  for (std::size_t e = 0; e < family.size(); ++e) map_element(pattern, tiling, e, tiling.matrix_map);
+  map_blocks(scene, blocks, symmetric, tiling);
   return tiling;
 }
 

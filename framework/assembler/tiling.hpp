@@ -17,14 +17,15 @@ struct Tiling {
   std::vector<std::uint32_t> order;       // tiles, colour by colour
   std::vector<std::size_t> colour_begin;  // in `order`, +1
   std::vector<std::int32_t> vector_map;   // [tile][dof][64] -> place in vectors over all dofs
-  std::vector<std::int32_t> matrix_map;  // [tile][entry][64] -> place in values; spare slots lie past the end
-  std::size_t entries_per_element = 0;   // packed lower triangle, or the full square
-  std::size_t first_spare = 0;           // slot of tile 0 for entries with a held row or column
+  std::vector<std::int32_t>
+      block_map;                       // [tile][block][64] -> first of nine values; ~first: add the transpose
+  std::size_t blocks_per_element = 0;  // pairs of corners (P, Q): Q <= P if symmetric, else all
+  std::size_t first_spare = 0;         // nine slots per tile for blocks of held nodes
 
   std::size_t lanes(std::size_t tile) const;
 };
 
-Tiling make_tiling(const Family& family, const Numbering& numbering, const SparsePattern& pattern,
-                   std::size_t first_spare);
+Tiling make_tiling(const Family& family, const Scene& scene, const Numbering& numbering,
+                   const NodeBlocks& blocks, bool symmetric, std::size_t first_spare);
 
 }  // namespace netloft

@@ -8,7 +8,9 @@
 
 namespace netloft {
 
-/// A fixed set of threads that share out ranges. Allocates nothing after construction.
+/// A fixed set of threads that share out the indices of a loop. Allocates nothing after construction.
+/// The caller works along, and an index is taken by whoever is free: a thread that is slow to wake, or never
+/// gets a core, delays nobody.
 class Workers {
  public:
   explicit Workers(int threads) {
@@ -16,8 +18,7 @@ class Workers {
   }
   ~Workers() {
     stop_ = true;
-    start_.fetch_add(1, std::memory_order_release);
-    start_.notify_all();
+    open(0);
     for (auto& thread : pool_) thread.join();
   }
   Workers(const Workers&) = delete;
@@ -25,50 +26,72 @@ class Workers {
 
   std::size_t size() const { return pool_.size() + 1; }
 
-  /// Calls body(worker, index) for every index below `count`; worker w takes the w-th of equal ranges.
+  /// Calls body(worker, index) for every index below `count` and returns when all are done.
   /// Serial when there are fewer than `serial_below` indices.
   template <class Body>
   void run(std::size_t count, std::size_t serial_below, const Body& body) {
-    if (pool_.empty() || count < serial_below || count < 2) {
+    if (pool_.empty() || count < serial_below || count < 2 || count > kMask) {
       for (std::size_t i = 0; i < count; ++i) body(0, i);
       return;
     }
-    context_ = &body, count_ = count;
-    call_ = [](const void* context, std::size_t worker, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) (*static_cast<const Body*>(context))(worker, i);
+    context_ = &body;
+    call_ = [](const void* context, std::size_t worker, std::size_t i) {
+      (*static_cast<const Body*>(context))(worker, i);
     };
-    pending_.store(pool_.size(), std::memory_order_relaxed);
-    start_.fetch_add(1, std::memory_order_release);
-    start_.notify_all();
-    work(0);
-    while (const auto left = pending_.load(std::memory_order_acquire)) spin_or_wait(pending_, left);
+    done_.store(0, std::memory_order_relaxed);
+    open(count);
+    while (take_one(0)) {
+    }
+    while (done_.load(std::memory_order_acquire) != count) pause();
   }
 
  private:
-  static void spin_or_wait(std::atomic<std::size_t>& word, std::size_t old) {
-    for (int i = 0; i < 2000; ++i)
-      if (word.load(std::memory_order_acquire) != old) return;
-    word.wait(old, std::memory_order_acquire);
+  // The ticket holds the number of the loop, its count and the next index, so that one atomic operation both
+  // takes an index and proves to which loop it belongs: while that index is not done, the loop cannot change.
+  static constexpr std::uint64_t kBits = 24, kMask = (1u << kBits) - 1;
+  static std::size_t count_of(std::uint64_t ticket) { return ticket >> kBits & kMask; }
+  static std::size_t index_of(std::uint64_t ticket) { return ticket & kMask; }
+  static constexpr int kSpins = 20000;  // about the time between two colours of a family
+
+  static void pause() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
   }
-  void work(std::size_t worker) {
-    call_(context_, worker, count_ * worker / size(), count_ * (worker + 1) / size());
+  void open(std::size_t count) {
+    ticket_.store(++loop_ << 2 * kBits | static_cast<std::uint64_t>(count) << kBits,
+                  std::memory_order_release);
+    ticket_.notify_all();
+  }
+  bool take_one(std::size_t worker) {
+    std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
+    if (index_of(ticket) >= count_of(ticket)) return false;
+    ticket = ticket_.fetch_add(1, std::memory_order_acq_rel);
+    if (index_of(ticket) >= count_of(ticket)) return false;
+    call_(context_, worker, index_of(ticket));
+    done_.fetch_add(1, std::memory_order_acq_rel);
+    return true;
   }
   void serve(std::size_t worker) {
-    for (std::size_t seen = 0;;) {
-      while (start_.load(std::memory_order_acquire) == seen) spin_or_wait(start_, seen);
-      ++seen;
-      if (stop_) return;
-      work(worker);
-      if (pending_.fetch_sub(1, std::memory_order_acq_rel) == 1) pending_.notify_all();
+    while (!stop_) {
+      while (take_one(worker)) {
+      }
+      std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
+      for (int i = 0; i < kSpins && index_of(ticket) >= count_of(ticket) && !stop_; ++i) {
+        pause();
+        ticket = ticket_.load(std::memory_order_acquire);
+      }
+      if (index_of(ticket) >= count_of(ticket) && !stop_) ticket_.wait(ticket, std::memory_order_acquire);
     }
   }
 
   std::vector<std::thread> pool_;
-  std::atomic<std::size_t> start_{0}, pending_{0};
+  std::atomic<std::uint64_t> ticket_{0};
+  std::atomic<std::size_t> done_{0};
   std::atomic<bool> stop_{false};
-  void (*call_)(const void*, std::size_t, std::size_t, std::size_t) = nullptr;
+  std::uint64_t loop_ = 0;
+  void (*call_)(const void*, std::size_t, std::size_t) = nullptr;
   const void* context_ = nullptr;
-  std::size_t count_ = 0;
 };
 
 }  // namespace netloft

@@ -18,8 +18,14 @@ struct SparsePattern {
   std::vector<std::int32_t> row;           // one per entry
   std::vector<std::int32_t> node;          // unknown -> node, for orderings of the node graph; size long
   bool symmetric = true;
+  std::vector<std::int32_t> slot;  // entry -> where its value stands; empty: entry k at k
+  std::size_t slots = 0;           // values there are, when `slot` is not empty
 
   std::size_t entries() const { return row.size(); }
+  std::size_t slot_of(std::size_t entry) const {
+    return slot.empty() ? entry : static_cast<std::size_t>(slot[entry]);
+  }
+  std::size_t value_slots() const { return slot.empty() ? entries() : slots; }
 };
 
 enum class FactorStatus { ok, not_positive_definite, singular, out_of_memory, failed };
@@ -43,7 +49,7 @@ class Factorisation {
   /// cannot.
   virtual void analyse(const SparsePattern& pattern) = 0;
 
-  /// Factorises `values`, one per pattern entry. On failure the last good factor is gone.
+  /// Factorises `values`, pattern.value_slots() long. On failure the last good factor is gone.
   virtual FactorResult factorise(std::span<const double> values) = 0;
 
   /// Solves with the last good factor; `rhs` and `x` have `size` entries and may be the same array.

@@ -165,7 +165,7 @@ void StaticProblem::need_metric() {
 
 /// matrix + shift x metric, over the entries of the pattern.
 std::span<const double> StaticProblem::shifted(int matrix, double shift) {
-  const std::size_t entries = assembler_.pattern().entries();
+  const std::size_t entries = assembler_.pattern().value_slots();
   const std::vector<double>* base = matrix == NETLOFT_EXACT    ? &exact_
                                     : matrix == NETLOFT_CONVEX ? &convex_
                                                                : nullptr;
@@ -220,7 +220,9 @@ netloft_factor StaticProblem::factorise_general(std::span<const double> v) {
 void StaticProblem::expand_pattern() {
   const SparsePattern& lower = assembler_.pattern();
   const auto n = static_cast<std::size_t>(lower.size);
-  full_pattern_ = {lower.size, std::vector<std::int32_t>(n + 1, 0), {}, lower.node, false};
+  full_pattern_ = {};
+  full_pattern_.size = lower.size, full_pattern_.node = lower.node, full_pattern_.symmetric = false;
+  full_pattern_.column_start.assign(n + 1, 0);
   const auto for_entries = [&](auto&& visit) {
     for (std::size_t c = 0; c < n; ++c)
       for (auto k = static_cast<std::size_t>(lower.column_start[c]);
@@ -237,7 +239,7 @@ void StaticProblem::expand_pattern() {
   std::vector<std::int32_t> next(full_pattern_.column_start.begin(), full_pattern_.column_start.end() - 1);
   const auto put = [&](std::size_t r, std::size_t c, std::size_t from) {
     const auto at = static_cast<std::size_t>(next[c]++);
-    full_pattern_.row[at] = static_cast<std::int32_t>(r), full_from_[at] = from;
+    full_pattern_.row[at] = static_cast<std::int32_t>(r), full_from_[at] = lower.slot_of(from);
   };
   // Upper entries of a column come from earlier columns, in ascending order; so rows come out sorted.
   for_entries([&](std::size_t r, std::size_t c, std::size_t k) {
@@ -262,8 +264,9 @@ int StaticProblem::multiply(int matrix, double shift, const double* x, double* y
     for (auto k = static_cast<std::size_t>(p.column_start[c]);
          k < static_cast<std::size_t>(p.column_start[c + 1]); ++k) {
       const auto r = static_cast<std::size_t>(p.row[k]);
-      y[r] += v[k] * x[c];
-      if (p.symmetric && r != c) y[c] += v[k] * x[r];
+      const double a = v[p.slot_of(k)];
+      y[r] += a * x[c];
+      if (p.symmetric && r != c) y[c] += a * x[r];
     }
   return NETLOFT_OK;
 }
@@ -308,7 +311,7 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
               // they are worth.
               double floor = 0;
               for (std::int32_t i = first; i < last; ++i) {
-                const double stiffness = metric_[find_entry(pattern, i, i)];
+                const double stiffness = metric_[find_slot(pattern, i, i)];
                 floor = std::max(floor, 4 * std::numeric_limits<double>::epsilon() * stiffness *
                                             std::abs(x[static_cast<std::size_t>(i)]));
               }

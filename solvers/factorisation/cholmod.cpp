@@ -30,7 +30,7 @@ class PermutedMatrix {
 
  private:
   Indices column_start_, row_;
-  Indices source_;  // entry -> the caller's entry
+  Indices source_;  // entry -> the caller's value
   std::vector<double> value_;
 };
 
@@ -56,7 +56,7 @@ void PermutedMatrix::set_up(const SparsePattern& pattern, std::span<const std::i
   Indices next = column_start_;
   for_each_entry([&](std::int32_t e, auto at) {
     row_[next[at.first]] = at.second;
-    source_[next[at.first]++] = e;
+    source_[next[at.first]++] = static_cast<std::int32_t>(pattern.slot_of(static_cast<std::size_t>(e)));
   });
 }
 
@@ -200,7 +200,7 @@ FactorResult CholmodFactorisation::result_of_last_call() const {
 }
 
 FactorResult CholmodFactorisation::factorise(std::span<const double> values) {
-  assert(pattern_ != nullptr && values.size() == pattern_->entries());
+  assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
   const SingleThreadScope single_thread;
   const MemoryPoolScope pool(pool_);
   has_factor_ = false;

@@ -7,11 +7,13 @@
 namespace netloft {
 
 std::int32_t find_column_not_finite(const SparsePattern& pattern, std::span<const double> values) {
-  const auto bad = std::find_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
-  if (bad == values.end()) return -1;
-  const auto& start = pattern.column_start;
-  const auto next_column = std::upper_bound(start.begin(), start.end(), bad - values.begin());
-  return static_cast<std::int32_t>(next_column - start.begin()) - 1;
+  const auto is_bad = [](double v) { return !std::isfinite(v); };
+  if (std::none_of(values.begin(), values.end(), is_bad)) return -1;
+  for (std::size_t column = 0; column + 1 < pattern.column_start.size(); ++column)
+    for (auto e = static_cast<std::size_t>(pattern.column_start[column]);
+         e < static_cast<std::size_t>(pattern.column_start[column + 1]); ++e)
+      if (is_bad(values[pattern.slot_of(e)])) return static_cast<std::int32_t>(column);
+  return -1;  // only slots that no entry uses
 }
 
 }  // namespace netloft

@@ -42,7 +42,8 @@ class UmfpackFactorisation final : public Factorisation {
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
   std::vector<double> rhs_;        // a copy, because UMFPACK wants rhs and x apart
-  std::vector<double> workspace_;  // of umfpack_di_wsolve
+  std::vector<double> workspace_;
+  std::vector<double> gathered_;  // values in the order of the entries  // of umfpack_di_wsolve
   std::vector<int> index_workspace_;
   std::string ordering_;
   double entries_ = 0, flops_ = 0;
@@ -95,7 +96,7 @@ void UmfpackFactorisation::analyse_unknowns(const SparsePattern& pattern) {
 }
 
 FactorResult UmfpackFactorisation::factorise(std::span<const double> values) {
-  assert(pattern_ != nullptr && values.size() == pattern_->entries());
+  assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
   const SingleThreadScope single_thread;
   const MemoryPoolScope pool(pool_);
   free_numeric();
@@ -104,6 +105,11 @@ FactorResult UmfpackFactorisation::factorise(std::span<const double> values) {
     return {FactorStatus::failed, column};
   }
 
+  if (!pattern_->slot.empty()) {
+    gathered_.resize(pattern_->entries());
+    for (std::size_t e = 0; e < gathered_.size(); ++e) gathered_[e] = values[pattern_->slot_of(e)];
+    values = gathered_;
+  }
   double info[UMFPACK_INFO];
   const int status = umfpack_di_numeric(pattern_->column_start.data(), pattern_->row.data(), values.data(),
                                         symbolic_, &numeric_, control_, info);  // (1)

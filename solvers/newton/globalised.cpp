@@ -63,30 +63,38 @@ class Globalised {
     return true;
   }
 
-  /// Moves u along s as (3) wants it; false when no length will do.
+  /// Moves u along s as (3) wants it; false when no length will do. Trials ask for the energy alone, unless
+  /// it has no digits left to tell.
   bool search_line() {
     const double slope = dot(r_, s_);  // −s·(matrix)s < 0
     const double noise = kEnergyNoise * std::abs(energy_);
-    const double before = std::sqrt(dot(r_, r_));
     double t = 1;
     for (int tries = 0; t >= p_.shortest_step; ++tries) {
       for (std::size_t i = 0; i < s_.size(); ++i) trial_[i] = problem_.u()[i] + t * s_[i];
+      if (-t * slope <= noise) return accept_blindly();
       double energy = 0;
-      if (problem_.evaluate(trial_, energy, r_trial_, Matrix::exact) == Evaluation::ok) {
-        const bool lower = energy <= energy_ + p_.decrease * t * slope;
-        const bool blind =
-            -t * slope <= noise && energy <= energy_ + noise && std::sqrt(dot(r_trial_, r_trial_)) <= before;
-        if (lower || blind) {
-          adapt_damping(t, tries, energy, slope, blind);
-          accept(energy);
-          return true;
-        }
-        t *= std::clamp(parabola_minimum(t, energy, slope), 0.1, 0.5);
-      } else {
+      if (problem_.evaluate(trial_, energy) != Evaluation::ok) {
         t *= 0.25;
+      } else if (energy <= energy_ + p_.decrease * t * slope) {
+        adapt_damping(tries, (energy_ - energy) / (-slope * (t - 0.5 * t * t)));
+        return accept();
+      } else {
+        t *= std::clamp(parabola_minimum(t, energy, slope), 0.1, 0.5);
       }
     }
-    // The matrix kept is that of the last trial; the next factorisation wants that of u.
+    return false;
+  }
+
+  /// The step of a slope that the energy cannot resolve: good if it does not raise ‖r‖.
+  bool accept_blindly() {
+    double energy = 0;
+    if (problem_.evaluate(trial_, energy, r_trial_, Matrix::exact) == Evaluation::ok &&
+        dot(r_trial_, r_trial_) <= dot(r_, r_)) {
+      mu_ = lowered(0.1);
+      take(energy);
+      return true;
+    }
+    // The matrix kept is that of the trial; the next factorisation wants that of u.
     problem_.evaluate(problem_.u(), energy_, r_, Matrix::exact);
     return false;
   }
@@ -96,19 +104,24 @@ class Globalised {
     return -slope * t / (2 * (energy - energy_ - slope * t));
   }
 
-  /// (4): s·(K + shift M)s = −slope, so the model predicts a decrease of −slope/2 at t = 1.
-  void adapt_damping(double t, int tries, double energy, double slope, bool blind) {
-    const double ratio = blind ? 1 : (energy_ - energy) / (-slope * (t - 0.5 * t * t));
+  /// (4): s·(K + shift M)s = −slope, so the model predicts a decrease of −slope (t − t²/2).
+  void adapt_damping(int tries, double ratio) {
     if (tries == 0 && ratio > 0.75)
-      mu_ = mu_ * 0.1;
+      mu_ = lowered(0.1);
     else if (tries == 0 && ratio > 0.4)
-      mu_ = mu_ * 0.5;
+      mu_ = lowered(0.5);
     else if (tries > 1 || ratio < 0.1)
-      mu_ = std::max(mu_ * 4, 1e-6);
-    mu_ = mu_ < kSmallestDamping ? 0 : std::min(mu_, kLargestDamping);
+      mu_ = std::clamp(mu_ * 4, 1e-6, kLargestDamping);
   }
+  double lowered(double factor) const { return mu_ * factor < kSmallestDamping ? 0 : mu_ * factor; }
 
-  void accept(double energy) {
+  bool accept() {
+    double energy = 0;
+    if (problem_.evaluate(trial_, energy, r_trial_, Matrix::exact) != Evaluation::ok) return false;
+    take(energy);
+    return true;
+  }
+  void take(double energy) {
     std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
     std::swap(r_, r_trial_);
     energy_ = energy;

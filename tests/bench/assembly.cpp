@@ -45,10 +45,10 @@ void time_elements(const char* what, const Scene& scene, Registry& registry, dou
               1e9 * rt / elements <= limit ? "within" : "OVER");
 }
 
-void time_share(int cells, Registry& registry) {
+void time_share(int cells, int threads, Registry& registry) {
   const Scene scene = sample::hanging_panel(cells, 36.5);
   const Plan plan = make_plan(scene, registry);
-  Assembler assembler(scene, plan, 1);
+  Assembler assembler(scene, plan, threads);
   const SolverType& newton = registry.solver("newton");
   std::vector<std::string> faults;
   const ParameterBlock parameters(newton.parameters, newton.solver.parameter_bytes, {}, faults);
@@ -56,8 +56,9 @@ void time_share(int cells, Registry& registry) {
   limits.iterations = 30;
   const Solution s = solve_static(scene, assembler, newton, parameters.data(), limits, make_factorisation);
   const Books& b = s.books;
+  if (std::getenv("V")) std::printf("energies %d residuals %d matrices %d asm %.4f fac %.4f\n", b.energies, b.residuals, b.matrices, b.assembly_seconds, b.factorisation_seconds);
   const double total = b.assembly_seconds + b.analysis_seconds + b.factorisation_seconds + b.solve_seconds;
-  std::printf("%8zu %9d %8.1f %% %13.1f %% %7.1f %% %8.1f %%\n", plan.unknowns, b.factorisations,
+  std::printf("%8zu %7d %9d %8.1f %% %13.1f %% %7.1f %% %8.1f %%\n", plan.unknowns, threads, b.factorisations,
               100 * b.assembly_seconds / total, 100 * b.factorisation_seconds / total,
               100 * b.solve_seconds / total, 100 * b.analysis_seconds / total);
 }
@@ -72,7 +73,8 @@ int main() {
   for (const int n : {16, 64, 180, 400})
     time_elements("triangle", sample::hanging_panel(n, 36.5), registry, 120);
   std::printf(
-      "\nunknowns   factors  assembly  factorisation    solve  analysis   (share of the first 30 "
+      "\nunknowns threads   factors  assembly  factorisation    solve  analysis   (share of the first 30 "
       "iterations)\n");
-  for (const int n : {18, 58, 182}) time_share(n, registry);
+  for (const int threads : {1, 2})
+    for (const int n : {18, 58, 182}) time_share(n, threads, registry);
 }
