@@ -26,6 +26,12 @@ Usual usual(const char* unit) {
   return {unit, 0.1, 10};
 }
 
+std::size_t count_words(const netloft_parameter& p) {
+  std::size_t count = 0;
+  while (p.choices[count]) ++count;
+  return count;
+}
+
 bool has_default(const netloft_parameter& p) {
   if (p.flags & NETLOFT_REQUIRED) return false;
   if (p.kind != NETLOFT_REAL && p.kind != NETLOFT_INTEGER) return true;
@@ -50,7 +56,7 @@ void Sampler::direction(double (&d)[3]) {
 std::size_t Sampler::parts() const {
   std::size_t parts = 6;
   for (const auto& p : type_.parameters)
-    if (p.kind == NETLOFT_CHOICE) parts = std::max(parts, static_cast<std::size_t>(p.hi) + 1);
+    if (p.kind == NETLOFT_CHOICE) parts = std::max(parts, count_words(p));
   return parts;
 }
 
@@ -70,7 +76,7 @@ Value Sampler::value(const netloft_parameter& p, std::size_t part) {
     case NETLOFT_BOOLEAN:
       return uniform(0, 1) < 0.5;
     case NETLOFT_CHOICE:
-      return std::string(p.choices[part % (static_cast<std::size_t>(p.hi) + 1)]);
+      return std::string(p.choices[part % count_words(p)]);
     case NETLOFT_TEXT:
       return std::string(p.fallback_text ? p.fallback_text : "sample");
     default:

@@ -55,10 +55,16 @@ std::size_t bytes_of(std::uint32_t kind) {
   }
 }
 
+double count_words(const netloft_parameter& p) {
+  double count = 0;
+  for (auto word = p.choices; word && *word; ++word) ++count;
+  return count;
+}
+
 bool has_earlier_real(const std::vector<netloft_parameter>& rows, std::size_t before,
                       const std::string& name) {
   for (std::size_t i = 0; i < before; ++i)
-    if (rows[i].kind == NETLOFT_REAL && name == rows[i].name) return true;
+    if (rows[i].kind == NETLOFT_REAL && named(rows[i].name) && name == rows[i].name) return true;
   return false;
 }
 
@@ -75,7 +81,10 @@ void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, con
   faults.require(!bytes || p.offset % bytes == 0, who + " is not aligned in its struct");
   faults.require(named(p.unit), who + " has no unit (\"1\" is the unit of a pure number)");
   faults.require(p.kind == NETLOFT_TEXT || p.lo <= p.hi, who + " has an empty range");
-  faults.require(p.kind != NETLOFT_CHOICE || (p.choices && p.choices[0]), who + " is a choice of nothing");
+  if (p.kind != NETLOFT_CHOICE) return;
+  faults.require(count_words(p) > 0, who + " is a choice of nothing");
+  faults.require(p.fallback >= 0 && p.fallback < count_words(p),
+                 who + " has a default that is none of its words");
 }
 
 void check_parameters(const std::vector<netloft_parameter>& rows, std::uint32_t struct_bytes,

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/library.hpp"
 
+#include "framework/registry/whole_file.hpp"
+
 #include <dlfcn.h>
 
 #include <cfenv>
 #include <fstream>
 #include <iterator>
+#include <mutex>
+#include <set>
 #if defined(__x86_64__)
 #include <xmmintrin.h>
 #endif
@@ -51,21 +55,62 @@ std::string fingerprint(const std::filesystem::path& file) {
 
 }  // namespace
 
-PluginContent open_library(const std::filesystem::path& file) {
+namespace {
+
+/// Files that changed the floating-point mode. Their start-up code runs once, so that a second attempt would
+/// notice nothing; there is one loader in a program, and one such list.
+class Changers {
+ public:
+  void add(const std::string& file) {
+    const std::lock_guard lock(mutex_);
+    files_.insert(file);
+  }
+  bool holds(const std::string& file) {
+    const std::lock_guard lock(mutex_);
+    return files_.count(file) > 0;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> files_;
+};
+
+void* open_guarded(const std::filesystem::path& file) {
+  static Changers changers;
   FloatingPointGuard guard;
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (!handle) throw PluginRefused(std::string("cannot open the plugin: ") + dlerror());
-  if (guard.changed())
+  if (!handle) throw PluginRefused(file.string() + ": cannot open the plugin: " + dlerror());
+  if (guard.changed()) changers.add(file.string());
+  if (changers.holds(file.string()))
     throw PluginRefused(file.string() +
                         ": opening it changed the floating-point mode of the program "
                         "(linked with -ffast-math); build it without");
-  auto* symbol = dlsym(handle, "netloft_plugin_v1");
+  return handle;
+}
+
+/// A plugin that throws instead of describing itself is treated like one that returns null.
+const netloft_plugin* described_by(void* symbol) {
+  try {
+    return reinterpret_cast<netloft_plugin_function>(symbol)();
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+PluginContent open_library(const std::filesystem::path& file) {
+  if (!is_whole(file))
+    throw PluginRefused(file.string() +
+                        ": is not whole; it ends before its own header says. Copy or build it again");
+  void* handle = open_guarded(file);
+  void* symbol = dlsym(handle, "netloft_plugin_v1");
   if (!symbol)
     throw PluginRefused(file.string() +
                         ": is no Netloft plugin, or one for another major version of the interface "
                         "(it does not export netloft_plugin_v1)");
-  PluginContent content =
-      read_plugin(reinterpret_cast<netloft_plugin_function>(symbol)(), file.string(), file.stem().string());
+  FloatingPointGuard guard;
+  PluginContent content = read_plugin(described_by(symbol), file.string(), file.stem().string());
   content.origin.fingerprint = fingerprint(file);
   return content;
 }

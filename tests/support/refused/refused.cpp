@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A plugin in plain C, whole when FLAW is FLAW_NONE; CMakeLists.txt builds one module for every flaw.
+#include <netloft/plugin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+enum Flaw {
+  FLAW_none,
+  FLAW_missing_symbol,
+  FLAW_other_major,
+  FLAW_newer_minor,
+  FLAW_fast_math_compiled,
+  FLAW_fast_math_linked,
+  FLAW_flushes_to_zero,
+  FLAW_two_elements,
+  FLAW_two_parameters,
+  FLAW_offset_outside,
+  FLAW_misaligned,
+  FLAW_wrong_name,
+  FLAW_null,
+  FLAW_no_terms,
+  FLAW_needs_unknown,
+  FLAW_nameless_parameter,
+  FLAW_no_unit,
+  FLAW_bad_choice,
+  FLAW_throws,
+  FLAW_many,
+  FLAW_longer,
+  FLAW_older
+};
+
+#define JOIN(a, b) a##b
+#define FLAW_OF(name) JOIN(FLAW_, name)
+#define TEXT(name) #name
+#define TEXT_OF(name) TEXT(name)
+
+namespace {
+
+constexpr Flaw kFlaw = FLAW_OF(FLAW);
+constexpr bool has(Flaw flaw) { return kFlaw == flaw; }
+
+#if defined(__x86_64__)
+/// What crtfastmath.o does.
+__attribute__((constructor)) void flush_to_zero() {
+  if (has(FLAW_flushes_to_zero)) _mm_setcsr(_mm_getcsr() | 0x8040);
+}
+#endif
+
+struct Parameters {
+  double stiffness;
+  double rate;
+};
+
+int evaluate(const void*, netloft_tile* t) {
+  for (std::uint32_t i = 0; t->force && i < t->count; ++i) t->force[i] += 1;
+  return NETLOFT_OK;
+}
+int create(netloft_create*, void** self) {
+  static int family;
+  *self = &family;
+  return NETLOFT_OK;
+}
+void destroy(void*) {}
+
+/// Structs one after the other, `Step` bytes each, as a plugin of another minor version would lay them.
+template <class T, std::size_t Count, std::size_t Step>
+struct Array {
+  explicit Array(const T (&rows)[Count]) {
+    std::memset(bytes, 0x5a, sizeof bytes);  // fields nobody knows
+    for (std::size_t i = 0; i < Count; ++i) {
+      T row = rows[i];
+      row.size = Step;
+      std::memcpy(bytes + i * Step, &row, Step < sizeof row ? Step : sizeof row);
+    }
+  }
+  const T* data() const { return reinterpret_cast<const T*>(bytes); }
+  alignas(8) char bytes[Count * Step];
+};
+
+/// The size of a struct in a newer or older interface; `known` is where the older one ended.
+constexpr std::size_t step_of(std::size_t size, std::size_t known) {
+  return has(FLAW_longer) ? size + 24 : has(FLAW_older) ? known : size;
+}
+
+netloft_parameter parameter(const char* name, std::size_t offset) {
+  netloft_parameter p{};
+  p.name = name, p.unit = "N/m", p.doc = "a parameter", p.hi = 10;
+  p.offset = static_cast<std::uint32_t>(offset);
+  return p;
+}
+
+const netloft_parameter* parameters() {
+  static const char* const words[] = {"yes", "no", nullptr};
+  netloft_parameter stiffness = parameter("stiffness", offsetof(Parameters, stiffness));
+  netloft_parameter rate = parameter("rate", offsetof(Parameters, rate));
+  if (has(FLAW_two_parameters)) rate.name = "stiffness";
+  if (has(FLAW_offset_outside) || has(FLAW_many)) rate.offset = sizeof(Parameters);
+  if (has(FLAW_misaligned)) rate.offset = 4;
+  if (has(FLAW_no_unit) || has(FLAW_many)) rate.unit = "";
+  if (has(FLAW_nameless_parameter)) stiffness.name = nullptr, rate.fallback_of = "stiffness";
+  if (has(FLAW_bad_choice)) rate.kind = NETLOFT_CHOICE, rate.choices = words, rate.fallback = 2;
+  static const Array<netloft_parameter, 2,
+                     step_of(sizeof stiffness, offsetof(netloft_parameter, fallback_text))>
+      rows({stiffness, rate});
+  return rows.data();
+}
+
+const netloft_term* terms() {
+  netloft_term one{}, two{};
+  one.name = "one", two.name = "two", one.doc = two.doc = "a term";
+  one.evaluate = two.evaluate = evaluate;
+  two.needs = has(FLAW_needs_unknown) ? "strength" : "stiffness";
+  static const Array<netloft_term, 2, step_of(sizeof one, sizeof one)> rows({one, two});
+  return rows.data();
+}
+
+netloft_element element(const char* name) {
+  netloft_element e{};
+  e.stencil = NETLOFT_BAR, e.name = name, e.doc = "an element";
+  e.parameter_bytes = sizeof(Parameters), e.parameter_count = 2, e.parameters = parameters();
+  e.term_count = has(FLAW_no_terms) || has(FLAW_many) ? 0 : 2, e.terms = terms();
+  e.create = create, e.destroy = destroy;
+  return e;
+}
+
+const netloft_element* elements() {
+  static const Array<netloft_element, 2, step_of(sizeof(netloft_element), offsetof(netloft_element, output))>
+      rows({element("bar"), element(has(FLAW_two_elements) ? "bar" : "rod")});
+  return rows.data();
+}
+
+netloft_plugin plugin() {
+  netloft_plugin p{};
+  p.abi_major = NETLOFT_ABI_MAJOR + (has(FLAW_other_major) ? 1 : 0);
+  p.abi_minor = NETLOFT_ABI_MINOR + (has(FLAW_newer_minor) ? 1 : 0);
+  p.flags = NETLOFT_BUILD_FLAGS;
+  p.name = has(FLAW_wrong_name) ? "other" : TEXT_OF(FLAW);
+  p.version = "1", p.doc = "a plugin", p.compiler = "";
+  p.elements = elements(), p.element_count = 2;
+  return p;
+}
+
+const netloft_plugin* describe() {
+  if (has(FLAW_throws)) throw 1;
+  if (has(FLAW_null)) return nullptr;
+  static const Array<netloft_plugin, 1, step_of(sizeof(netloft_plugin), sizeof(netloft_plugin))> row(
+      {plugin()});
+  return row.data();
+}
+
+}  // namespace
+
+extern "C" {
+#if defined(NO_SYMBOL)
+NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v0(void) { return describe(); }
+#else
+NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) { return describe(); }
+#endif
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What must not be loaded, and what the author is told. Sources: tests/support/refused.
+#include "framework/registry/library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kFolder = NETLOFT_BINARY_DIR "/tests/refused";
+
+fs::path plugin(const std::string& flaw) { return kFolder / (flaw + ".so"); }
+
+std::string refusal(const fs::path& file) {
+  try {
+    netloft::open_library(file);
+    return "";
+  } catch (const netloft::PluginRefused& refused) {
+    return refused.what();
+  }
+}
+
+unsigned floating_point_mode() {
+#if defined(__x86_64__)
+  return _mm_getcsr() & ~0x3fu;
+#else
+  return 0;
+#endif
+}
+
+struct Case {
+  const char* flaw;
+  const char* says;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.flaw; }
+
+class Refused : public testing::TestWithParam<Case> {};
+
+TEST_P(Refused, SaysWhyAndLeavesTheFloatingPointModeAlone) {
+  const unsigned before = floating_point_mode();
+  const std::string text = refusal(plugin(GetParam().flaw));
+  EXPECT_NE(text.find(GetParam().says), std::string::npos) << text;
+  EXPECT_NE(text.find(plugin(GetParam().flaw).string()), std::string::npos)
+      << "does not name the file: " << text;
+  EXPECT_EQ(floating_point_mode(), before);
+}
+
+TEST_P(Refused, AtEveryAttempt) {
+  const std::string first = refusal(plugin(GetParam().flaw));
+  EXPECT_NE(first, "");
+  EXPECT_EQ(refusal(plugin(GetParam().flaw)), first);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    For, Refused,
+    testing::Values(
+        Case{"missing_symbol", "is no Netloft plugin, or one for another major version"},
+        Case{"other_major", "build the plugin again with this program's headers"},
+        Case{"newer_minor", "built for the newer plugin interface"},
+        Case{"fast_math_compiled", "compiled with -ffast-math"},
+        Case{"two_elements", "two elements are called \"bar\"; names must be unique"},
+        Case{"two_parameters", "two parameters are called \"stiffness\"; names must be unique"},
+        Case{"offset_outside", "parameter \"rate\" lies at bytes 16 to 24, outside its struct of 16 bytes"},
+        Case{"misaligned", "parameter \"rate\" is not aligned in its struct"},
+        Case{"wrong_name",
+             "calls itself \"other\"; the file wrong_name.so must hold the plugin \"wrong_name\""},
+        Case{"null", "the plugin could not describe itself"},
+        Case{"throws", "the plugin could not describe itself"}, Case{"no_terms", "no_terms/bar has no term"},
+        Case{"needs_unknown", "needs the parameter \"strength\", which the element does not have"},
+        Case{"nameless_parameter", "a parameter has no name"},
+        Case{"no_unit", "has no unit (\"1\" is the unit of a pure number)"},
+        Case{"bad_choice", "parameter \"rate\" has a default that is none of its words"},
+        Case{"many", "many/rod has no term"}),
+    [](const testing::TestParamInfo<Case>& c) { return std::string(c.param.flaw); });
+
+#if defined(__x86_64__)
+INSTANTIATE_TEST_SUITE_P(ForFloatingPoint, Refused,
+                         testing::Values(Case{"flushes_to_zero", "changed the floating-point mode"}),
+                         [](const testing::TestParamInfo<Case>& c) { return std::string(c.param.flaw); });
+#endif
+
+TEST(Loader, KeepsItsFloatingPointModeWhenAPluginIsLinkedWithFastMath) {
+  const unsigned before = floating_point_mode();
+  const std::string text =
+      refusal(plugin("fast_math_linked"));  // GCC 13 and later link nothing harmful any more
+  EXPECT_TRUE(text.empty() || text.find("linked with -ffast-math") != std::string::npos) << text;
+  EXPECT_EQ(floating_point_mode(), before);
+}
+
+TEST(Loader, TellsAllFaultsOfAPluginAtOnce) {
+  const std::string text = refusal(plugin("many"));
+  for (const char* fault :
+       {"many/bar has no term", "many/rod has no term", "outside its struct", "has no unit"})
+    EXPECT_NE(text.find(fault), std::string::npos) << fault << " is missing in:\n" << text;
+}
+
+TEST(Loader, RefusesAFileThatIsNoSharedObject) {
+  const fs::path file = fs::path(testing::TempDir()) / "text.so";
+  std::ofstream(file) << "this is a letter, not a program\n";
+  EXPECT_NE(refusal(file).find("cannot open the plugin: "), std::string::npos) << refusal(file);
+}
+
+TEST(Loader, RefusesAnEmptyFile) {
+  const fs::path file = fs::path(testing::TempDir()) / "empty.so";
+  std::ofstream{file};
+  EXPECT_NE(refusal(file).find("cannot open the plugin: "), std::string::npos) << refusal(file);
+}
+
+TEST(Loader, RefusesATruncatedPluginWhereverItWasCut) {
+  std::ifstream in(plugin("none"), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(in), {}};
+  for (const std::size_t part : {1u, 8u, 32u, 63u, 99u}) {
+    const fs::path file = fs::path(testing::TempDir()) / ("cut" + std::to_string(part) + ".so");
+    std::ofstream(file, std::ios::binary) << whole.substr(0, whole.size() * part / 100);
+    EXPECT_NE(refusal(file).find("is not whole"), std::string::npos) << part << " %: " << refusal(file);
+  }
+}
+
+TEST(Loader, TakesAPluginThatIsWhole) {
+  const auto content = netloft::open_library(plugin("none"));
+  EXPECT_EQ(content.origin.name, "none");
+  EXPECT_EQ(content.origin.file, plugin("none").string());
+  EXPECT_EQ(content.origin.fingerprint.size(), 16u);
+  ASSERT_EQ(content.elements.size(), 2u);
+  EXPECT_EQ(content.elements[1].type, "none/rod");
+}
+
+void expect_same_description(const std::string& name) {
+  const auto content = netloft::open_library(plugin(name));
+  ASSERT_EQ(content.elements.size(), 2u);
+  for (const auto& e : content.elements) {
+    ASSERT_EQ(e.parameters.size(), 2u);
+    EXPECT_STREQ(e.parameters[1].name, "rate");
+    EXPECT_EQ(e.parameters[1].fallback_text, nullptr);
+    ASSERT_EQ(e.terms.size(), 2u);
+    EXPECT_STREQ(e.terms[1].needs, "stiffness");
+    EXPECT_NE(e.element.create, nullptr);
+    EXPECT_EQ(e.element.output, nullptr);
+  }
+  EXPECT_EQ(content.elements[1].type, name + "/rod");
+}
+
+TEST(Loader, TakesLongerStructsOfANewerHeader) { expect_same_description("longer"); }
+
+TEST(Loader, TakesShorterStructsOfAnOlderHeaderAndReadsZeroForTheRest) { expect_same_description("older"); }
+
+}  // namespace
