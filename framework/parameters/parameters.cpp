@@ -35,7 +35,7 @@ std::vector<std::string> words_of(const netloft_parameter& p) {
 }
 
 std::optional<std::string> range_fault(const netloft_parameter& p, double v) {
-  if (v >= p.lo && v <= p.hi) return {};
+  if (std::isfinite(v) && v >= p.lo && v <= p.hi) return {};
   return std::string(p.name) + " = " + with_unit(number_text(v), p) + " is outside " + allowed(p) + " (" +
          p.doc + ")";
 }
