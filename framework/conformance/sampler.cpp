@@ -63,6 +63,7 @@ std::size_t Sampler::parts() const {
 Values Sampler::parameters(std::size_t part) {
   Values values;
   for (const auto& p : type_.parameters) {
+    if (p.kind > NETLOFT_TEXT) continue;  // a kind that nothing is known of keeps its default
     const bool leave_out = part == 0 || (p.kind != NETLOFT_CHOICE && uniform(0, 1) < 0.5);
     if (!leave_out || !has_default(p)) values[p.name] = value(p, part);
   }

@@ -45,7 +45,7 @@ Status Bar::Elastic::tile(const Family<Bar>& family, netloft_tile& t) {
   double A[6][kLanes];
   if (t.want & NETLOFT_WANT_METRIC) {
     for (std::size_t i = 0; i < t.count; ++i) {
-      A[0][i] = A[2][i] = A[5][i] = p.EA[i] / p.l0[i];  // axial (6)
+      A[0][i] = A[2][i] = A[5][i] = std::max(p.EA[i], p.EA_compression[i]) / p.l0[i];  // axial (6)
       A[1][i] = A[3][i] = A[4][i] = 0;
     }
     add_blocks(A, t.count, t.tangent);
