@@ -91,6 +91,7 @@ TEST_P(Shipped, GivesTheSameBitsInEveryBuild) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Shipped, testing::ValuesIn(shipped()), [](const testing::TestParamInfo<std::string>& plugin) { return plugin.param; });
+INSTANTIATE_TEST_SUITE_P(Each, Shipped, testing::ValuesIn(shipped()),
+                         [](const testing::TestParamInfo<std::string>& plugin) { return plugin.param; });
 
 }  // namespace

@@ -21,10 +21,20 @@ const PluginContent& wrong_plugin(const std::string& name) {
   return registry.plugin(name);
 }
 
+/// The thread sanitizer ends the program at the race that this element exists for.
+bool is_a_race([[maybe_unused]] const ElementType& type) {
+#if defined(__SANITIZE_THREAD__)
+  return type.type == "wrong/shared_scratch";
+#else
+  return false;
+#endif
+}
+
 std::vector<const ElementType*> wrong_elements() {
   std::vector<const ElementType*> all;
   for (const char* plugin : {"wrong", "escaping"})
-    for (const auto& element : wrong_plugin(plugin).elements) all.push_back(&element);
+    for (const auto& element : wrong_plugin(plugin).elements)
+      if (!is_a_race(element)) all.push_back(&element);
   return all;
 }
 
@@ -69,6 +79,9 @@ TEST(WrongElements, ThereIsOneForEveryCheckButThatOfTheFramework) {
   std::set<std::string> without;
   for (const auto& name : netloft::conformance_checks()) without.insert(name);
   for (const auto* type : wrong_elements()) without.erase(type->element.doc);
+#if defined(__SANITIZE_THREAD__)
+  without.erase("same-from-two-threads");
+#endif
   EXPECT_EQ(without, std::set<std::string>{"refuses-wrong-parameters"});
 }
 
