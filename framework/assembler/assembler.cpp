@@ -4,6 +4,7 @@
 #include "framework/assembler/projection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -32,15 +33,29 @@ std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
 
 }  // namespace
 
+namespace {
+
+/// Whether something in the family wants to know the current.
+bool reads_current(const Family& family) {
+  for (const auto& term : family.active_terms())
+    if (term.traits & NETLOFT_READS_CURRENT) return true;
+  return false;
+}
+
+}  // namespace
+
 /// One worker's tile: inputs, sums, and a square for what comes unpacked. Lines of 64 doubles.
 struct Assembler::Workspace {
-  Workspace(std::size_t dofs, bool symmetric)
-      : x(dofs * kLanes),
+  Workspace(std::size_t dofs, bool symmetric, bool flows)
+      : current(flows ? dofs * kLanes : 0),
+        current_dz(flows ? dofs * kLanes : 0),
+        x(dofs * kLanes),
         force(dofs * kLanes),
         packed_tangent(packed(dofs) * kLanes),
         square_tangent(symmetric ? 0 : dofs * dofs * kLanes),
         scratch(dofs * dofs * kLanes),
         element(dofs * dofs) {}
+  std::vector<double> current, current_dz;  // empty in still water
   std::vector<double> x, force, packed_tangent, square_tangent, scratch, element;
   double energy[kLanes] = {};
   char message[sizeof ElementFault::message] = "";
@@ -49,8 +64,9 @@ struct Assembler::Workspace {
 };
 
 Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
-    : water_density_(scene.water.density),
-      gravity_(scene.water.gravity),
+    : water_(scene.water),
+      current_(scene.current),
+      tangent_(plan.tangent),
       numbering_(scene),
       workers_(threads) {
   std::size_t dofs = 0, tiles = 0;
@@ -74,7 +90,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
       start_[static_cast<std::size_t>(numbering_.index(n, axis))] =
           scene.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
   for (std::size_t w = 0; w < workers_.size(); ++w)
-    workspaces_.push_back(std::make_unique<Workspace>(dofs, plan.symmetric));
+    workspaces_.push_back(std::make_unique<Workspace>(dofs, plan.symmetric, scene.current.flows()));
 }
 
 Assembler::~Assembler() = default;
@@ -142,17 +158,36 @@ netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::s
   t.size = sizeof t;
   t.first = static_cast<std::uint32_t>(tile * kLanes), t.count = static_cast<std::uint32_t>(count);
   t.cu = 1;
-  t.water_density = water_density_, t.gravity = gravity_;
+  t.water_density = water_.density, t.gravity = water_.gravity, t.water_viscosity = water_.viscosity;
+  if (!w.current.empty() && reads_current(*tiling.family)) {
+    gather_current(tiling, tile, w);
+    t.current = w.current.data(), t.current_dz = w.current_dz.data();
+  }
   t.x = w.x.data();
   t.message = w.message, t.message_size = sizeof w.message;
   return t;
+}
+
+/// Velocity of the water at the nodes of a tile, whose positions have been gathered.
+void Assembler::gather_current(const Tiling& tiling, std::size_t tile, Workspace& w) const {
+  std::array<double, 3> velocity, dz;
+  for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
+    for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
+      current_.at(w.x[(3 * node + 2) * kLanes + lane], velocity, dz);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        w.current[(3 * node + axis) * kLanes + lane] = velocity[axis];
+        w.current_dz[(3 * node + axis) * kLanes + lane] = dz[axis];
+      }
+    }
 }
 
 int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
   const Family& f = *families_[family];
   for (const auto& term : f.active_terms()) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
-    const bool moving = !(term.traits & NETLOFT_CONSTANT);
+    if (request.conservative_only && !conservative) continue;
+    const bool moving =
+        !(term.traits & NETLOFT_CONSTANT) && (conservative || tangent_ != TangentChoice::elastic);
     const bool packed_here =
         request.values && moving && request.matrix == MatrixKind::exact && (term.traits & NETLOFT_SYMMETRIC);
     t.energy = request.energy && conservative ? w.energy : nullptr;
@@ -177,8 +212,8 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
 int Assembler::call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& t,
                                 MatrixKind kind, Workspace& w) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
-  const bool offered = kind == MatrixKind::exact ||
-                       (kind == MatrixKind::convex && (term.traits & NETLOFT_HAS_CONVEX)) ||
+  const bool whole = kind == MatrixKind::exact && (symmetric || tangent_ == TangentChoice::exact);
+  const bool offered = whole || (kind == MatrixKind::convex && (term.traits & NETLOFT_HAS_CONVEX)) ||
                        (kind == MatrixKind::metric && (term.traits & NETLOFT_HAS_METRIC));
   t.energy = nullptr, t.force = nullptr;
   t.want = offered ? want_of(kind) : std::uint32_t{NETLOFT_WANT_TANGENT};
@@ -196,10 +231,9 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
         const std::size_t entry = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * n + c;
         w.element[r * n + c] = w.scratch[entry * kLanes + lane];
       }
-    if (kind == MatrixKind::convex)
-      project_convex(w.element.data(), dofs);
-    else
-      bound_by_diagonal(w.element.data(), dofs);
+    if (kind == MatrixKind::convex) project_convex(w.element.data(), dofs);
+    if (kind == MatrixKind::metric) bound_by_diagonal(w.element.data(), dofs);
+    if (kind == MatrixKind::exact) take_symmetric_part(w.element.data(), dofs);
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c <= r; ++c)
         w.packed_tangent[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];

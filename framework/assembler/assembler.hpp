@@ -12,8 +12,9 @@ enum class MatrixKind { none, exact, convex, metric };
 
 /// What an evaluation adds up. Null or none: not wanted, not computed.
 struct Request {
-  double* energy = nullptr;    // one number [J]
-  double* residual = nullptr;  // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
+  double* energy = nullptr;        // one number [J]
+  bool conservative_only = false;  // leave out forces that have no energy: the residual is its gradient
+  double* residual = nullptr;      // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
 };
@@ -69,10 +70,13 @@ class Assembler {
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
   netloft_tile make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
                          Workspace& w) const;
+  void gather_current(const Tiling& tiling, std::size_t tile, Workspace& w) const;
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
   bool collect_faults();
 
-  double water_density_, gravity_;
+  Water water_;
+  Current current_;
+  TangentChoice tangent_;
   std::vector<std::unique_ptr<Family>> families_;
   Numbering numbering_;
   SparsePattern pattern_;

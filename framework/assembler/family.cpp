@@ -7,6 +7,7 @@ Family::Family(const Scene& scene, const FamilyPlan& plan) : type_(plan.type), p
   for (std::size_t i = 0; i < plan.terms.size(); ++i)
     if (plan.terms[i].on) terms_.push_back(type_->terms[i]);
   gather_parameters(scene);
+  gather_laws(scene, plan);
   gather_elements(scene);
   create(scene);
 }
@@ -24,6 +25,16 @@ void Family::gather_parameters(const Scene& scene) {
     for (auto& w : wrong) faults.push_back({scene.parts[part].name, std::move(w)});
   }
   if (!faults.empty()) throw SceneError(std::move(faults));
+}
+
+void Family::gather_laws(const Scene& scene, const FamilyPlan& plan) {
+  for (const auto& law : plan.laws) {
+    std::vector<std::string> wrong;
+    law_parameters_.emplace_back(law.type->parameters, law.type->law.parameter_bytes, law.choice.parameters,
+                                 wrong);
+    if (!wrong.empty()) throw SceneError({{scene.parts[parts_[0]].name, law.slot + ": " + wrong[0]}});
+    laws_.push_back({law.type->law.kind, 0, law_parameters_.back().data(), law.type->law.evaluate});
+  }
 }
 
 void Family::gather_elements(const Scene& scene) {
@@ -70,6 +81,7 @@ void Family::create(const Scene& scene) {
   in.part_count = static_cast<std::uint32_t>(parts_.size());
   in.parameters = blocks.data(), in.part = part_.data(), in.data = data_pointers.data();
   in.message = message, in.message_size = sizeof message;
+  in.law_count = static_cast<std::uint32_t>(laws_.size()), in.laws = laws_.data();
   if (type_->element.create(&in, &self_) == NETLOFT_OK) return;
   self_ = nullptr;
   const std::size_t e = std::min<std::size_t>(in.at_fault, size() - 1);

@@ -33,6 +33,7 @@ class Family {
 
  private:
   void gather_parameters(const Scene& scene);
+  void gather_laws(const Scene& scene, const FamilyPlan& plan);
   void gather_elements(const Scene& scene);
   void create(const Scene& scene);
   std::vector<double> gather_datum(const Scene& scene, const netloft_datum& datum) const;
@@ -41,7 +42,8 @@ class Family {
   std::vector<std::uint32_t> parts_;         // scene parts
   std::vector<std::size_t> part_begin_;      // per part of parts_, +1
   std::vector<std::uint32_t> part_, nodes_;  // per element: place in parts_; its nodes
-  std::vector<ParameterBlock> parameters_;
+  std::vector<ParameterBlock> parameters_, law_parameters_;
+  std::vector<netloft_bound_law> laws_;
   std::vector<netloft_term> terms_;
   void* self_ = nullptr;
 };

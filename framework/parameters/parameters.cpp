@@ -50,6 +50,8 @@ const char* kind_name(std::uint32_t kind) {
       return "true or false";
     case NETLOFT_CHOICE:
       return "a word";
+    case NETLOFT_TABLE:
+      return "a table of numbers";
     default:
       return "a text";
   }
@@ -63,9 +65,39 @@ bool fits(std::uint32_t kind, const Value& value) {
       return std::holds_alternative<std::int64_t>(value);
     case NETLOFT_BOOLEAN:
       return std::holds_alternative<bool>(value);
+    case NETLOFT_TABLE:
+      return std::holds_alternative<Samples>(value);
     default:
       return std::holds_alternative<std::string>(value);
   }
+}
+
+std::string columns_text(const netloft_parameter& p) {
+  std::string text;
+  for (std::size_t i = 0; p.columns[i]; ++i)
+    text += (i ? ", " : "") + std::string(p.columns[i]) + " [" + p.column_units[i] + "]";
+  return text;
+}
+
+std::size_t column_count(const netloft_parameter& p) {
+  std::size_t n = 0;
+  while (p.columns[n]) ++n;
+  return n;
+}
+
+std::optional<std::string> samples_fault(const netloft_parameter& p, const Samples& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].size() != column_count(p))
+      return std::string(p.name) + ": row " + std::to_string(i + 1) + " has " +
+             std::to_string(rows[i].size()) + " numbers; its columns are " + columns_text(p);
+    for (const double v : rows[i])
+      if (!std::isfinite(v))
+        return std::string(p.name) + ": row " + std::to_string(i + 1) + " holds no number";
+    if (i && !(rows[i][0] > rows[i - 1][0]))
+      return std::string(p.name) + ": the first column must ascend, row " + std::to_string(i + 1) +
+             " does not";
+  }
+  return {};
 }
 
 }  // namespace
@@ -76,6 +108,8 @@ std::string allowed(const netloft_parameter& p) {
       return "true or false";
     case NETLOFT_TEXT:
       return "a text";
+    case NETLOFT_TABLE:
+      return "rows of " + columns_text(p);
     case NETLOFT_CHOICE: {
       std::string text = "one of ";
       for (std::size_t i = 0; p.choices[i]; ++i) text += (i ? ", " : "") + std::string(p.choices[i]);
@@ -96,6 +130,8 @@ std::string default_of(const netloft_parameter& p) {
       return p.fallback != 0 ? "true" : "false";
     case NETLOFT_TEXT:
       return p.fallback_text ? p.fallback_text : "";
+    case NETLOFT_TABLE:
+      return "empty";
     default:
       return number_text(p.fallback);
   }
@@ -104,6 +140,7 @@ std::string default_of(const netloft_parameter& p) {
 std::optional<std::string> fault_of(const netloft_parameter& p, const Value& value) {
   if (!fits(p.kind, value)) return std::string(p.name) + " must be " + kind_name(p.kind) + " (" + p.doc + ")";
   if (const double* v = std::get_if<double>(&value)) return range_fault(p, *v);
+  if (const auto* v = std::get_if<Samples>(&value)) return samples_fault(p, *v);
   if (const auto* v = std::get_if<std::int64_t>(&value)) return range_fault(p, static_cast<double>(*v));
   if (p.kind == NETLOFT_CHOICE && !place_of(p, std::get<std::string>(value))) {
     const auto near = nearest(std::get<std::string>(value), words_of(p));
@@ -161,6 +198,8 @@ Value ParameterBlock::fallback(std::span<const netloft_parameter> table, const n
       return std::string(p.choices[static_cast<std::size_t>(p.fallback)]);
     case NETLOFT_TEXT:
       return std::string(p.fallback_text ? p.fallback_text : "");
+    case NETLOFT_TABLE:
+      return Samples{};
     default:
       break;
   }
@@ -182,6 +221,13 @@ void ParameterBlock::store(const netloft_parameter& p, const Value& value) {
       return put(std::get<bool>(value));
     case NETLOFT_CHOICE:
       return put(*place_of(p, std::get<std::string>(value)));
+    case NETLOFT_TABLE: {
+      const Samples& rows = std::get<Samples>(value);
+      auto& flat = *tables_.emplace_back(std::make_unique<std::vector<double>>());
+      for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
+      return put(netloft_table{flat.data(), static_cast<std::uint32_t>(rows.size()),
+                               static_cast<std::uint32_t>(column_count(p))});
+    }
     default:
       texts_.push_back(std::make_unique<std::string>(std::get<std::string>(value)));
       put(texts_.back()->c_str());

@@ -14,9 +14,12 @@
 
 namespace netloft {
 
+/// A sampled curve: rows of equal length, the first column ascending.
+using Samples = std::vector<std::vector<double>>;
+
 /// A value as a user gave it, by the kind of its parameter: real and SI, integer, boolean, word (choice or
 /// text).
-using Value = std::variant<double, std::int64_t, bool, std::string>;
+using Value = std::variant<double, std::int64_t, bool, std::string, Samples>;
 using Values = std::map<std::string, Value>;
 
 /// What is wrong with a value, as a sentence; empty when nothing is.
@@ -47,6 +50,7 @@ class ParameterBlock {
 
   std::unique_ptr<std::max_align_t[]> bytes_;
   std::vector<std::unique_ptr<std::string>> texts_;
+  std::vector<std::unique_ptr<std::vector<double>>> tables_;
 };
 
 }  // namespace netloft

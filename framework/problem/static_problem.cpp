@@ -139,6 +139,7 @@ int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy,
   Timed timed(books_.assembly_seconds);
   place(u);
   Request request;
+  request.conservative_only = want & NETLOFT_WANT_GRADIENT;
   request.energy = energy;
   request.residual = residual ? residual_.data() : nullptr;
   request.matrix = kind;

@@ -50,6 +50,8 @@ std::size_t bytes_of(std::uint32_t kind) {
       return 1;
     case NETLOFT_TEXT:
       return sizeof(const char*);
+    case NETLOFT_TABLE:
+      return sizeof(netloft_table);
     default:
       return 0;
   }
@@ -78,9 +80,13 @@ void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, con
     faults.add(who + " lies at bytes " + std::to_string(p.offset) + " to " +
                std::to_string(p.offset + bytes) + ", outside its struct of " + std::to_string(struct_bytes) +
                " bytes");
-  faults.require(!bytes || p.offset % bytes == 0, who + " is not aligned in its struct");
+  faults.require(!bytes || p.offset % std::min<std::size_t>(bytes, 8) == 0,
+                 who + " is not aligned in its struct");
   faults.require(named(p.unit), who + " has no unit (\"1\" is the unit of a pure number)");
-  faults.require(p.kind == NETLOFT_TEXT || p.lo <= p.hi, who + " has an empty range");
+  faults.require(p.kind == NETLOFT_TEXT || p.kind == NETLOFT_TABLE || p.lo <= p.hi,
+                 who + " has an empty range");
+  faults.require(p.kind != NETLOFT_TABLE || (p.columns && p.columns[0] && p.column_units),
+                 who + " is a table without columns");
   if (p.kind != NETLOFT_CHOICE) return;
   faults.require(count_words(p) > 0, who + " is a choice of nothing");
   faults.require(p.fallback >= 0 && p.fallback < count_words(p),
@@ -98,7 +104,17 @@ void check_parameters(const std::vector<netloft_parameter>& rows, std::uint32_t 
   }
 }
 
-bool is_stencil(std::uint32_t s) { return s == NETLOFT_NODE || s == NETLOFT_BAR || s == NETLOFT_TRIANGLE; }
+bool is_stencil(std::uint32_t s) {
+  return s == NETLOFT_NODE || s == NETLOFT_BAR || s == NETLOFT_TRIANGLE || s == NETLOFT_BAR_PAIR ||
+         s == NETLOFT_TRIANGLE_PAIR;
+}
+
+void check_laws(const ElementType& e, const std::string& owner, Faults& faults) {
+  check_names(e.laws, owner, "law slot", faults);
+  for (const auto& slot : e.laws)
+    faults.require(named(slot.fallback),
+                   owner + ": law slot \"" + shown(slot.name) + "\" has no default law");
+}
 
 void check_terms(const ElementType& e, const std::string& owner, Faults& faults) {
   check_names(e.terms, owner, "term", faults);
@@ -128,6 +144,8 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   check_parameters(e.parameters, raw.parameter_bytes, e.type, faults);
   check_names(e.data, e.type, "datum", faults);
   check_names(e.outputs, e.type, "output", faults);
+  e.laws = read_array(raw.laws, raw.law_count);
+  check_laws(e, e.type, faults);
   check_terms(e, e.type, faults);
   return e;
 }
@@ -140,6 +158,18 @@ SolverType read_solver(const netloft_solver& raw, const std::string& plugin, Fau
   faults.require(raw.solve != nullptr, s.type + " has no solve");
   check_parameters(s.parameters, raw.parameter_bytes, s.type, faults);
   return s;
+}
+
+LawType read_law(const netloft_law& raw, const std::string& plugin, Faults& faults) {
+  LawType l;
+  l.law = raw;
+  l.type = plugin + "/" + shown(raw.name);
+  l.parameters = read_array(raw.parameters, raw.parameter_count);
+  faults.require(raw.evaluate != nullptr, l.type + " has no function");
+  faults.require(raw.kind == NETLOFT_TWINE_LAW || raw.kind == NETLOFT_SCREEN_LAW,
+                 l.type + " is a law of a kind this program does not know");
+  check_parameters(l.parameters, raw.parameter_bytes, l.type, faults);
+  return l;
 }
 
 void check_version(const netloft_plugin& p, const std::string& file) {
@@ -174,10 +204,14 @@ PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file,
   const auto elements = read_array(p.elements, p.element_count);
   const auto solvers = read_array(p.solvers, p.solver_count);
   check_names(elements, stem, "element", faults);
+  const auto laws = read_array(p.laws, p.law_count);
   check_names(solvers, stem, "solver", faults);
+  check_names(laws, stem, "law", faults);
   for (const auto& raw : elements) content.elements.push_back(read_element(raw, stem, faults));
   for (const auto& raw : solvers) content.solvers.push_back(read_solver(raw, stem, faults));
-  faults.require(!elements.empty() || !solvers.empty(), "holds neither an element nor a solver");
+  for (const auto& raw : laws) content.laws.push_back(read_law(raw, stem, faults));
+  faults.require(!elements.empty() || !solvers.empty() || !laws.empty(),
+                 "holds no element, no solver and no law");
   faults.raise();
   return content;
 }

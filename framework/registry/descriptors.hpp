@@ -51,6 +51,7 @@ struct ElementType {
   std::vector<netloft_datum> data;
   std::vector<netloft_term> terms;
   std::vector<netloft_output> outputs;
+  std::vector<netloft_law_slot> laws;
   const PluginOrigin* origin = nullptr;
 
   int nodes() const { return static_cast<int>(element.stencil & 0xff); }
@@ -65,11 +66,20 @@ struct SolverType {
   const PluginOrigin* origin = nullptr;
 };
 
+/// A hydrodynamic law as the host knows it.
+struct LawType {
+  std::string type;  // "hydro/morison"
+  netloft_law law{};
+  std::vector<netloft_parameter> parameters;
+  const PluginOrigin* origin = nullptr;
+};
+
 /// Everything in one plugin.
 struct PluginContent {
   PluginOrigin origin;
   std::vector<ElementType> elements;
   std::vector<SolverType> solvers;
+  std::vector<LawType> laws;
 };
 
 /// Reads and checks what a plugin says of itself. `stem` is the name its file promises.

@@ -51,6 +51,13 @@ const SolverType& Registry::solver(const std::string& type) {
   return find(plugin(name).solvers, full, "solver", name);
 }
 
+const LawType& Registry::law(const std::string& type) {
+  if (type.find('/') == std::string::npos)
+    throw UnknownComponent("\"" + type + "\" is no law; a law is written plugin/law, such as hydro/morison");
+  const std::string name = plugin_of(type);
+  return find(plugin(name).laws, type, "law", name);
+}
+
 template <class Types>
 const typename Types::value_type& Registry::find(const Types& types, const std::string& type,
                                                  const char* what, const std::string& name) const {
@@ -76,6 +83,7 @@ const PluginContent& Registry::keep(PluginContent content) {
   auto owned = std::make_unique<PluginContent>(std::move(content));
   for (auto& e : owned->elements) e.origin = &owned->origin;
   for (auto& s : owned->solvers) s.origin = &owned->origin;
+  for (auto& l : owned->laws) l.origin = &owned->origin;
   auto& slot = opened_[owned->origin.name];
   if (!slot) slot = std::move(owned);
   return *slot;

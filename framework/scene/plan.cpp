@@ -7,10 +7,30 @@ namespace netloft {
 
 namespace {
 
-FamilyPlan& family_of(std::vector<FamilyPlan>& families, const ElementType& type) {
+/// The laws of a part, slot by slot: what the part says, or the slot's default.
+std::vector<LawPlan> laws_of(const Part& part, const ElementType& type, Registry& registry) {
+  std::vector<LawPlan> laws;
+  for (const auto& slot : type.laws) {
+    const auto given = part.laws.find(slot.name);
+    LawPlan law{slot.name, nullptr, given == part.laws.end() ? LawChoice{slot.fallback, {}} : given->second};
+    law.type = &registry.law(law.choice.type);
+    if (!(law.type->law.kind & slot.accepts))
+      throw SceneError(
+          {{part.name, law.choice.type + " is no law that " + type.type + " can use as its " + slot.name}});
+    laws.push_back(law);
+  }
+  return laws;
+}
+
+bool same_laws(const std::vector<LawPlan>& a, const std::vector<LawPlan>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const LawPlan& x, const LawPlan& y) { return x.choice == y.choice; });
+}
+
+FamilyPlan& family_of(std::vector<FamilyPlan>& families, const ElementType& type, std::vector<LawPlan> laws) {
   for (auto& f : families)
-    if (f.type == &type) return f;
-  families.push_back({&type, {}, 0, {}});
+    if (f.type == &type && same_laws(f.laws, laws)) return f;
+  families.push_back({&type, std::move(laws), {}, 0, {}});
   return families.back();
 }
 
@@ -32,7 +52,7 @@ TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene&
     plan.reason = std::string(term.needs) + " is zero";
   else if ((term.traits & NETLOFT_NEEDS_GRAVITY) && scene.water.gravity == 0)
     plan.reason = "no gravity in the scene";
-  else if (term.traits & NETLOFT_NEEDS_FLOW)
+  else if ((term.traits & NETLOFT_NEEDS_FLOW) && !scene.current.flows())
     plan.reason = "no current in the scene";
   else if (term.traits & NETLOFT_NEEDS_MOTION)
     plan.reason = "the analysis is static";
@@ -43,7 +63,7 @@ TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene&
 }
 
 void note_traits(Plan& plan, const FamilyPlan& family, const TermPlan& term) {
-  if (!term.on || (term.traits & NETLOFT_CONSTANT)) return;
+  if (!term.on || (term.traits & NETLOFT_CONSTANT) || plan.tangent != TangentChoice::exact) return;
   if (!(term.traits & NETLOFT_SYMMETRIC) && plan.symmetric) {
     plan.symmetric = false;
     plan.unsymmetric_because = family.type->type + " " + term.name;
@@ -60,17 +80,21 @@ void count_unknowns(Plan& plan, const Scene& scene) {
 
 std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry) {
   auto names = registry.available();
-  for (const auto& family : plan.families) std::erase(names, family.type->origin->name);
+  for (const auto& family : plan.families) {
+    std::erase(names, family.type->origin->name);
+    for (const auto& law : family.laws) std::erase(names, law.type->origin->name);
+  }
   return names;
 }
 
 }  // namespace
 
-Plan make_plan(const Scene& scene, Registry& registry) {
+Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent) {
   Plan plan;
+  plan.tangent = tangent;
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
     const ElementType& type = registry.element(scene.parts[p].type);
-    FamilyPlan& family = family_of(plan.families, type);
+    FamilyPlan& family = family_of(plan.families, type, laws_of(scene.parts[p], type, registry));
     family.parts.push_back(p);
     family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(type.nodes());
   }

@@ -16,9 +16,20 @@ struct TermPlan {
   std::string reason;
 };
 
-/// All elements of one type.
+/// The law in one slot of a family.
+struct LawPlan {
+  std::string slot;
+  const LawType* type = nullptr;
+  LawChoice choice;
+};
+
+/// What the tangent of forces without an energy (drag) is worth: all of it, its symmetric part, nothing.
+enum class TangentChoice { exact, symmetric, elastic };
+
+/// All elements of one type that share their laws.
 struct FamilyPlan {
   const ElementType* type = nullptr;
+  std::vector<LawPlan> laws;         // one per slot
   std::vector<std::uint32_t> parts;  // of the scene
   std::size_t elements = 0;
   std::vector<TermPlan> terms;
@@ -29,13 +40,14 @@ struct Plan {
   std::vector<FamilyPlan> families;
   std::vector<std::string> not_loaded;  // plugins that were there and that no part uses
   std::size_t nodes = 0, held_nodes = 0, unknowns = 0;
+  TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
   std::string unsymmetric_because;  // "priour/triangle drag"
 };
 
 /// Decides which terms of which families act in a static analysis of the scene.
 /// Opens the plugins the scene names. Throws SceneError for parts that are wrong, PluginRefused for plugins.
-Plan make_plan(const Scene& scene, Registry& registry);
+Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent = TangentChoice::exact);
 
 /// "conservative, symmetric, constant"
 std::string describe_traits(std::uint32_t traits);

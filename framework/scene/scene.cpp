@@ -42,6 +42,19 @@ std::string axes_text(std::uint8_t axes) {
 
 }  // namespace
 
+void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz) const {
+  dz = {};
+  if (samples.empty()) return void(velocity = {});
+  std::size_t above = 0;
+  while (above < samples.size() && samples[above].z < z) ++above;
+  if (above == 0 || above == samples.size()) return void(velocity = samples[above ? above - 1 : 0].velocity);
+  const Sample &a = samples[above - 1], &b = samples[above];
+  for (std::size_t i = 0; i < 3; ++i) {
+    dz[i] = (b.velocity[i] - a.velocity[i]) / (b.z - a.z);
+    velocity[i] = a.velocity[i] + dz[i] * (z - a.z);
+  }
+}
+
 std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element) {
   Pieces pieces = find_pieces(scene, nodes_per_element);
   std::vector<std::uint8_t> held(scene.node_count(), 0);

@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/parameters/parameters.hpp"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <stdexcept>
@@ -12,8 +13,35 @@ namespace netloft {
 
 /// The water a gear hangs in. World frame z up, z = 0 at the surface.
 struct Water {
-  double density = 1025;     // [kg/m3]
-  double gravity = 9.80665;  // [m/s2]
+  double density = 1025;       // [kg/m3]
+  double gravity = 9.80665;    // [m/s2]
+  double viscosity = 1.19e-6;  // kinematic [m2/s]
+};
+
+/// Velocity of the water over depth: straight lines between samples, constant beyond them. Empty: still
+/// water.
+struct Current {
+  struct Sample {
+    double z;                        // [m]
+    std::array<double, 3> velocity;  // [m/s]
+  };
+  std::vector<Sample> samples;  // ascending in z
+
+  bool flows() const {
+    for (const auto& s : samples)
+      for (const double v : s.velocity)
+        if (v != 0) return true;
+    return false;
+  }
+  /// Velocity and its derivative with z at height z.
+  void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz) const;
+};
+
+/// A law chosen for a slot of a part: "hydro/morison" and its parameters.
+struct LawChoice {
+  std::string type;
+  Values parameters;
+  bool operator==(const LawChoice&) const = default;
 };
 
 /// A named piece of a gear: elements of one type on nodes of the scene.
@@ -23,6 +51,8 @@ struct Part {
   Values parameters;                 // by parameter name
   std::vector<std::uint32_t> nodes;  // scene nodes of the elements, as many each as the stencil has
   std::map<std::string, std::vector<double>> data;  // by datum name: [element][width]
+  std::map<std::string, LawChoice> laws = {};       // by slot name; absent: the slot's default
+  bool companion = false;                           // rides on the part of the same name before it
 };
 
 /// The part a node was first made for, and its number within that part.
@@ -36,6 +66,7 @@ enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 struct Scene {
   std::string name;
   Water water;
+  Current current;
   std::vector<double> positions;   // start, 3 per node [m]
   std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move
   std::vector<NodeLabel> labels;   // per node

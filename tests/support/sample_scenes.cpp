@@ -23,7 +23,8 @@ Scene hanging_panel(int n, double height) {
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) add_node(scene, kWidth * (double(i) / n - 0.5), 0, -height * j / n, j == 0);
 
-  Part net{.name = "net", .type = "priour/triangle", .parameters = {}, .nodes = {}, .data = {}};
+  Part net;
+  net.name = "net", net.type = "priour/triangle";
   net.parameters = {
       {"twine.EA", 1e4}, {"twine.EA_compression", 1.0}, {"twine.diameter", 0.01}, {"twine.density", 2000.0}};
   using Corner = std::array<int, 2>;
@@ -53,7 +54,8 @@ Scene hanging_rope(int n) {
   scene.name = "hanging-rope";
   scene.water = {1025, 9.81};
   for (int i = 0; i <= n; ++i) add_node(scene, 80.0 * i / n, 0, -20.0 * i / n, i == 0 || i == n);
-  Part rope{.name = "rope", .type = "rope/bar", .parameters = {}, .nodes = {}, .data = {}};
+  Part rope;
+  rope.name = "rope", rope.type = "rope/bar";
   rope.parameters = {{"rope.EA", 2e6}, {"rope.diameter", 0.02}, {"rope.density", 7850.0}};
   for (int i = 0; i < n; ++i) {
     rope.nodes.insert(rope.nodes.end(), {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 1)});

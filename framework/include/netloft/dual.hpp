@@ -5,14 +5,14 @@
 
 namespace netloft {
 
-/// A number with its gradient and Hessian with respect to N variables (forward mode, second order).
+/// A number with its gradient and, of second order, its Hessian with respect to N variables (forward mode).
 /// Slow and sure: it makes force and tangent of an element out of nothing but its energy, and is the
 /// oracle that faster kernels are tested against.
-template <int N>
+template <int N, int Order = 2>
 struct Dual {
   double value = 0;
   std::array<double, N> gradient{};
-  std::array<double, N*(N + 1) / 2> hessian{};  // lower triangle, entry r(r+1)/2 + c
+  std::array<double, Order == 2 ? N*(N + 1) / 2 : 0> hessian{};  // lower triangle, entry r(r+1)/2 + c
 
   Dual() = default;
   Dual(double v) : value(v) {}  // NOLINT: a plain number is a constant
@@ -26,11 +26,12 @@ struct Dual {
   /// f(this) from f, f' and f'' at the value: the chain rule, once for all functions of one argument.
   Dual chain(double f, double f1, double f2) const {
     Dual d(f);
-    std::size_t k = 0;
+    [[maybe_unused]] std::size_t k = 0;
     for (std::size_t r = 0; r < N; ++r) {
       d.gradient[r] = f1 * gradient[r];
-      for (std::size_t c = 0; c <= r; ++c, ++k)
-        d.hessian[k] = f1 * hessian[k] + f2 * gradient[r] * gradient[c];
+      if constexpr (Order == 2)
+        for (std::size_t c = 0; c <= r; ++c, ++k)
+          d.hessian[k] = f1 * hessian[k] + f2 * gradient[r] * gradient[c];
     }
     return d;
   }
@@ -45,7 +46,7 @@ struct Dual {
   friend Dual operator*(const Dual& a, const Dual& b) {
     Dual d = combine(a, b.value, b, a.value, a.value * b.value);
     std::size_t k = 0;
-    for (std::size_t r = 0; r < N; ++r)
+    for (std::size_t r = 0; r < N && Order == 2; ++r)
       for (std::size_t c = 0; c <= r; ++c, ++k)
         d.hessian[k] += a.gradient[r] * b.gradient[c] + b.gradient[r] * a.gradient[c];
     return d;

@@ -36,8 +36,9 @@ struct OutsideDomain : std::runtime_error {
 };
 
 struct Water {
-  double density;  // [kg/m3]
-  double gravity;  // [m/s2]
+  double density;        // [kg/m3]
+  double gravity;        // [m/s2]
+  double viscosity = 0;  // kinematic [m2/s]
 };
 
 /// One element's view of the world in `evaluate`. Arrays the term did not ask for are zero.
@@ -83,7 +84,11 @@ class Family {
   };
   using Lanes = typename LanesOf<E>::type;
 
+  /// The law in a slot, in the order the slots were declared. Its arrays are those of netloft_flow.
+  const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
+
   std::vector<const Parameters*> parameters_;
+  std::vector<netloft_bound_law> laws_;
   std::vector<std::uint32_t> part_;
   std::vector<Data> data_;
   std::vector<Lanes> lanes_;
@@ -144,7 +149,7 @@ State<Nodes> gather(const netloft_tile& t, std::size_t lane) {
   gather<Nodes>(t.a, lane, s.a);
   gather<Nodes>(t.current, lane, s.current);
   gather<Nodes>(t.current_dz, lane, s.current_dz);
-  s.water = {t.water_density, t.gravity};
+  s.water = {t.water_density, t.gravity, t.water_viscosity};
   s.time = t.time, s.cu = t.cu, s.cv = t.cv, s.ca = t.ca;
   s.wants_tangent = t.want & (NETLOFT_WANT_TANGENT | NETLOFT_WANT_CONVEX | NETLOFT_WANT_METRIC);
   return s;
@@ -170,7 +175,7 @@ template <class E, class T>
 void differentiate(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                    Local<nodes_of<E>>& local) {
   constexpr int N = nodes_of<E>;
-  const Water water{t.water_density, t.gravity};
+  const Water water{t.water_density, t.gravity, t.water_viscosity};
   Points<Dual<3 * N>, N> x;
   for (int i = 0; i < 3 * N; ++i)
     x[static_cast<std::size_t>(i / 3)][i % 3] =
@@ -226,6 +231,7 @@ void fill_family(Family<E>& f, netloft_create& in, const std::vector<std::size_t
   for (std::uint32_t p = 0; p < in.part_count; ++p)
     f.parameters_.push_back(static_cast<const P*>(in.parameters[p]));
   f.part_.assign(in.part, in.part + in.count);
+  if (in.laws) f.laws_.assign(in.laws, in.laws + in.law_count);
   f.data_.resize(in.count);
   if constexpr (requires { typename E::Lanes; }) f.lanes_.resize((in.count + kLanes - 1) / kLanes);
   for (std::uint32_t e = 0; e < in.count; ++e) {
@@ -252,6 +258,7 @@ enum Trait : std::uint32_t {
   needs_gravity = NETLOFT_NEEDS_GRAVITY,
   needs_flow = NETLOFT_NEEDS_FLOW,
   needs_motion = NETLOFT_NEEDS_MOTION,
+  reads_state = NETLOFT_READS_STATE,
   has_convex = NETLOFT_HAS_CONVEX,
   has_metric = NETLOFT_HAS_METRIC,
   from_outside = NETLOFT_FROM_OUTSIDE,
@@ -298,6 +305,18 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     functions_.push_back(function);
   }
 
+  /// A law that users choose by name under this key; `accepts` is a sum of netloft_law_kind.
+  void law(const char* name, std::uint32_t accepts, const char* fallback, const char* doc) {
+    netloft_law_slot l{};
+    l.size = sizeof l, l.accepts = accepts, l.name = name, l.doc = doc, l.fallback = fallback;
+    laws_.push_back(l);
+  }
+  /// This element is made wherever another one of the plugin is used, on pairs of it: bending on a rope's
+  /// bars.
+  void rides_on(const char* element) { rides_on_ = element; }
+  /// Numbers that each element remembers from one accepted step to the next.
+  void remembers(std::uint32_t width) { state_width_ = width; }
+
   netloft_element descriptor() const {
     netloft_element e{};
     e.size = sizeof e, e.stencil = E::stencil, e.name = name_, e.doc = doc_;
@@ -306,6 +325,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     e.datum_count = static_cast<std::uint32_t>(data_.size()), e.data = data_.data();
     e.term_count = static_cast<std::uint32_t>(terms_.size()), e.terms = terms_.data();
     e.output_count = static_cast<std::uint32_t>(outputs_.size()), e.outputs = outputs_.data();
+    e.laws = laws_.data(), e.law_count = static_cast<std::uint32_t>(laws_.size());
+    e.rides_on = rides_on_, e.state_width = state_width_;
     e.create = &create, e.destroy = &destroy, e.output = &evaluate_outputs;
     return e;
   }
@@ -345,7 +366,9 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     });
   }
 
-  const char *name_, *doc_;
+  const char *name_, *doc_, *rides_on_ = nullptr;
+  std::uint32_t state_width_ = 0;
+  std::vector<netloft_law_slot> laws_;
   std::vector<netloft_term> terms_;
   std::vector<netloft_output> outputs_;
   // One table per element type, described once, before any family is made.

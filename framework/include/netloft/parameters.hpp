@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace netloft {
@@ -50,6 +51,18 @@ class ParameterTable {
     auto& p = add(NETLOFT_TEXT, name, offset(member), "1", doc);
     p.fallback_text = fallback;
     if (!fallback) p.flags |= NETLOFT_REQUIRED;
+  }
+
+  /// A sampled curve with named columns, the first ascending; empty when not given.
+  void table(const char* name, netloft_table P::*member, const char* doc,
+             std::initializer_list<std::pair<const char*, const char*>> columns, bool required = false) {
+    auto& p = add(NETLOFT_TABLE, name, offset(member), "1", doc);
+    auto& names = choices_.emplace_back();
+    auto& units = choices_.emplace_back();
+    for (const auto& [column, unit] : columns) names.push_back(column), units.push_back(unit);
+    names.push_back(nullptr), units.push_back(nullptr);
+    p.columns = names.data(), p.column_units = units.data();
+    if (required) p.flags |= NETLOFT_REQUIRED;
   }
 
   const std::vector<netloft_parameter>& rows() const { return rows_; }

@@ -3,7 +3,7 @@
  * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
  *
  * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of the
- * elements and solvers inside. No C++ type, exception or allocation crosses; the plugin links to nothing of ours.
+ * elements, laws and solvers inside. No C++ type, exception or allocation crosses; the plugin links to nothing of ours.
  * Authors seldom need this file: netloft/element.hpp and netloft/solver.hpp write these structs for them.
  *
  * Every struct begins with its own size. Fields are only ever appended, so that a host reads an older
@@ -37,8 +37,15 @@ enum netloft_kind {
   NETLOFT_INTEGER = 1, /* int64_t */
   NETLOFT_BOOLEAN = 2, /* one byte, 0 or 1 (bool) */
   NETLOFT_CHOICE = 3,  /* int64_t: place in `choices` */
-  NETLOFT_TEXT = 4     /* const char *, owned by the host */
+  NETLOFT_TEXT = 4,    /* const char *, owned by the host */
+  NETLOFT_TABLE = 5    /* netloft_table, owned by the host */
 };
+
+/* A sampled curve: rows with ascending first column, `columns` numbers each, row by row. */
+typedef struct netloft_table {
+  const double *values;
+  uint32_t rows, columns;
+} netloft_table;
 
 enum { NETLOFT_REQUIRED = 1 };
 
@@ -56,15 +63,19 @@ typedef struct netloft_parameter {
   const char *fallback_of;            /* name of an earlier real, or null */
   const char *const *choices;         /* null-terminated, for NETLOFT_CHOICE */
   const char *fallback_text;          /* for NETLOFT_TEXT */
+  const char *const *columns;         /* names of a table's columns, null-terminated */
+  const char *const *column_units;    /* their units, as many */
 } netloft_parameter;
 
 /* ---------------------------------------------------------------- elements */
 
-/* What an element stands on. The value is the number of nodes in the low byte. */
+/* What an element stands on. The low byte is the number of nodes. */
 enum netloft_stencil {
   NETLOFT_NODE = 1,
   NETLOFT_BAR = 2,
-  NETLOFT_TRIANGLE = 3
+  NETLOFT_TRIANGLE = 3,         /* outer face seen counter-clockwise */
+  NETLOFT_BAR_PAIR = 0x103,     /* nodes of two neighbouring bars of one rope, in order */
+  NETLOFT_TRIANGLE_PAIR = 0x104 /* the shared edge (a, b), then the corners opposite: c of the triangle (a, b, c), d */
 };
 
 /* A number (or `width` numbers) that every element has of its own: rest length, twine coordinates of corners. */
@@ -87,8 +98,9 @@ enum {
   NETLOFT_NEEDS_MOTION = 1 << 8,     /* gives nothing in a static analysis */
   NETLOFT_HAS_CONVEX = 1 << 9,       /* answers WANT_CONVEX itself; otherwise the host projects its tangent */
   NETLOFT_HAS_METRIC = 1 << 10,      /* answers WANT_METRIC itself; otherwise the host bounds its tangent */
-  NETLOFT_FROM_OUTSIDE = 1 << 11     /* pushes against something that is no node (seabed, wall, pressure): the
+  NETLOFT_FROM_OUTSIDE = 1 << 11,    /* pushes against something that is no node (seabed, wall, pressure): the
                                         forces need not sum to zero, nor be the same in another place */
+  NETLOFT_READS_STATE = 1 << 12      /* wants tile.state and fills tile.state_new */
 };
 
 /* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC
@@ -98,7 +110,8 @@ enum {
   NETLOFT_WANT_FORCE = 2,
   NETLOFT_WANT_TANGENT = 4, /* the exact tangent */
   NETLOFT_WANT_CONVEX = 8,  /* a positive semi-definite part of the tangent */
-  NETLOFT_WANT_METRIC = 16  /* the linear stiffness: constant, positive semi-definite, bounds the convex part */
+  NETLOFT_WANT_METRIC = 16, /* the linear stiffness: constant, positive semi-definite, bounds the convex part */
+  NETLOFT_WANT_GRADIENT = 32 /* of a problem only: residual of the conservative terms, gradient of the energy */
 };
 
 /* Up to 64 elements of one family. Arrays are [degree of freedom][64], lanes 0 … count-1 in use; the degree of
@@ -123,6 +136,9 @@ typedef struct netloft_tile {
   char *message;            /* room for a sentence when the status is not OK */
   uint32_t message_size;
   uint32_t lane_at_fault;   /* set with a status that is not OK */
+  double water_viscosity;   /* kinematic [m2/s] */
+  const double *state;      /* [state_width][64] what the element remembers of the last accepted step */
+  double *state_new;        /* [state_width][64] what it will remember if this one is accepted */
 } netloft_tile;
 
 typedef struct netloft_term {
@@ -140,6 +156,60 @@ typedef struct netloft_output {
   const char *name, *unit, *doc;
 } netloft_output;
 
+/* ---------------------------------------------------------------- laws */
+
+/* What a law speaks of. */
+enum netloft_law_kind {
+  NETLOFT_TWINE_LAW = 1, /* force of the water on a twine, bar or rope, per metre of it */
+  NETLOFT_SCREEN_LAW = 2 /* force of the water on netting as a screen, per square metre of it */
+};
+
+/* Up to 64 twines or screens in a flow. Arrays are [component][64]. The law ADDS nothing: it writes its outputs,
+ * in lanes below `count`. Derivatives are null when not wanted. */
+typedef struct netloft_flow {
+  uint32_t size;
+  uint32_t count;
+  double water_density;     /* [kg/m3] */
+  double water_viscosity;   /* kinematic [m2/s] */
+  const double *flow;       /* [3][64] velocity of the water relative to the twine [m/s] */
+  const double *direction;  /* [3][64] unit vector along the twine, or normal to the screen */
+  const double *diameter;   /* [64] of the twine [m] */
+  const double *solidity;   /* [64] area of the twines over area of the netting; zero for a rope */
+  double *force;            /* [3][64] physical force [N/m] or [N/m2] */
+  double *d_flow;           /* [9][64] dforce[r]/dflow[c] at 3r+c */
+  double *d_direction;      /* [9][64] dforce[r]/ddirection[c] */
+  double *d_solidity;       /* [3][64] */
+} netloft_flow;
+
+/* A pure function that elements use without knowing it: "hydro/morison". */
+typedef struct netloft_law {
+  uint32_t size;
+  uint32_t kind;
+  const char *name, *doc;
+  uint32_t parameter_bytes;
+  uint32_t parameter_count;
+  const netloft_parameter *parameters;
+  int (*evaluate)(const void *parameters, const netloft_flow *flow);
+} netloft_law;
+
+/* A place in an element for a law: the user names one under this key. */
+typedef struct netloft_law_slot {
+  uint32_t size;
+  uint32_t accepts;         /* sum of netloft_law_kind */
+  const char *name, *doc;   /* "drag" */
+  const char *fallback;     /* "hydro/morison" */
+} netloft_law_slot;
+
+/* The law in a slot, resolved by the host. All elements of a family share it. */
+typedef struct netloft_bound_law {
+  uint32_t kind;
+  uint32_t reserved;
+  const void *parameters;
+  int (*evaluate)(const void *parameters, const netloft_flow *flow);
+} netloft_bound_law;
+
+/* ---------------------------------------------------------------- creation */
+
 /* What the host hands to `create`: all elements of one type in a scene, at once. */
 typedef struct netloft_create {
   uint32_t size;
@@ -151,6 +221,8 @@ typedef struct netloft_create {
   const double *const *data;         /* [datum] -> [element][width] */
   char *message;
   uint32_t message_size;
+  uint32_t law_count;
+  const netloft_bound_law *laws;     /* [slot] */
 } netloft_create;
 
 typedef struct netloft_element {
@@ -170,6 +242,10 @@ typedef struct netloft_element {
   int (*create)(netloft_create *in, void **self);
   void (*destroy)(void *self);
   int (*output)(const void *self, netloft_tile *tile, double *values); /* values[output][64] */
+  const char *rides_on;              /* an element of the same plugin: made wherever that one is used, on pairs of it */
+  const netloft_law_slot *laws;
+  uint32_t law_count;
+  uint32_t state_width;              /* numbers an element remembers */
 } netloft_element;
 
 /* ---------------------------------------------------------------- solvers */
@@ -245,6 +321,8 @@ typedef struct netloft_plugin {
   const netloft_element *elements;
   const netloft_solver *solvers;
   uint32_t element_count, solver_count;
+  const netloft_law *laws;
+  uint32_t law_count, reserved;
 } netloft_plugin;
 
 #if defined(__FAST_MATH__)

@@ -11,6 +11,8 @@ template <class E>
 class ElementTable;
 template <class S>
 class SolverTable;
+template <class L>
+class LawTable;
 
 /// Collects the tables of a plugin and turns them into what crosses the boundary.
 class Plugin {
@@ -24,6 +26,11 @@ class Plugin {
     return add<SolverTable<S>>(name, doc);
   }
 
+  template <class L>
+  LawTable<L>& law(const char* name, const char* doc) {
+    return add<LawTable<L>>(name, doc);
+  }
+
   const netloft_plugin* finish(const char* name, const char* version, const char* doc) {
     for (const auto& table : pending_) table->describe(*this);
     plugin_.size = sizeof plugin_;
@@ -32,6 +39,7 @@ class Plugin {
     plugin_.name = name, plugin_.version = version, plugin_.doc = doc, plugin_.compiler = __VERSION__;
     plugin_.elements = elements_.data(), plugin_.element_count = static_cast<std::uint32_t>(elements_.size());
     plugin_.solvers = solvers_.data(), plugin_.solver_count = static_cast<std::uint32_t>(solvers_.size());
+    plugin_.laws = laws_.data(), plugin_.law_count = static_cast<std::uint32_t>(laws_.size());
     return &plugin_;
   }
 
@@ -57,10 +65,12 @@ class Plugin {
   };
   void take(const netloft_element& e) { elements_.push_back(e); }
   void take(const netloft_solver& s) { solvers_.push_back(s); }
+  void take(const netloft_law& l) { laws_.push_back(l); }
 
   std::vector<std::unique_ptr<Pending>> pending_;
   std::vector<netloft_element> elements_;
   std::vector<netloft_solver> solvers_;
+  std::vector<netloft_law> laws_;
   netloft_plugin plugin_{};
 };
 

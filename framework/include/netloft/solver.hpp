@@ -59,6 +59,11 @@ class Problem {
   Evaluation evaluate(std::span<const double> u, double& energy) {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY, u.data(), &energy, nullptr));
   }
+  /// Gradient of the energy: the residual without the forces that have none (drag).
+  Evaluation evaluate_gradient(std::span<const double> u, double& energy, std::span<double> gradient) {
+    return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | NETLOFT_WANT_GRADIENT,
+                               u.data(), &energy, gradient.data()));
+  }
   /// A matrix alone.
   Evaluation evaluate(std::span<const double> u, Matrix keep) {
     const std::uint32_t want =

@@ -16,7 +16,9 @@ namespace {
 using Indices = std::vector<std::int32_t>;
 
 // Unknowns 0, 2 at node 7, unknown 1 at node 3, unknown 3 at node 9; entries 0-2, 1-2, 2-3.
-SparsePattern small_pattern() { return {4, {0, 2, 4, 6, 7}, {0, 2, 1, 2, 2, 3, 3}, {7, 3, 7, 9}, true}; }
+SparsePattern small_pattern() {
+  return {4, {0, 2, 4, 6, 7}, {0, 2, 1, 2, 2, 3, 3}, {7, 3, 7, 9}, true, {}, 0};
+}
 
 Indices sorted_column(const NodeGraph& graph, int vertex) {
   Indices rows(graph.row.begin() + graph.column_start[vertex],
@@ -53,7 +55,7 @@ TEST(NodeGraph, IsTheSameForTheFullPatternAndTheLowerTriangle) {
 }
 
 TEST(NodeGraph, OfNothingIsEmpty) {
-  const NodeGraph graph = make_node_graph({0, {0}, {}, {}, true});
+  const NodeGraph graph = make_node_graph({0, {0}, {}, {}, true, {}, 0});
   EXPECT_EQ(graph.size, 0);
   EXPECT_TRUE(graph.row.empty());
 }
@@ -84,7 +86,7 @@ TEST(NodeOrdering, TakesTheMethodWithFewerOperations) {
 }
 
 TEST(NodeOrdering, ManagesNodesThatTouchNoOther) {
-  const SparsePattern loose{3, {0, 1, 2, 3}, {0, 1, 2}, {0, 1, 2}, true};
+  const SparsePattern loose{3, {0, 1, 2, 3}, {0, 1, 2}, {0, 1, 2}, true, {}, 0};
   EXPECT_TRUE(is_permutation_of(order_nodes(loose).unknown, 3));
 }
 

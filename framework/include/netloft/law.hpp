@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the author of a hydrodynamic law includes. A law is a struct with `Parameters`, what it speaks of
+// (`kind`), and one function, from the quickest to write to the fastest to run:
+//
+//   template <class T> static Vec3<T> force(const Parameters&, const Flow<T>&);
+//   static void lanes(const Parameters&, const netloft_flow&);
+//
+// `force` is differentiated; `lanes` fills 64 at a time, derivatives too when they are wanted.
+#pragma once
+#include <netloft/element.hpp>
+
+namespace netloft {
+
+/// One twine, or one piece of netting as a screen, in the water.
+template <class T>
+struct Flow {
+  Vec3<T> flow;                       // velocity of the water relative to it [m/s]
+  Vec3<T> direction;                  // unit vector along the twine, or normal to the screen
+  T solidity{};                       // area of the twines over area of the netting; zero for a rope
+  double diameter = 0;                // of the twine [m]
+  double density = 0, viscosity = 0;  // of the water [kg/m3], [m2/s]
+};
+
+/// Arrays for 64 calls of a law, as an element needs them.
+struct FlowLanes {
+  double flow[3][kLanes], direction[3][kLanes], diameter[kLanes], solidity[kLanes];
+  double force[3][kLanes], d_flow[9][kLanes], d_direction[9][kLanes], d_solidity[3][kLanes];
+
+  /// Calls the law on lanes below `count`.
+  void call(const netloft_bound_law& law, const netloft_tile& t, bool derivatives) {
+    netloft_flow f{};
+    f.size = sizeof f, f.count = t.count;
+    f.water_density = t.water_density, f.water_viscosity = t.water_viscosity;
+    f.flow = flow[0], f.direction = direction[0], f.diameter = diameter, f.solidity = solidity;
+    f.force = force[0];
+    if (derivatives) f.d_flow = d_flow[0], f.d_direction = d_direction[0], f.d_solidity = d_solidity[0];
+    if (law.evaluate(law.parameters, &f) != NETLOFT_OK)
+      throw std::runtime_error("the hydrodynamic law failed");
+  }
+};
+
+namespace detail {
+
+template <class L>
+void differentiate_law(const typename L::Parameters& p, const netloft_flow& f) {
+  using T = Dual<7, 1>;
+  for (std::size_t i = 0; i < f.count; ++i) {
+    Flow<T> in;
+    for (int a = 0; a < 3; ++a) {
+      in.flow[a] = T::variable(f.flow[static_cast<std::size_t>(a) * kLanes + i], a);
+      in.direction[a] = T::variable(f.direction[static_cast<std::size_t>(a) * kLanes + i], 3 + a);
+    }
+    in.solidity = T::variable(f.solidity[i], 6);
+    in.diameter = f.diameter[i], in.density = f.water_density, in.viscosity = f.water_viscosity;
+    const Vec3<T> force = L::force(p, in);
+    for (std::size_t r = 0; r < 3; ++r) {
+      const T& value = force[static_cast<int>(r)];
+      f.force[r * kLanes + i] = value.value;
+      if (!f.d_flow) continue;
+      for (std::size_t c = 0; c < 3; ++c) {
+        f.d_flow[(3 * r + c) * kLanes + i] = value.gradient[c];
+        f.d_direction[(3 * r + c) * kLanes + i] = value.gradient[3 + c];
+      }
+      f.d_solidity[r * kLanes + i] = value.gradient[6];
+    }
+  }
+}
+
+template <class L>
+int evaluate_law(const void* parameters, const netloft_flow* flow) noexcept {
+  return guarded(nullptr, 0, [&] {
+    const auto& p = *static_cast<const typename L::Parameters*>(parameters);
+    if constexpr (requires { L::lanes(p, *flow); })
+      L::lanes(p, *flow);
+    else
+      differentiate_law<L>(p, *flow);
+    return NETLOFT_OK;
+  });
+}
+
+}  // namespace detail
+
+/// Describes one law to the host.
+template <class L>
+class LawTable : public ParameterTable<typename L::Parameters> {
+ public:
+  LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
+
+  netloft_law descriptor() const {
+    netloft_law l{};
+    l.size = sizeof l, l.kind = L::kind, l.name = name_, l.doc = doc_;
+    l.parameter_bytes = sizeof(typename L::Parameters);
+    l.parameter_count = static_cast<std::uint32_t>(this->rows().size()), l.parameters = this->rows().data();
+    l.evaluate = &detail::evaluate_law<L>;
+    return l;
+  }
+
+ private:
+  const char *name_, *doc_;
+};
+
+}  // namespace netloft
