@@ -264,6 +264,18 @@ void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* 
     }
 }
 
+/// Adds the transpose of every block that stands on the diagonal for two.
+void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, const double* tangent,
+               double* values) {
+  for (const auto& twin : tiling.twins[tile]) {
+    const auto P = static_cast<std::size_t>(twin.P), Q = static_cast<std::size_t>(twin.Q);
+    double* to = values + map[(packed(P) + Q) * kLanes + twin.lane];
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c)
+        to[3 * r + c] += tangent[(packed(3 * P + c) + 3 * Q + r) * kLanes + twin.lane];
+  }
+}
+
 /// Adds the blocks of a full square.
 void add_square_blocks(const std::int32_t* map, std::size_t nodes, std::size_t count, const double* tangent,
                        double* values) {
@@ -301,6 +313,7 @@ void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* v
   const std::size_t count = tiling.lanes(tile);
   const std::int32_t* map = &tiling.block_map[tile * tiling.blocks_per_element * kLanes];
   if (pattern_.symmetric) {
+    add_twins(tiling, tile, map, w.packed_tangent.data(), values);
     switch (dofs) {
       case 3:
         return add_lower_blocks<1>(map, count, w.packed_tangent.data(), values);

@@ -78,6 +78,16 @@ void map_blocks(const Scene& scene, const NodeBlocks& blocks, bool symmetric, Ti
   }
 }
 
+void find_twins(const Scene& scene, Tiling& tiling) {
+  const Family& family = *tiling.family;
+  tiling.twins.resize(tiling.tiles);
+  for (std::size_t e = 0; e < family.size(); ++e)
+    for (int P = 0; P < family.nodes_per_element(); ++P)
+      for (int Q = 0; Q < P; ++Q)
+        if (family.node(e, P) == family.node(e, Q) && scene.held[family.node(e, P)] != kAllAxes)
+          tiling.twins[e / kLanes].push_back({static_cast<std::uint32_t>(e % kLanes), P, Q});
+}
+
 }  // namespace
 
 std::size_t Tiling::lanes(std::size_t tile) const { return std::min(kLanes, family->size() - tile * kLanes); }
@@ -91,6 +101,7 @@ Tiling make_tiling(const Family& family, const Scene& scene, const Numbering& nu
   order_by_colour(colour_tiles(family, tiling.tiles, scene.node_count()), tiling);
   map_vectors(numbering, tiling);
   map_blocks(scene, blocks, symmetric, tiling);
+  if (symmetric) find_twins(scene, tiling);
   return tiling;
 }
 

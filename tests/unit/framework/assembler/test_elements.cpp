@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// On its own because authors and hosts have different things of one name (Water, Family).
+#include <netloft/element.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace netloft::test {
+
+const netloft_plugin* test_plugin();
+
+namespace {
+
+struct BarData {
+  double rest_length = 0;
+};
+
+/// f = k (w × e), pushed at the second node alone: w from first to second, e = (1, 2, 3).
+struct Follower {
+  static constexpr auto stencil = NETLOFT_BAR;
+  struct Parameters {
+    double k = 0;  // [N/m]
+  };
+  using Data = BarData;
+  struct Push {
+    static Status evaluate(const Parameters& p, const Data&, const State<2>& s, Local<2>& out) {
+      const Vec3<double> w = s.x[1] - s.x[0], e{1, 2, 3};
+      out.force[1] += p.k * cross(w, e);
+      const double turn[3][3] = {{0, e.z, -e.y}, {-e.z, 0, e.x}, {e.y, -e.x, 0}};  // w × e = turn w
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) {
+          out.tangent[3 + r][c] -= s.cu * p.k * turn[r][c];
+          out.tangent[3 + r][3 + c] += s.cu * p.k * turn[r][c];
+        }
+      return Status::ok;
+    }
+  };
+};
+
+/// E = k (‖w‖² − l₀²)² / (8 l₀²): softens to compression, so that its tangent loses definiteness.
+struct Spring {
+  static constexpr auto stencil = NETLOFT_BAR;
+  struct Parameters {
+    double k = 0;  // [N/m]
+  };
+  using Data = BarData;
+  struct Elastic {
+    template <class T>
+    static T energy(const Parameters& p, const Data& d, const Water&, const Points<T, 2>& x) {
+      const Vec3<T> w = x[1] - x[0];
+      const T strain = dot(w, w) - d.rest_length * d.rest_length;
+      return (p.k / (8 * d.rest_length * d.rest_length)) * strain * strain;
+    }
+  };
+};
+
+/// E = ½ k ‖w‖² for bars no longer than `limit`.
+struct Picky {
+  static constexpr auto stencil = NETLOFT_BAR;
+  struct Parameters {
+    double limit = 0;  // [m]
+    bool broken = false;
+  };
+  using Data = BarData;
+  struct Pull {
+    template <class T>
+    static T energy(const Parameters& p, const Data&, const Water&, const Points<T, 2>& x) {
+      const Vec3<T> w = x[1] - x[0];
+      if (p.broken) throw std::runtime_error("this one never works");
+      if (dot(w, w) > T(p.limit * p.limit)) throw OutsideDomain("longer than its limit");
+      return 0.5 * dot(w, w);
+    }
+  };
+};
+
+/// E = −F·x.
+struct Load {
+  static constexpr auto stencil = NETLOFT_NODE;
+  struct Parameters {
+    double x = 0, y = 0, z = 0;  // F [N]
+  };
+  struct Data {};
+  struct Force {
+    template <class T>
+    static T energy(const Parameters& p, const Data&, const Water&, const Points<T, 1>& x) {
+      return -(p.x * x[0].x + p.y * x[0].y + p.z * x[0].z);
+    }
+  };
+};
+
+void describe(Plugin& plugin) {
+  auto& follower = plugin.element<Follower>("follower", "Pushes sideways and turns with the bar");
+  follower.real("k", &Follower::Parameters::k, "N/m", "push per length", {});
+  follower.data("rest_length", &BarData::rest_length, "m", "not used");
+  follower.term<Follower::Push>("push", "sideways push");
+
+  auto& spring = plugin.element<Spring>("spring", "Quartic spring");
+  spring.real("k", &Spring::Parameters::k, "N/m", "stiffness at rest", {});
+  spring.data("rest_length", &BarData::rest_length, "m", "length without force");
+  spring.term<Spring::Elastic>("elastic", "pull of the spring");
+
+  auto& picky = plugin.element<Picky>("picky", "Refuses to be long");
+  picky.real("limit", &Picky::Parameters::limit, "m", "longest bar", {});
+  picky.boolean("broken", &Picky::Parameters::broken, "fails whatever its length", false);
+  picky.data("rest_length", &BarData::rest_length, "m", "not used");
+  picky.term<Picky::Pull>("pull", "pull of the spring");
+
+  auto& load = plugin.element<Load>("load", "A constant force");
+  load.real("x", &Load::Parameters::x, "N", "force along x", {.fallback = 0});
+  load.real("y", &Load::Parameters::y, "N", "force along y", {.fallback = 0});
+  load.real("z", &Load::Parameters::z, "N", "force along z", {.fallback = 0});
+  load.term<Load::Force, constant | from_outside>("force", "the force");
+}
+
+}  // namespace
+
+const netloft_plugin* test_plugin() {
+  return detail::describe_once<&describe>("test", "1", "Elements for tests");
+}
+
+}  // namespace netloft::test
