@@ -40,7 +40,9 @@ std::string errors_json(const Diagnostics& diagnostics, int exit_code) {
 }
 
 std::string error_json(const std::string& message, int exit_code) {
-  return dump({{"status", status_of(exit_code)}, {"reason", message}, {"errors", Json::array()}});
+  const Json error = {{"severity", "error"}, {"where", ""},        {"line", 0},
+                      {"column", 0},         {"message", message}, {"hint", ""}};
+  return dump({{"status", status_of(exit_code)}, {"reason", message}, {"errors", Json::array({error})}});
 }
 
 }  // namespace netloft::io

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -19,9 +20,12 @@ void add_plugin_options(CLI::App& command, Options& o) {
   command.add_flag("--json", o.json, "one JSON object on standard output");
 }
 
+std::string not_empty(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
+
 void add_scene_options(CLI::App& command, Options& o) {
   command.add_option("SCENE", o.target, "scene file (TOML)")->required();
   command.add_option("--solver", o.solver, "solver plugin, with parameters: newton:method=classic")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("NAME[:key=value,…]");
   command.add_option("--set", o.set, "a value of the scene: parts.net.cells=[64,64]")
       ->type_name("path=value")
@@ -38,6 +42,7 @@ void add_commands(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
   add_scene_options(*run, o);
   run->add_option("-o,--output", o.output, "result file; else the scene's name with .hdf, in this folder")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("FILE.hdf");
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
   add_plugin_options(*app.add_subcommand("list", "list all elements and solvers"), o);
@@ -82,6 +87,14 @@ int guarded(const Options& o) {
   }
 }
 
+/// Help and versions go to standard output and are no error.
+int explain(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  if (app.exit(error) == 0) return kDone;
+  if (std::find(words.begin(), words.end(), "--json") != words.end())
+    std::puts(error_json(error.what(), kWrongInput).c_str());
+  return kWrongInput;
+}
+
 int start(int argc, char** argv) {
   Options o;
   o.words.assign(argv, argv + argc);
@@ -91,7 +104,7 @@ int start(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kDone : kWrongInput;
+    return explain(app, e, o.words);
   }
   o.command = app.get_subcommands().front()->get_name();
   return guarded(o);

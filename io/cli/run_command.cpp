@@ -5,6 +5,7 @@
 #include "solvers/factorisation/factorisation.hpp"
 
 #include <cstdio>
+#include <filesystem>
 
 namespace netloft::io {
 
@@ -35,6 +36,17 @@ int exit_code(SolveStatus status) {
   }
 }
 
+/// The result file of a run; never one of the files that the scene was read from.
+std::string output_file(const Options& options, const LoadedScene& loaded) {
+  const std::string name = options.output.empty() ? loaded.scene.name + ".hdf" : options.output;
+  std::error_code missing;
+  for (const auto& file : loaded.files)
+    if (std::filesystem::equivalent(name, file.path, missing))
+      throw UsageError{"the result cannot be written to " + name +
+                       ": the scene is read from it; name another file with -o"};
+  return name;
+}
+
 }  // namespace
 
 int run_command(const Options& options) {
@@ -45,7 +57,7 @@ int run_command(const Options& options) {
   context.plugins = session.registry().opened();
   context.plan_text = plan_text(session.plan(), session.plan_extras());
 
-  ResultFile file(options.output.empty() ? session.loaded().scene.name + ".hdf" : options.output);
+  ResultFile file(output_file(options, session.loaded()));
   RunResult result;
   result.reading_seconds = session.reading_seconds(), result.setup_seconds = session.setup_seconds();
   result.solution = solve(session);

@@ -6,8 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace netloft::io {
 
@@ -111,6 +113,20 @@ Json geometry_schema(const GeometryKey& key) {
   }
 }
 
+/// Data of elements that the geometry does not give stand in the part's table.
+void put_data(Json& part, const ElementType& e) {
+  const auto& given = geometry_data(e.element.stencil);
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const auto& datum : e.data)
+    if (std::find(given.begin(), given.end(), datum.name) == given.end())
+      put(part, datum.name,
+          count_limits({{"type", "array"},
+                        {"items", quantity(datum.unit, -inf, inf, datum.doc)},
+                        {"description", datum.doc}},
+                       exactly(datum.width)),
+          true);
+}
+
 Json part_schema(const ElementType& e) {
   Json part = object();
   part["title"] = e.type;
@@ -118,6 +134,7 @@ Json part_schema(const ElementType& e) {
   put(part, "type", {{"const", e.type}, {"description", e.element.doc}}, true);
   for (const auto& key : geometry_keys(e.element.stencil)) put(part, key.name, geometry_schema(key), true);
   put_table(part, e.parameters);
+  put_data(part, e);
   drop_repeats(part);
   return part;
 }

@@ -6,11 +6,28 @@
 #include "solvers/factorisation/factorisation.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <sstream>
 #include <thread>
 
 namespace netloft::io {
+
+namespace {
+
+/// Letters, digits, '_' and '-', and between them one slash.
+bool is_component_name(const std::string& name) {
+  const auto is_word = [](std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+      return std::isalnum(c) || c == '_' || c == '-';
+    });
+  };
+  const auto slash = name.find('/');
+  return is_word(std::string_view(name).substr(0, slash)) &&
+         (slash == std::string::npos || is_word(std::string_view(name).substr(slash + 1)));
+}
+
+}  // namespace
 
 int threads_for(const Options& options) {
   if (options.threads > 0) return options.threads;
@@ -26,14 +43,21 @@ Session::Session(const Options& options) : options_(options), terminal_(options.
 std::vector<std::string> Session::overrides() const {
   std::vector<std::string> all = options_.set;
   if (options_.solver.empty()) return all;
+  const auto refuse = [&](const std::string& why) {
+    throw UsageError{"--solver " + options_.solver + ": " + why +
+                     "; write NAME or NAME:key=value,key=value, such as newton:method=classic"};
+  };
   const auto colon = options_.solver.find(':');
   const std::string name = options_.solver.substr(0, colon);
+  if (!is_component_name(name)) refuse("\"" + name + "\" is no name of a solver");
   all.push_back("analysis.solver=\"" + name + "\"");
   if (colon == std::string::npos) return all;
+  if (colon + 1 == options_.solver.size()) refuse("nothing follows the colon");
   std::istringstream pairs(options_.solver.substr(colon + 1));
   for (std::string pair; std::getline(pairs, pair, ',');) {
-    if (pair.find('=') == std::string::npos)
-      throw UsageError{"--solver " + options_.solver + ": \"" + pair + "\" is not key=value"};
+    const auto equals = pair.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size())
+      refuse("\"" + pair + "\" is not key=value");
     all.push_back("analysis." + name.substr(0, name.find('/')) + "." + pair);
   }
   return all;

@@ -21,6 +21,8 @@ void require_usable(const fs::path& path) {
   std::error_code ignored;
   if (!path.has_filename()) throw FileError("'" + path.string() + "' names no file to write");
   if (fs::is_directory(path, ignored)) throw FileError(path.string() + " is a folder, not a file to write");
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+    throw FileError(path.string() + " is a device or the like, not a file that a result may replace");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
     throw FileError("cannot write " + path.string() + ": the folder " + folder.string() + " does not exist");

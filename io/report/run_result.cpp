@@ -24,11 +24,12 @@ void collect_part_forces(const LoadedScene& loaded, Assembler& assembler, RunRes
 void collect_hold_forces(const LoadedScene& loaded, const Assembler& assembler, RunResult& result) {
   for (const auto& hold : loaded.holds) {
     HoldForce sum{hold.name, {}};
-    for (const auto node : hold.nodes)
+    for (std::size_t i = 0; i < hold.nodes.size(); ++i)
       for (int axis = 0; axis < 3; ++axis)
-        if (loaded.scene.held[node] & (1 << axis))
+        if (hold.axes[i] & (1 << axis))
           sum.force[static_cast<std::size_t>(axis)] +=
-              result.solution.residual[static_cast<std::size_t>(assembler.numbering().index(node, axis))];
+              result.solution
+                  .residual[static_cast<std::size_t>(assembler.numbering().index(hold.nodes[i], axis))];
     result.hold_forces.push_back(sum);
   }
 }

@@ -68,19 +68,6 @@ Point between_points(const Point& a, const Point& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
-/// The point a share t of the way along a line.
-Point along_line(const std::vector<Point>& line, double t) {
-  double total = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) total += distance(line[i - 1], line[i]);
-  double left = t * total;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double leg = distance(line[i - 1], line[i]);
-    if (left <= leg && leg > 0) return between_points(line[i - 1], line[i], left / leg);
-    left -= leg;
-  }
-  return line.back();
-}
-
 void append(std::vector<double>& positions, const Point& p) {
   positions.insert(positions.end(), p.begin(), p.end());
 }
@@ -139,6 +126,23 @@ const std::vector<GeometryKey>& geometry_keys(std::uint32_t stencil) {
   static const std::vector<GeometryKey> point{kAt}, line{kLength, kBars, kLine},
       panel{kAcross, kAlong, kBar, kCells, kCorners};
   return stencil == NETLOFT_NODE ? point : stencil == NETLOFT_BAR ? line : panel;
+}
+
+const std::vector<std::string>& geometry_data(std::uint32_t stencil) {
+  static const std::vector<std::string> point, line{"rest_length"}, panel{"u", "v", "bar_length"};
+  return stencil == NETLOFT_NODE ? point : stencil == NETLOFT_BAR ? line : panel;
+}
+
+Point along_line(const std::vector<Point>& line, double t) {
+  double total = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) total += distance(line[i - 1], line[i]);
+  double left = t * total;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double leg = distance(line[i - 1], line[i]);
+    if (left <= leg && leg > 0) return between_points(line[i - 1], line[i], left / leg);
+    left -= leg;
+  }
+  return line.back();
 }
 
 Geometry read_point(TableReader& part) {

@@ -27,6 +27,12 @@ struct GeometryKey {
 /// The keys of parts whose elements stand on this stencil.
 const std::vector<GeometryKey>& geometry_keys(std::uint32_t stencil);
 
+/// Names of the element data that the geometry of such parts gives; all other data stand in the part's table.
+const std::vector<std::string>& geometry_data(std::uint32_t stencil);
+
+/// The point a share `t` of the way along a line through one or more points.
+std::array<double, 3> along_line(const std::vector<std::array<double, 3>>& line, double t);
+
 /// A point: one node. Set: point.
 Geometry read_point(TableReader& part);
 

@@ -3,6 +3,7 @@
 #include "io/scene/geometry.hpp"
 
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,21 @@ class Joiner {
                    b = find(first_[sets[s].part] + sets[s].own[i]);
         leader_[std::max(a, b)] = std::min(a, b);
       }
+  }
+
+  /// An element two of whose nodes have become one.
+  struct Collapse {
+    std::size_t part, element;
+  };
+  std::optional<Collapse> find_collapse(const std::vector<int>& nodes_per_element) {
+    for (std::size_t p = 0; p < geometries_.size(); ++p) {
+      const auto width = static_cast<std::size_t>(nodes_per_element[p]);
+      const auto& own = geometries_[p].elements;
+      for (std::size_t i = 0; i < own.size(); ++i)
+        for (std::size_t k = i - i % width; k < i; ++k)
+          if (find(first_[p] + own[i]) == find(first_[p] + own[k])) return Collapse{p, i / width};
+    }
+    return std::nullopt;
   }
 
   /// Numbers what is left and fills positions, labels and `held` of the scene.

@@ -24,6 +24,7 @@ struct PartGeometry {
 struct Hold {
   std::string name;
   std::vector<std::uint32_t> nodes;  // of the scene
+  std::vector<std::uint8_t> axes;    // per node, those that count with this hold
 };
 
 /// One line of `[results]`: a named scalar, such as the lowest z of the net.

@@ -1,18 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/read_scene.hpp"
 
+#include "framework/registry/nearest.hpp"
 #include "io/scene/geometry.hpp"
+#include "io/scene/holder.hpp"
 #include "io/scene/joiner.hpp"
 #include "io/scene/keys.hpp"
 #include "io/scene/parameter_reader.hpp"
+#include "io/scene/part_names.hpp"
 #include "io/scene/result_request.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
 
 namespace netloft::io {
 
 namespace {
+
+/// Where a name was written, for errors about it.
+struct Mention {
+  std::string name;
+  Place place;
+  std::string path;  // "hold[0].on"
+};
+
+Mention mention(const std::string& name, const TableReader& table, std::string_view key) {
+  return {name, table.place(key), table.path(key)};
+}
+
+/// The sentence of a refused plugin is its first line; where it was looked for stands below.
+void report_refusal(TableReader& table, const char* key, const std::string& what) {
+  const auto end = what.find('\n');
+  std::string tried;
+  for (auto at = end; at != std::string::npos;) {
+    const auto begin = what.find_first_not_of(" \n", at);
+    if (begin == std::string::npos) break;
+    at = what.find('\n', begin);
+    tried += (tried.empty() ? "" : "; ") + what.substr(begin, at - begin);
+  }
+  table.error(key, what.substr(0, end), tried);
+}
+
+void drop_repeats(std::vector<std::uint32_t>& nodes) {
+  std::set<std::uint32_t> seen;
+  std::erase_if(nodes, [&](std::uint32_t node) { return !seen.insert(node).second; });
+}
 
 /// Reads one scene; members are steps in the order they happen.
 class SceneReader {
@@ -51,28 +86,34 @@ class SceneReader {
 
   void read_parts() {
     TableReader parts = root_.table("parts", Presence::required, "the pieces of the gear, a table each");
-    const auto names = parts.keys();
-    if (names.empty() && root_.has("parts"))
-      parts.error("", "there are no parts: a scene needs at least one, such as [parts.net]");
-    for (const auto& name : names) {
-      if (name.find('.') != std::string::npos || name.empty())
-        parts.error(name,
-                    "a part's name must not be empty or hold a dot, which leads to its edges (net.fore)");
+    if (root_.kind("parts") == Kind::table && parts.keys().empty())
+      root_.error("parts", "there are no parts: a scene needs at least one, such as [parts.net]");
+    for (const auto& name : parts.keys()) {
+      check_part_name(name, parts);
       if (parts.kind(name) == Kind::table) {
         TableReader part = parts.table(name);
         read_part(name, part);
       } else {
-        parts.error(name, "a part is a table, such as [parts." + name + "]");
+        parts.error(name, "a part is a table, such as [parts.net]");
       }
     }
   }
 
+  void check_part_name(const std::string& name, TableReader& parts) {
+    const bool has_dot = name.find('.') != std::string::npos;
+    const std::string fault =
+        has_dot ? "must not hold a dot, which leads to its edges (net.fore)" : name_fault(name);
+    if (!fault.empty())
+      diagnostics_.error(parts.place(name), "the name of a part, " + in_quotes(name) + ", " + fault);
+  }
+
   void read_part(const std::string& name, TableReader& table) {
-    const std::string type_name =
-        table.text("type", {.doc = "element type, plugin/element, such as priour/triangle"});
+    const int errors_before = diagnostics_.errors();
+    const std::string type_name = read_type_name(name, table);
     const ElementType* type = find_type(type_name, table);
     Geometry geometry;
-    Part part{.name = name, .type = type_name, .parameters = {}, .nodes = {}, .data = {}};
+    Part part;
+    part.name = name, part.type = type_name;
     if (type) {
       part.parameters = read_parameters(type->parameters, table);
       geometry = read_geometry(*type, table);
@@ -83,8 +124,29 @@ class SceneReader {
     geometry.names.name = name, geometry.names.place = table.place();
     part.data = geometry.data;
     types_.push_back(type);
+    is_sound_.push_back(diagnostics_.errors() == errors_before);
     out_.scene.parts.push_back(std::move(part));
     geometries_.push_back(std::move(geometry));
+  }
+
+  /// A part that --set has made by a slip of the pen has no type.
+  std::string read_type_name(const std::string& name, TableReader& table) {
+    std::vector<std::string> others;
+    for (const auto& part : geometries_) others.push_back(part.names.name);
+    if (const auto near = nearest(name, others); near && !table.has("type")) {
+      table.error("type", "is missing: element type, plugin/element, such as priour/triangle",
+                  "did you mean the part \"" + *near + "\"?");
+      return {};
+    }
+    return read_name(table, "type", "element type, plugin/element, such as priour/triangle");
+  }
+
+  /// A text that must not be empty.
+  std::string read_name(TableReader& table, const char* key, const char* doc) {
+    const std::string name = table.text(key, {.doc = doc});
+    if (name.empty() && table.kind(key) == Kind::text)
+      table.error(key, "is empty (" + std::string(doc) + ")");
+    return name;
   }
 
   const ElementType* find_type(const std::string& name, TableReader& table) {
@@ -93,7 +155,7 @@ class SceneReader {
       return &registry_.element(name);
     } catch (const PluginRefused& e) {
       refused_ = true;
-      table.error("type", e.what());
+      report_refusal(table, "type", e.what());
       return nullptr;
     }
   }
@@ -111,8 +173,9 @@ class SceneReader {
 
   /// Data of elements that the geometry does not give: the same number for every element of the part.
   void read_extra_data(const ElementType& type, Geometry& geometry, TableReader& table) {
+    const auto& given = geometry_data(type.element.stencil);
     for (const auto& datum : type.data) {
-      if (geometry.data.contains(datum.name)) continue;
+      if (std::find(given.begin(), given.end(), datum.name) != given.end()) continue;
       const auto values =
           table.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = exactly(datum.width)});
       const std::size_t elements = geometry.elements.size() / static_cast<std::size_t>(type.nodes());
@@ -123,21 +186,72 @@ class SceneReader {
 
   void read_joins() {
     joiner_.emplace(geometries_);
-    for (auto& join : root_.tables("join")) {
-      const auto points =
-          join.texts("points", {.doc = "two or more points or edges that become one", .count = {.least = 2}});
+    for (auto& table : root_.tables("join")) {
+      const int errors_before = diagnostics_.errors();
+      const auto points = table.texts(
+          "points", {.doc = "two or more points or edges that become one", .count = {.least = 2}});
+      if (diagnostics_.errors() > errors_before) continue;
       std::vector<Joiner::Ends> sets;
-      for (const auto& point : points)
-        if (auto set = find_set(point, join, "points")) sets.push_back(*set);
-      if (sets.size() != points.size()) continue;
-      for (const auto& set : sets)
-        if (set.own.size() != sets[0].own.size())
-          join.error("points", "\"" + points[0] + "\" has " + std::to_string(sets[0].own.size()) +
-                                   " nodes, \"" + points[static_cast<std::size_t>(&set - sets.data())] +
-                                   "\" has " + std::to_string(set.own.size()) +
-                                   "; only as many to as many can be joined");
-      if (diagnostics_.errors() == 0) joiner_->join(sets);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (auto set = find_set(mention_of_item(points[i], table, i))) sets.push_back(*set);
+      if (sets.size() != points.size() || !can_be_joined(sets, points, table)) continue;
+      joiner_->join(sets);
+      joins_.push_back({sets, mention("", table, "points")});
     }
+    if (diagnostics_.errors() == 0) check_joins();
+  }
+
+  Mention mention_of_item(const std::string& name, TableReader& table, std::size_t i) {
+    Mention m = mention(name, table, "points");
+    const Array* array = table.raw("points") ? table.raw("points")->as<Array>() : nullptr;
+    if (array && i < array->items.size()) m.place = array->items[i].place;
+    m.path += "[" + std::to_string(i) + "]";
+    return m;
+  }
+
+  bool can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
+                     TableReader& table) {
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      if (!is_sound_[sets[s].part]) return false;  // it has no true number of nodes
+      if (sets[s].own.size() != sets[0].own.size()) {
+        table.error("points",
+                    in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +
+                        in_quotes(points[s]) + " has " + std::to_string(sets[s].own.size()) +
+                        "; only as many to as many can be joined",
+                    "give both the same cells, or join node by node (net.node-17)");
+        return false;
+      }
+      for (std::size_t t = 0; t < s; ++t)
+        if (sets[s].part == sets[t].part && sets[s].own == sets[t].own) {
+          table.error("points", in_quotes(points[s]) + " is joined to itself");
+          return false;
+        }
+    }
+    return true;
+  }
+
+  /// Joins must leave every element its size. The first that does not is found by making them again one by
+  /// one.
+  void check_joins() {
+    if (!joiner_->find_collapse(nodes_per_element())) return;
+    Joiner again(geometries_);
+    for (const auto& [sets, at] : joins_) {
+      again.join(sets);
+      if (const auto fault = again.find_collapse(nodes_per_element())) {
+        diagnostics_.error(at.place,
+                           at.path + ": " + in_quotes(out_.scene.parts[fault->part].name) + " element " +
+                               std::to_string(fault->element) +
+                               " would have two of its corners in one node, and no size",
+                           "join nodes that are no neighbours: more cells make room");
+        return;
+      }
+    }
+  }
+
+  std::vector<int> nodes_per_element() const {
+    std::vector<int> counts;
+    for (const auto* type : types_) counts.push_back(type->nodes());
+    return counts;
   }
 
   void assemble_nodes() {
@@ -150,101 +264,69 @@ class SceneReader {
     }
   }
 
-  /// "net", "net.fore", "net.node-17": own nodes of one part. An error is put at `key` of `table`.
-  std::optional<Joiner::Ends> find_set(const std::string& name, TableReader& table, std::string_view key) {
-    const auto dot = name.find('.');
-    const std::string part_name = name.substr(0, dot);
-    std::vector<std::string> part_names;
-    for (std::size_t p = 0; p < geometries_.size(); ++p) {
-      const PartGeometry& part = geometries_[p].names;
-      part_names.push_back(part.name);
-      if (part.name != part_name) continue;
-      Joiner::Ends ends{p, {}};
-      if (dot == std::string::npos) {
-        for (std::uint32_t i = 0; i < geometries_[p].node_count(); ++i) ends.own.push_back(i);
-        return ends;
-      }
-      if (!find_own_nodes(part, geometries_[p].node_count(), name.substr(dot + 1), ends.own)) {
-        if (geometries_[p].node_count() == 0) return {};  // its geometry is wrong, which is said already
-        table.error(key, "\"" + part_name + "\" has no \"" + name.substr(dot + 1) + "\"",
-                    name_hint(name.substr(dot + 1), set_names(part)));
-        return {};
-      }
+  /// "net", "net.fore", "net.node-17": own nodes of one part. If there are none, it is said where they were
+  /// mentioned.
+  std::optional<Joiner::Ends> find_set(const Mention& m) {
+    const auto dot = m.name.find('.');
+    const auto p = find_part(m, m.name.substr(0, dot));
+    if (!p) return {};
+    const Geometry& geometry = geometries_[*p];
+    Joiner::Ends ends{*p, {}};
+    if (dot == std::string::npos) {
+      ends.own.resize(geometry.node_count());
+      std::iota(ends.own.begin(), ends.own.end(), 0u);
       return ends;
     }
-    table.error(key, "there is no part \"" + part_name + "\"", name_hint(part_name, part_names));
+    const std::string name = m.name.substr(dot + 1);
+    if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
+    const bool hangs_on_geometry =
+        geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
+    if (is_sound_[*p] || !hangs_on_geometry)  // else that the geometry is wrong is said already
+      diagnostics_.error(m.place,
+                         m.path + ": " + in_quotes(geometry.names.name) + " has no " + in_quotes(name),
+                         set_hint(geometry.names, geometry.node_count(), name));
+    return {};
+  }
+
+  std::optional<std::size_t> find_part(const Mention& m, const std::string& name) {
+    std::vector<std::string> names, owners;
+    for (std::size_t p = 0; p < geometries_.size(); ++p) {
+      const PartGeometry& part = geometries_[p].names;
+      if (part.name == name) return p;
+      names.push_back(part.name);
+      if (part.sets.contains(name)) owners.push_back(part.name + "." + name);
+    }
+    if (m.name.empty())
+      diagnostics_.error(m.place, m.path + " is empty; a part, an edge or a point is wanted (net.fore)");
+    else
+      diagnostics_.error(m.place, m.path + ": there is no part " + in_quotes(name),
+                         owners.empty() ? name_hint(name, names) : "did you mean \"" + owners[0] + "\"?");
     return {};
   }
 
   void read_holds() {
-    for (auto& hold : root_.tables("hold")) {
-      const std::string on = hold.text("on", {.doc = "what is held: a part, an edge or a point (net.fore)"});
-      const std::uint8_t axes = read_axes(hold);
-      const auto at = read_places(hold);
-      const std::string name = hold.text("name", {.doc = "name of the reaction", .fallback = on});
-      if (on.empty()) continue;
-      const auto set = find_set(on, hold, "on");
-      if (!set) continue;
-      Hold held{name, {}};
-      for (const auto own : set->own) held.nodes.push_back(out_.parts[set->part].nodes[own]);
-      fix(held.nodes, axes, at, hold);
-      out_.holds.push_back(std::move(held));
+    Holder holder(out_.scene);
+    for (auto& table : root_.tables("hold")) {
+      const int errors_before = diagnostics_.errors();
+      const HoldEntry entry = read_hold(table);
+      check_hold_name(entry, table);
+      if (entry.on.empty() && table.kind("on") != Kind::text) continue;
+      const auto set = find_set(mention(entry.on, table, "on"));
+      if (!set || !is_sound_[set->part] || diagnostics_.errors() > errors_before) continue;
+      std::vector<std::uint32_t> nodes;
+      for (const auto own : set->own) nodes.push_back(out_.parts[set->part].nodes[own]);
+      out_.holds.push_back(holder.hold(entry, nodes, table));
     }
   }
 
-  std::uint8_t read_axes(TableReader& hold) {
-    const std::string text =
-        hold.text("axes", {.doc = "along which it cannot move: letters of xyz", .fallback = "xyz"});
-    std::uint8_t axes = 0;
-    for (const char c : text) {
-      if (c < 'x' || c > 'z') {
-        hold.error("axes", "\"" + text + "\" is not made of the letters x, y and z");
-        return kAllAxes;
-      }
-      axes = static_cast<std::uint8_t>(axes | (1 << (c - 'x')));
-    }
-    if (!axes) hold.error("axes", "holds nothing; leave the key out to hold all of x, y and z");
-    return axes;
-  }
-
-  /// `at`: empty for "sketch", else points of the line along which the nodes are spread.
-  std::vector<std::vector<double>> read_places(TableReader& hold) {
-    if (!hold.has("at")) return {};
-    if (hold.kind("at") == Kind::text) {
-      hold.choice("at", {.allowed = {"sketch"}, .doc = "where the sketch has it, or points"});
-      return {};
-    }
-    const Value* value = hold.raw("at");
-    const Array* array = value ? value->as<Array>() : nullptr;
-    const bool one_point = array && !array->items.empty() && array->items[0].kind() != Kind::array;
-    const Range range = between(-1e6, 1e6);
-    if (one_point)
-      return {
-          hold.reals("at", {.unit = "m", .doc = "where it is held", .range = range, .count = exactly(3)})};
-    return hold.rows("at", {.unit = "m",
-                            .doc = "line along which it is held",
-                            .range = range,
-                            .rows = {.least = 1},
-                            .columns = exactly(3)});
-  }
-
-  void fix(const std::vector<std::uint32_t>& nodes, std::uint8_t axes,
-           const std::vector<std::vector<double>>& at, TableReader& hold) {
-    if (diagnostics_.errors()) return;
-    if (at.size() == 1 && nodes.size() > 1)
-      hold.error("at", std::to_string(nodes.size()) +
-                           " nodes cannot be held in one point; give two or more points of a line");
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      out_.scene.held[nodes[i]] |= axes;
-      if (at.empty()) continue;
-      const double t = nodes.size() > 1 ? double(i) / double(nodes.size() - 1) * double(at.size() - 1) : 0;
-      const auto leg = std::min(static_cast<std::size_t>(t), at.size() - 1),
-                 next = std::min(leg + 1, at.size() - 1);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (axes & (1 << axis))
-          out_.scene.positions[3 * std::size_t{nodes[i]} + axis] =
-              at[leg][axis] + (t - double(leg)) * (at[next][axis] - at[leg][axis]);
-    }
+  void check_hold_name(const HoldEntry& entry, TableReader& table) {
+    const char* key = table.has("name") ? "name" : "on";
+    const auto [earlier, is_new] = hold_names_.emplace(entry.name, table.place(key));
+    if (!is_new && !entry.name.empty())
+      table.error(key,
+                  "there is a hold named " + in_quotes(entry.name) + " already, at " +
+                      diagnostics_.where(earlier->second),
+                  "give one of them a name of its own: name = \"…\"");
   }
 
   void read_analysis() {
@@ -257,6 +339,10 @@ class SceneReader {
     if (!faults.empty()) return;
     const auto& keys = *static_cast<const AnalysisKeys*>(block.data());
     out_.analysis.solver = keys.solver;
+    if (out_.analysis.solver.empty()) {
+      analysis.error("solver", "is empty; the name of a solver is wanted, such as newton");
+      return;
+    }
     out_.analysis.limits = {keys.tolerance, static_cast<int>(keys.max_iterations), keys.max_seconds, nullptr};
     try {
       const SolverType& solver = registry_.solver(keys.solver);
@@ -265,33 +351,47 @@ class SceneReader {
       out_.analysis.solver_parameters = read_parameters(solver.parameters, own);
     } catch (const PluginRefused& e) {
       refused_ = true;
-      analysis.error("solver", e.what());
+      report_refusal(analysis, "solver", e.what());
     }
   }
 
   void read_results() {
+    const bool holds_are_known = diagnostics_.errors() == 0;
     TableReader results = root_.table("results", Presence::optional);
     for (const auto& name : results.keys()) {
-      TableReader entry = results.table(name);
+      if (const std::string fault = name_fault(name); !fault.empty())
+        diagnostics_.error(results.place(name), "the name of a result, " + in_quotes(name) + ", " + fault);
+      TableReader entry =
+          results.table(name, Presence::required, "such as { of = \"net\", take = \"min z\" }");
       ResultRequest request;
       request.name = name;
-      request.of = entry.text("of", {.doc = "a part, an edge or a point"});
-      request.take = entry.text("take", {.doc = "what of it, such as \"min z\" or \"max tension\""});
+      request.of = read_name(entry, "of", "a part, an edge or a point");
+      request.take = read_name(entry, "take", "what of it, such as \"min z\" or \"max tension\"");
       if (request.of.empty() || request.take.empty()) continue;
-      const auto set = find_set(request.of, entry, "of");
-      if (!set) continue;
+      const auto set = find_set(mention(request.of, entry, "of"));
+      if (!set || !types_[set->part]) continue;
       request.part = static_cast<std::uint32_t>(set->part);
       for (const auto own : set->own) request.nodes.push_back(out_.parts[set->part].nodes[own]);
-      const bool whole = request.of.find('.') == std::string::npos;
-      if (!types_[set->part] || !understand(request, whole ? types_[set->part] : nullptr, entry)) continue;
+      drop_repeats(request.nodes);  // of a part that is joined to itself
+      if (!understand(request, *types_[set->part], entry)) continue;
+      if (holds_are_known) check_reaction(request, entry);
       out_.results.push_back(std::move(request));
     }
   }
 
+  void check_reaction(const ResultRequest& request, TableReader& entry) {
+    const int axes = request.axis == 3 ? kAllAxes : 1 << request.axis;
+    const bool has_one = std::any_of(request.nodes.begin(), request.nodes.end(),
+                                     [&](auto node) { return out_.scene.held[node] & axes; });
+    if (request.source == ResultRequest::Source::reaction && !has_one)
+      entry.error(
+          "take",
+          "nothing of " + in_quotes(request.of) + " is held there, so there is no " + request.quantity,
+          "reactions are of what a [[hold]] holds");
+  }
+
   void check_held() {
-    std::vector<int> nodes_per_element;
-    for (const auto* type : types_) nodes_per_element.push_back(type->nodes());
-    for (const auto& fault : find_loose_parts(out_.scene, nodes_per_element))
+    for (const auto& fault : find_loose_parts(out_.scene, nodes_per_element()))
       diagnostics_.error(out_.place_of(fault.part), fault.message);
   }
 
@@ -300,7 +400,16 @@ class SceneReader {
   Diagnostics& diagnostics_;
   bool& refused_;
   LoadedScene out_;
+  /// A [[join]] that was made, and where it stands.
+  struct Join {
+    std::vector<Joiner::Ends> sets;
+    Mention at;
+  };
+
   std::vector<const ElementType*> types_;
+  std::vector<bool> is_sound_;  // parts without an error in their table
+  std::vector<Join> joins_;
+  std::map<std::string, Place> hold_names_;
   std::vector<Geometry> geometries_;
   std::optional<Joiner> joiner_;
 };

@@ -2,9 +2,9 @@
 #include "io/scene/result_request.hpp"
 
 #include "framework/registry/nearest.hpp"
+#include "io/scene/part_names.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -69,6 +69,29 @@ bool find_quantity(ResultRequest& request, const ElementType* type) {
   return false;
 }
 
+bool has_name(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// How to write what was probably meant: "minimum z", "tension" of an edge, "min heigth".
+std::string take_hint(const ResultRequest& request, const ElementType& type, bool whole) {
+  const auto names = quantity_names(whole ? &type : nullptr);
+  if (has_name(quantity_names(&type), request.quantity))
+    return in_quotes(request.quantity) + " is of elements, not of nodes: take it of the whole part, of = \"" +
+           request.of.substr(0, request.of.find('.')) + "\"";
+  const auto space = request.quantity.find(' ');
+  const std::string first = request.quantity.substr(0, space);
+  const std::string rest = space == std::string::npos ? "" : request.quantity.substr(space + 1);
+  for (const auto& how : kHow)
+    if (request.how.empty() && first.starts_with(how) && has_name(names, rest))
+      return "did you mean \"" + how + " " + rest + "\"?";
+  if (const auto near = nearest(request.quantity, names))
+    return "did you mean \"" + (request.how.empty() ? "" : request.how + " ") + *near + "\"?";
+  std::string hint = "write one of min, max, mean, sum, range and one of ";
+  for (const auto& name : names) hint += (&name == names.data() ? "" : ", ") + name;
+  return hint;
+}
+
 double node_value(const ResultRequest& r, std::uint32_t node, const Scene& scene, const Assembler& assembler,
                   const Solution& s) {
   std::array<double, 3> v{};
@@ -109,45 +132,19 @@ double reduce(const std::string& how, const std::vector<double>& v) {
 
 }  // namespace
 
-bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::string& name,
-                    std::vector<std::uint32_t>& own) {
-  if (const auto set = part.sets.find(name); set != part.sets.end()) {
-    own = set->second;
-    return true;
-  }
-  if (!name.starts_with("node-")) return false;
-  std::uint32_t number = 0;
-  const auto [end, error] = std::from_chars(name.data() + 5, name.data() + name.size(), number);
-  if (error != std::errc() || end != name.data() + name.size() || number >= count) return false;
-  own = {number};
-  return true;
-}
-
-std::vector<std::string> set_names(const PartGeometry& part) {
-  std::vector<std::string> names;
-  for (const auto& [name, set] : part.sets) names.push_back(name);
-  return names;
-}
-
-std::string name_hint(const std::string& name, const std::vector<std::string>& there) {
-  if (const auto near = nearest(name, there)) return "did you mean \"" + *near + "\"?";
-  std::string text = there.empty() ? "there are none" : "there is: ";
-  for (const auto& n : there) text += (&n == there.data() ? "" : ", ") + n;
-  return text;
-}
-
-bool understand(ResultRequest& request, const ElementType* type, TableReader& entry) {
+bool understand(ResultRequest& request, const ElementType& type, TableReader& entry) {
   split_take(request);
-  if (!find_quantity(request, type)) {
-    const std::string wanted = "write one of min, max, mean, sum, range and a quantity: ";
-    entry.error("take", "\"" + request.quantity + "\" is nothing that can be taken of \"" + request.of + "\"",
-                wanted + name_hint(request.quantity, quantity_names(type)));
+  const bool whole = request.of.find('.') == std::string::npos;
+  if (!find_quantity(request, whole ? &type : nullptr)) {
+    entry.error("take",
+                in_quotes(request.quantity) + " is nothing that can be taken of " + in_quotes(request.of),
+                take_hint(request, type, whole));
     return false;
   }
   const bool many = request.source == Source::output || request.nodes.size() > 1;
   if (request.how.empty() && many) {
-    entry.error("take", "\"" + request.of + "\" has many; say which to take: \"min " + request.quantity +
-                            "\", max, mean, sum or range");
+    entry.error("take", in_quotes(request.of) + " has many; say which to take",
+                "write \"min " + request.quantity + "\", or max, mean, sum, range");
     return false;
   }
   if (request.how.empty()) request.how = "sum";

@@ -82,7 +82,8 @@ Value parse_value(const std::string& text, const Place& place) {
 void apply_override(Value& root, const std::string& text, Diagnostics& diagnostics) {
   const std::size_t equals = find_equals(text);
   const std::string path = trimmed(text.substr(0, equals));
-  const int file = diagnostics.add_source("--set " + path, text, Diagnostics::Source::command_line);
+  const int file = diagnostics.add_source(path.empty() ? "--set" : "--set " + path, text,
+                                          Diagnostics::Source::command_line);
   const Place path_place{file, 1, 1, length_of(path)};
   if (equals == std::string::npos) return diagnostics.error(path_place, "there is no '=' in " + text, kShape);
   const auto keys = parse_path(path);

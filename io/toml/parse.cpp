@@ -98,9 +98,10 @@ std::string line_of(const std::string& text, int number) {
   return line;
 }
 
-/// `bar = 0.6 m` is what everybody writes once.
-std::string hint_for(const std::string& line) {
-  const std::size_t equals = line.find('=');
+/// `bar = 0.6 m` is what everybody writes once. The parser stumbles at the unit or behind it, so that the
+/// value is the last one that begins before `column`.
+std::string hint_for(const std::string& line, int column) {
+  const std::size_t equals = line.rfind('=', static_cast<std::size_t>(std::max(column, 1)) - 1);
   if (equals == std::string::npos) return {};
   const std::size_t value = line.find_first_not_of(" \t", equals + 1);
   if (value == std::string::npos ||
@@ -145,7 +146,8 @@ std::optional<Value> parse_toml(const std::string& text, int file, Diagnostics& 
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
     const Place place{file, static_cast<int>(at.line), static_cast<int>(at.column), 1};
-    diagnostics.error(place, reworded(error.description()), hint_for(line_of(text, place.line)));
+    diagnostics.error(place, reworded(error.description()),
+                      hint_for(line_of(text, place.line), place.column));
   }
   return std::nullopt;
 }
