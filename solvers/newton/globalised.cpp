@@ -28,12 +28,14 @@ class Globalised {
         r_(problem.size()),
         s_(problem.size()),
         trial_(problem.size()),
-        r_trial_(problem.size()) {}
+        r_trial_(problem.size()),
+        frozen_(problem.conservative() ? 0 : problem.size()) {}
 
   Outcome run() {
     if (problem_.evaluate(problem_.u(), energy_, r_, Matrix::exact) != Evaluation::ok)
       return Outcome::left_domain;
     while (problem_.progress(problem_.u(), energy_, r_, note_)) {
+      if (!freeze_drag()) return Outcome::left_domain;
       if (!find_step()) return Outcome::linear_solve;
       if (!search_line()) {
         if (mu_ >= kLargestDamping) return Outcome::step_too_short;
@@ -44,52 +46,83 @@ class Globalised {
   }
 
  private:
-  /// Solves (2) for s, raising μ until the matrix is positive definite.
-  bool find_step() {
-    note_ = "";
-    Factor factor = problem_.factorise(Matrix::exact, mu_);
-    shift_ = mu_;
-    if (factor == Factor::not_positive) {
-      note_ = "convex part";
-      if (problem_.evaluate(problem_.u(), Matrix::convex) != Evaluation::ok) return false;
-      shift_ = std::max(mu_, 1e-10);
-      while ((factor = problem_.factorise(Matrix::convex, shift_)) == Factor::not_positive &&
-             shift_ < kLargestDamping)
-        shift_ = std::max(shift_ * 100, 1e-8);
-    }
-    if (factor != Factor::ok) return false;
-    problem_.solve(r_, s_);
-    for (double& v : s_) v = -v;
+  /// d = r − g of (3).
+  bool freeze_drag() {
+    if (frozen_.empty()) return true;
+    double energy = 0;
+    if (problem_.evaluate_gradient(problem_.u(), energy, frozen_) != Evaluation::ok) return false;
+    for (std::size_t i = 0; i < frozen_.size(); ++i) frozen_[i] = r_[i] - frozen_[i];
     return true;
   }
 
-  /// Moves u along s as (3) wants it; false when no length will do. Trials ask for the energy alone, unless
+  bool find_step() { return problem_.symmetric() ? find_symmetric_step() : find_downhill_step(); }
+
+  /// Solves (2) for s; the factorisation itself tells whether the matrix is positive definite.
+  bool find_symmetric_step() {
+    note_ = "";
+    Factor factor = problem_.factorise(Matrix::exact, mu_);
+    if (factor == Factor::not_positive) {
+      note_ = "convex part";
+      if (problem_.evaluate(problem_.u(), Matrix::convex) != Evaluation::ok) return false;
+      double shift = std::max(mu_, 1e-10);
+      while ((factor = problem_.factorise(Matrix::convex, shift)) == Factor::not_positive &&
+             shift < kLargestDamping)
+        shift = std::max(shift * 100, 1e-8);
+    }
+    if (factor != Factor::ok) return false;
+    solve_for_step();
+    return true;
+  }
+
+  /// Solves (2) for s with an unsymmetric matrix, raising μ until s leads downhill.
+  bool find_downhill_step() {
+    for (note_ = "";; mu_ = std::clamp(mu_ * 10, 1e-4, kLargestDamping)) {
+      const Factor factor = problem_.factorise(Matrix::exact, mu_);
+      if (factor == Factor::ok) {
+        solve_for_step();
+        if (dot(r_, s_) < 0) return true;
+      }
+      if (mu_ >= kLargestDamping) return false;
+      note_ = "more damping";
+    }
+  }
+
+  void solve_for_step() {
+    problem_.solve(r_, s_);
+    for (double& v : s_) v = -v;
+  }
+
+  /// Moves u along s as (4) wants it; false when no length will do. Trials ask for the energy alone, unless
   /// it has no digits left to tell.
   bool search_line() {
-    const double slope = dot(r_, s_);  // −s·(matrix)s < 0
-    const double noise = kEnergyNoise * std::abs(energy_);
+    const double slope = dot(r_, s_);
+    const double work = dot(frozen_, s_);
+    const double noise = kEnergyNoise * (std::abs(energy_) + std::abs(work));
     double t = 1;
     for (int tries = 0; t >= p_.shortest_step; ++tries) {
       for (std::size_t i = 0; i < s_.size(); ++i) trial_[i] = problem_.u()[i] + t * s_[i];
-      if (-t * slope <= noise) return accept_blindly();
+      if (-t * slope <= noise) return accept_blindly(1);
+      if (tries == 0 && !frozen_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
       double energy = 0;
       if (problem_.evaluate(trial_, energy) != Evaluation::ok) {
         t *= 0.25;
-      } else if (energy <= energy_ + p_.decrease * t * slope) {
-        adapt_damping(tries, (energy_ - energy) / (-slope * (t - 0.5 * t * t)));
-        return accept();
-      } else {
-        t *= std::clamp(parabola_minimum(t, energy, slope), 0.1, 0.5);
+        continue;
       }
+      const double merit = energy + t * work;
+      if (merit <= energy_ + p_.decrease * t * slope) {
+        adapt_damping(tries, (energy_ - merit) / (-slope * (t - 0.5 * t * t)));
+        return accept();
+      }
+      t *= std::clamp(parabola_minimum(t, merit, slope), 0.1, 0.5);
     }
     return false;
   }
 
-  /// The step of a slope that the energy cannot resolve: good if it does not raise ‖r‖.
-  bool accept_blindly() {
+  /// Takes the trial if it brings ‖r‖² down to `share` of what it is.
+  bool accept_blindly(double share) {
     double energy = 0;
     if (problem_.evaluate(trial_, energy, r_trial_, Matrix::exact) == Evaluation::ok &&
-        dot(r_trial_, r_trial_) <= dot(r_, r_)) {
+        dot(r_trial_, r_trial_) <= share * dot(r_, r_)) {
       mu_ = lowered(0.1);
       take(energy);
       return true;
@@ -104,7 +137,7 @@ class Globalised {
     return -slope * t / (2 * (energy - energy_ - slope * t));
   }
 
-  /// (4): s·(K + shift M)s = −slope, so the model predicts a decrease of −slope (t − t²/2).
+  /// (5): s·(K + μM)s = −slope, so the model predicts a decrease of −slope (t − t²/2).
   void adapt_damping(int tries, double ratio) {
     if (tries == 0 && ratio > 0.75)
       mu_ = lowered(0.1);
@@ -129,9 +162,10 @@ class Globalised {
 
   const Newton::Parameters& p_;
   Problem& problem_;
-  double mu_, shift_ = 0, energy_ = 0;
+  double mu_, energy_ = 0;
   const char* note_ = "";
   std::vector<double> r_, s_, trial_, r_trial_;
+  std::vector<double> frozen_;  // drag at u; empty if every force has an energy
 };
 
 }  // namespace

@@ -9,14 +9,18 @@ namespace netloft::newton {
 /// "classic", the Newton-Raphson iteration of the trawl-gear paper, eq. 5 and 6, undamped, as published:
 ///   F'(q_i) (q_{i+1} − q_i) = −F(q_i)                                                   (1)
 ///
-/// "globalised", for problems with an energy E whose gradient is r. M is the linear stiffness, which bounds
-/// the convex part K₊ of the tangent K:
+/// "globalised", for problems whose forces have an energy E, all or in part. g is its gradient and r = g + d,
+/// where d are the forces without an energy (drag). M is the linear stiffness, which bounds the convex part
+/// K₊ of K.
 ///   (K + μ M) s = −r   if that matrix is positive definite, else (K₊ + μ₊ M) s = −r      (2)
-///   E(u + t s) ≤ E(u) + c t r·s,  t = 1, then smaller by a parabola through E, E', E(t)  (3)
-///   ρ = (E(u) − E(u + s)) / −(r·s + ½ s·(K + μM) s)                                     (4)
-/// μ falls when the model of (4) is good and rises when it is not. With μ₊ = 1 the step cannot raise a convex
-/// energy (Levenberg 1944, in the metric of the linear stiffness); with μ = 0 it is Newton's.
-/// Near the end E has no digits left for (3); then a step counts that does not raise ‖r‖.
+///   m(t) = E(u + t s) + t d(u)·s: drag frozen as a dead load; m'(0) = r·s                (3)
+///   m(t) ≤ m(0) + c t r·s,  t = 1, then smaller by a parabola through m, m', m(t)        (4)
+///   ρ = (m(0) − m(t)) / (−r·s (t − t²/2))                                                (5)
+/// μ falls when the model behind (5) is good and rises when it is not. With μ₊ = 1 the step cannot raise a
+/// convex energy (Levenberg 1944, in the metric of the linear stiffness); with μ = 0 it is Newton's. An
+/// unsymmetric K is not asked whether it is positive definite: μ rises until s leads downhill. Near the end m
+/// has no digits left for (4); then a step counts that does not raise ‖r‖. With drag, a step that quarters
+/// ‖r‖ counts as well: d has then moved little.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;

@@ -4,8 +4,7 @@
 using netloft::newton::Newton;
 
 netloft::Outcome Newton::solve(const Parameters& parameters, Problem& problem) {
-  return parameters.method == 0 && problem.conservative() ? solve_globalised(parameters, problem)
-                                                          : solve_classic(problem);
+  return parameters.method == 0 ? solve_globalised(parameters, problem) : solve_classic(problem);
 }
 
 NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised") {
