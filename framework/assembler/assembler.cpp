@@ -353,13 +353,17 @@ bool Assembler::collect_faults() {
   return false;
 }
 
-std::string Assembler::fault_sentence(const Scene& scene) const {
+std::string Assembler::fault_place(const Scene& scene) const {
   const Family& f = *families_[fault_.family];
   std::size_t first = 0;
   for (const std::size_t begin : f.part_begin())
     if (begin <= fault_.element) first = begin;
-  return scene.parts[f.part(fault_.element)].name + " element " + std::to_string(fault_.element - first) +
-         " (" + f.type().type + "): " + (fault_.message[0] ? fault_.message : "no force at this state");
+  return scene.parts[f.part(fault_.element)].name + " element " + std::to_string(fault_.element - first);
+}
+
+std::string Assembler::fault_sentence(const Scene& scene) const {
+  return fault_place(scene) + " (" + families_[fault_.family]->type().type +
+         "): " + (fault_.message[0] ? fault_.message : "no force at this state");
 }
 
 bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,

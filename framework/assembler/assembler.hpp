@@ -48,6 +48,8 @@ class Assembler {
   /// Evaluates at positions x (over all dofs). False: see fault().
   bool evaluate(std::span<const double> x, const Request& request);
   const ElementFault& fault() const { return fault_; }
+  /// "net element 17"
+  std::string fault_place(const Scene& scene) const;
   std::string fault_sentence(const Scene& scene) const;
 
   /// Force of one active term alone, as a residual over all dofs. False: see fault().

@@ -94,6 +94,9 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   interface_.step_length = [](void* host, const double* du) {
     return static_cast<StaticProblem*>(host)->step_length(du);
   };
+  // No iteration allocates, whichever matrix it is the first to want; memory that is not wanted is not
+  // touched.
+  for (auto* matrix : {&exact_, &convex_, &metric_, &shifted_}) matrix->reserve(assembler.value_slots());
   find_dead_loads();
   find_element_size();
 }
@@ -250,7 +253,7 @@ void StaticProblem::expand_pattern() {
 }
 
 int StaticProblem::solve(const double* rhs, double* x) {
-  if (!last_) return NETLOFT_ERROR;
+  if (!last_ || factor_result_.status != FactorStatus::ok) return NETLOFT_ERROR;
   Timed timed(books_.solve_seconds);
   ++books_.solves;
   last_->solve({rhs, u_.size()}, {x, u_.size()});
@@ -259,6 +262,7 @@ int StaticProblem::solve(const double* rhs, double* x) {
 
 int StaticProblem::multiply(int matrix, double shift, const double* x, double* y) {
   const auto v = shifted(matrix, shift);
+  if (v.empty() && !u_.empty()) return NETLOFT_ERROR;
   const SparsePattern& p = assembler_.pattern();
   std::fill_n(y, u_.size(), 0.0);
   for (std::size_t c = 0; c < u_.size(); ++c)
@@ -303,7 +307,7 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
   for_nodes(
       numbering, pattern.size, static_cast<std::int32_t>(residual.size()), residual,
       [&](std::uint32_t, std::int32_t, std::int32_t, double norm) { b.scale = std::max(b.scale, norm); });
-  b.balanced = true;
+  b.balanced = std::isfinite(b.scale);  // an infinite load would excuse any residual
   for_nodes(numbering, 0, pattern.size, residual,
             [&](std::uint32_t node, std::int32_t first, std::int32_t last, double norm) {
               if (!(norm <= b.residual)) b.residual = norm, b.worst = node;
@@ -335,7 +339,10 @@ bool StaticProblem::recompute(std::span<const double> u, std::vector<double>& x,
   place(u.data());
   x = x_;
   residual.resize(residual_.size());
-  return assembler_.evaluate(x, {.energy = &energy, .residual = residual.data()}) && all_finite(residual);
+  bad_numbers_ = false;
+  if (!assembler_.evaluate(x, {.energy = &energy, .residual = residual.data()})) return false;
+  bad_numbers_ = !all_finite(residual);
+  return !bad_numbers_;
 }
 
 netloft_factor StaticProblem::factorise_at(std::span<const double> u, double shift) {

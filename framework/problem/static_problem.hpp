@@ -41,11 +41,13 @@ class StaticProblem {
   const std::vector<IterationRecord>& history() const { return history_; }
   Stop stop() const { return stop_; }
   const char* solver_message() const { return message_; }
+  /// Whether forces overflowed in the last evaluation.
   bool met_bad_numbers() const { return bad_numbers_; }
   std::string factorisation_name() const;
   const FactorResult& last_factor() const { return factor_result_; }
 
-  /// Residual over all dofs and energy at displacements u, computed anew. False: see the assembler's fault.
+  /// Residual over all dofs and energy at displacements u, computed anew. False: it met bad numbers, or see
+  /// the assembler's fault.
   bool recompute(std::span<const double> u, std::vector<double>& x, std::vector<double>& residual,
                  double& energy);
   Balance balance(std::span<const double> x, std::span<const double> residual);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/verdict.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 namespace netloft {
@@ -61,13 +62,28 @@ Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   return shifted == NETLOFT_NOT_POSITIVE ? Stability::unstable : Stability::unknown;
 }
 
-void judge(Solution& s, netloft_outcome outcome, StaticProblem& problem, const Assembler& assembler,
+/// Where the solver ended there are no forces, or none that are numbers.
+void judge_without_forces(Solution& s, const StaticProblem& problem, const Assembler& assembler,
+                          const Scene& scene) {
+  if (!problem.met_bad_numbers()) {
+    s.at_fault = assembler.fault_place(scene);
+    s.reason = "the solver ended at a state without forces: " + assembler.fault_sentence(scene);
+    return;
+  }
+  std::size_t first = 0;
+  while (first + 1 < s.residual.size() && std::isfinite(s.residual[first])) ++first;
+  s.at_fault = scene.node_name(assembler.numbering().node(static_cast<std::int32_t>(first)));
+  s.reason = "the solver ended at a state where forces overflowed, such as at " + s.at_fault;
+}
+
+/// `ending` is why the solver returned.
+void judge(Solution& s, const std::string& ending, StaticProblem& problem, const Assembler& assembler,
            const Scene& scene) {
   s.at_fault = scene.node_name(s.balance.worst);
   if (!s.balance.balanced) {
     s.status = problem.stop() == StaticProblem::Stop::interrupted ? SolveStatus::interrupted
                                                                   : SolveStatus::not_converged;
-    s.reason = outcome_text(outcome, problem, assembler, scene) + "; " + balance_text(s, scene);
+    s.reason = ending + "; " + balance_text(s, scene);
     return;
   }
   s.status = SolveStatus::converged;
@@ -101,17 +117,17 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
     outcome = static_cast<netloft_outcome>(solver.solver.solve(parameters, &problem.interface()));
 
   const std::span<const double> u{problem.interface().u, problem.interface().unknowns};
+  const std::string ending = outcome_text(outcome, problem, assembler, scene);
   const bool evaluated = problem.recompute(u, s.x, s.residual, s.energy);
   if (evaluated) s.balance = problem.balance(s.x, s.residual);
   s.books = problem.books();
   s.factorisation = problem.factorisation_name();
-  const std::string fault = evaluated ? "" : assembler.fault_sentence(scene);
   if (s.balance.balanced && (problem.interface().traits & NETLOFT_CONSERVATIVE))
     s.stability = find_stability(problem, u);
   if (evaluated)
-    judge(s, outcome, problem, assembler, scene);
+    judge(s, ending, problem, assembler, scene);
   else
-    s.reason = "the solver ended at a state without forces: " + fault;
+    judge_without_forces(s, problem, assembler, scene);
   s.history = problem.history();
   s.books.total_seconds = wall_seconds() - wall;
   s.books.total_cpu_seconds = cpu_seconds() - cpu;

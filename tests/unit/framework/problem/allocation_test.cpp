@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Counts calls of malloc in the whole program, hence a program of its own.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+
+#include "framework/problem/verdict.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/support/sample_scenes.hpp"
+#include "tests/verification/solving.hpp"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define NETLOFT_SANITIZED
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define NETLOFT_SANITIZED
+#endif
+#if defined(__GLIBC__) && !defined(NETLOFT_SANITIZED)
+#define NETLOFT_COUNTS_MALLOC
+#endif
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+#ifdef NETLOFT_COUNTS_MALLOC
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+void* malloc(std::size_t bytes) {
+  ++allocations;
+  return __libc_malloc(bytes);
+}
+void* calloc(std::size_t count, std::size_t bytes) {
+  ++allocations;
+  return __libc_calloc(count, bytes);
+}
+void* realloc(void* block, std::size_t bytes) {
+  ++allocations;
+  return __libc_realloc(block, bytes);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t bytes) {
+  ++allocations;
+  return __libc_memalign(alignment, bytes);
+}
+}
+#endif
+
+namespace netloft::test {
+namespace {
+
+/// Allocations between one iteration and the next.
+std::vector<long> count_allocations(const Scene& scene, const std::string& method, int threads) {
+  Registry& registry = shipped_plugins();
+  const SolverType& newton = registry.solver("newton");
+  std::vector<std::string> faults;
+  const ParameterBlock parameters(newton.parameters, newton.solver.parameter_bytes, {{"method", method}},
+                                  faults);
+  const Plan plan = make_plan(scene, registry);
+  Assembler assembler(scene, plan, threads);
+  Limits limits;
+  limits.iterations = 100;
+  std::vector<long> between;
+  between.reserve(1000);
+  long last = allocations;
+  solve_static(scene, assembler, newton, parameters.data(), limits, make_factorisation,
+               [&](const IterationRecord&) {
+                 between.push_back(allocations - last);
+                 last = allocations;
+               });
+  return between;
+}
+
+void expect_none_after_the_first_iteration(const std::vector<long>& between) {
+#ifndef NETLOFT_COUNTS_MALLOC
+  GTEST_SKIP() << "malloc cannot be counted in this build";
+#endif
+  ASSERT_GT(between.size(), 4u);
+  EXPECT_GT(between[1], 0) << "the first iteration makes the factor: nothing was counted";
+  for (std::size_t i = 2; i < between.size(); ++i)
+    EXPECT_EQ(between[i], 0) << "iteration " << i << " of " << between.size() - 1;
+}
+
+TEST(Allocations, AreOverWithTheFirstIterationOnNetting) {
+  expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(16, 34), "globalised", 1));
+}
+
+TEST(Allocations, AreOverWithTheFirstIterationOfSeveralThreads) {
+  expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(48, 34), "globalised", 3));
+}
+
+// From over-long, the first tangents are positive definite: the convex part is wanted late.
+TEST(Allocations, AreOverWithTheFirstIterationFromAnOverlongSketch) {
+  expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(16, 54), "globalised", 1));
+}
+
+TEST(Allocations, AreOverWithTheFirstIterationOnRopes) {
+  expect_none_after_the_first_iteration(count_allocations(sample::hanging_rope(100), "globalised", 1));
+}
+
+TEST(Allocations, AreOverWithTheFirstIterationOfTheClassicMethod) {
+  expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(16, 34), "classic", 1));
+}
+
+}  // namespace
+}  // namespace netloft::test

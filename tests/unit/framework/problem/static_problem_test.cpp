@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/static_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/unit/framework/assembler/sketch.hpp"
+
+namespace netloft::test {
+namespace {
+
+/// A chain of four bars from a fixed top, taut, with a load at its end.
+Sketch hanging_chain() {
+  Sketch s;
+  std::vector<std::uint32_t> chain{s.node(0, 0, 0, kAllAxes)};
+  for (int i = 1; i <= 4; ++i) chain.push_back(s.node(0.1 * i, 0.05 * i * i, -1.2 * i));
+  s.rope("chain", chain, 1);
+  s.part("load", "test/load", {{"z", -500.0}}, {chain[4]});
+  return s;
+}
+
+/// The callbacks of a problem, called as a solver does.
+struct Called {
+  explicit Called(Scene scene, Limits limits = {})
+      : assembled(std::move(scene)),
+        problem(assembled.assembler, make_factorisation, limits),
+        p(problem.interface()) {}
+
+  int evaluate(std::uint32_t want) {
+    residual.resize(p.unknowns);
+    return p.evaluate(p.host, want, p.u, &energy, residual.data());
+  }
+  std::vector<double> multiply(int matrix, double shift, const std::vector<double>& x) {
+    std::vector<double> y(x.size());
+    EXPECT_EQ(p.multiply(p.host, matrix, shift, x.data(), y.data()), NETLOFT_OK);
+    return y;
+  }
+  std::vector<double> solve(const std::vector<double>& rhs) {
+    std::vector<double> x(rhs.size());
+    EXPECT_EQ(p.solve(p.host, rhs.data(), x.data()), NETLOFT_OK);
+    return x;
+  }
+  int progress() { return p.progress(p.host, p.u, energy, residual.data(), "note"); }
+
+  Assembled assembled;
+  StaticProblem problem;
+  netloft_problem& p;
+  double energy = 0;
+  std::vector<double> residual;
+};
+
+TEST(StaticProblem, EvaluatesWhatTheAssemblerDoes) {
+  Called c(hanging_chain().scene);
+  for (std::size_t i = 0; i < c.p.unknowns; ++i) c.p.u[i] = 0.01 * static_cast<double>(i);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE), NETLOFT_OK);
+  auto x = c.assembled.assembler.start();
+  for (std::size_t i = 0; i < c.p.unknowns; ++i) x[i] += c.p.u[i];
+  EXPECT_EQ(c.energy, c.assembled.energy(x));
+  auto whole = c.assembled.residual(x);
+  whole.resize(c.p.unknowns);
+  EXPECT_EQ(c.residual, whole);
+}
+
+void expect_solve_undoes_multiply(Called& c, int matrix, int flags, double shift) {
+  const auto x = random_numbers(c.p.unknowns, 3);
+  const auto y = c.multiply(matrix, shift, x);
+  ASSERT_EQ(c.p.factorise(c.p.host, matrix | flags, shift), NETLOFT_FACTOR_OK);
+  EXPECT_LT(largest_difference(c.solve(y), x), 1e-10);
+}
+
+TEST(StaticProblem, SolvesWithWhatItMultipliesBy) {
+  Called c(hanging_chain().scene);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_CONVEX), NETLOFT_OK);
+  expect_solve_undoes_multiply(c, NETLOFT_EXACT, 0, 0);
+  expect_solve_undoes_multiply(c, NETLOFT_EXACT, 0, 0.3);
+  expect_solve_undoes_multiply(c, NETLOFT_CONVEX, 0, 0.3);
+  expect_solve_undoes_multiply(c, NETLOFT_NONE, 0, 1);
+  expect_solve_undoes_multiply(c, NETLOFT_EXACT, NETLOFT_INDEFINITE, 0);
+  expect_solve_undoes_multiply(c, NETLOFT_EXACT, NETLOFT_INDEFINITE, 0.3);
+}
+
+TEST(StaticProblem, SolvesAnUnsymmetricProblem) {
+  Sketch s = hanging_chain();
+  s.part("push", "test/follower", {{"k", 300.0}}, {1, 2, 2, 3}).data["rest_length"] = {1, 1};
+  Called c(s.scene);
+  EXPECT_EQ(c.p.traits & (NETLOFT_SYMMETRIC | NETLOFT_CONSERVATIVE), 0u);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
+  expect_solve_undoes_multiply(c, NETLOFT_EXACT, 0, 0);
+  expect_solve_undoes_multiply(c, NETLOFT_EXACT, 0, 0.5);
+}
+
+TEST(StaticProblem, RefusesAnIndefiniteTangentUnlessAskedForAny) {
+  Sketch s = hanging_chain();
+  s.scene.positions[3 * 4 + 2] = -3.7;  // the last bar is short: pressed, and held sideways by nothing
+  s.scene.parts[0].parameters["rope.EA_compression"] = 1e4;
+  Called c(s.scene);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
+  EXPECT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT, 0), NETLOFT_NOT_POSITIVE);
+  EXPECT_EQ(c.problem.books().refused_factorisations, 1);
+  expect_solve_undoes_multiply(c, NETLOFT_EXACT, NETLOFT_INDEFINITE, 0);
+}
+
+TEST(StaticProblem, HasNothingToFactoriseOrMultiplyBeforeAnEvaluation) {
+  Called c(hanging_chain().scene);
+  std::vector<double> x(c.p.unknowns, 1.0), y(c.p.unknowns);
+  EXPECT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT, 0), NETLOFT_FACTOR_FAILED);
+  EXPECT_EQ(c.p.multiply(c.p.host, NETLOFT_EXACT, 0, x.data(), y.data()), NETLOFT_ERROR);
+  EXPECT_EQ(c.p.multiply(c.p.host, NETLOFT_CONVEX, 1, x.data(), y.data()), NETLOFT_ERROR);
+  EXPECT_EQ(c.p.solve(c.p.host, x.data(), y.data()), NETLOFT_ERROR);
+}
+
+TEST(StaticProblem, DoesNotSolveWithAFactorThatWasRefused) {
+  Sketch s = hanging_chain();
+  s.scene.positions[3 * 4 + 2] = -3.7;
+  s.scene.parts[0].parameters["rope.EA_compression"] = 1e4;
+  Called c(s.scene);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
+  ASSERT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT, 0), NETLOFT_NOT_POSITIVE);
+  std::vector<double> x(c.p.unknowns, 1.0);
+  EXPECT_EQ(c.p.solve(c.p.host, x.data(), x.data()), NETLOFT_ERROR);
+  ASSERT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT, 10), NETLOFT_FACTOR_OK);
+  EXPECT_EQ(c.p.solve(c.p.host, x.data(), x.data()), NETLOFT_OK);
+}
+
+TEST(StaticProblem, CountsInItsBooksWhatIsAskedFor) {
+  Called c(hanging_chain().scene);
+  c.evaluate(NETLOFT_WANT_TANGENT);
+  c.p.evaluate(c.p.host, NETLOFT_WANT_ENERGY, c.p.u, &c.energy, nullptr);
+  c.p.factorise(c.p.host, NETLOFT_EXACT, 0);
+  c.solve(c.residual);
+  c.progress();
+  const Books& b = c.problem.books();
+  EXPECT_EQ(b.energies, 2);
+  EXPECT_EQ(b.residuals, 1);
+  EXPECT_EQ(b.matrices, 1);
+  EXPECT_EQ(b.factorisations, 1);
+  EXPECT_EQ(b.refused_factorisations, 0);
+  EXPECT_EQ(b.solves, 1);
+  EXPECT_EQ(b.iterations, 1);
+  ASSERT_EQ(c.problem.history().size(), 1u);
+  EXPECT_STREQ(c.problem.history()[0].note, "note");
+}
+
+TEST(StaticProblem, MeasuresStepsByTheLargestElement) {
+  Sketch s;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(0, 0, -2), c = s.node(0, 0, -6);
+  s.rope("rope", {a, b, c}, 1);
+  Called called(s.scene);
+  const std::vector<double> du{0, 0.5, 0, 0, 0, -1};
+  EXPECT_DOUBLE_EQ(called.p.step_length(called.p.host, du.data()), 0.25);
+}
+
+TEST(StaticProblem, GoesOnUntilALimit) {
+  Limits limits;
+  limits.iterations = 2;
+  Called c(hanging_chain().scene, limits);
+  c.evaluate(0);
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  EXPECT_EQ(c.progress(), NETLOFT_GIVE_UP);
+  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::iterations);
+  EXPECT_EQ(c.problem.books().iterations, 2);
+}
+
+TEST(StaticProblem, StopsWhenTimeIsUpOrSomeoneInterrupts) {
+  Limits limits;
+  limits.seconds = 0;
+  Called late(hanging_chain().scene, limits);
+  late.evaluate(0);
+  EXPECT_EQ(late.progress(), NETLOFT_GIVE_UP);
+  EXPECT_EQ(late.problem.stop(), StaticProblem::Stop::time);
+
+  std::atomic<bool> interrupt{false};
+  limits = {};
+  limits.interrupt = &interrupt;
+  Called c(hanging_chain().scene, limits);
+  c.evaluate(0);
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  interrupt = true;
+  EXPECT_EQ(c.progress(), NETLOFT_GIVE_UP);
+  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::interrupted);
+}
+
+/// A bar of 1 m and 100 N hanging from its top at height z, pulled at its end with 50 N: 1.5 m long in
+/// balance.
+Sketch pulled_bar(double z) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto top = s.node(0, 0, z, kAllAxes), end = s.node(0, 0, z - 1.5);
+  s.rope("bar", {top, end}, 1, 100);
+  s.part("load", "test/load", {{"z", -50.0}}, {end});
+  return s;
+}
+
+TEST(StaticProblem, ArrivesWhenTheLargestNodalResidualIsSmall) {
+  Limits limits;
+  limits.tolerance = 1e-6;
+  Called c(pulled_bar(0).scene, limits);
+  c.p.u[2] = -2e-6;  // out of balance by 2e-4 N of 50 N
+  c.evaluate(0);
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  c.p.u[2] = -4e-7;
+  c.evaluate(0);
+  EXPECT_EQ(c.progress(), NETLOFT_ARRIVED);
+  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::arrived);
+  EXPECT_NEAR(c.problem.history().back().residual, 4e-5, 1e-10);
+  EXPECT_NEAR(c.problem.history().back().scale, 50, 1e-3);
+}
+
+// Positions of 1e6 m are good to 1e-10 m: with 100 N/m no residual below about 1e-8 N means anything.
+TEST(StaticProblem, TakesRoundOffOfThePositionsForBalance) {
+  Limits limits;
+  limits.tolerance = 1e-14;
+  Called far(pulled_bar(1e6).scene, limits), near(pulled_bar(0).scene, limits);
+  for (Called* c : {&far, &near}) {
+    const auto x = c->assembled.assembler.start();
+    std::vector<double> r(x.size(), 0.0);
+    r[2] = 1e-8, r[5] = 50;
+    const Balance b = c->problem.balance(x, r);
+    EXPECT_EQ(b.balanced, c == &far);
+    EXPECT_EQ(b.at_round_off, c == &far);
+    EXPECT_EQ(b.worst, 1u);
+    EXPECT_EQ(b.residual, 1e-8);
+    EXPECT_EQ(b.scale, 50);
+  }
+}
+
+}  // namespace
+}  // namespace netloft::test

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/support/sample_scenes.hpp"
+#include "tests/unit/framework/assembler/sketch.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::test {
+namespace {
+
+Solved solve_sketch(const Scene& scene, Solving how = {}) {
+  plugins();  // the element "test/load" is among the shipped ones from here on
+  return solve(scene, how);
+}
+
+Solving classic(int iterations = 50) {
+  Solving how;
+  how.solver_parameters = {{"method", std::string("classic")}};
+  how.limits.iterations = iterations;
+  return how;
+}
+
+bool contains(const std::string& text, const std::string& piece) {
+  return text.find(piece) != std::string::npos;
+}
+
+/// A bar of 1 m on a fixed foot, loaded at its head along z. Pressed as stiffly as pulled.
+Scene standing_bar(double load, double height = 1) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto foot = s.node(0, 0, 0, kAllAxes), head = s.node(0, 0, height);
+  s.rope("bar", {foot, head}, 1, 1e4).parameters["rope.EA_compression"] = 1e4;
+  s.part("load", "test/load", {{"z", load}}, {head});
+  return s.scene;
+}
+
+TEST(Verdict, CallsABarThatIsPulledStable) {
+  const Solved s = solve_sketch(standing_bar(100));
+  EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_EQ(s.solution.stability, Stability::stable);
+  EXPECT_NEAR(s.position(1)[2], 1.01, 1e-10);
+  EXPECT_NEAR(s.solution.energy, 0.5 * 100 * 0.01 - 100 * 1.01, 1e-9);
+  EXPECT_NEAR(s.reaction(0)[2], -100, 1e-7);
+}
+
+TEST(Verdict, CallsABarThatStandsUnderALoadUnstable) {
+  const Solved s = solve_sketch(standing_bar(-100));
+  EXPECT_NEAR(s.position(1)[2], 0.99, 1e-9);
+  EXPECT_EQ(s.solution.status, SolveStatus::unstable);
+  EXPECT_EQ(s.solution.stability, Stability::unstable);
+  EXPECT_TRUE(contains(s.solution.reason, "not a stable one")) << s.solution.reason;
+  EXPECT_TRUE(contains(s.solution.reason, "bar node 1")) << s.solution.reason;
+}
+
+TEST(Verdict, CallsWhatTheClassicMethodFindsThereUnstableToo) {
+  const Solved s = solve_sketch(standing_bar(-100, 0.995), classic());
+  EXPECT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
+}
+
+TEST(Verdict, CallsSlackRopeNeutral) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(0.5, 0, 0), c = s.node(1, 0, 0, kAllAxes);
+  s.rope("rope", {a, b, c}, 0.9).parameters["rope.EA_compression"] = 0.0;
+  const Solved solved = solve_sketch(s.scene);
+  EXPECT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
+  EXPECT_EQ(solved.solution.stability, Stability::neutral);
+  EXPECT_TRUE(contains(solved.solution.reason, "slack")) << solved.solution.reason;
+}
+
+TEST(Verdict, KnowsNoStabilityWithoutAnEnergy) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto top = s.node(0, 0, 0, kAllAxes), end = s.node(0, 0, -1.5);
+  s.rope("bar", {top, end}, 1, 100);
+  s.part("load", "test/load", {{"z", -50.0}}, {end});
+  s.part("push", "test/follower", {{"k", 1.0}}, {top, end}).data["rest_length"] = {1};
+  const Solved solved = solve_sketch(s.scene);
+  EXPECT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
+  EXPECT_EQ(solved.solution.stability, Stability::unknown);
+}
+
+TEST(Verdict, HasNothingToFindWhereAllIsHeld) {
+  Sketch s;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1.1, 0, 0, kAllAxes);
+  s.rope("rope", {a, b}, 1, 100);
+  for (const bool as_published : {false, true}) {
+    const Solved solved = solve_sketch(s.scene, as_published ? classic() : Solving{});
+    EXPECT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
+    EXPECT_NEAR(solved.reaction(1)[0], 10, 1e-12);
+  }
+}
+
+TEST(Verdict, NamesTheLimitThatWasReached) {
+  Solving how;
+  how.limits.iterations = 3;
+  Solved s = solve_sketch(sample::hanging_panel(4, 34), how);
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(contains(s.solution.reason, "limit of 3 iterations")) << s.solution.reason;
+  EXPECT_TRUE(contains(s.solution.at_fault, "net node")) << s.solution.at_fault;
+  EXPECT_EQ(s.solution.books.iterations, 3);
+  EXPECT_EQ(s.solution.history.size(), 4u);
+
+  how.limits = {};
+  how.limits.seconds = 0;
+  s = solve_sketch(sample::hanging_panel(4, 34), how);
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(contains(s.solution.reason, "time limit")) << s.solution.reason;
+
+  const std::atomic<bool> interrupt{true};
+  how.limits = {};
+  how.limits.interrupt = &interrupt;
+  s = solve_sketch(sample::hanging_panel(4, 34), how);
+  EXPECT_EQ(s.solution.status, SolveStatus::interrupted);
+  EXPECT_TRUE(contains(s.solution.reason, "interrupted")) << s.solution.reason;
+}
+
+TEST(Verdict, JudgesTheStartWhenNoIterationIsAllowed) {
+  Solving how;
+  how.limits.iterations = 0;
+  const Solved s = solve_sketch(sample::hanging_panel(4, 34), how);
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_EQ(s.solution.x, s.assembler->start());
+}
+
+TEST(Verdict, NamesTheNodeWhereTheTangentIsSingular) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0);
+  s.rope("bar", {a, b}, 1);  // exactly unstretched: no stiffness sideways
+  s.part("load", "test/load", {{"z", -1.0}}, {b});
+  const Solved solved = solve_sketch(s.scene, classic());
+  EXPECT_EQ(solved.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(contains(solved.solution.reason, "singular")) << solved.solution.reason;
+  EXPECT_TRUE(contains(solved.solution.reason, "bar node 1")) << solved.solution.reason;
+  EXPECT_EQ(solved.solution.at_fault, "bar node 1");
+}
+
+TEST(Verdict, NamesTheElementThatHasNoForceAtTheStart) {
+  Sketch s;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(2, 0, 0);
+  s.part("picky", "test/picky", {{"limit", 1.0}}, {a, b}).data["rest_length"] = {1};
+  const Solved solved = solve_sketch(s.scene);
+  EXPECT_EQ(solved.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(contains(solved.solution.reason, "picky element 0")) << solved.solution.reason;
+  EXPECT_TRUE(contains(solved.solution.reason, "longer than its limit")) << solved.solution.reason;
+  EXPECT_EQ(solved.solution.at_fault, "picky element 0");
+}
+
+// Springs grow with the third power: the undamped steps of a bar far out of balance overflow.
+TEST(Verdict, SaysThatForcesOverflowedAndWhere) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1.000001, 0, 0);
+  s.part("spring", "test/spring", {{"k", 1.0}}, {a, b}).data["rest_length"] = {1};
+  s.part("load", "test/load", {{"y", 1e200}}, {b});
+  const Solved solved = solve_sketch(s.scene, classic());
+  EXPECT_EQ(solved.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(contains(solved.solution.reason, "overflow")) << solved.solution.reason;
+  EXPECT_TRUE(contains(solved.solution.at_fault, "node 1")) << solved.solution.at_fault;
+}
+
+// Forces of 1e200 N are numbers, their squares are not: an infinite load must not excuse an infinite residual.
+TEST(Verdict, CallsNothingBalancedThatIsInfinite) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1.1, 0, 0);
+  s.part("spring", "test/spring", {{"k", 1.0}}, {a, b}).data["rest_length"] = {1};
+  s.part("load", "test/load", {{"x", 1e200}}, {b});
+  Solving how = classic();
+  how.limits.iterations = 0;
+  EXPECT_EQ(solve_sketch(s.scene, how).solution.status, SolveStatus::not_converged);
+}
+
+TEST(Verdict, KeepsTheResidualOfThePlaceItReports) {
+  const Solved s = solve_sketch(sample::hanging_panel(8, 34));
+  ASSERT_EQ(s.solution.status, SolveStatus::converged);
+  std::vector<double> residual(s.solution.x.size());
+  double energy = 0;
+  ASSERT_TRUE(s.assembler->evaluate(s.solution.x, {.energy = &energy, .residual = residual.data()}));
+  EXPECT_EQ(s.solution.residual, residual);
+  EXPECT_EQ(s.solution.energy, energy);
+  EXPECT_EQ(s.solution.history.size(), static_cast<std::size_t>(s.solution.books.iterations) + 1);
+}
+
+TEST(Verdict, FindsTheSameBitsWithOneTwoAndThreeThreads) {
+  Solving how;
+  const Solved one = solve_sketch(sample::hanging_panel(48, 34), how);
+  ASSERT_EQ(one.solution.status, SolveStatus::converged);
+  for (const int threads : {2, 3}) {
+    how.threads = threads;
+    const Solved more = solve_sketch(sample::hanging_panel(48, 34), how);
+    EXPECT_EQ(more.assembler->threads_used(), threads);
+    EXPECT_EQ(one.solution.x, more.solution.x);
+    EXPECT_EQ(one.solution.residual, more.solution.residual);
+    EXPECT_EQ(one.solution.energy, more.solution.energy);
+    EXPECT_EQ(one.solution.books.iterations, more.solution.books.iterations);
+  }
+}
+
+}  // namespace
+}  // namespace netloft::test
