@@ -35,6 +35,12 @@ std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
 
 namespace {
 
+/// Riders whose every term is off need not be there at all.
+bool is_idle(const Scene& scene, const FamilyPlan& family) {
+  return scene.parts[family.parts[0]].companion &&
+         std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
+}
+
 /// Whether something in the family wants to know the current.
 bool reads_current(const Family& family) {
   for (const auto& term : family.active_terms())
@@ -71,6 +77,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
       workers_(threads) {
   std::size_t dofs = 0, tiles = 0;
   for (const auto& family : plan.families) {
+    if (is_idle(scene, family)) continue;
     families_.push_back(std::make_unique<Family>(scene, family));
     dofs = std::max(dofs, static_cast<std::size_t>(family.type->dofs()));
   }

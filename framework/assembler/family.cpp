@@ -29,6 +29,10 @@ void Family::gather_parameters(const Scene& scene) {
 
 void Family::gather_laws(const Scene& scene, const FamilyPlan& plan) {
   for (const auto& law : plan.laws) {
+    if (!law.type) {
+      laws_.push_back({});  // still water: no term asks it
+      continue;
+    }
     std::vector<std::string> wrong;
     law_parameters_.emplace_back(law.type->parameters, law.type->law.parameter_bytes, law.choice.parameters,
                                  wrong);

@@ -8,8 +8,10 @@ namespace netloft {
 namespace {
 
 /// The laws of a part, slot by slot: what the part says, or the slot's default.
-std::vector<LawPlan> laws_of(const Part& part, const ElementType& type, Registry& registry) {
+std::vector<LawPlan> laws_of(const Scene& scene, const Part& part, const ElementType& type,
+                             Registry& registry) {
   std::vector<LawPlan> laws;
+  if (!scene.current.flows()) return std::vector<LawPlan>(type.laws.size());  // nothing will ask them
   for (const auto& slot : type.laws) {
     const auto given = part.laws.find(slot.name);
     LawPlan law{slot.name, nullptr, given == part.laws.end() ? LawChoice{slot.fallback, {}} : given->second};
@@ -82,7 +84,8 @@ std::vector<std::string> unused_plugins(const Plan& plan, const Registry& regist
   auto names = registry.available();
   for (const auto& family : plan.families) {
     std::erase(names, family.type->origin->name);
-    for (const auto& law : family.laws) std::erase(names, law.type->origin->name);
+    for (const auto& law : family.laws)
+      if (law.type) std::erase(names, law.type->origin->name);
   }
   return names;
 }
@@ -94,7 +97,7 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent) {
   plan.tangent = tangent;
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
     const ElementType& type = registry.element(scene.parts[p].type);
-    FamilyPlan& family = family_of(plan.families, type, laws_of(scene.parts[p], type, registry));
+    FamilyPlan& family = family_of(plan.families, type, laws_of(scene, scene.parts[p], type, registry));
     family.parts.push_back(p);
     family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(type.nodes());
   }

@@ -79,7 +79,7 @@ int Session::read() {
 int Session::assemble() {
   Timed timed(setup_seconds_);
   try {
-    plan_ = make_plan(loaded_.scene, registry_);
+    plan_ = make_plan(loaded_.scene, registry_, loaded_.analysis.tangent);
     std::erase(plan_.not_loaded, registry_.solver(loaded_.analysis.solver).origin->name);
     assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, threads_for(options_));
   } catch (const SceneError& error) {

@@ -13,10 +13,18 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+/// What makes a cell of the picture: elements on nodes of their own, and whatever sits on single nodes.
+/// Pairs, and what rides on elements that are drawn already, would hide those.
+bool is_drawn(const LoadedScene& loaded, const Family& family) {
+  if (family.type().element.stencil == NETLOFT_NODE) return true;
+  return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
+}
+
 Mesh make_mesh(const LoadedScene& loaded, const Assembler& assembler) {
   Mesh mesh;
   mesh.n_points = loaded.scene.node_count();
   for (const auto& family : assembler.families()) {
+    if (!is_drawn(loaded, *family)) continue;
     const int corners = family->nodes_per_element();
     const auto cell = corners == 1 ? kVertex : corners == 2 ? kLine : kTriangle;
     for (std::size_t e = 0; e < family->size(); ++e) {
@@ -45,10 +53,11 @@ std::vector<StaticField> label_points(const LoadedScene& loaded) {
       {{"panel_uv", "1", "panel coordinates U, V in meshes", Location::kPoint, 2, false}, panel}};
 }
 
-StaticField label_cells(const Assembler& assembler) {
+StaticField label_cells(const LoadedScene& loaded, const Assembler& assembler) {
   std::vector<double> part;
   for (const auto& family : assembler.families())
-    for (std::size_t e = 0; e < family->size(); ++e) part.push_back(family->part(e));
+    for (std::size_t e = 0; e < family->size() && is_drawn(loaded, *family); ++e)
+      part.push_back(family->part(e));
   return {{"part", "1", "part of the element, index into /netloft/parts/name", Location::kCell, 1, true},
           part};
 }
@@ -59,11 +68,14 @@ struct CellField {
   std::vector<double> values;
 };
 
-std::vector<CellField> gather_outputs(const Assembler& assembler, const RunResult& result) {
+std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler& assembler,
+                                      const RunResult& result) {
   std::size_t cells = 0, first = 0;
-  for (const auto& family : assembler.families()) cells += family->size();
+  for (const auto& family : assembler.families())
+    if (is_drawn(loaded, *family)) cells += family->size();
   std::vector<CellField> fields;
-  for (std::size_t f = 0; f < assembler.families().size(); first += assembler.families()[f++]->size()) {
+  for (std::size_t f = 0; f < assembler.families().size(); ++f) {
+    if (!is_drawn(loaded, *assembler.families()[f])) continue;
     const auto& outputs = assembler.families()[f]->type().outputs;
     for (std::size_t k = 0; k < outputs.size(); ++k) {
       auto at = std::find_if(fields.begin(), fields.end(),
@@ -74,6 +86,7 @@ std::vector<CellField> gather_outputs(const Assembler& assembler, const RunResul
       std::copy(result.outputs[f][k].begin(), result.outputs[f][k].end(),
                 at->values.begin() + static_cast<std::ptrdiff_t>(first));
     }
+    first += assembler.families()[f]->size();
   }
   return fields;
 }
@@ -96,7 +109,7 @@ void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler&
     displacement[d] = points[d] - loaded.scene.positions[d];
     if (loaded.scene.held[d / 3] & (1 << (d % 3))) reaction[d] = std::exchange(residual[d], 0.0);
   }
-  const auto cells = gather_outputs(assembler, result);
+  const auto cells = gather_outputs(loaded, assembler, result);
   std::vector<FieldSpec> changing = {
       {"displacement", "m", "movement from the start", Location::kPoint, 3, false},
       {"residual", "N", "force out of balance: what the solver left", Location::kPoint, 3, false},
@@ -104,7 +117,7 @@ void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler&
   std::vector<std::span<const double>> values = {displacement, residual, reaction};
   for (const auto& cell : cells) changing.push_back(cell.spec), values.push_back(cell.values);
   auto fixed = label_points(loaded);
-  fixed.push_back(label_cells(assembler));
+  fixed.push_back(label_cells(loaded, assembler));
   file.begin(make_mesh(loaded, assembler), changing, fixed);
   file.write_state(0, points, values);
 }
@@ -141,7 +154,8 @@ void write_status(Tree& tree, const LoadedScene& loaded, const Solution& s) {
   tree.set_attribute("/netloft/status", "at_fault",
                      std::string_view(s.status == SolveStatus::converged ? "" : s.at_fault));
   std::vector<std::string> names, types;
-  for (const auto& p : loaded.scene.parts) names.push_back(p.name), types.push_back(p.type);
+  for (const auto& p : loaded.scene.parts)
+    if (!p.companion) names.push_back(p.name), types.push_back(p.type);
   tree.write_strings("/netloft/parts/name", names);
   tree.write_strings("/netloft/parts/type", types);
 }
@@ -182,12 +196,14 @@ void write_books(Tree& tree, const Books& b) {
 }
 
 void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result) {
+  std::size_t parts = 0;  // companions come last and count with the part they ride on
+  while (parts < loaded.scene.parts.size() && !loaded.scene.parts[parts].companion) ++parts;
   std::map<std::string, std::vector<double>> terms;
   for (const auto& f : result.part_forces) {
-    auto& rows = terms.try_emplace(f.term, 3 * loaded.scene.parts.size(), 0.0).first->second;
-    for (std::size_t p = 0; p < loaded.scene.parts.size(); ++p)
+    auto& rows = terms.try_emplace(f.term, 3 * parts, 0.0).first->second;
+    for (std::size_t p = 0; p < parts; ++p)
       if (loaded.scene.parts[p].name == f.part)
-        std::copy(f.force.begin(), f.force.end(), rows.begin() + static_cast<std::ptrdiff_t>(3 * p));
+        for (std::size_t axis = 0; axis < 3; ++axis) rows[3 * p + axis] += f.force[axis];
   }
   for (const auto& [term, rows] : terms)
     tree.write_matrix("/netloft/forces/" + term, rows, 3, "N",

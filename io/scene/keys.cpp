@@ -9,6 +9,8 @@ std::span<const netloft_parameter> water_keys() {
     t.real("density", &Water::density, "kg/m3", "density of the water; 0 is air",
            {.lo = 0, .hi = 3000, .fallback = 1025});
     t.real("gravity", &Water::gravity, "m/s2", "gravity", {.lo = 0, .hi = 100, .fallback = 9.80665});
+    t.real("viscosity", &Water::viscosity, "m2/s", "kinematic viscosity of the water",
+           {.lo = 1e-9, .hi = 1, .fallback = 1.19e-6});
     return t;
   }();
   return table.rows();
@@ -26,6 +28,10 @@ std::span<const netloft_parameter> analysis_keys() {
               0, 1000000, 1000);
     t.real("max_seconds", &AnalysisKeys::max_seconds, "s", "wall time after which the solver gives up",
            {.lo = 0, .hi = 1e9, .fallback = 1e9});
+    t.choice(
+        "tangent", &AnalysisKeys::tangent,
+        "what counts of the tangent of forces without an energy (drag): all, its symmetric part, nothing",
+        {"exact", "symmetric", "elastic"});
     return t;
   }();
   return table.rows();

@@ -15,6 +15,7 @@ struct AnalysisKeys {
   double tolerance = 0;
   std::int64_t max_iterations = 0;
   double max_seconds = 0;
+  std::int64_t tangent = 0;
 };
 
 /// The tables of a scene that belong to no plugin, in the same form as those of plugins: reading, checks,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/problem/static_problem.hpp"
+#include "framework/scene/plan.hpp"
 #include "framework/scene/scene.hpp"
 #include "io/toml/document.hpp"
 
@@ -45,6 +46,7 @@ struct Analysis {
   std::string solver;
   Values solver_parameters;
   Limits limits;
+  TangentChoice tangent = TangentChoice::exact;
 };
 
 /// A scene file, read and checked.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/read_scene.hpp"
 
+#include "framework/scene/pairs.hpp"
+
 #include "framework/registry/nearest.hpp"
+#include "io/scene/current.hpp"
 #include "io/scene/geometry.hpp"
 #include "io/scene/holder.hpp"
 #include "io/scene/joiner.hpp"
@@ -9,6 +12,7 @@
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/result_request.hpp"
+#include "io/scene/riding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +71,8 @@ class SceneReader {
     read_parts();
     read_joins();
     assemble_nodes();
+    read_riders();
+    add_companions();
     read_holds();
     read_analysis();
     read_results();
@@ -82,6 +88,7 @@ class SceneReader {
     std::vector<std::string> faults;
     const ParameterBlock block(water_keys(), sizeof(Water), values, faults);
     if (faults.empty()) out_.scene.water = *static_cast<const Water*>(block.data());
+    out_.scene.current = read_current(water);
   }
 
   void read_parts() {
@@ -92,7 +99,10 @@ class SceneReader {
       check_part_name(name, parts);
       if (parts.kind(name) == Kind::table) {
         TableReader part = parts.table(name);
-        read_part(name, part);
+        if (part.has("on"))
+          riders_.emplace_back(name, part);  // stands on parts that may come later
+        else
+          read_part(name, part);
       } else {
         parts.error(name, "a part is a table, such as [parts.net]");
       }
@@ -115,7 +125,8 @@ class SceneReader {
     Part part;
     part.name = name, part.type = type_name;
     if (type) {
-      part.parameters = read_parameters(type->parameters, table);
+      part.parameters = read_parameters(parameters_with_companions(*type), table);
+      part.laws = read_laws(*type, table);
       geometry = read_geometry(*type, table);
       read_extra_data(*type, geometry, table);
     } else {
@@ -127,6 +138,131 @@ class SceneReader {
     is_sound_.push_back(diagnostics_.errors() == errors_before);
     out_.scene.parts.push_back(std::move(part));
     geometries_.push_back(std::move(geometry));
+  }
+
+  /// Elements of the same plugin that ride on this one: bending on the bars of a rope.
+  std::vector<const ElementType*> companions_of(const ElementType& type) {
+    std::vector<const ElementType*> riders;
+    const std::string own = type.element.name;
+    for (const auto& e : registry_.plugin(type.origin->name).elements)
+      if (e.element.rides_on && own == e.element.rides_on) riders.push_back(&e);
+    return riders;
+  }
+
+  /// A part's parameters are those of its elements and of all that ride on them, each name once.
+  std::vector<netloft_parameter> parameters_with_companions(const ElementType& type) {
+    std::vector<netloft_parameter> all = type.parameters;
+    for (const auto* rider : companions_of(type))
+      for (const auto& p : rider->parameters)
+        if (std::none_of(all.begin(), all.end(),
+                         [&](const auto& q) { return std::string_view(q.name) == p.name; }))
+          all.push_back(p);
+    return all;
+  }
+
+  /// `drag = "hydro/morison"`, or a table with `law` and the parameters of the law.
+  std::map<std::string, LawChoice> read_laws(const ElementType& type, TableReader& table) {
+    std::map<std::string, LawChoice> laws;
+    for (const auto& slot : type.laws) {
+      if (!table.has(slot.name)) continue;
+      if (table.kind(slot.name) == Kind::table) {
+        TableReader own = table.table(slot.name);
+        const std::string name = own.text("law", {.doc = slot.doc, .fallback = slot.fallback});
+        if (const LawType* law = find_law(name, own, "law"))
+          laws[slot.name] = {name, read_parameters(law->parameters, own)};
+      } else {
+        const std::string name = table.text(slot.name, {.doc = slot.doc});
+        if (find_law(name, table, slot.name)) laws[slot.name] = {name, {}};
+      }
+    }
+    return laws;
+  }
+
+  const LawType* find_law(const std::string& name, TableReader& table, const char* key) {
+    try {
+      return &registry_.law(name);
+    } catch (const PluginRefused& e) {
+      refused_ = true;
+      report_refusal(table, key, e.what());
+      return nullptr;
+    }
+  }
+
+  /// Parts on other parts, once the scene has its nodes.
+  void read_riders() {
+    for (auto& [name, table] : riders_) {
+      const int errors_before = diagnostics_.errors();
+      const ElementType* type = find_type(read_type_name(name, table), table);
+      Part part;
+      part.name = name;
+      Geometry none;
+      none.names.name = name, none.names.place = table.place();
+      if (type) {
+        part.type = type->type;
+        part.parameters = read_parameters(parameters_with_companions(*type), table);
+        part.laws = read_laws(*type, table);
+        find_ground(*type, table, part);
+      } else {
+        for (const auto& key : table.keys()) table.raw(key);
+      }
+      types_.push_back(type);
+      is_sound_.push_back(diagnostics_.errors() == errors_before);
+      out_.parts.push_back(none.names);
+      out_.scene.parts.push_back(std::move(part));
+      geometries_.push_back(std::move(none));
+    }
+  }
+
+  /// What `on` names, as nodes or as elements of the kind the rider stands on.
+  void find_ground(const ElementType& type, TableReader& table, Part& rider) {
+    const std::vector<std::string> names =
+        table.kind("on") == Kind::text
+            ? std::vector<std::string>{table.text("on", {})}
+            : table.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
+    const bool on_nodes = type.element.stencil == NETLOFT_NODE;
+    const double number = on_nodes
+                              ? table.real("number", {.doc = "pieces, shared out along what it stands on",
+                                                      .range = between(0, 1e6),
+                                                      .fallback = 1.0})
+                              : 1;
+    std::vector<std::uint32_t> nodes;
+    std::vector<double> carried(out_.scene.node_count(), 0.0);
+    for (const auto& name : names) {
+      const auto set = find_set(mention(name, table, "on"));
+      if (!set || !is_sound_[set->part] || !types_[set->part]) continue;
+      const Part& ground = out_.scene.parts[set->part];
+      if (on_nodes) {
+        const auto lengths = carried_length(out_.scene, ground, *types_[set->part]);
+        for (std::size_t i = 0; i < carried.size(); ++i) carried[i] += lengths[i];
+        for (const auto own : set->own) nodes.push_back(out_.parts[set->part].nodes[own]);
+      } else if (name.find('.') != std::string::npos ||
+                 types_[set->part]->element.stencil != type.element.stencil) {
+        table.error("on", in_quotes(name) + " is no whole part that " + type.type + " can stand on");
+      } else {
+        ride_on_elements(ground, rider);
+      }
+    }
+    drop_repeats(nodes);
+    if (on_nodes && !nodes.empty()) ride_on_nodes(nodes, carried, number, rider);
+    for (const auto& datum : type.data)
+      if (!rider.data.contains(datum.name) && !rider.nodes.empty()) {
+        const auto values =
+            table.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = exactly(datum.width)});
+        for (std::size_t e = 0; e < rider.nodes.size() / static_cast<std::size_t>(type.nodes()); ++e)
+          rider.data[datum.name].insert(rider.data[datum.name].end(), values.begin(), values.end());
+      }
+  }
+
+  void add_companions() {
+    if (diagnostics_.errors()) return;
+    for (std::size_t p = 0, parts = out_.scene.parts.size(); p < parts; ++p)
+      for (const auto* rider : companions_of(*types_[p])) {
+        Part companion = make_companion(out_.scene.parts[p], *types_[p], *rider);
+        if (companion.nodes.empty()) continue;
+        companions_.push_back(rider);
+        out_.scene.parts.push_back(std::move(companion));
+        out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}});
+      }
   }
 
   /// A part that --set has made by a slip of the pen has no type.
@@ -251,6 +387,7 @@ class SceneReader {
   std::vector<int> nodes_per_element() const {
     std::vector<int> counts;
     for (const auto* type : types_) counts.push_back(type->nodes());
+    for (const auto* type : companions_) counts.push_back(type->nodes());
     return counts;
   }
 
@@ -343,6 +480,7 @@ class SceneReader {
       analysis.error("solver", "is empty; the name of a solver is wanted, such as newton");
       return;
     }
+    out_.analysis.tangent = static_cast<TangentChoice>(keys.tangent);
     out_.analysis.limits = {keys.tolerance, static_cast<int>(keys.max_iterations), keys.max_seconds, nullptr};
     try {
       const SolverType& solver = registry_.solver(keys.solver);
@@ -406,7 +544,8 @@ class SceneReader {
     Mention at;
   };
 
-  std::vector<const ElementType*> types_;
+  std::vector<const ElementType*> types_, companions_;
+  std::vector<std::pair<std::string, TableReader>> riders_;
   std::vector<bool> is_sound_;  // parts without an error in their table
   std::vector<Join> joins_;
   std::map<std::string, Place> hold_names_;

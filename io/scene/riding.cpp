@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/riding.hpp"
+
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+const std::vector<double>* find_data(const Part& part, const char* name) {
+  const auto at = part.data.find(name);
+  return at == part.data.end() ? nullptr : &at->second;
+}
+
+/// |d| bars of length a lie in a triangle, both directions together.
+double twine_length(const std::vector<double>& u, const std::vector<double>& v, double bar, std::size_t e) {
+  const double d = (u[3 * e + 1] - u[3 * e]) * (v[3 * e + 2] - v[3 * e]) -
+                   (u[3 * e + 2] - u[3 * e]) * (v[3 * e + 1] - v[3 * e]);
+  return std::abs(d) * bar;
+}
+
+}  // namespace
+
+std::vector<double> carried_length(const Scene& scene, const Part& part, const ElementType& type) {
+  std::vector<double> carried(scene.node_count(), 0.0);
+  const auto *rest = find_data(part, "rest_length"), *u = find_data(part, "u"), *v = find_data(part, "v"),
+             *bar = find_data(part, "bar_length");
+  const auto corners = static_cast<std::size_t>(type.nodes());
+  for (std::size_t e = 0; e * corners < part.nodes.size(); ++e) {
+    const double length = rest ? (*rest)[e] : u && v && bar ? twine_length(*u, *v, (*bar)[e], e) : 0;
+    for (std::size_t c = 0; c < corners; ++c)
+      carried[part.nodes[e * corners + c]] += length / static_cast<double>(corners);
+  }
+  return carried;
+}
+
+void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<double>& carried, double number,
+                   Part& rider) {
+  double total = 0;
+  for (const auto node : nodes) total += carried[node];
+  for (const auto node : nodes) {
+    rider.nodes.push_back(node);
+    rider.data["share"].push_back(
+        number * (total > 0 ? carried[node] / total : 1 / static_cast<double>(nodes.size())));
+    rider.data["length"].push_back(carried[node]);
+  }
+}
+
+void ride_on_elements(const Part& part, Part& rider) {
+  rider.nodes.insert(rider.nodes.end(), part.nodes.begin(), part.nodes.end());
+  for (const auto& [name, values] : part.data) {
+    auto& own = rider.data[name];
+    own.insert(own.end(), values.begin(), values.end());
+  }
+}
+
+}  // namespace netloft::io

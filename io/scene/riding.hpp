@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/descriptors.hpp"
+#include "framework/scene/scene.hpp"
+
+namespace netloft::io {
+
+/// Parts that stand on what is there already: floats along a headline, pressure on a cod-end, the seabed
+/// under a footrope. They have no nodes of their own.
+
+/// Metres of rope or twine that every node of the scene carries of one part: half of each bar it ends, a
+/// third of the twines of each triangle. Zero elsewhere.
+std::vector<double> carried_length(const Scene& scene, const Part& part, const ElementType& type);
+
+/// One element on each of `nodes`. Data: `share`, `number` of pieces times the node's part of what all of
+/// them carry (equal parts if they carry nothing); `length`, the metres it carries.
+void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<double>& carried, double number,
+                   Part& rider);
+
+/// The elements of another part, with their data.
+void ride_on_elements(const Part& part, Part& rider);
+
+}  // namespace netloft::io
