@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/scene/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/sample_scenes.hpp"
+#include "tests/unit/framework/assembler/sketch.hpp"
+
+namespace netloft::test {
+namespace {
+
+const TermPlan& term(const Plan& plan, const std::string& type, const std::string& name) {
+  for (const auto& family : plan.families)
+    for (const auto& t : family.terms)
+      if (family.type->type == type && t.name == name) return t;
+  throw std::invalid_argument(type + " " + name);
+}
+
+TEST(Plan, CountsWhatThereIsToSolve) {
+  const Plan plan = make_plan(sample::hanging_panel(4, 34), plugins());
+  ASSERT_EQ(plan.families.size(), 1u);
+  EXPECT_EQ(plan.families[0].type->type, "priour/triangle");
+  EXPECT_EQ(plan.families[0].elements, 32u);
+  EXPECT_EQ(plan.nodes, 25u);
+  EXPECT_EQ(plan.held_nodes, 5u);
+  EXPECT_EQ(plan.unknowns, 60u);
+  EXPECT_TRUE(plan.symmetric);
+  EXPECT_TRUE(plan.conservative);
+}
+
+TEST(Plan, MakesOneFamilyOfPartsOfOneType) {
+  Sketch s;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0), c = s.node(2, 0, 0);
+  s.rope("headline", {a, b}, 1);
+  s.part("load", "test/load", {{"z", 1.0}}, {b});
+  s.rope("footrope", {b, c}, 1);
+  const Plan plan = make_plan(s.scene, plugins());
+  ASSERT_EQ(plan.families.size(), 2u);
+  EXPECT_EQ(plan.families[0].parts, (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(plan.families[0].elements, 2u);
+}
+
+TEST(Plan, SwitchesWeightOffWithoutGravityAndSaysWhy) {
+  Scene scene = sample::hanging_rope(4);
+  EXPECT_TRUE(term(make_plan(scene, plugins()), "rope/bar", "weight").on);
+  scene.water.gravity = 0;
+  const Plan plan = make_plan(scene, plugins());
+  EXPECT_FALSE(term(plan, "rope/bar", "weight").on);
+  EXPECT_EQ(term(plan, "rope/bar", "weight").reason, "no gravity in the scene");
+  EXPECT_TRUE(term(plan, "rope/bar", "elastic").on);
+}
+
+TEST(Plan, NamesTheTermThatMakesTheMatrixUnsymmetric) {
+  Sketch s;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0);
+  s.rope("rope", {a, b}, 1);
+  s.part("push", "test/follower", {{"k", 1.0}}, {a, b}).data["rest_length"] = {1};
+  const Plan plan = make_plan(s.scene, plugins());
+  EXPECT_FALSE(plan.symmetric);
+  EXPECT_FALSE(plan.conservative);
+  EXPECT_EQ(plan.unsymmetric_because, "test/follower push");
+}
+
+TEST(Plan, KeepsTheMatrixSymmetricBesideAConstantForce) {
+  Sketch s;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0);
+  s.rope("rope", {a, b}, 1);
+  s.part("load", "test/load", {{"z", 1.0}}, {b});
+  EXPECT_TRUE(make_plan(s.scene, plugins()).symmetric);
+}
+
+TEST(Plan, ListsPluginsThatNobodyUses) {
+  const Plan plan = make_plan(sample::hanging_rope(4), plugins());
+  const auto& idle = plan.not_loaded;
+  EXPECT_NE(std::find(idle.begin(), idle.end(), "priour"), idle.end());
+  EXPECT_EQ(std::find(idle.begin(), idle.end(), "rope"), idle.end());
+}
+
+TEST(Plan, RefusesAnElementThatNoPluginHas) {
+  Sketch s;
+  s.part("net", "priour/square", {}, {});
+  EXPECT_THROW(make_plan(s.scene, plugins()), UnknownComponent);
+}
+
+TEST(Plan, WritesTraitsAsWords) {
+  EXPECT_EQ(describe_traits(0), "none");
+  EXPECT_EQ(describe_traits(NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC), "conservative, symmetric");
+}
+
+/// What is wrong with a scene whose only fault is in one of its parts.
+std::string fault_of(const Scene& scene) {
+  try {
+    const Assembled a(scene);
+    return "";
+  } catch (const SceneError& e) {
+    EXPECT_EQ(e.faults.size(), 1u);
+    return e.faults.front().part + ": " + e.faults.front().message;
+  }
+}
+
+TEST(Family, NamesThePartWhoseParametersAreWrong) {
+  Scene scene = sample::hanging_rope(4);
+  scene.parts[0].parameters["rope.EA"] = -1.0;
+  EXPECT_NE(fault_of(scene).find("rope: "), std::string::npos);
+  EXPECT_NE(fault_of(scene).find("rope.EA"), std::string::npos);
+}
+
+TEST(Family, NamesThePartThatLacksADatum) {
+  Scene scene = sample::hanging_rope(4);
+  scene.parts[0].data.clear();
+  EXPECT_NE(fault_of(scene).find("rope: rope/bar wants \"rest_length\""), std::string::npos);
+}
+
+TEST(Family, NamesThePartWithTooFewNumbers) {
+  Scene scene = sample::hanging_rope(4);
+  scene.parts[0].data["rest_length"].pop_back();
+  EXPECT_NE(fault_of(scene).find("\"rest_length\" has 3 numbers, 4 are wanted"), std::string::npos);
+}
+
+TEST(Family, NamesTheElementThatThePluginRefuses) {
+  Scene scene = sample::hanging_rope(4);
+  scene.parts[0].data["rest_length"][2] = 0;
+  EXPECT_NE(fault_of(scene).find("rope: rope/bar element 2 is refused: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace netloft::test
