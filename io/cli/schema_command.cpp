@@ -114,7 +114,7 @@ Json geometry_schema(const GeometryKey& key) {
 }
 
 /// Data of elements that the geometry does not give stand in the part's table.
-void put_data(Json& part, const ElementType& e) {
+void put_data(Json& part, const ElementType& e, bool required) {
   const auto& given = geometry_data(e.element.stencil);
   const double inf = std::numeric_limits<double>::infinity();
   for (const auto& datum : e.data)
@@ -124,22 +124,65 @@ void put_data(Json& part, const ElementType& e) {
                         {"items", quantity(datum.unit, -inf, inf, datum.doc)},
                         {"description", datum.doc}},
                        exactly(datum.width)),
-          true);
+          required);
 }
 
-Json part_schema(const ElementType& e) {
+Json text(const std::string& doc) { return {{"type", "string"}, {"description", doc}}; }
+
+/// `drag = "hydro/morison"`, or a table with the law and its parameters.
+void put_laws(Json& part, const ElementType& e) {
+  for (const auto& slot : e.laws) {
+    const Json name = text(std::string(slot.doc) + ", such as " + slot.fallback);
+    const Json table = {{"type", "object"}, {"properties", {{"law", name}}}};
+    put(part, slot.name, {{"description", slot.doc}, {"anyOf", {name, table}}}, false);
+  }
+}
+
+/// Elements that come with those of a part bring parameters of their own.
+void put_companions(Json& part, const ElementType& e, const PluginContent& plugin) {
+  for (const auto& other : plugin.elements)
+    if (other.element.rides_on && std::string_view(other.element.rides_on) == e.element.name)
+      put_table(part, other.parameters);
+}
+
+Json begin_part(const ElementType& e) {
   Json part = object();
   part["title"] = e.type;
   part["description"] = e.element.doc;
   put(part, "type", {{"const", e.type}, {"description", e.element.doc}}, true);
-  for (const auto& key : geometry_keys(e.element.stencil)) put(part, key.name, geometry_schema(key), true);
+  return part;
+}
+
+Json end_part(Json part, const ElementType& e, const PluginContent& plugin) {
   put_table(part, e.parameters);
-  put_data(part, e);
+  put_companions(part, e, plugin);
+  put_laws(part, e);
   drop_repeats(part);
   return part;
 }
 
-Json text(const std::string& doc) { return {{"type", "string"}, {"description", doc}}; }
+/// A part with a geometry of its own.
+Json part_schema(const ElementType& e, const PluginContent& plugin) {
+  Json part = begin_part(e);
+  for (const auto& key : geometry_keys(e.element.stencil)) put(part, key.name, geometry_schema(key), true);
+  put_data(part, e, true);
+  return end_part(std::move(part), e, plugin);
+}
+
+/// A part that stands on others, which may give it its data.
+Json rider_schema(const ElementType& e, const PluginContent& plugin) {
+  Json part = begin_part(e);
+  part["title"] = e.type + " on other parts";
+  const Json name = text("a part, an edge or a point");
+  put(part, "on",
+      {{"description", "what it stands on"},
+       {"anyOf", {name, {{"type", "array"}, {"items", name}, {"minItems", 1}}}}},
+      true);
+  if (e.element.stencil == NETLOFT_NODE)
+    put(part, "number", quantity("1", 0, 1e6, "pieces, shared out along what it stands on"), false);
+  put_data(part, e, false);
+  return end_part(std::move(part), e, plugin);
+}
 
 Json hold_schema() {
   Json hold = object();
@@ -162,6 +205,25 @@ Json join_schema() {
   return {{"type", "array"}, {"items", join}};
 }
 
+/// One velocity, or a profile over height.
+Json current_schema() {
+  const auto column = [](const std::string& unit, double limit, const std::string& doc) {
+    return Json{{"type", "array"},
+                {"items", quantity(unit, -limit, limit, doc)},
+                {"minItems", 1},
+                {"description", doc}};
+  };
+  Json profile = object();
+  put(profile, "z", column("m", 2e4, "heights of the samples, 0 at the surface"), true);
+  put(profile, "x", column("m/s", 50, "velocity along x at each z"), false);
+  put(profile, "y", column("m/s", 50, "velocity along y at each z"), false);
+  put(profile, "up", column("m/s", 50, "velocity upwards at each z"), false);
+  Json velocity = column("m/s", 50, "velocity [vx, vy, vz]");
+  velocity["minItems"] = velocity["maxItems"] = 3;
+  return {{"description", "velocity of the water: the same everywhere, or a profile over height"},
+          {"anyOf", {velocity, profile}}};
+}
+
 Json results_schema() {
   Json entry = object();
   put(entry, "of", text("a part, an edge or a point"), true);
@@ -178,10 +240,15 @@ int schema_command(const Options& options) {
   find_plugins(options, registry);
   Json parts = Json::array(), analysis = object(), water = object();
   put_table(water, water_keys());
+  put(water, "current", current_schema(), false);
   put_table(analysis, analysis_keys());
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
-    for (const auto& e : plugin.elements) parts.push_back(part_schema(e));
+    for (const auto& e : plugin.elements) {
+      if (e.element.rides_on) continue;  // it comes with another
+      parts.push_back(part_schema(e, plugin));
+      parts.push_back(rider_schema(e, plugin));
+    }
     for (const auto& s : plugin.solvers) {
       Json own = object();
       own["description"] = s.solver.doc;

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program as a user meets it: a command line in a fresh folder, an exit code, two streams, files left behind.
+
+NETLOFT_PROGRAM names the program, NETLOFT_SOURCE_DIR the source tree.
+"""
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["NETLOFT_PROGRAM"]
+SOURCE = Path(os.environ["NETLOFT_SOURCE_DIR"])
+
+# A panel of 4 x 4 meshes hangs from its fore edge and carries a rope along its aft edge. Wrong scenes are this one
+# with a change that keeps the lines above it in place; so the expected places can be counted here.
+GOOD = """\
+[water]
+density = 1025
+gravity = 9.81
+
+[parts.net]
+type = "priour/triangle"
+panel = { across = 4, along = 4, bar = "0.6 m" }
+cells = [4, 4]
+sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]
+twine = { diameter = "10 mm", EA = "10 kN", density = 2000 }
+
+[parts.rope]
+type = "rope/bar"
+length = "3 m"
+cells = 4
+sketch = [[-2, 0, -4], [2, 0, -4]]
+rope = { diameter = "20 mm", EA = "100 kN", EA_compression = 0, density = 1150 }
+
+[[join]]
+points = ["net.aft", "rope"]
+
+[[hold]]
+on = "net.fore"
+
+[analysis]
+solver = "newton"
+tolerance = 1e-10
+
+[results]
+lowest_z = { of = "net", take = "min z" }
+"""
+
+
+def changed(text, *changes):
+    """`text` with each (old, new) put in; an old one that is not there is a mistake in the test."""
+    for old, new in changes:
+        assert text.count(old) >= 1, f"not in the scene: {old}"
+        text = text.replace(old, new, 1)
+    return text
+
+
+class Finished:
+    def __init__(self, process):
+        self.code = process.returncode
+        self.out = process.stdout.decode("utf-8", "replace")
+        self.err = process.stderr.decode("utf-8", "replace")
+
+    def json(self):
+        """Standard output, which must be one JSON object and nothing else."""
+        value = json.loads(self.out)
+        assert isinstance(value, dict), "not an object"
+        return value
+
+
+class InFreshFolder(unittest.TestCase):
+    def setUp(self):
+        keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(keeper.cleanup)
+        self.folder = Path(keeper.name)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def command(self, *words):
+        return [PROGRAM, *words]
+
+    def environment(self, **more):
+        return {**{k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "NETLOFT_PLUGINS")}, **more}
+
+    def netloft(self, *words, environment=None, **how):
+        return Finished(subprocess.run(self.command(*words), cwd=self.folder, stdin=subprocess.DEVNULL,
+                                       capture_output=True, timeout=120, env=environment or self.environment(), **how))
+
+    def files(self):
+        return {str(p.relative_to(self.folder)): p.read_bytes() for p in self.folder.rglob("*") if p.is_file()}

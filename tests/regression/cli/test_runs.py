@@ -1,0 +1,302 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Right use: what a run prints, where, with which exit code, and what it leaves in the folder."""
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+from program import GOOD, SOURCE, InFreshFolder, changed
+
+SCENES = SOURCE / "gear-library" / "scenes"
+PANEL = SCENES / "dead-weight-panel.toml"
+COARSE = ["--set", "parts.net.cells=[8,8]"]
+STUCK = ["--set", "analysis.max_iterations=3"]
+
+
+def points(file):
+    with h5py.File(file) as f:
+        return f["VTKHDF/Points"][: f["VTKHDF/NumberOfPoints"][0]]
+
+
+def outcome(file):
+    with h5py.File(file) as f:
+        return dict(f["netloft/status"].attrs)
+
+
+class Runs(InFreshFolder):
+    def run_panel(self, *words, **how):
+        return self.netloft("run", str(PANEL), *COARSE, *words, **how)
+
+    def test_a_result_lies_in_the_working_folder_and_nothing_else(self):
+        ended = self.run_panel()
+        self.assertEqual(ended.code, 0, ended.err)
+        self.assertEqual(list(self.files()), ["dead-weight-panel.hdf"])
+        self.assertEqual(ended.err, "")
+        self.assertIn("dead-weight-panel: converged, stable equilibrium", ended.out)
+        self.assertIn("written to dead-weight-panel.hdf", ended.out)
+        self.assertEqual(outcome(self.folder / "dead-weight-panel.hdf")["outcome"], "converged")
+
+    def test_json_says_what_a_script_needs(self):
+        ended = self.run_panel("--json")
+        report = ended.json()
+        for key in ("status", "reason", "iterations", "factorisations", "residual", "energy", "wall_seconds", "unknowns",
+                    "terms", "output", "results"):
+            self.assertIn(key, report)
+        self.assertEqual(report["status"], "converged")
+        self.assertEqual(report["unknowns"], 3 * (81 - 9))
+        self.assertEqual(report["output"], "dead-weight-panel.hdf")
+        self.assertEqual(ended.err, "")
+        phases = report["wall_seconds"]
+        for phase in ("reading", "setup", "assembly", "analysis", "factorisation", "solve", "solver_total", "total"):
+            self.assertGreaterEqual(phases[phase], 0)
+        self.assertLessEqual(phases["solver_total"], phases["total"])
+        self.assertEqual(report["terms"][0]["type"], "priour/triangle")
+        self.assertIn("weight", [t["name"] for t in report["terms"][0]["terms"] if t["on"]])
+
+    def test_json_and_file_agree(self):
+        report = self.run_panel("--json").json()
+        with h5py.File(self.folder / report["output"]) as f:
+            for name, value in report["results"].items():
+                self.assertEqual(f["netloft/scalars"][name][()], value)
+            self.assertEqual(points(self.folder / report["output"])[:, 2].min(), report["results"]["lowest_z"])
+
+    def test_forces_of_holds_carry_the_weight_even_where_holds_overlap(self):
+        self.write("scene.toml", changed(GOOD, ('on = "net.fore"', 'on = "net.fore"\n[[hold]]\non = "net.left"\naxes = "yz"')))
+        report = self.netloft("run", "scene.toml", "--json").json()
+        held = sum(np.array(h["force"]) for h in report["hold_forces"])
+        forces = sum(np.array(p["force"]) for p in report["part_forces"] if p["term"] != "elastic")
+        scale = np.abs(forces).max()
+        self.assertGreater(scale, 1)
+        np.testing.assert_allclose(held + forces, 0, atol=1e-6 * scale)
+
+    def test_output_option_and_backup(self):
+        first = self.run_panel("-o", "a.hdf")
+        self.assertEqual(first.code, 0, first.err)
+        before = points(self.folder / "a.hdf")
+        self.assertEqual(self.run_panel("-o", "a.hdf", "--set", "water.gravity=5").code, 0)
+        self.assertEqual(sorted(self.files()), ["a.hdf", "a.hdf~"])
+        np.testing.assert_array_equal(points(self.folder / "a.hdf~"), before)
+        self.assertFalse(np.array_equal(points(self.folder / "a.hdf"), before))
+
+    def test_not_converged(self):
+        ended = self.run_panel("--json", *STUCK)
+        self.assertEqual(ended.code, 3)
+        report = ended.json()
+        self.assertEqual(report["status"], "not converged")
+        self.assertIn("the limit of 3 iterations was reached", report["reason"])
+        self.assertTrue(report["at_fault"].startswith("net"), report["at_fault"])
+        status = outcome(self.folder / "dead-weight-panel.hdf")
+        self.assertEqual(status["outcome"], "not converged")
+        self.assertEqual(status["sentence"], report["reason"])
+        self.assertEqual(list(self.files()), ["dead-weight-panel.hdf"])
+        spoken = self.run_panel(*STUCK)
+        self.assertIn("not converged", spoken.out)
+        self.assertIn("net node", spoken.out)
+
+    def test_interrupted(self):
+        words = ["run", str(PANEL), "--json", "--set", "parts.net.cells=[200,200]", "--set", "analysis.tolerance=1e-16"]
+        process = subprocess.Popen(self.command(*words), cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, env=self.environment())
+        part = self.folder / "dead-weight-panel.hdf.part"
+        begun = time.monotonic()
+        while not part.exists() and time.monotonic() - begun < 60:
+            time.sleep(0.02)
+        line = process.stderr.readline().decode()  # the first sign of life, after a second
+        self.assertTrue(line.startswith("progress iteration="), line)
+        self.assertIn(" residual=", line)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, err)
+        report = json.loads(out)
+        self.assertEqual(report["status"], "interrupted")
+        self.assertEqual(list(self.files()), ["dead-weight-panel.hdf"])
+        file = self.folder / "dead-weight-panel.hdf"
+        self.assertEqual(outcome(file)["outcome"], "interrupted")
+        self.assertEqual(points(file).shape, (201 * 201, 3))
+        self.assertTrue(np.isfinite(points(file)).all())
+
+    def test_a_short_run_says_nothing_on_standard_error(self):
+        self.assertEqual(self.run_panel().err, "")
+
+    def test_solver_parameters_from_the_command_line(self):
+        plain, classic = self.run_panel("--json").json(), self.run_panel("--json", "--solver", "newton:method=classic").json()
+        self.assertNotEqual(plain["iterations"], classic["iterations"])
+        same = self.run_panel("--json", "--set", "analysis.newton.method=classic").json()
+        self.assertEqual(same["iterations"], classic["iterations"])
+
+    def test_set_takes_units_without_quotes(self):
+        one = self.run_panel("--json", "--set", "parts.net.panel.bar=600 mm").json()
+        self.assertEqual(one["results"], self.run_panel("--json").json()["results"])
+
+    def test_threads_change_no_bit(self):
+        for threads in ("1", "2"):
+            ended = self.netloft("run", str(PANEL), "--threads", threads, "-o", threads + ".hdf")
+            self.assertEqual(ended.code, 0, ended.err)
+        one, two = (points(self.folder / f"{n}.hdf") for n in "12")
+        self.assertEqual(one.tobytes(), two.tobytes())
+
+    def test_three_files_give_the_bits_of_one(self):
+        single = self.netloft("run", str(PANEL), "-o", "single.hdf")
+        self.assertEqual(single.code, 0, single.err)
+        three = self.netloft("run", str(SCENES / "dead-weight-panel" / "analysis.toml"), "-o", "three.hdf")
+        self.assertEqual(three.code, 0, three.err)
+        self.assertEqual(points(self.folder / "single.hdf").tobytes(), points(self.folder / "three.hdf").tobytes())
+        with h5py.File(self.folder / "three.hdf") as f:
+            read = [name.decode().rsplit("/", 1)[-1] for name in f["netloft/provenance/files/path"]]
+        self.assertEqual(sorted(read), ["analysis.toml", "geometry.toml", "properties.toml"])
+
+    def test_names_with_spaces_and_accents(self):
+        name = "Schleppnetz größer 2.toml"
+        self.write(name, GOOD)
+        ended = self.netloft("run", name, "--json")
+        self.assertEqual(ended.code, 0, ended.err)
+        self.assertEqual(ended.json()["output"], "Schleppnetz größer 2.hdf")
+        self.assertTrue((self.folder / "Schleppnetz größer 2.hdf").exists())
+
+    def test_a_held_edge_is_where_its_hold_puts_it(self):
+        self.write("scene.toml", changed(GOOD, ('on = "net.fore"', 'on = "net.fore"\nat = [[-1, 0, 0], ["1 m", 0, "50 cm"]]')))
+        self.assertEqual(self.netloft("run", "scene.toml").code, 0)
+        expected = np.column_stack([np.linspace(-1, 1, 5), np.zeros(5), np.linspace(0, 0.5, 5)])
+        np.testing.assert_allclose(points(self.folder / "scene.hdf")[:5], expected, atol=1e-15)
+
+
+class WhereTheResultCannotGo(InFreshFolder):
+    def check(self, output, says, **how):
+        shutil.copy(PANEL, self.folder / "scene.toml")
+        before = self.files()
+        ended = self.netloft("run", "scene.toml", "-o", output, "--json", **how)
+        self.assertIn(ended.code, (1, 2))
+        self.assertIn(says, ended.err)
+        self.assertIn("status", ended.json())
+        self.assertNotIn("iterations", ended.json(), "it was solved before")
+        return before
+
+    def test_missing_folder(self):
+        before = self.check("nowhere/a.hdf", "the folder nowhere does not exist")
+        self.assertEqual(self.files(), before)
+
+    def test_a_folder(self):
+        self.check(".", "is a folder")
+
+    def test_a_pipe(self):
+        os.mkfifo(self.folder / "a.hdf")
+        self.check("a.hdf", "not a file that a result may replace")
+        self.assertFalse((self.folder / "a.hdf").is_file())
+
+    def test_folder_where_nothing_can_be_made(self):
+        self.check("/proc/a.hdf", "cannot write /proc/a.hdf.part")
+
+    @unittest.skipIf(os.geteuid() == 0, "permissions do not hold root back")
+    def test_folder_without_permission(self):
+        (self.folder / "mine").mkdir(mode=0o500)
+        self.check("mine/a.hdf", "Permission denied")
+
+    def test_full_disk(self):
+        """A limit on the size of files fails a write where a full disk would."""
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (16384, 16384))
+
+        shutil.copy(PANEL, self.folder / "scene.toml")
+        ended = self.netloft("run", "scene.toml", "-o", "a.hdf", preexec_fn=limit)
+        self.assertEqual(ended.code, 1, ended.err)
+        self.assertIn("cannot write", ended.err)
+        self.assertNotIn("a.hdf", self.files())
+
+
+class OtherCommands(InFreshFolder):
+    def test_version(self):
+        ended = self.netloft("--version")
+        self.assertEqual(ended.code, 0)
+        self.assertRegex(ended.out, r"^netloft \d+\.\d+\.\d+\n$")
+
+    def test_help(self):
+        for words in (["--help"], ["run", "--help"]):
+            ended = self.netloft(*words)
+            self.assertEqual((ended.code, ended.err), (0, ""))
+        self.assertIn("--solver", ended.out)
+
+    def test_no_command(self):
+        ended = self.netloft()
+        self.assertEqual((ended.code, ended.out), (2, ""))
+
+    def test_plan_gives_reasons_and_writes_nothing(self):
+        ended = self.netloft("plan", str(PANEL))
+        self.assertEqual((ended.code, ended.err, self.files()), (0, "", {}))
+        for words in ("priour/triangle: 2048 elements", "not loaded:", "3168 unknowns", "symmetric", "factorisation: ", "threads: "):
+            self.assertIn(words, ended.out)
+        plan = self.netloft("plan", str(PANEL), "--json").json()
+        self.assertEqual(plan["unknowns"], 3168)
+        self.assertTrue(all(term["reason"] for family in plan["families"] for term in family["terms"]))
+
+    def test_plan_finds_the_errors_that_a_run_finds(self):
+        self.write("scene.toml", changed(GOOD, ("[water]", "[watre]")))
+        plan, run = (self.netloft(command, "scene.toml") for command in ("plan", "run"))
+        self.assertEqual((plan.code, plan.err), (2, run.err))
+
+    def test_list(self):
+        ended = self.netloft("list")
+        self.assertEqual((ended.code, ended.err), (0, ""))
+        for name in ("newton/newton", "priour/triangle", "rope/bar"):
+            self.assertIn(name, ended.out)
+        types = [c["type"] for c in self.netloft("list", "--json").json()["components"]]
+        self.assertIn("rope/bar", types)
+
+    def test_describe(self):
+        for name in ("rope/bar", "priour/triangle"):
+            text, row = self.netloft("describe", name).out, self.netloft("describe", name, "--json").json()
+            for parameter in row["parameters"]:
+                self.assertIn(parameter["name"], text)
+                self.assertTrue(parameter["doc"] and parameter["unit"])
+        self.assertIn("damping", self.netloft("describe", "newton").out)
+        for table in ("water", "analysis"):
+            self.assertEqual(self.netloft("describe", table, "--json").json()["type"], table)
+
+    def test_describe_what_is_not_there(self):
+        ended = self.netloft("describe", "rope/bra")
+        self.assertEqual((ended.code, ended.out), (4, ""))
+        self.assertIn("rope/bar", ended.err)
+
+    def test_colour(self):
+        self.write("scene.toml", "[watre]\n")
+        for words, environment, colour in (([], {}, False), (["--color", "always"], {}, True),
+                                           (["--color", "always"], {"NO_COLOR": "1"}, True),
+                                           (["--color", "never"], {}, False), (["--color", "auto"], {"NO_COLOR": "1"}, False)):
+            ended = self.netloft("run", "scene.toml", *words, environment=self.environment(TERM="xterm", **environment))
+            self.assertEqual("\033[" in ended.err, colour, (words, environment))
+
+    def on_a_terminal(self, environment):
+        """What standard error shows when it is a terminal."""
+        ours, theirs = os.openpty()
+        process = subprocess.run(self.command("run", "scene.toml"), cwd=self.folder, stdout=subprocess.DEVNULL, stderr=theirs,
+                                 env=self.environment(TERM="xterm", **environment), timeout=60)
+        shown = os.read(ours, 65536).decode()
+        os.close(theirs)
+        os.close(ours)
+        return process.returncode, shown
+
+    def test_colour_on_a_terminal(self):
+        self.write("scene.toml", "[watre]\n")
+        code, shown = self.on_a_terminal({})
+        self.assertEqual(code, 2)
+        self.assertIn("\033[", shown)
+        self.assertNotIn("\033[", self.on_a_terminal({"NO_COLOR": "1"})[1])
+
+    def test_a_closed_pipe_is_no_crash(self):
+        process = subprocess.Popen(self.command("schema"), cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   env=self.environment())
+        process.stdout.close()
+        process.stderr.read()
+        process.stderr.close()
+        self.assertIn(process.wait(timeout=60), (0, 1, -signal.SIGPIPE))
+
+
+if __name__ == "__main__":
+    unittest.main()

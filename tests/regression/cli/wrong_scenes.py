@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes a person gets wrong, each with the place and the words of the answer.
+
+`change` is made to program.GOOD, or `content` replaces it; `files` lie beside it; `args` follow on the command line.
+`where` and `says` stand in one error; `hint` in its hint. Every other error must be listed in `also`, as (where, words):
+an error that only follows from another helps nobody.
+"""
+from dataclasses import dataclass, field
+
+from program import GOOD, changed
+
+
+@dataclass
+class Wrong:
+    name: str
+    where: str
+    says: str
+    hint: str = ""
+    change: list = field(default_factory=list)
+    content: object = None
+    files: dict = field(default_factory=dict)
+    args: list = field(default_factory=list)
+    also: list = field(default_factory=list)
+    code: int = 2
+
+    def scene(self):
+        return changed(GOOD, *self.change) if self.content is None else self.content
+
+
+def edit(name, old, new, where, says, hint="", **more):
+    return Wrong(name, where and "scene.toml:" + where, says, hint, change=[(old, new)], **more)
+
+
+def set_to(name, setting, says, hint="", **more):
+    return Wrong(name, "--set " + setting.split("=")[0], says, hint, args=["--set", setting], **more)
+
+
+HOLD = 'on = "net.fore"'
+JOIN = 'points = ["net.aft", "rope"]'
+TAKE = 'take = "min z"'
+
+KEYS = [
+    edit("missing key", 'length = "3 m"\n', "", "12:1", 'missing key "length" in parts.rope'),
+    edit("missing type", 'type = "rope/bar"\n', "", "12:1", 'missing key "type" in parts.rope'),
+    edit("unknown key", "EA = \"10 kN\"", "EA = \"10 kN\", colour = 3", "10:45", 'unknown key "colour" in parts.net.twine',
+         'allowed here: "EA", "EA_compression", "diameter"'),
+    edit("misspelt key", "tolerance", "tolerence", "27:1", 'unknown key "tolerence" in analysis', 'did you mean "tolerance"?'),
+    edit("misspelt required key", "diameter", "diametre", "10:11", 'unknown key "diametre"', 'did you mean "diameter"?',
+         also=[("scene.toml:10:9", 'missing key "diameter" in parts.net.twine')]),
+    edit("misspelt table", "[water]", "[watre]", "1:2", 'unknown key "watre"', 'did you mean "water"?'),
+    edit("wrong type", "gravity = 9.81", "gravity = true", "3:11", "water.gravity is the boolean true; an acceleration in m/s2",
+         "a text such as"),
+    edit("text for integers", "cells = [4, 4]", 'cells = "many"', "8:9", "an array of integers is wanted"),
+    edit("real for an integer", "cells = 4", "cells = 4.5", "15:9", "parts.rope.cells is the number 4.5; an integer"),
+    edit("number for a text", 'type = "rope/bar"', "type = 3", "13:8", "parts.rope.type is the integer 3; a text is wanted"),
+    edit("hold is no array of tables", "[[hold]]", "[hold]", "22:1", "hold is a table; an array of tables", "[[hold]]"),
+    edit("part is no table", "[parts.net]", "[parts]\nfloat = 3\n[parts.net]", "6:9", "parts.float: a part is a table"),
+    edit("result is no table", '{ of = "net", take = "min z" }', '"min z"', "30:12", "results.lowest_z is the text"),
+    Wrong("parts is no table", "scene.toml:1:9", "parts is an array of 1; a table is wanted", content="parts = [1]\n"),
+    Wrong("no parts", "scene.toml:1:1", 'missing key "parts"', content="[water]\n"),
+    Wrong("parts without a part", "scene.toml:1:1", "there are no parts", content="[parts]\n"),
+    edit("duplicate key", "gravity = 9.81", "gravity = 9.81\ngravity = 9.8", "4:11", "cannot redefine existing"),
+]
+
+UNITS = [
+    edit("wrong unit", '"0.6 m"', '"0.6 kg"', "7:40", "is a mass (kg); a length (m) is wanted"),
+    edit("unknown unit", '"0.6 m"', '"0.6 smoots"', "7:40", 'unit "smoots" in "0.6 smoots" is not known'),
+    edit("wrong dimension", '"10 kN"', '"10 kN/m"', "10:36", "is a stiffness (N/m); a force (N) is wanted"),
+    edit("unit without quotes", '"0.6 m"', "0.6 m", "7:44", "cannot read the inline table", "in quotes"),
+]
+
+RANGES = [
+    edit("out of range", '"10 kN"', '"-5 N"', "10:36", "parts.net.twine.EA = -5 N is outside [0, 1e9] N"),
+    edit("NaN", "density = 2000", "density = nan", "10:55", "is not a finite number"),
+    edit("infinity", "density = 2000", "density = inf", "10:55", "is not a finite number"),
+    edit("NaN with a unit", "density = 2000", 'density = "nan kg/m3"', "10:55", "is not a finite number"),
+    edit("no meshes", "across = 4", "across = 0", "7:20", "parts.net.panel.across = 0 is outside (0, 1e6]"),
+    edit("hardly a mesh", "across = 4", "across = 1e-300", "5:1", "holds no netting"),
+    edit("no cells", "cells = [4, 4]", "cells = [0, 4]", "8:10", "parts.net.cells[0] = 0 is outside [1, 100000]"),
+    edit("a rope of no bars", "cells = 4\n", "cells = 0\n", "15:9", "parts.rope.cells = 0 is outside"),
+    edit("three cells", "cells = [4, 4]", "cells = [4, 4, 4]", "8:9", "has 3 values; 2 are wanted"),
+    edit("tolerance of zero", "tolerance = 1e-10", "tolerance = 0", "27:13", "analysis.tolerance = 0 is outside"),
+    edit("analysis nobody offers", "tolerance", 'kind = "dynamic"\ntolerance', "27:8", 'is not one of "static"'),
+    edit("absurd cells", "cells = [4, 4]", "cells = [1000000000, 4]", "8:10", "is outside [1, 100000]"),
+    edit("too many triangles", "cells = [4, 4]", "cells = [100000, 100000]", "8:9", "makes 20000000000 triangles"),
+    edit("more than 64 bits", "cells = 4\n", "cells = 100000000000000000000\n", "15:30", "not representable in 64 bits"),
+    edit("absurd density", "density = 2000", "density = 1e300", "10:55", "1e300 kg/m3 is outside [0, 30000]"),
+    edit("absurd sketch", "[[-2, 0, 0]", "[[-1e300, 0, 0]", "9:12", "parts.net.sketch[0][0] = -1e300 m is outside"),
+]
+
+NAMES = [
+    edit("hold: no such part", HOLD, 'on = "ent.fore"', "23:6", 'there is no part "ent"', 'did you mean "net"?'),
+    edit("hold: no such edge", HOLD, 'on = "net.headline"', "23:6", '"net" has no "headline"', "fore-left, fore-right"),
+    edit("hold: an edge without its part", HOLD, 'on = "fore"', "23:6", 'there is no part "fore"', 'did you mean "net.fore"?'),
+    edit("hold: no such node", HOLD, 'on = "net.node-25"', "23:6", '"net" has no "node-25"', "node-0 to node-24"),
+    edit("hold: negative node", HOLD, 'on = "net.node--1"', "23:6", '"net" has no "node--1"', "node-0 to node-24"),
+    edit("hold: nothing", HOLD, 'on = ""', "23:6", "hold[0].on is empty"),
+    Wrong("hold: a middle between bars", "scene.toml:21:6", '"rope" has no "middle"', "only if its number of cells is even",
+          change=[("cells = 4\n", "cells = 3\n"), ("[[join]]\n" + JOIN + "\n", ""), (HOLD, 'on = "rope.middle"')]),
+    edit("hold: a name twice", HOLD, HOLD + "\n[[hold]]\n" + HOLD, "25:6",
+         'a hold named "net.fore" already, at scene.toml:23:6', "name ="),
+    edit("join: no such part", JOIN, 'points = ["net.aft", "roop"]', "20:22", 'there is no part "roop"', "net, rope"),
+    edit("join: no such end", JOIN, 'points = ["net.aft", "rope.stop"]', "20:22", '"rope" has no "stop"', "start"),
+    edit("results: no such part", 'of = "net"', 'of = "nett"', "30:19", 'there is no part "nett"', 'did you mean "net"?'),
+    edit("results: no such edge", 'of = "net"', 'of = "net.aftt"', "30:19", '"net" has no "aftt"', 'did you mean "net.aft"?'),
+    edit("a dot in a part's name", '[[join]]', '[parts."ro.pe"]\ntype = "rope/bar"\n[[join]]', "19:1", '"ro.pe", must not hold a dot',
+         also=[("scene.toml:19:1", f'missing key "{key}"') for key in ("length", "cells", "sketch", "rope")]),
+    edit("a slash in a result's name", "lowest_z", '"lowest/z"', "30:14", "must not hold a slash"),
+    edit("a result without a name", "lowest_z", '""', "30:6", 'the name of a result, "", must not be empty'),
+    edit("a result named like a folder", "lowest_z", '"."', "30:7", "must not be made of dots only"),
+]
+
+HOLDS = [
+    edit("nothing is held", "[[hold]]\n" + HOLD + "\n", "", "5:1", 'connected to nothing that is held: it would drift away; add a [[hold]] on "net"'),
+    edit("held along one axis", HOLD, HOLD + '\naxes = "x"', "5:1", "connected to nothing that is held along y, z"),
+    edit("a rope joined to nothing", "[[join]]\n" + JOIN + "\n", "", "12:1", "rope node 0 is connected to nothing that is held"),
+    edit("axes: no axis", HOLD, HOLD + '\naxes = "w"', "24:8", '"w" is not made of the letters x, y and z'),
+    edit("axes: none", HOLD, HOLD + '\naxes = ""', "24:8", "hold[0].axes: holds nothing", "leave the key out"),
+    edit("axes: a number", HOLD, HOLD + "\naxes = 3", "24:8", "hold[0].axes is the integer 3; a text is wanted"),
+    edit("at: many nodes in a point", HOLD, HOLD + "\nat = [0, 0, 0]", "24:6", "5 nodes cannot be held in one point", "two or more"),
+    edit("at: many nodes on a line of no length", HOLD, HOLD + "\nat = [[1, 0, 0], [1, 0, 0]]", "24:6", "5 nodes cannot be held in one"),
+    edit("at: a word", HOLD, HOLD + '\nat = "sketh"', "24:6", 'is not one of "sketch"', 'did you mean "sketch"?'),
+    edit("at: two coordinates", HOLD, HOLD + "\nat = [1, 2]", "24:6", "hold[0].at has 2 values; 3 are wanted"),
+    edit("at: no points", HOLD, HOLD + "\nat = []", "24:6", "hold[0].at has 0 rows; at least 1"),
+    edit("at: NaN", HOLD, HOLD + "\nat = [[0, 0, nan], [1, 1, 1]]", "24:14", "is not a finite number"),
+    edit("a corner held at two places", HOLD,
+         HOLD + '\nat = [[-1, 0, 0], [1, 0, 0]]\n[[hold]]\non = "net.left"\nat = [[5, 0, 0], [-1, 0, -4]]', "27:6",
+         "net node 0 is held at (5, 0, 0) m here and at (-1, 0, 0) m by scene.toml:24:6", "the same place"),
+]
+
+JOINS = [
+    edit("join: many to one", JOIN, 'points = ["net.aft", "rope.start"]', "20:10",
+         '"net.aft" has 5 nodes, "rope.start" has 1', "the same cells"),
+    edit("join: one alone", JOIN, 'points = ["net.aft"]', "20:10", "has 1 value; at least 2 are wanted"),
+    edit("join: a point to itself", JOIN, JOIN + '\n[[join]]\npoints = ["rope.start", "rope.start"]', "22:10",
+         '"rope.start" is joined to itself'),
+    edit("join: both ends of a bar", "[[join]]\n" + JOIN, '[[join]]\npoints = ["rope.start", "net.aft-left"]\n'
+         '[[join]]\npoints = ["rope.node-1", "net.aft-left"]', "22:10", '"rope" element 0 would have two of its corners in one'),
+    Wrong("join: a tube one cell wide", "scene.toml:20:10", '"net" element 0 would have two of its corners in one node', "more cells",
+          change=[("cells = [4, 4]", "cells = [1, 4]"), (JOIN, 'points = ["net.left", "net.right"]')]),
+]
+
+RESULTS = [
+    edit("take: no such quantity", TAKE, 'take = "max stress"', "30:33", '"stress" is nothing that can be taken of "net"', "tension"),
+    edit("take: a slip", TAKE, 'take = "max tensoin"', "30:33", '"tensoin" is nothing', 'did you mean "max tension"?'),
+    edit("take: a longer word", TAKE, 'take = "minimum z"', "30:33", '"minimum z" is nothing', 'did you mean "min z"?'),
+    edit("take: of many, but not which", TAKE, 'take = "z"', "30:33", '"net" has many; say which', '"min z"'),
+    edit("take: tension of an edge", 'of = "net", take = "min z"', 'of = "net.aft", take = "max tension"', "30:37",
+         '"tension" is nothing that can be taken of "net.aft"', 'of the whole part, of = "net"'),
+    edit("take: nothing", TAKE, 'take = ""', "30:33", "results.lowest_z.take: is empty"),
+    edit("take: a reaction where nothing is held", 'of = "net", take = "min z"', 'of = "rope", take = "sum reaction z"', "30:34",
+         'nothing of "rope" is held there', "[[hold]]"),
+]
+
+FILES = [
+    Wrong("empty file", "", "scene.toml is empty", content=""),
+    Wrong("binary file", "", "scene.toml is a binary file", content=bytes(range(256)) * 4),
+    Wrong("not UTF-8", "", "is not UTF-8 text: line 1", content=("# Hänger\n" + GOOD).encode("latin-1")),
+    edit("syntax error", "[water]", "[water", "1:7", "cannot read the table header: expected ']'"),
+    edit("nested 10 000 deep", "gravity = 9.81", "gravity = " + "[" * 10000 + "]" * 10000, "3:267", "nested value depth"),
+    edit("a name of 200 kB", HOLD, f'on = "{"a" * 200000}"', "23:6", 'there is no part "aaaa', "net, rope"),
+    Wrong("include: a cycle", "b.toml:1:12", "include cycle: scene.toml -> b.toml -> scene.toml",
+          change=[("[water]", 'include = ["b.toml"]\n[water]')], files={"b.toml": 'include = ["scene.toml"]\n'}),
+    edit("include: no such file", "[water]", 'include = ["b.toml"]\n[water]', "1:12", "b.toml cannot be opened: No such file"),
+    edit("include: a text", "[water]", 'include = "b.toml"\n[water]', "1:11", "include is not an array", 'include = ["'),
+    edit("include: a binary file", "[water]", 'include = ["b.toml"]\n[water]', "1:12", "b.toml is a binary file",
+         files={"b.toml": b"\x7fELF\0\1"}),
+    edit("include: a folder", "[water]", 'include = ["."]\n[water]', "1:12", "is a directory"),
+    Wrong("an error in an included file", "b.toml:2:18", "analysis.max_iterations = -1 is outside",
+          change=[("[water]", 'include = ["b.toml"]\n[water]')], files={"b.toml": "[analysis]\nmax_iterations = -1\n"}),
+]
+
+PLUGINS = [
+    edit("misspelt plugin", "priour/triangle", "priur/triangle", "6:8", 'there is no plugin "priur"; did you mean "priour"?', "tried", code=4),
+    edit("unknown plugin", "priour/triangle", "otter/board", "6:8", 'there is no plugin "otter"', "otter.so", code=4),
+    edit("unknown element", "priour/triangle", "priour/quad", "6:8", 'has no element "priour/quad"; there is: priour/triangle', code=4),
+    edit("type without a plugin", "priour/triangle", "triangle", "6:8", "a type is written plugin/element", code=4),
+    edit("type with a path", "priour/triangle", "../../bin/sh", "6:8", 'there is no plugin ".."', code=4),
+    edit("empty type", "priour/triangle", "", "6:8", "parts.net.type: is empty"),
+    edit("unknown solver", '"newton"', '"newtn"', "26:10", 'there is no plugin "newtn"; did you mean "newton"?', code=4),
+    edit("an element as solver", '"newton"', '"rope"', "26:10", 'the plugin "rope" has no solver', code=4),
+    edit("empty solver", '"newton"', '""', "26:10", "analysis.solver: is empty"),
+    edit("solver parameter out of range", "tolerance", "newton = { damping = -1 }\ntolerance", "27:22",
+         "analysis.newton.damping = -1 is outside [0, 64]"),
+    edit("unknown solver parameter", "tolerance", "newton = { dampng = 1 }\ntolerance", "27:12",
+         'unknown key "dampng" in analysis.newton', 'did you mean "damping"?'),
+    edit("a choice that is none", "tolerance", 'newton = { method = "clasic" }\ntolerance', "27:21",
+         'is not one of "globalised", "classic"', 'did you mean "classic"?'),
+]
+
+OPTIONS = [
+    set_to("set: unknown key", "parts.net.cell=[4,4]", 'unknown key "cell" in parts.net', 'did you mean "cells"?'),
+    set_to("set: unknown part", "parts.nett.cells=[4,4]", "parts.nett.type: is missing", 'did you mean the part "net"?'),
+    set_to("set: through an array", "parts.net.cells.x=4", "parts.net.cells is not a table", "set the whole array"),
+    set_to("set: through a number", "water.density.x=4", "water.density is not a table"),
+    set_to("set: out of range", "water.density=-4", "water.density = -4 kg/m3 is outside [0, 3000] kg/m3"),
+    set_to("set: no equals sign", "parts.net.cells", "there is no '=' in parts.net.cells", "--set parts.net.cells=[64,64]"),
+    Wrong("set: no path", "--set", '"" is not a path of dotted keys', args=["--set", "=4"]),
+    Wrong("solver option: a wrong word", "--set analysis.newton.method", 'is not one of "globalised", "classic"',
+          'did you mean "classic"?', args=["--solver", "newton:method=clasic"]),
+    Wrong("solver option: no equals sign", "", '"method" is not key=value', args=["--solver", "newton:method"]),
+    Wrong("solver option: no name", "", '"" is no name of a solver', args=["--solver", ":method=classic"]),
+    Wrong("solver option: no pair", "", "nothing follows the colon", args=["--solver", "newton:"]),
+    Wrong("solver option: nothing", "", "--solver: must not be empty", args=["--solver", ""]),
+    Wrong("option nobody knows", "", "--frobnicate", args=["--frobnicate"]),
+    Wrong("no thread at all", "", "--threads: Value 0 not in range", args=["--threads", "0"]),
+    Wrong("plugin folder that is none", "", "is no folder", args=["--plugins", "nowhere"]),
+    Wrong("the result over the scene", "", "the scene is read from it", args=["-o", "scene.toml"]),
+]
+
+SEVERAL = [
+    Wrong("several at once", "scene.toml:3:11", 'water.gravity: "9.81 m" is a length',
+          change=[("gravity = 9.81", 'gravity = "9.81 m"'), ('bar = "0.6 m"', "bar = -1"), ('length = "3 m"\n', ""),
+                  (HOLD, 'on = "net.four"'), (TAKE, 'take = "min q"')],
+          also=[("scene.toml:7:40", "parts.net.panel.bar = -1 m is outside"),
+                ("scene.toml:12:1", 'missing key "length"'),
+                ("scene.toml:22:6", '"net" has no "four"'),
+                ("scene.toml:29:33", '"q" is nothing')]),
+]
+
+ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + RESULTS + FILES + PLUGINS + OPTIONS + SEVERAL
