@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <functional>
 #include <iterator>
 
 namespace netloft::io {
@@ -62,6 +63,8 @@ std::string element_text(const ElementType& e) {
   fmt::format_to(out, "\nterms\n");
   for (const auto& t : e.terms)
     fmt::format_to(out, "  {:<24} {} ({})\n", t.name, t.doc, describe_traits(t.traits));
+  if (!e.laws.empty()) fmt::format_to(out, "\nlaws\n");
+  for (const auto& l : e.laws) fmt::format_to(out, "  {:<24} {}, default {}\n", l.name, l.doc, l.fallback);
   if (!e.outputs.empty()) fmt::format_to(out, "\noutputs\n");
   for (const auto& o : e.outputs) fmt::format_to(out, "  {:<24} {} [{}]\n", o.name, o.doc, o.unit);
   return text;
@@ -105,6 +108,27 @@ Json solver_json(const SolverType& s) {
           {"plugin", s.origin->file}, {"version", s.origin->version}};
 }
 
+std::string law_text(const LawType& l) {
+  std::string text;
+  const Out out = std::back_inserter(text);
+  fmt::format_to(
+      out, "{}: {}\na law for {}; plugin {} {} ({})\n\nparameters (beside `law` in the slot's table)\n",
+      l.type, l.law.doc, l.law.kind == NETLOFT_TWINE_LAW ? "twines and ropes" : "netting as a screen",
+      l.origin->name, l.origin->version, l.origin->file.empty() ? "compiled in" : l.origin->file);
+  parameter_text(l.parameters, out);
+  return text;
+}
+
+Json law_json(const LawType& l) {
+  return {{"type", l.type},
+          {"kind", "law"},
+          {"doc", l.law.doc},
+          {"for", l.law.kind == NETLOFT_TWINE_LAW ? "twine" : "screen"},
+          {"parameters", parameter_json(l.parameters)},
+          {"plugin", l.origin->file},
+          {"version", l.origin->version}};
+}
+
 /// "water" and "analysis": tables that belong to no plugin.
 int describe_keys(const std::string& name, std::span<const netloft_parameter> table, bool json) {
   if (json) {
@@ -117,6 +141,26 @@ int describe_keys(const std::string& name, std::span<const netloft_parameter> ta
   return kDone;
 }
 
+/// One component, whatever its kind, as a row of `list`, as a page and as JSON.
+struct Component {
+  std::string type, kind, doc;
+  std::function<std::string()> text;
+  std::function<Json()> json;
+};
+
+std::vector<Component> components_of(const PluginContent& plugin) {
+  std::vector<Component> all;
+  for (const auto& e : plugin.elements)
+    all.push_back({e.type, "element", e.element.doc, [&e] { return element_text(e); },
+                   [&e] { return element_json(e); }});
+  for (const auto& l : plugin.laws)
+    all.push_back({l.type, "law", l.law.doc, [&l] { return law_text(l); }, [&l] { return law_json(l); }});
+  for (const auto& s : plugin.solvers)
+    all.push_back(
+        {s.type, "solver", s.solver.doc, [&s] { return solver_text(s); }, [&s] { return solver_json(s); }});
+  return all;
+}
+
 }  // namespace
 
 int list_command(const Options& options) {
@@ -125,21 +169,14 @@ int list_command(const Options& options) {
   Json rows = Json::array();
   std::string refused;
   for (const auto& name : registry.available()) try {
-      const PluginContent& plugin = registry.plugin(name);
-      for (const auto& e : plugin.elements)
-        rows.push_back({{"type", e.type}, {"kind", "element"}, {"doc", e.element.doc}});
-      for (const auto& s : plugin.solvers)
-        rows.push_back({{"type", s.type}, {"kind", "solver"}, {"doc", s.solver.doc}});
+      for (const auto& c : components_of(registry.plugin(name))) {
+        rows.push_back({{"type", c.type}, {"kind", c.kind}, {"doc", c.doc}});
+        if (!options.json) std::puts(fmt::format("{:<24} {:<8} {}", c.type, c.kind, c.doc).c_str());
+      }
     } catch (const PluginRefused& e) {
       refused += std::string(e.what()) + "\n";
     }
-  if (options.json)
-    print({{"components", rows}, {"refused", refused}});
-  else
-    for (const auto& row : rows)
-      std::puts(fmt::format("{:<20} {:<8} {}", row["type"].get<std::string>(), row["kind"].get<std::string>(),
-                            row["doc"].get<std::string>())
-                    .c_str());
+  if (options.json) print({{"components", rows}, {"refused", refused}});
   std::fputs(refused.c_str(), stderr);
   return refused.empty() ? kDone : kRefused;
 }
@@ -149,18 +186,14 @@ int describe_command(const Options& options) {
   if (options.target == "analysis") return describe_keys("analysis", analysis_keys(), options.json);
   Registry registry;
   find_plugins(options, registry);
-  const std::string name = options.target.substr(0, options.target.find('/'));
-  const PluginContent& plugin = registry.plugin(name);
   const bool whole = options.target.find('/') == std::string::npos;
-  bool found = false;
   Json all = Json::array();
-  for (const auto& e : plugin.elements)
-    if (whole || e.type == options.target)
-      found = true, options.json ? all.push_back(element_json(e)) : void(std::puts(element_text(e).c_str()));
-  for (const auto& s : plugin.solvers)
-    if (whole || s.type == options.target)
-      found = true, options.json ? all.push_back(solver_json(s)) : void(std::puts(solver_text(s).c_str()));
-  if (!found) registry.element(options.target);  // says what there is
+  for (const auto& c : components_of(registry.plugin(options.target.substr(0, options.target.find('/'))))) {
+    if (!whole && c.type != options.target) continue;
+    all.push_back(c.json());
+    if (!options.json) std::puts(c.text().c_str());
+  }
+  if (all.empty()) registry.element(options.target);  // says what there is
   if (options.json) print(all.size() == 1 ? all[0] : all);
   return kDone;
 }

@@ -3,8 +3,9 @@
  * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
  *
  * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of the
- * elements, laws and solvers inside. No C++ type, exception or allocation crosses; the plugin links to nothing of ours.
- * Authors seldom need this file: netloft/element.hpp and netloft/solver.hpp write these structs for them.
+ * elements, laws and solvers inside. No C++ type, exception or allocation crosses; the plugin links to
+ * nothing of ours. Authors seldom need this file: netloft/element.hpp and netloft/solver.hpp write these
+ * structs for them.
  *
  * Every struct begins with its own size. Fields are only ever appended, so that a host reads an older
  * plugin (what is missing is zero) and a plugin of the same major version runs in a newer host.
@@ -43,7 +44,7 @@ enum netloft_kind {
 
 /* A sampled curve: rows with ascending first column, `columns` numbers each, row by row. */
 typedef struct netloft_table {
-  const double *values;
+  const double* values;
   uint32_t rows, columns;
 } netloft_table;
 
@@ -53,18 +54,18 @@ enum { NETLOFT_REQUIRED = 1 };
 typedef struct netloft_parameter {
   uint32_t size;
   uint32_t kind;
-  const char *name;
-  const char *unit;    /* SI unit of a real; "1" is the unit of a pure number */
-  const char *doc;     /* half a sentence: "axial stiffness of one twine" */
-  double fallback;     /* value when absent; with `fallback_of`, a factor on that parameter */
-  double lo, hi;       /* allowed range, both ends included */
-  uint32_t flags;      /* NETLOFT_REQUIRED */
-  uint32_t offset;     /* of the value in the parameter struct */
-  const char *fallback_of;            /* name of an earlier real, or null */
-  const char *const *choices;         /* null-terminated, for NETLOFT_CHOICE */
-  const char *fallback_text;          /* for NETLOFT_TEXT */
-  const char *const *columns;         /* names of a table's columns, null-terminated */
-  const char *const *column_units;    /* their units, as many */
+  const char* name;
+  const char* unit;                /* SI unit of a real; "1" is the unit of a pure number */
+  const char* doc;                 /* half a sentence: "axial stiffness of one twine" */
+  double fallback;                 /* value when absent; with `fallback_of`, a factor on that parameter */
+  double lo, hi;                   /* allowed range, both ends included */
+  uint32_t flags;                  /* NETLOFT_REQUIRED */
+  uint32_t offset;                 /* of the value in the parameter struct */
+  const char* fallback_of;         /* name of an earlier real, or null */
+  const char* const* choices;      /* null-terminated, for NETLOFT_CHOICE */
+  const char* fallback_text;       /* for NETLOFT_TEXT */
+  const char* const* columns;      /* names of a table's columns, null-terminated */
+  const char* const* column_units; /* their units, as many */
 } netloft_parameter;
 
 /* ---------------------------------------------------------------- elements */
@@ -73,12 +74,14 @@ typedef struct netloft_parameter {
 enum netloft_stencil {
   NETLOFT_NODE = 1,
   NETLOFT_BAR = 2,
-  NETLOFT_TRIANGLE = 3,         /* outer face seen counter-clockwise */
-  NETLOFT_BAR_PAIR = 0x103,     /* nodes of two neighbouring bars of one rope, in order */
-  NETLOFT_TRIANGLE_PAIR = 0x104 /* the shared edge (a, b), then the corners opposite: c of the triangle (a, b, c), d */
+  NETLOFT_TRIANGLE = 3,     /* outer face seen counter-clockwise */
+  NETLOFT_BAR_PAIR = 0x103, /* nodes of two neighbouring bars of one rope, in order */
+  NETLOFT_TRIANGLE_PAIR =
+      0x104 /* the shared edge (a, b), then the corners opposite: c of the triangle (a, b, c), d */
 };
 
-/* A number (or `width` numbers) that every element has of its own: rest length, twine coordinates of corners. */
+/* A number (or `width` numbers) that every element has of its own: rest length, twine coordinates of corners.
+ */
 typedef struct netloft_datum {
   uint32_t size;
   uint32_t width;
@@ -87,20 +90,20 @@ typedef struct netloft_datum {
 
 /* Traits of a term. */
 enum {
-  NETLOFT_CONSERVATIVE = 1 << 0,     /* force is the gradient of an energy, which it gives */
-  NETLOFT_SYMMETRIC = 1 << 1,        /* tangent is symmetric and packed as lower triangle */
-  NETLOFT_CONSTANT = 1 << 2,         /* force does not depend on the state: no tangent */
-  NETLOFT_READS_VELOCITY = 1 << 3,   /* wants tile.v when there is one */
+  NETLOFT_CONSERVATIVE = 1 << 0,   /* force is the gradient of an energy, which it gives */
+  NETLOFT_SYMMETRIC = 1 << 1,      /* tangent is symmetric and packed as lower triangle */
+  NETLOFT_CONSTANT = 1 << 2,       /* force does not depend on the state: no tangent */
+  NETLOFT_READS_VELOCITY = 1 << 3, /* wants tile.v when there is one */
   NETLOFT_READS_ACCELERATION = 1 << 4,
-  NETLOFT_READS_CURRENT = 1 << 5,    /* wants tile.current and tile.current_dz when there is one */
-  NETLOFT_NEEDS_GRAVITY = 1 << 6,    /* gives nothing without gravity */
-  NETLOFT_NEEDS_FLOW = 1 << 7,       /* gives nothing without a current or motion */
-  NETLOFT_NEEDS_MOTION = 1 << 8,     /* gives nothing in a static analysis */
-  NETLOFT_HAS_CONVEX = 1 << 9,       /* answers WANT_CONVEX itself; otherwise the host projects its tangent */
-  NETLOFT_HAS_METRIC = 1 << 10,      /* answers WANT_METRIC itself; otherwise the host bounds its tangent */
-  NETLOFT_FROM_OUTSIDE = 1 << 11,    /* pushes against something that is no node (seabed, wall, pressure): the
-                                        forces need not sum to zero, nor be the same in another place */
-  NETLOFT_READS_STATE = 1 << 12      /* wants tile.state and fills tile.state_new */
+  NETLOFT_READS_CURRENT = 1 << 5, /* wants tile.current and tile.current_dz when there is one */
+  NETLOFT_NEEDS_GRAVITY = 1 << 6, /* gives nothing without gravity */
+  NETLOFT_NEEDS_FLOW = 1 << 7,    /* gives nothing without a current or motion */
+  NETLOFT_NEEDS_MOTION = 1 << 8,  /* gives nothing in a static analysis */
+  NETLOFT_HAS_CONVEX = 1 << 9,    /* answers WANT_CONVEX itself; otherwise the host projects its tangent */
+  NETLOFT_HAS_METRIC = 1 << 10,   /* answers WANT_METRIC itself; otherwise the host bounds its tangent */
+  NETLOFT_FROM_OUTSIDE = 1 << 11, /* pushes against something that is no node (seabed, wall, pressure): the
+                                     forces need not sum to zero, nor be the same in another place */
+  NETLOFT_READS_STATE = 1 << 12   /* wants tile.state and fills tile.state_new */
 };
 
 /* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC
@@ -110,43 +113,45 @@ enum {
   NETLOFT_WANT_FORCE = 2,
   NETLOFT_WANT_TANGENT = 4, /* the exact tangent */
   NETLOFT_WANT_CONVEX = 8,  /* a positive semi-definite part of the tangent */
-  NETLOFT_WANT_METRIC = 16, /* the linear stiffness: constant, positive semi-definite, bounds the convex part */
-  NETLOFT_WANT_GRADIENT = 32 /* of a problem only: residual of the conservative terms, gradient of the energy */
+  NETLOFT_WANT_METRIC =
+      16, /* the linear stiffness: constant, positive semi-definite, bounds the convex part */
+  NETLOFT_WANT_GRADIENT =
+      32 /* of a problem only: residual of the conservative terms, gradient of the energy */
 };
 
-/* Up to 64 elements of one family. Arrays are [degree of freedom][64], lanes 0 … count-1 in use; the degree of
- * freedom is 3*node + axis. Inputs that the term did not ask for, or that the scene does not have, are null.
- * A term ADDS to its outputs, in lanes below `count` only; outputs that are not wanted are null. */
+/* Up to 64 elements of one family. Arrays are [degree of freedom][64], lanes 0 … count-1 in use; the degree
+ * of freedom is 3*node + axis. Inputs that the term did not ask for, or that the scene does not have, are
+ * null. A term ADDS to its outputs, in lanes below `count` only; outputs that are not wanted are null. */
 typedef struct netloft_tile {
   uint32_t size;
   uint32_t want;
-  uint32_t first;           /* index of lane 0 in the family; a multiple of 64 */
+  uint32_t first; /* index of lane 0 in the family; a multiple of 64 */
   uint32_t count;
   double time;              /* [s] */
   double cu, cv, ca;        /* factors of the tangent */
   double water_density;     /* [kg/m3] */
   double gravity;           /* [m/s2] */
-  const double *x;          /* positions [m] */
+  const double* x;          /* positions [m] */
   const double *v, *a;      /* velocities, accelerations; null at rest */
-  const double *current;    /* velocity of the water at the nodes [m/s] */
-  const double *current_dz; /* its derivative with z [1/s] */
-  double *energy;           /* [64] [J] */
-  double *force;            /* [dof][64] residual [N] */
-  double *tangent;          /* packed lower triangle, entry r(r+1)/2+c, if symmetric; else r*dofs+c; [entry][64] */
-  char *message;            /* room for a sentence when the status is not OK */
+  const double* current;    /* velocity of the water at the nodes [m/s] */
+  const double* current_dz; /* its derivative with z [1/s] */
+  double* energy;           /* [64] [J] */
+  double* force;            /* [dof][64] residual [N] */
+  double* tangent; /* packed lower triangle, entry r(r+1)/2+c, if symmetric; else r*dofs+c; [entry][64] */
+  char* message;   /* room for a sentence when the status is not OK */
   uint32_t message_size;
-  uint32_t lane_at_fault;   /* set with a status that is not OK */
-  double water_viscosity;   /* kinematic [m2/s] */
-  const double *state;      /* [state_width][64] what the element remembers of the last accepted step */
-  double *state_new;        /* [state_width][64] what it will remember if this one is accepted */
+  uint32_t lane_at_fault; /* set with a status that is not OK */
+  double water_viscosity; /* kinematic [m2/s] */
+  const double* state;    /* [state_width][64] what the element remembers of the last accepted step */
+  double* state_new;      /* [state_width][64] what it will remember if this one is accepted */
 } netloft_tile;
 
 typedef struct netloft_term {
   uint32_t size;
   uint32_t traits;
   const char *name, *doc;
-  const char *needs;        /* a real parameter that must differ from zero for the term to act, or null */
-  int (*evaluate)(const void *self, netloft_tile *tile);
+  const char* needs; /* a real parameter that must differ from zero for the term to act, or null */
+  int (*evaluate)(const void* self, netloft_tile* tile);
 } netloft_term;
 
 /* A number reported per element, in physical sign: tension is positive when the rope pulls. */
@@ -164,21 +169,21 @@ enum netloft_law_kind {
   NETLOFT_SCREEN_LAW = 2 /* force of the water on netting as a screen, per square metre of it */
 };
 
-/* Up to 64 twines or screens in a flow. Arrays are [component][64]. The law ADDS nothing: it writes its outputs,
- * in lanes below `count`. Derivatives are null when not wanted. */
+/* Up to 64 twines or screens in a flow. Arrays are [component][64]. The law ADDS nothing: it writes its
+ * outputs, in lanes below `count`. Derivatives are null when not wanted. */
 typedef struct netloft_flow {
   uint32_t size;
   uint32_t count;
-  double water_density;     /* [kg/m3] */
-  double water_viscosity;   /* kinematic [m2/s] */
-  const double *flow;       /* [3][64] velocity of the water relative to the twine [m/s] */
-  const double *direction;  /* [3][64] unit vector along the twine, or normal to the screen */
-  const double *diameter;   /* [64] of the twine [m] */
-  const double *solidity;   /* [64] area of the twines over area of the netting; zero for a rope */
-  double *force;            /* [3][64] physical force [N/m] or [N/m2] */
-  double *d_flow;           /* [9][64] dforce[r]/dflow[c] at 3r+c */
-  double *d_direction;      /* [9][64] dforce[r]/ddirection[c] */
-  double *d_solidity;       /* [3][64] */
+  double water_density;    /* [kg/m3] */
+  double water_viscosity;  /* kinematic [m2/s] */
+  const double* flow;      /* [3][64] velocity of the water relative to the twine [m/s] */
+  const double* direction; /* [3][64] unit vector along the twine, or normal to the screen */
+  const double* diameter;  /* [64] of the twine [m] */
+  const double* solidity;  /* [64] area of the twines over area of the netting; zero for a rope */
+  double* force;           /* [3][64] physical force [N/m] or [N/m2] */
+  double* d_flow;          /* [9][64] dforce[r]/dflow[c] at 3r+c */
+  double* d_direction;     /* [9][64] dforce[r]/ddirection[c] */
+  double* d_solidity;      /* [3][64] */
 } netloft_flow;
 
 /* A pure function that elements use without knowing it: "hydro/morison". */
@@ -188,24 +193,24 @@ typedef struct netloft_law {
   const char *name, *doc;
   uint32_t parameter_bytes;
   uint32_t parameter_count;
-  const netloft_parameter *parameters;
-  int (*evaluate)(const void *parameters, const netloft_flow *flow);
+  const netloft_parameter* parameters;
+  int (*evaluate)(const void* parameters, const netloft_flow* flow);
 } netloft_law;
 
 /* A place in an element for a law: the user names one under this key. */
 typedef struct netloft_law_slot {
   uint32_t size;
-  uint32_t accepts;         /* sum of netloft_law_kind */
-  const char *name, *doc;   /* "drag" */
-  const char *fallback;     /* "hydro/morison" */
+  uint32_t accepts;       /* sum of netloft_law_kind */
+  const char *name, *doc; /* "drag" */
+  const char* fallback;   /* "hydro/morison" */
 } netloft_law_slot;
 
 /* The law in a slot, resolved by the host. All elements of a family share it. */
 typedef struct netloft_bound_law {
   uint32_t kind;
   uint32_t reserved;
-  const void *parameters;
-  int (*evaluate)(const void *parameters, const netloft_flow *flow);
+  const void* parameters;
+  int (*evaluate)(const void* parameters, const netloft_flow* flow);
 } netloft_bound_law;
 
 /* ---------------------------------------------------------------- creation */
@@ -213,61 +218,67 @@ typedef struct netloft_bound_law {
 /* What the host hands to `create`: all elements of one type in a scene, at once. */
 typedef struct netloft_create {
   uint32_t size;
-  uint32_t count;                    /* elements */
+  uint32_t count; /* elements */
   uint32_t part_count;
-  uint32_t at_fault;                 /* set by `create`: the element it refuses */
-  const void *const *parameters;     /* [part] filled parameter struct; valid as long as the family */
-  const uint32_t *part;              /* [element] which part it belongs to */
-  const double *const *data;         /* [datum] -> [element][width] */
-  char *message;
+  uint32_t at_fault;             /* set by `create`: the element it refuses */
+  const void* const* parameters; /* [part] filled parameter struct; valid as long as the family */
+  const uint32_t* part;          /* [element] which part it belongs to */
+  const double* const* data;     /* [datum] -> [element][width] */
+  char* message;
   uint32_t message_size;
   uint32_t law_count;
-  const netloft_bound_law *laws;     /* [slot] */
+  const netloft_bound_law* laws; /* [slot] */
 } netloft_create;
 
 typedef struct netloft_element {
   uint32_t size;
   uint32_t stencil;
-  const char *name, *doc;            /* "bar" in plugin "rope" is rope/bar */
-  uint32_t parameter_bytes;          /* size of the parameter struct */
+  const char *name, *doc;   /* "bar" in plugin "rope" is rope/bar */
+  uint32_t parameter_bytes; /* size of the parameter struct */
   uint32_t parameter_count;
-  const netloft_parameter *parameters;
-  const netloft_datum *data;
+  const netloft_parameter* parameters;
+  const netloft_datum* data;
   uint32_t datum_count;
   uint32_t term_count;
-  const netloft_term *terms;
-  const netloft_output *outputs;
+  const netloft_term* terms;
+  const netloft_output* outputs;
   uint32_t output_count;
   uint32_t reserved;
-  int (*create)(netloft_create *in, void **self);
-  void (*destroy)(void *self);
-  int (*output)(const void *self, netloft_tile *tile, double *values); /* values[output][64] */
-  const char *rides_on;              /* an element of the same plugin: made wherever that one is used, on pairs of it */
-  const netloft_law_slot *laws;
+  int (*create)(netloft_create* in, void** self);
+  void (*destroy)(void* self);
+  int (*output)(const void* self, netloft_tile* tile, double* values); /* values[output][64] */
+  const char* rides_on; /* an element of the same plugin: made wherever that one is used, on pairs of it */
+  const netloft_law_slot* laws;
   uint32_t law_count;
-  uint32_t state_width;              /* numbers an element remembers */
+  uint32_t state_width; /* numbers an element remembers */
 } netloft_element;
 
 /* ---------------------------------------------------------------- solvers */
 
 /* Which matrix of the last evaluation a factorisation takes. With INDEFINITE added, any matrix that is not
- * singular will do (LU); without it, a symmetric matrix that is not positive definite is refused at no great price. */
+ * singular will do (LU); without it, a symmetric matrix that is not positive definite is refused at no great
+ * price. */
 enum netloft_matrix { NETLOFT_EXACT = 0, NETLOFT_CONVEX = 1, NETLOFT_NONE = 2, NETLOFT_INDEFINITE = 16 };
 
 /* How a factorisation ended. */
-enum netloft_factor { NETLOFT_FACTOR_OK = 0, NETLOFT_NOT_POSITIVE = 1, NETLOFT_SINGULAR = 2, NETLOFT_FACTOR_FAILED = 3 };
+enum netloft_factor {
+  NETLOFT_FACTOR_OK = 0,
+  NETLOFT_NOT_POSITIVE = 1,
+  NETLOFT_SINGULAR = 2,
+  NETLOFT_FACTOR_FAILED = 3
+};
 
 /* Answer of `progress`: go on, the point is good enough, or give up (limit reached, interrupted). */
 enum netloft_progress { NETLOFT_GO_ON = 0, NETLOFT_ARRIVED = 1, NETLOFT_GIVE_UP = 2 };
 
 /* Why a solver returned. The host recomputes the residual and has the last word on convergence. */
 enum netloft_outcome {
-  NETLOFT_STOPPED = 0,         /* `progress` said ARRIVED or GIVE_UP */
-  NETLOFT_STEP_TOO_SHORT = 1,  /* no step brings it closer */
-  NETLOFT_LINEAR_SOLVE = 2,    /* the matrix could not be factorised */
-  NETLOFT_LEFT_DOMAIN = 3,     /* an element has no force at the point */
-  NETLOFT_NOT_FINITE = 4,      /* numbers overflowed */
-  NETLOFT_SOLVER_ERROR = 5     /* see message */
+  NETLOFT_STOPPED = 0,        /* `progress` said ARRIVED or GIVE_UP */
+  NETLOFT_STEP_TOO_SHORT = 1, /* no step brings it closer */
+  NETLOFT_LINEAR_SOLVE = 2,   /* the matrix could not be factorised */
+  NETLOFT_LEFT_DOMAIN = 3,    /* an element has no force at the point */
+  NETLOFT_NOT_FINITE = 4,     /* numbers overflowed */
+  NETLOFT_SOLVER_ERROR = 5    /* see message */
 };
 
 /* What a solver sees of a scene: r(u) = 0, with an energy whose gradient is r if the problem is conservative.
@@ -275,37 +286,37 @@ enum netloft_outcome {
 typedef struct netloft_problem {
   uint32_t size;
   uint32_t unknowns;
-  uint32_t traits;              /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC */
+  uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC */
   uint32_t reserved;
-  void *host;
-  double *u;                    /* in: where to start; out: where the solver ended */
+  void* host;
+  double* u; /* in: where to start; out: where the solver ended */
 
   /* Evaluates at u: energy [J] and residual [N] as wanted (either may be null), and keeps the wanted matrix.
    * Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */
-  int (*evaluate)(void *host, uint32_t want, const double *u, double *energy, double *residual);
+  int (*evaluate)(void* host, uint32_t want, const double* u, double* energy, double* residual);
   /* Factorises `matrix` of the last evaluation + shift x metric. The metric is the linear stiffness. */
-  int (*factorise)(void *host, int matrix, double shift);
+  int (*factorise)(void* host, int matrix, double shift);
   /* Solves with the last good factor; rhs and x may be the same. */
-  int (*solve)(void *host, const double *rhs, double *x);
+  int (*solve)(void* host, const double* rhs, double* x);
   /* y = (matrix + shift x metric) x, of the last evaluation. */
-  int (*multiply)(void *host, int matrix, double shift, const double *x, double *y);
+  int (*multiply)(void* host, int matrix, double shift, const double* x, double* y);
   /* Books one iteration at an accepted point u whose residual is given; says whether to go on. */
-  int (*progress)(void *host, const double *u, double energy, const double *residual, const char *note);
+  int (*progress)(void* host, const double* u, double energy, const double* residual, const char* note);
   /* Largest move of a node over the largest element length, of a step du: a pure number. */
-  double (*step_length)(void *host, const double *du);
+  double (*step_length)(void* host, const double* du);
 
-  char *message;                /* room for a sentence of the solver's */
+  char* message; /* room for a sentence of the solver's */
   uint32_t message_size;
 } netloft_problem;
 
 typedef struct netloft_solver {
   uint32_t size;
-  uint32_t needs;               /* traits without which it cannot work */
+  uint32_t needs; /* traits without which it cannot work */
   const char *name, *doc;
   uint32_t parameter_bytes;
   uint32_t parameter_count;
-  const netloft_parameter *parameters;
-  int (*solve)(const void *parameters, netloft_problem *problem); /* returns a netloft_outcome */
+  const netloft_parameter* parameters;
+  int (*solve)(const void* parameters, netloft_problem* problem); /* returns a netloft_outcome */
 } netloft_solver;
 
 /* ---------------------------------------------------------------- the plugin */
@@ -315,13 +326,13 @@ enum { NETLOFT_FAST_MATH = 1 };
 typedef struct netloft_plugin {
   uint32_t size;
   uint32_t abi_major, abi_minor;
-  uint32_t flags;               /* NETLOFT_FAST_MATH when compiled so: refused */
-  const char *name;             /* the stem of its file: "rope" in rope.so */
+  uint32_t flags;   /* NETLOFT_FAST_MATH when compiled so: refused */
+  const char* name; /* the stem of its file: "rope" in rope.so */
   const char *version, *doc, *compiler;
-  const netloft_element *elements;
-  const netloft_solver *solvers;
+  const netloft_element* elements;
+  const netloft_solver* solvers;
   uint32_t element_count, solver_count;
-  const netloft_law *laws;
+  const netloft_law* laws;
   uint32_t law_count, reserved;
 } netloft_plugin;
 
@@ -336,7 +347,7 @@ typedef struct netloft_plugin {
 #endif
 #define NETLOFT_EXPORT __attribute__((visibility("default")))
 
-typedef const netloft_plugin *(*netloft_plugin_function)(void);
+typedef const netloft_plugin* (*netloft_plugin_function)(void);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "plugins/hydro/crossflow.hpp"
+
+namespace netloft::hydro {
+
+/// Normal drag coefficient of a smooth cylinder over the Reynolds number of the flow across it, as φ = Re
+/// C_n, which stays finite at rest:
+///   creeping   φ = (8π/σ)(1 − 0.87/σ²),  σ = ln(8/Re) − 0.077215665     Re < 1           (1)
+///   slow       φ = Re (1.45 + 8.55 Re^−0.9)                             1 < Re < 30      (2)
+///   fast       φ = Re (1.1 + 4 Re^−½)                                   30 < Re < 10⁵    (3)
+/// Source: Choo and Casarella 1971, Hydrodynamic resistance of towed cables, J. Hydronautics 5(4), 126–131.
+/// Where we deviate: the pieces leave steps of 1.7 % at 1 and 1.1 % at 30; within a factor of 1.25 of each
+/// they are blended (smooth step in ln Re), which makes φ continuously differentiable. Below Re = 0.1 φ is
+/// continued along its tangent: drag there is linear in the velocity. Above 10⁵ (3) is kept: ropes are too
+/// rough for the drag crisis of smooth cylinders to be relied on. Their formula for friction, π μ (0.55 Re^½
+/// + 0.084 Re^⅔), is a force per metre over the velocity along the cable, not a coefficient; it has no place
+/// here.
+inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
+
+template <class T>
+T creeping_phi(const T& Re) {
+  using std::log;
+  const T sigma = log(8.0 / Re) - 0.077215665;
+  return (8 * 3.14159265358979323846 / sigma) * (1.0 - 0.87 / (sigma * sigma));  // (1)
+}
+
+/// The step from 0 to 1 within a factor kBlend of `centre`.
+template <class T>
+T blend(const T& Re, double centre) {
+  using std::log;
+  const T w = 0.5 + 0.5 / std::log(kBlend) * log(Re / centre);
+  return w * w * (3.0 - 2.0 * w);
+}
+
+template <class T>
+T choo_casarella_phi(const T& Re) {
+  using std::pow, std::sqrt;
+  const auto slow = [&] { return Re * (1.45 + 8.55 * pow(Re, -0.9)); };  // (2)
+  const auto fast = [&] { return 1.1 * Re + 4.0 * sqrt(Re); };           // (3)
+  if (Re < T(kCreepingBelow)) {
+    using One = Dual<1, 1>;
+    const One at = creeping_phi(One::variable(kCreepingBelow, 0));
+    return at.value + at.gradient[0] * (Re - kCreepingBelow);
+  }
+  if (Re < T(1 / kBlend)) return creeping_phi(Re);
+  if (Re < T(kBlend)) return creeping_phi(Re) + blend(Re, 1) * (slow() - creeping_phi(Re));
+  if (Re < T(30 / kBlend)) return slow();
+  if (Re < T(30 * kBlend)) return slow() + blend(Re, 30) * (fast() - slow());
+  return fast();
+}
+
+/// A curve through samples over ln x, without overshoot and continuously differentiable: cubic pieces whose
+/// slopes at the samples are harmonic means (Fritsch and Butland 1984, SIAM J. Sci. Stat. Comput. 5(2)), zero
+/// at both ends; held beyond them.
+class Curve {
+ public:
+  explicit Curve(const netloft_table& table) : t_(table) {}
+  template <class T>
+  T at(const T& x) const {
+    using std::log;
+    const T l = log(x < T(kLeast) ? T(kLeast) : x);
+    if (l <= T(place(0))) return T(value(0));
+    if (l >= T(place(t_.rows - 1))) return T(value(t_.rows - 1));
+    std::size_t i = 0;
+    while (T(place(i + 1)) < l) ++i;
+    const double h = place(i + 1) - place(i);
+    const T s = (1 / h) * (l - place(i)), s2 = s * s, s3 = s2 * s;
+    return (1.0 - 3.0 * s2 + 2.0 * s3) * value(i) + (3.0 * s2 - 2.0 * s3) * value(i + 1) +
+           h * ((s - 2.0 * s2 + s3) * slope(i) + (s3 - s2) * slope(i + 1));
+  }
+
+ private:
+  static constexpr double kLeast = 1e-9;
+  double place(std::size_t row) const { return std::log(std::max(t_.values[row * t_.columns], kLeast)); }
+  double value(std::size_t row) const { return t_.values[row * t_.columns + 1]; }
+  double secant(std::size_t i) const { return (value(i + 1) - value(i)) / (place(i + 1) - place(i)); }
+  double slope(std::size_t i) const {
+    if (i == 0 || i + 1 == t_.rows) return 0;
+    const double before = secant(i - 1), after = secant(i);
+    return before * after > 0 ? 2 * before * after / (before + after) : 0;
+  }
+  netloft_table t_;
+};
+
+/// Drag with a normal coefficient that depends on the Reynolds number: CrossFlow (1)–(5) with
+///   Re = s D/ν,  k = ½ ρ ν φ(Re),  g = ½ ρ ν Re φ'(Re)                  (4)
+/// φ = Re C_n by (1)–(3), or from a table of C_n over Re when one is given. ν [m²/s] viscosity of the water.
+struct MorisonReynolds {
+  static constexpr auto kind = NETLOFT_TWINE_LAW;
+  struct Parameters {
+    double tangential = 0, shielding = 0;
+    netloft_table normal{};
+  };
+  template <class T>
+  static T phi(const Parameters& p, const T& Re) {
+    return p.normal.rows ? Re * Curve(p.normal).at(Re) : choo_casarella_phi(Re);
+  }
+  template <class T>
+  static Vec3<T> force(const Parameters& p, const Flow<T>& f) {
+    return cross_flow_force(CrossFlow{p.shielding, p.tangential}, f, [&](const T& s) {
+      return (0.5 * f.density * f.viscosity) * phi(p, s * (f.diameter / f.viscosity));
+    });
+  }
+  static void lanes(const Parameters& p, const netloft_flow& f);
+};
+
+}  // namespace netloft::hydro

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/law.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace netloft::hydro {
+
+/// Force of the water on a square metre of netting, taken as a screen:
+///   U = r W,  u = ‖U‖,  e = U/u,  q = U·n ≥ 0,  c = q/u = cos θ         (1)
+///   F = ½ ρ u² [C_D e + C_L e_L],  e_L = (n − c e)/sin θ                 (2)
+///     = ½ ρ u [α U + λ q n],  C_L = λ sin θ cos θ,  α = C_D − λ c²       (3)
+/// n unit normal of the netting, of the two the one that points with the flow; θ the angle between flow and
+/// normal (0: flow straight through, 90°: along the netting); W [m/s] velocity of the water relative to the
+/// netting; r [1] what is left of it behind other netting; ρ [kg/m³] of the water. Area is that of the
+/// netting with its holes. In the form (3) nothing is divided by sin θ, so that the force is regular for all
+/// θ and without flow. C_D and λ are functions of c, the solidity S and the Reynolds number u D/ν:
+/// `Model::coefficients`.
+///   ∂F/∂U = ½ρ [α (u I + U eᵀ) + U (∇α)ᵀ + λ n (q e + u n)ᵀ + q n (∇λ)ᵀ]   (4)
+///     ∇α = u ∂α/∂U = α_c (n − c e) + α_Re Re e, ∇λ the same
+///   ∂F/∂n = ½ρ u [(α_c U + λ_c q n) eᵀ + λ (q I + n Uᵀ)]                    (5)
+///   ∂F/∂S = ½ρ u [α_S U + λ_S q n] + ∂F/∂U W dr/dS                          (6)
+template <class T>
+struct ScreenCoefficients {
+  T drag, lift;  // C_D and λ
+};
+
+/// C_D of Løland at normal incidence, as far as his wake needs it.
+template <class T>
+T loland_drag(const T& S) {
+  return S * (0.33 + S * (6.54 - 4.88 * S));
+}
+
+/// cos θ without its kink at grazing incidence: c² (2ε − c)/ε² below ε, c above.           (7)
+/// It is exact at 90° and below 87°; in between C_D is lower by at most 0.0075 of its range.
+template <class T>
+T rounded(const T& c) {
+  constexpr double kGrazing = 0.05;
+  return c < T(kGrazing) ? c * c * (2 * kGrazing - c) / (kGrazing * kGrazing) : c;
+}
+
+/// x held between lo and hi, with parabolas of half width d at both ends.                  (8)
+template <class T>
+T held(const T& x, double lo, double hi, double d) {
+  if (x < T(lo - d)) return T(lo);
+  if (x < T(lo + d)) return lo + (x - (lo - d)) * (x - (lo - d)) / (4 * d);
+  if (x < T(hi - d)) return x;
+  if (x < T(hi + d)) return hi - ((hi + d) - x) * ((hi + d) - x) / (4 * d);
+  return T(hi);
+}
+
+/// Solidity, held above `hi`: none of the formulas was measured with denser netting.
+template <class T>
+T held_solidity(const T& S, double hi) {
+  return held(S, -1, hi, 0.02);
+}
+
+/// Løland 1991, Current forces on and flow through fish farms, dr. ing. thesis, Norwegian Institute of
+/// Technology:
+///   C_D = 0.04 + (−0.04 + 0.33 S + 6.54 S² − 4.88 S³) cos θ             (9)
+///   C_L = (−0.05 S + 2.3 S² − 1.76 S³) sin 2θ
+/// Measured for 0.13 < S < 0.32; S is held at 0.35 above.
+struct LolandModel {
+  template <class T>
+  static ScreenCoefficients<T> coefficients(const T& c, const T& solidity, const T&) {
+    const T S = held_solidity(solidity, 0.35);
+    return {0.04 + (loland_drag(S) - 0.04) * rounded(c), 2.0 * (S * (-0.05 + S * (2.3 - 1.76 * S)))};
+  }
+};
+
+/// Aarsnes, Rudi and Løland 1990, Current forces on cage, net deflection, in: Engineering for Offshore Fish
+/// Farming:
+///   C_D = 0.04 + (−0.04 + S − 1.24 S² + 13.7 S³) cos θ                  (10)
+///   C_L = (0.57 S − 3.54 S² + 10.1 S³) sin 2θ
+/// For S < 0.35; held there above.
+struct AarsnesModel {
+  template <class T>
+  static ScreenCoefficients<T> coefficients(const T& c, const T& solidity, const T&) {
+    const T S = held_solidity(solidity, 0.35);
+    return {0.04 + (S * (1.0 + S * (-1.24 + 13.7 * S)) - 0.04) * rounded(c),
+            2.0 * (S * (0.57 + S * (-3.54 + 10.1 * S)))};
+  }
+};
+
+/// Kristiansen and Faltinsen 2012, Modelling of current loads on aquaculture net cages, J. Fluids Struct. 34:
+///   C_D = C_0 (0.9 cos θ + 0.1 cos 3θ),  C_L = C_45 (sin 2θ + 0.1 sin 4θ)          (11)
+///   C_0 = C_circ S (2 − S)/(2 (1 − S)²),  C_circ over x = log₁₀(Re), Re = u D/(ν (1 − S))  (12)
+///   C_45 = (C_N − C_T)/√2,  C_N = C_0/2,  C_T = π C_N/(8 + C_N)                    (13)
+/// C_circ is a polynomial for 10^1.5 < Re < 10⁴ and held beyond; S is held above 0.5.
+struct KristiansenFaltinsenModel {
+  template <class T>
+  static ScreenCoefficients<T> coefficients(const T& c, const T& solidity, const T& Re_twine) {
+    using std::log;
+    const T S = held_solidity(solidity, 0.5), open = 1.0 - S;
+    const T Re = Re_twine / open;
+    const T x = held((1 / std::numbers::ln10) * log(Re < T(1) ? T(1) : Re), 1.5, 4, 0.1);
+    T circ(0.0);
+    for (const double a : {0.12479, -2.4489, 20.00769, -87.92234, 223.64577, -327.8864, 254.73873, -78.46675})
+      circ = circ * x + a;
+    const T C_0 = circ * S * (2.0 - S) / (2.0 * open * open);                             // (12)
+    const T C_N = 0.5 * C_0, C_T = std::numbers::pi * C_N / (8.0 + C_N), a = rounded(c);  // (13)
+    return {C_0 * a * (0.6 + 0.4 * a * a),                             // cos 3θ = 4c³ − 3c
+            std::numbers::sqrt2 * (C_N - C_T) * (0.8 + 0.4 * c * c)};  // sin 4θ = 2 sin 2θ (2c² − 1)
+  }
+};
+
+enum class Wake { none, loland };
+
+struct ScreenParameters {
+  double shielding = 0;
+  std::int64_t wake = 0;
+};
+
+/// r of (1): the given shielding, times Løland's 1 − 0.46 C_D(S, θ = 0) when netting of the same solidity
+/// stands upstream (the rear of a cage, the lower panel of a trawl).                               (14)
+template <class T>
+T flow_left(const ScreenParameters& p, const T& S) {
+  if (p.wake == static_cast<std::int64_t>(Wake::none)) return T(p.shielding);
+  return p.shielding * (1.0 - 0.46 * loland_drag(held_solidity(S, 0.35)));
+}
+
+template <class Model>
+struct Screen {
+  static constexpr auto kind = NETLOFT_SCREEN_LAW;
+  using Parameters = ScreenParameters;
+  /// (3) for dual numbers: the oracle.
+  template <class T>
+  static Vec3<T> force(const Parameters& p, const Flow<T>& f) {
+    const Vec3<T> U = flow_left(p, f.solidity) * f.flow;
+    const bool with = dot(U, f.direction) >= T(0);
+    const Vec3<T> n = (with ? 1.0 : -1.0) * f.direction;
+    const T u = norm(U), q = dot(U, n), c = q / u;
+    const auto C = Model::coefficients(c, f.solidity, u * (f.diameter / f.viscosity));
+    return (0.5 * f.density * u) * ((C.drag - C.lift * c * c) * U + (C.lift * q) * n);
+  }
+  static void lanes(const Parameters& p, const netloft_flow& f);
+};
+
+using Loland = Screen<LolandModel>;
+using Aarsnes = Screen<AarsnesModel>;
+using KristiansenFaltinsen = Screen<KristiansenFaltinsenModel>;
+
+}  // namespace netloft::hydro
