@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/float/float.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace netloft::floats {
+
+void Float::check(const Parameters&, const Data& d) {
+  if (!(d.share >= 0)) throw std::invalid_argument("there cannot be fewer than no floats at a node");
+}
+
+double Float::net_buoyancy(const Parameters& p, const Water& w) {
+  return p.buoyancy != 0 ? p.buoyancy : (w.density * p.volume - p.mass) * w.gravity;
+}
+
+double Float::drag_factor(const Parameters& p, const Water& w) {
+  const double area = p.area > 0 ? p.area : std::numbers::pi / 4 * p.diameter * p.diameter;
+  return 0.5 * w.density * p.drag_coefficient * area;
+}
+
+Status Float::Buoyancy::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
+  const double up = d.share * net_buoyancy(p, s.water);
+  out.energy = -up * s.x[0].z;
+  out.force[0].z = -up;  // (2)
+  return Status::ok;
+}
+
+Status Float::Drag::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
+  const Vec3<double> W = s.current[0] - s.v[0];
+  const double speed = norm(W), factor = d.share * drag_factor(p, s.water);
+  out.force[0] = -factor * speed * W;  // (3)
+  if (!s.wants_tangent || speed == 0) return Status::ok;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      const double D = factor * ((r == c ? speed : 0) + W[r] * W[c] / speed);  // (4)
+      out.tangent[r][c] += s.cv * D;
+      out.tangent[r][2] -= s.cu * D * s.current_dz[0][c];
+    }
+  return Status::ok;
+}
+
+Status Float::Inertia::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
+  const double mass = d.share * (p.mass + p.added_mass * s.water.density * p.volume);
+  out.force[0] = mass * s.a[0];  // (5)
+  for (int axis = 0; axis < 3; ++axis) out.tangent[axis][axis] = s.ca * mass;
+  return Status::ok;
+}
+
+}  // namespace netloft::floats

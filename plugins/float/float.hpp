@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+namespace netloft::floats {
+
+/// Floats at a node, s of them (a share of those that were strung along a rope); weights sink for B < 0.
+///   B = the buoyancy that is given, else (ρ V − m) g                        (1)
+///   r = −s B e_z,  E = −s B z                  net upward force             (2)
+///   r = −s κ |W| W,  κ = ½ ρ C_d A             drag                         (3)
+///   D = −∂r/∂W = s κ (|W| I + W Wᵀ/|W|),  ∂W/∂x = (dc/dz) e_zᵀ,  ∂W/∂ẋ = −I (4)
+///   r = s (m + C_a ρ V) ẍ                      inertia, added mass included (5)
+/// B [N] net upward force of one in water, V [m³] volume, m [kg] mass, A [m²] area across the flow (π D²/4 if
+/// only the diameter D is given), W = c − ẋ [m/s] velocity of the water relative to it, C_d drag and C_a
+/// added-mass coefficient. Source: Morison's equation for a body small against the flow's scale; C_a = ½ is
+/// the sphere in potential flow, C_d = 0.47 the smooth sphere at Reynolds numbers of 1e3 to 2e5 (Hoerner,
+/// Fluid-Dynamic Drag, 1965, chapter III). The acceleration of the water itself is left out: currents here
+/// are steady.
+struct Float {
+  static constexpr auto stencil = NETLOFT_NODE;
+
+  struct Parameters {
+    double buoyancy = 0, volume = 0, mass = 0, diameter = 0, area = 0;
+    double drag_coefficient = 0, added_mass = 0;
+  };
+  struct Data {
+    double share = 0;  // s
+  };
+
+  static void check(const Parameters&, const Data& d);
+  static double net_buoyancy(const Parameters& p, const Water& w);  // (1)
+  static double drag_factor(const Parameters& p, const Water& w);   // κ [kg/m]
+
+  struct Buoyancy {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+  struct Drag {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+  struct Inertia {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+};
+
+}  // namespace netloft::floats
