@@ -17,7 +17,7 @@ std::string not_finite(const std::vector<double>& values, const char* name, std:
 
 std::string not_finite(const Answer& a, std::size_t lane) {
   for (const auto& fault : {not_finite(a.energy, "energy", lane), not_finite(a.force, "force", lane),
-                            not_finite(a.matrix, "matrix", lane)})
+                            not_finite(a.matrix, "matrix", lane), not_finite(a.memory, "state_new", lane)})
     if (!fault.empty()) return fault;
   return {};
 }
@@ -52,9 +52,8 @@ std::string fault_of_outputs(const Bench& b, const States& s) {
 std::string fault_one_by_one(Bench& b, const States& all) {
   for (std::size_t lane = 0; lane < all.count; ++lane) {
     States one = b.tiles[all.first / kLanes];
-    for (std::size_t d = 0; d < b.dofs(); ++d)
-      for (auto field : {&States::x, &States::v, &States::a, &States::current, &States::current_dz})
-        (one.*field)[at(d, lane)] = (all.*field)[at(d, lane)];
+    for (const auto field : kFields)
+      for (std::size_t i = lane; i < (one.*field).size(); i += kLanes) (one.*field)[i] = (all.*field)[i];
     if (auto fault = fault_of_terms(b, one); !fault.empty()) return fault;
   }
   return {};
@@ -66,12 +65,19 @@ States collapsed(const Bench& b, States s) {
   return s;
 }
 
-/// At rest as far as the description tells: nodes one length apart along the axes, nothing moves.
+/// At rest as far as the description tells: nodes one length apart, those of a rope on one line, others along
+/// the axes; nothing moves.
 States resting(const Bench& b, const States& like) {
   States s = b.blank(like.first, like.count);
-  for (std::size_t lane = 0; lane < s.count; ++lane)
+  const bool straight = b.type.element.stencil == NETLOFT_BAR_PAIR;
+  for (std::size_t lane = 0; lane < s.count; ++lane) {
+    const double length = b.sampler.length(b.sample, s.first + lane);
     for (std::size_t node = 1; 3 * node < b.dofs(); ++node)
-      s.x[at(3 * node + (node - 1) % 3, lane)] = b.sampler.length(b.sample, s.first + lane);
+      if (straight)
+        s.x[at(3 * node, lane)] = static_cast<double>(node) * length;
+      else
+        s.x[at(3 * node + (node - 1) % 3, lane)] = length;
+  }
   return s;
 }
 

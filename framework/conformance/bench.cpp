@@ -23,6 +23,7 @@ Bench::Bench(const ElementType& t, const ConformanceOptions& o)
 
 void Bench::make_elements() {
   const auto count = static_cast<std::size_t>(std::clamp(options.elements, 1, 640));
+  sample.law_kind = options.law_kind;
   for (std::size_t p = 0; p < sampler.parts(); ++p) sample.parameters.push_back(sampler.parameters(p));
   for (std::size_t e = 0; e < count; ++e)
     sample.part.push_back(static_cast<std::uint32_t>(e % sample.parameters.size()));
@@ -49,6 +50,7 @@ void Bench::make_states() {
     for (std::size_t lane = 0; lane < count; ++lane) sampler.state(sample, first + lane, s, lane);
     settle(s);
     if (!error.empty() || !escape.empty()) return;
+    remember(s);
     tiles.push_back(std::move(s));
   }
 }
@@ -61,6 +63,19 @@ void Bench::settle(States& s) {
     if (settled || !error.empty() || !escape.empty()) return;
   }
   error = "of " + std::to_string(kTriesPerState) + " states drawn, none was inside the domain of all terms";
+}
+
+/// Every other element has a past: what it remembers of a place not far from here.
+void Bench::remember(States& s) {
+  if (s.memory.empty()) return;
+  std::vector<double> step(kLanes, 0.0);
+  for (std::size_t lane = 0; lane < s.count; ++lane) step[lane] = 0.1 * spacing(s, lane);
+  for (const auto& term : type.terms) {
+    const Answer past = specimen->evaluate(term, moved(s, random_field(), step), NETLOFT_WANT_FORCE);
+    if (past.ok())
+      for (std::size_t i = 0; i < past.memory.size(); ++i)
+        if (i % 2) s.memory[i] = past.memory[i];
+  }
 }
 
 bool Bench::is_settled(States& s, const netloft_term& term) {
@@ -84,7 +99,8 @@ bool Bench::is_settled(States& s, const netloft_term& term) {
 
 States Bench::blank(std::uint32_t first, std::uint32_t count) const {
   const std::vector<double> zero(dofs() * kLanes, 0.0);
-  return {first, count, zero, zero, zero, zero, zero};
+  const std::vector<double> nothing(type.element.state_width * kLanes, 0.0);
+  return {first, count, zero, zero, zero, zero, zero, nothing};
 }
 
 std::string Bench::place(const netloft_term& term, const States& s, std::size_t lane) const {

@@ -45,6 +45,7 @@ struct Bench {
   void make_elements();
   void make_states();
   void settle(States& states);
+  void remember(States& states);
   bool is_settled(States& states, const netloft_term& term);
 };
 

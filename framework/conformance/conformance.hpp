@@ -13,6 +13,8 @@ struct ConformanceOptions {
   int elements = 100;      // sampled elements, 1 … 640
   int directions = 3;      // directions of each directional check, 1 … 100
   bool timings = true;
+  std::uint32_t law_kind =
+      0;  // what stands in the slots of the element; 0: every kind that they take, in turn
 };
 
 /// Answer to one question about an element. A check that leans on one that failed is skipped, so that one

@@ -25,7 +25,7 @@ bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<do
 
 bool same_lane(const Answer& a, std::size_t i, const Answer& b, std::size_t j) {
   return same_lane(a.energy, i, b.energy, j) && same_lane(a.force, i, b.force, j) &&
-         same_lane(a.matrix, i, b.matrix, j);
+         same_lane(a.matrix, i, b.matrix, j) && same_lane(a.memory, i, b.memory, j);
 }
 
 /// The first lane below `count` in which two answers differ; `count` when there is none.
@@ -47,7 +47,7 @@ Finding ask_all(Bench& b, Ask&& ask) {
 }
 
 void copy_lane(const States& from, std::size_t i, States& to, std::size_t j) {
-  for (auto field : {&States::x, &States::v, &States::a, &States::current, &States::current_dz})
+  for (const auto field : kFields)
     for (std::size_t row = 0; row * kLanes < (from.*field).size(); ++row)
       (to.*field)[at(row, j)] = (from.*field)[at(row, i)];
 }
@@ -91,20 +91,22 @@ struct Guarded {
 /// `count` on.
 std::string trespass(const Bench& b, const netloft_term& term, States s, std::uint32_t count,
                      std::uint32_t want) {
-  for (auto field : {&States::x, &States::v, &States::a, &States::current, &States::current_dz})
+  for (const auto field : kFields)
     for (std::size_t i = 0; i < (s.*field).size(); ++i)
       if (i % kLanes >= count) (s.*field)[i] = std::numeric_limits<double>::quiet_NaN();
   s.count = count;
-  const std::size_t dofs = b.dofs(), entries = b.specimen->entries(term);
-  Guarded energy(1, count), force(dofs, count), matrix(entries, count);
+  const std::size_t dofs = b.dofs(), entries = b.specimen->entries(term),
+                    remembered = b.specimen->remembered(term);
+  Guarded energy(1, count), force(dofs, count), matrix(entries, count), memory(remembered, count);
   const States before = s;
-  b.specimen->evaluate_into(term, s, want, {}, energy.data(), force.data(), matrix.data());
+  b.specimen->evaluate_into(term, s, want, {}, energy.data(), force.data(), matrix.data(), memory.data());
   const std::string who = "term " + std::string(term.name) + ", " + std::to_string(count) + " elements: ";
   if ((want & NETLOFT_WANT_ENERGY) && !energy.is_intact(1, count)) return who + "wrote outside the energies";
   if ((want & NETLOFT_WANT_FORCE) && !force.is_intact(dofs, count)) return who + "wrote outside the forces";
   if (wants_matrix(want) && !matrix.is_intact(entries, count)) return who + "wrote outside the matrix";
-  for (auto field : {&States::x, &States::v, &States::a, &States::current, &States::current_dz})
-    if (std::memcmp((s.*field).data(), (before.*field).data(), dofs * kLanes * sizeof(double)) != 0)
+  if (!memory.is_intact(remembered, count)) return who + "wrote outside state_new";
+  for (const auto field : kFields)
+    if (std::memcmp((s.*field).data(), (before.*field).data(), (s.*field).size() * sizeof(double)) != 0)
       return who + "wrote to its inputs";
   return {};
 }
@@ -330,8 +332,8 @@ Finding missing_inputs_are_zero(Bench& b) {
       continue;
     for (const auto& s : b.tiles) {
       States zero = b.blank(s.first, s.count);
-      zero.x = s.x;
-      const States missing = {s.first, s.count, s.x, {}, {}, {}, {}};
+      zero.x = s.x, zero.memory = s.memory;
+      const States missing = {s.first, s.count, s.x, {}, {}, {}, {}, s.memory};
       const Answer a = b.specimen->evaluate(term, zero, NETLOFT_WANT_FORCE);
       const Answer c = b.specimen->evaluate(term, missing, NETLOFT_WANT_FORCE);
       const Answer moving = b.specimen->evaluate(term, s, NETLOFT_WANT_FORCE);

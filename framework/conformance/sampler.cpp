@@ -40,11 +40,12 @@ bool has_default(const netloft_parameter& p) {
 
 }  // namespace
 
-double Sampler::uniform(double lo, double hi) {  // not std::uniform_real_distribution: the same everywhere
+double ParameterSampler::uniform(double lo,
+                                 double hi) {  // not std::uniform_real_distribution: the same everywhere
   return lo + (hi - lo) * (static_cast<double>(random_() >> 11) * 0x1p-53);
 }
 
-void Sampler::direction(double (&d)[3]) {
+void ParameterSampler::direction(double (&d)[3]) {
   double square = 2;
   while (square > 1 || square < 0.01) {
     for (double& c : d) c = uniform(-1, 1);
@@ -53,24 +54,24 @@ void Sampler::direction(double (&d)[3]) {
   for (double& c : d) c /= std::sqrt(square);
 }
 
-std::size_t Sampler::parts() const {
+std::size_t ParameterSampler::parts() const {
   std::size_t parts = 6;
-  for (const auto& p : type_.parameters)
+  for (const auto& p : table_)
     if (p.kind == NETLOFT_CHOICE) parts = std::max(parts, count_words(p));
   return parts;
 }
 
-Values Sampler::parameters(std::size_t part) {
+Values ParameterSampler::parameters(std::size_t part) {
   Values values;
-  for (const auto& p : type_.parameters) {
-    if (p.kind > NETLOFT_TEXT) continue;  // a kind that nothing is known of keeps its default
+  for (const auto& p : table_) {
+    if (p.kind > NETLOFT_TABLE) continue;  // a kind that nothing is known of keeps its default
     const bool leave_out = part == 0 || (p.kind != NETLOFT_CHOICE && uniform(0, 1) < 0.5);
     if (!leave_out || !has_default(p)) values[p.name] = value(p, part);
   }
   return values;
 }
 
-Value Sampler::value(const netloft_parameter& p, std::size_t part) {
+Value ParameterSampler::value(const netloft_parameter& p, std::size_t part) {
   switch (p.kind) {
     case NETLOFT_INTEGER:
       return static_cast<std::int64_t>(std::floor(uniform(p.lo, std::min(p.hi, p.lo + 99) + 1)));
@@ -80,12 +81,26 @@ Value Sampler::value(const netloft_parameter& p, std::size_t part) {
       return std::string(p.choices[part % count_words(p)]);
     case NETLOFT_TEXT:
       return std::string(p.fallback_text ? p.fallback_text : "sample");
+    case NETLOFT_TABLE:
+      return rows(p);
     default:
       return real(p.lo, p.hi, usual(p.unit).least, usual(p.unit).most);
   }
 }
 
-double Sampler::real(double lo, double hi, double least, double most) {
+Samples ParameterSampler::rows(const netloft_parameter& p) {
+  Samples rows(4);
+  for (std::size_t column = 0; p.columns[column]; ++column) {
+    std::vector<double> numbers(rows.size());
+    const Usual range = usual(p.column_units[column]);
+    for (double& n : numbers) n = real(0, 1e300, range.least, range.most);
+    if (column == 0) std::sort(numbers.begin(), numbers.end());
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(numbers[row]);
+  }
+  return rows;
+}
+
+double ParameterSampler::real(double lo, double hi, double least, double most) {
   if (lo <= most && hi >= least)
     return std::exp(uniform(std::log(std::max(lo, least)), std::log(std::min(hi, most))));
   const double near = std::isfinite(lo) ? lo : hi - std::abs(hi);  // a range of unusual values

@@ -3,25 +3,20 @@
 #include "framework/conformance/specimen.hpp"
 
 #include <random>
+#include <span>
 
 namespace netloft::conformance {
 
-/// Draws parameters, data and states for an element of which nothing is known but its description.
+/// Draws parameters of which nothing is known but their table, the same ones for the same seed.
 ///
 /// Parameters: a real is drawn (evenly on a logarithmic scale) from what is usual for its unit, see
 /// sampler.cpp, cut to its allowed range; from the range itself when the two do not meet. Integers lie in the
 /// lower 100 of their range, choices take every word in turn. Part 0 keeps all defaults; the others keep each
-/// with probability 1/2.
-/// Data: by unit in the same way, lengths from 0.5 m to 2 m, pure numbers from 0.2 to 1.8, one time in four
-/// -1, 0 or 1. A pure datum with one number per node is a coordinate of the corners: from -4 to 4, triangles
-/// drawn again until they cover at least 2 square units. What `create` refuses is drawn again.
-/// Positions: nodes scattered evenly in a cube as wide as the element's lengths (times the extent of its
-/// corner coordinates) and a factor from 0.1 to 3, so that elements are stretched or slack; one in eight is
-/// 1000 times smaller, nearly collapsed. Velocities, currents [m/s] and accelerations [m/s²] are of size 1,
-/// shears [1/s] of size 0.1.
-class Sampler {
+/// with probability 1/2. Tables have 4 rows; their columns are drawn by unit, the first in ascending order.
+class ParameterSampler {
  public:
-  Sampler(const ElementType& type, std::uint64_t seed) : type_(type), random_(seed) {}
+  ParameterSampler(std::span<const netloft_parameter> table, std::uint64_t seed)
+      : table_(table), random_(seed) {}
 
   double uniform(double lo, double hi);
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(uniform(0, double(count))); }
@@ -32,6 +27,32 @@ class Sampler {
   Values parameters(std::size_t part);
   /// Enough parts for every word of every choice.
   std::size_t parts() const;
+
+ protected:
+  double real(double lo, double hi, double least, double most);
+
+ private:
+  Value value(const netloft_parameter& parameter, std::size_t part);
+  Samples rows(const netloft_parameter& parameter);
+
+  std::span<const netloft_parameter> table_;
+  std::mt19937_64 random_;
+};
+
+/// The same for data and states of an element.
+///
+/// Data: by unit in the same way, lengths from 0.5 m to 2 m, pure numbers from 0.2 to 1.8, one time in four
+/// -1, 0 or 1. A pure datum with one number per node is a coordinate of the corners: from -4 to 4, triangles
+/// drawn again until they cover at least 2 square units. What `create` refuses is drawn again.
+/// Positions: nodes scattered evenly in a cube as wide as the element's lengths (times the extent of its
+/// corner coordinates) and a factor from 0.1 to 3, so that elements are stretched or slack; one in eight is
+/// 1000 times smaller, nearly collapsed. Velocities, currents [m/s] and accelerations [m/s²] are of size 1,
+/// shears [1/s] of size 0.1.
+class Sampler : public ParameterSampler {
+ public:
+  Sampler(const ElementType& type, std::uint64_t seed)
+      : ParameterSampler(type.parameters, seed), type_(type) {}
+
   void data(Sample& sample, std::size_t element);
   void state(const Sample& sample, std::size_t element, States& states, std::size_t lane);
   /// Length of an element's data [m], 1 m if it has none, times the extent of its corner coordinates.
@@ -41,13 +62,10 @@ class Sampler {
   bool is_corner(const netloft_datum& datum) const;
 
  private:
-  Value value(const netloft_parameter& parameter, std::size_t part);
-  double real(double lo, double hi, double least, double most);
   double number(const netloft_datum& datum);
   bool covers_nothing(const Sample& sample, std::size_t element) const;
 
   const ElementType& type_;
-  std::mt19937_64 random_;
 };
 
 }  // namespace netloft::conformance

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/conformance/specimen.hpp"
 
+#include "framework/conformance/test_laws.hpp"
+
 namespace netloft::conformance {
 
 namespace {
@@ -22,9 +24,16 @@ int guarded(std::string& message, Call&& call) {
 
 const double* pointer(const std::vector<double>& v) { return v.empty() ? nullptr : v.data(); }
 
+std::uint32_t kind_for(const netloft_law_slot& slot, std::uint32_t wanted) {
+  if (slot.accepts & wanted) return wanted;
+  return slot.accepts & NETLOFT_TWINE_LAW ? NETLOFT_TWINE_LAW : NETLOFT_SCREEN_LAW;
+}
+
 }  // namespace
 
-Specimen::Specimen(const ElementType& type, const Sample& sample) : type_(type) {
+Specimen::Specimen(const ElementType& type, const Sample& sample)
+    : type_(type), forgotten_(type.element.state_width * kLanes, 0.0) {
+  for (const auto& slot : type.laws) laws_.push_back(test_law(kind_for(slot, sample.law_kind)));
   std::vector<std::string> faults;
   std::vector<const void*> blocks;
   std::vector<const double*> data;
@@ -42,6 +51,7 @@ Specimen::Specimen(const ElementType& type, const Sample& sample) : type_(type) 
   in.part_count = static_cast<std::uint32_t>(blocks.size());
   in.parameters = blocks.data(), in.part = sample.part.data(), in.data = data.data();
   in.message = message, in.message_size = kMessage;
+  in.law_count = static_cast<std::uint32_t>(laws_.size()), in.laws = laws_.data();
   const int status = guarded(thrown, [&] { return type.element.create(&in, &self_); });
   if (status == kThrew) throw Escaped("create: " + thrown);
   if (status != NETLOFT_OK) throw Refused(std::min(in.at_fault, in.count - 1), message);
@@ -56,15 +66,20 @@ std::size_t Specimen::entries(const netloft_term& term) const {
   return term.traits & NETLOFT_SYMMETRIC ? n * (n + 1) / 2 : n * n;
 }
 
+std::size_t Specimen::remembered(const netloft_term& term) const {
+  return term.traits & NETLOFT_READS_STATE ? type_.element.state_width : 0;
+}
+
 netloft_tile Specimen::tile(const States& states, Factors factors) const {
   netloft_tile t{};
   t.size = sizeof t;
   t.first = states.first, t.count = states.count;
   t.time = 1;
   t.cu = factors.cu, t.cv = factors.cv, t.ca = factors.ca;
-  t.water_density = 1025, t.gravity = 9.81;
+  t.water_density = 1025, t.gravity = 9.81, t.water_viscosity = 1.19e-6;
   t.x = pointer(states.x), t.v = pointer(states.v), t.a = pointer(states.a);
   t.current = pointer(states.current), t.current_dz = pointer(states.current_dz);
+  t.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
   return t;
 }
 
@@ -74,6 +89,7 @@ Answer Specimen::evaluate(const netloft_term& term, const States& states, std::u
   if (want & NETLOFT_WANT_ENERGY) answer.energy.assign(kLanes, 0.0);
   if (want & NETLOFT_WANT_FORCE) answer.force.assign(static_cast<std::size_t>(type_.dofs()) * kLanes, 0.0);
   if (wants_matrix(want)) answer.matrix.assign(entries(term) * kLanes, 0.0);
+  answer.memory.assign(remembered(term) * kLanes, 0.0);
   evaluate(term, states, want, factors, answer);
   return answer;
 }
@@ -81,13 +97,14 @@ Answer Specimen::evaluate(const netloft_term& term, const States& states, std::u
 void Specimen::evaluate(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
                         Answer& answer) const {
   Answer told = evaluate_into(term, states, want, factors, answer.energy.data(), answer.force.data(),
-                              answer.matrix.data());
+                              answer.matrix.data(), answer.memory.data());
   answer.status = told.status, answer.lane_at_fault = told.lane_at_fault;
   answer.message = std::move(told.message);
 }
 
 Answer Specimen::evaluate_into(const netloft_term& term, const States& states, std::uint32_t want,
-                               Factors factors, double* energy, double* force, double* matrix) const {
+                               Factors factors, double* energy, double* force, double* matrix,
+                               double* memory) const {
   Answer answer;
   char message[kMessage] = "";
   netloft_tile t = tile(states, factors);
@@ -95,6 +112,8 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   if (!(term.traits & NETLOFT_READS_VELOCITY)) t.v = nullptr;
   if (!(term.traits & NETLOFT_READS_ACCELERATION)) t.a = nullptr;
   if (!(term.traits & NETLOFT_READS_CURRENT)) t.current = t.current_dz = nullptr;
+  if (!(term.traits & NETLOFT_READS_STATE)) t.state = nullptr;
+  t.state_new = remembered(term) ? memory : nullptr;
   t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
   t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;
   t.tangent = wants_matrix(want) ? matrix : nullptr;

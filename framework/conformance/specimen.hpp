@@ -12,18 +12,25 @@ inline constexpr std::size_t kLanes = NETLOFT_LANES;
 /// Place of a degree of freedom (or matrix entry) of a lane in a tile's array.
 constexpr std::size_t at(std::size_t row, std::size_t lane) { return row * kLanes + lane; }
 
-/// What a family is made from: parameters of each part, part and data of each element.
+/// What a family is made from: parameters of each part, part and data of each element, kind of law in its
+/// slots.
 struct Sample {
   std::vector<Values> parameters;
   std::vector<std::uint32_t> part;
   std::vector<std::vector<double>> data;  // [datum] -> [element][width]
+  std::uint32_t law_kind = 0;             // where a slot takes it; else the first kind that the slot takes
 };
 
 /// The world as up to 64 elements see it, arrays [dof][64] like those of a tile. Empty: null.
 struct States {
   std::uint32_t first = 0, count = 0;
   std::vector<double> x, v, a, current, current_dz;
+  std::vector<double> memory = {};  // [state_width][64], what elements remember; empty: nothing yet
 };
+
+/// All fields of States, for loops.
+inline constexpr std::vector<double> States::*kFields[] = {
+    &States::x, &States::v, &States::a, &States::current, &States::current_dz, &States::memory};
 
 struct Factors {
   double cu = 1, cv = 0, ca = 0;
@@ -35,6 +42,7 @@ struct Answer {
   std::string message;
   std::uint32_t lane_at_fault = 0;
   std::vector<double> energy, force, matrix;
+  std::vector<double> memory;  // [state_width][64] of a term that remembers
   bool ok() const { return status == NETLOFT_OK; }
 };
 
@@ -66,17 +74,21 @@ class Specimen {
                 Answer& answer) const;
   /// The plain call: adds to arrays of the caller, of which those not wanted are passed as null.
   Answer evaluate_into(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
-                       double* energy, double* force, double* matrix) const;
+                       double* energy, double* force, double* matrix, double* memory) const;
   /// The element's outputs, [output][64], added to nothing: they are written.
   Answer outputs(const States& states, std::vector<double>& values) const;
 
   std::size_t entries(const netloft_term& term) const;
+  /// Numbers that a term remembers of each element.
+  std::size_t remembered(const netloft_term& term) const;
 
  private:
   netloft_tile tile(const States& states, Factors factors) const;
 
   const ElementType& type_;
   std::vector<ParameterBlock> parameters_;
+  std::vector<netloft_bound_law> laws_;
+  std::vector<double> forgotten_;  // zeros: the memory of new elements
   void* self_ = nullptr;
 };
 

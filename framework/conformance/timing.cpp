@@ -21,7 +21,7 @@ double nanoseconds_per_element(const Specimen& specimen, const netloft_term& ter
     const auto start = Clock::now();
     for (int call = 0; call < kCallsPerRepeat; ++call)
       specimen.evaluate_into(term, s, want, {}, answer.energy.data(), answer.force.data(),
-                             answer.matrix.data());
+                             answer.matrix.data(), answer.memory.data());
     const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
     least = std::min(least, spent.count() / kCallsPerRepeat / s.count);
   }

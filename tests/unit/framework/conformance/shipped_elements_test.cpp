@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Everything shipped passes the suite, in each of its builds, and all builds give the same bits.
-#include "framework/conformance/conformance.hpp"
-#include "framework/conformance/sampler.hpp"
+#include "framework/conformance/bench.hpp"
 #include "framework/registry/library.hpp"
 
 #include <gtest/gtest.h>
@@ -51,22 +50,6 @@ TEST_P(Shipped, KeepsItsPromisesBuiltForAvx2) {
   expect_conformance(kFolder / "x86-64-v3" / (GetParam() + ".so"));
 }
 
-Sample sampled(Sampler& sampler) {
-  Sample sample;
-  for (std::size_t p = 0; p < sampler.parts(); ++p) sample.parameters.push_back(sampler.parameters(p));
-  for (std::size_t e = 0; e < kLanes; ++e)
-    sample.part.push_back(static_cast<std::uint32_t>(e % sample.parameters.size()));
-  for (std::size_t e = 0; e < kLanes; ++e) sampler.data(sample, e);
-  return sample;
-}
-
-States sampled_states(Sampler& sampler, const Sample& sample, int dofs) {
-  const std::vector<double> zero(static_cast<std::size_t>(dofs) * kLanes, 0.0);
-  States states{0, kLanes, zero, zero, zero, zero, zero};
-  for (std::size_t lane = 0; lane < kLanes; ++lane) sampler.state(sample, lane, states, lane);
-  return states;
-}
-
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
@@ -76,16 +59,16 @@ TEST_P(Shipped, GivesTheSameBitsInEveryBuild) {
   const auto base = netloft::open_library(kFolder / (GetParam() + ".so"));
   const auto v3 = netloft::open_library(kFolder / "x86-64-v3" / (GetParam() + ".so"));
   for (std::size_t k = 0; k < base.elements.size(); ++k) {
-    Sampler sampler(base.elements[k], 7);
-    const Sample sample = sampled(sampler);
-    const States states = sampled_states(sampler, sample, base.elements[k].dofs());
-    const Specimen one(base.elements[k], sample), two(v3.elements[k], sample);
+    const Bench bench(base.elements[k], {.seed = 7, .elements = 64});
+    ASSERT_TRUE(bench.specimen && bench.tiles.size() == 1) << base.elements[k].type << ": " << bench.refusal;
+    const States& states = bench.tiles[0];
+    const Specimen &one = *bench.specimen, two(v3.elements[k], bench.sample);
     for (std::size_t t = 0; t < base.elements[k].terms.size(); ++t)
       for (const auto want : wants_of(base.elements[k].terms[t])) {
         const Answer a = one.evaluate(base.elements[k].terms[t], states, want);
         const Answer b = two.evaluate(v3.elements[k].terms[t], states, want);
         EXPECT_TRUE(same_bits(a.energy, b.energy) && same_bits(a.force, b.force) &&
-                    same_bits(a.matrix, b.matrix))
+                    same_bits(a.matrix, b.matrix) && same_bits(a.memory, b.memory))
             << base.elements[k].type << ' ' << base.elements[k].terms[t].name << ' ' << want_text(want);
       }
   }

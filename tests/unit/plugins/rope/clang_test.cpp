@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A plugin built by clang for AVX2 runs in this program and agrees with the one built beside it.
-#include "framework/conformance/conformance.hpp"
-#include "framework/conformance/sampler.hpp"
+#include "framework/conformance/bench.hpp"
 #include "framework/registry/library.hpp"
 
 #include <gtest/gtest.h>
@@ -44,17 +43,10 @@ TEST(RopeByClang, AgreesWithThisCompilersTo1e12) {
   if (!runs()) GTEST_SKIP() << "no clang++, or no AVX2 here";
   const auto one = netloft::open_library(kShipped), two = netloft::open_library(kClang);
   EXPECT_NE(two.origin.compiler.find("Clang"), std::string::npos) << two.origin.compiler;
-  Sampler sampler(one.elements[0], 3);
-  Sample sample;
-  for (std::size_t p = 0; p < sampler.parts(); ++p) sample.parameters.push_back(sampler.parameters(p));
-  for (std::uint32_t e = 0; e < kLanes; ++e)
-    sample.part.push_back(e % static_cast<std::uint32_t>(sampler.parts()));
-  for (std::size_t e = 0; e < kLanes; ++e) sampler.data(sample, e);
-  const std::vector<double> zero(6 * kLanes, 0.0);
-  States states{0, kLanes, zero, zero, zero, zero, zero};
-  for (std::size_t lane = 0; lane < kLanes; ++lane) sampler.state(sample, lane, states, lane);
-
-  const Specimen here(one.elements[0], sample), clang(two.elements[0], sample);
+  const Bench bench(one.elements[0], {.seed = 3, .elements = 64});
+  ASSERT_EQ(bench.tiles.size(), 1u) << bench.refusal;
+  const States& states = bench.tiles[0];
+  const Specimen &here = *bench.specimen, clang(two.elements[0], bench.sample);
   for (std::size_t t = 0; t < one.elements[0].terms.size(); ++t)
     for (const auto want : wants_of(one.elements[0].terms[t])) {
       const Answer a = here.evaluate(one.elements[0].terms[t], states, want);
