@@ -165,7 +165,8 @@ TEST(Verdict, SaysThatForcesOverflowedAndWhere) {
   EXPECT_TRUE(contains(solved.solution.at_fault, "node 1")) << solved.solution.at_fault;
 }
 
-// Forces of 1e200 N are numbers, their squares are not: an infinite load must not excuse an infinite residual.
+// Forces of 1e200 N are numbers, their squares are not: an infinite load must not excuse an infinite
+// residual.
 TEST(Verdict, CallsNothingBalancedThatIsInfinite) {
   Sketch s;
   s.scene.water.gravity = 0;
