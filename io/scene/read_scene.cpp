@@ -215,10 +215,12 @@ class SceneReader {
 
   /// What `on` names, as nodes or as elements of the kind the rider stands on.
   void find_ground(const ElementType& type, TableReader& table, Part& rider) {
+    const int errors_before = diagnostics_.errors();
     const std::vector<std::string> names =
         table.kind("on") == Kind::text
             ? std::vector<std::string>{table.text("on", {})}
             : table.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
+    if (diagnostics_.errors() > errors_before) return;
     const bool on_nodes = type.element.stencil == NETLOFT_NODE;
     const double number = on_nodes
                               ? table.real("number", {.doc = "pieces, shared out along what it stands on",
@@ -227,8 +229,13 @@ class SceneReader {
                               : 1;
     std::vector<std::uint32_t> nodes;
     std::vector<double> carried(out_.scene.node_count(), 0.0);
-    for (const auto& name : names) {
-      const auto set = find_set(mention(name, table, "on"));
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      const std::string& name = names[n];
+      const Mention at = mention_of_item(name, table, "on", n);
+      if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(n), name) !=
+          names.begin() + static_cast<std::ptrdiff_t>(n))
+        diagnostics_.error(at.place, at.path + ": " + in_quotes(name) + " is named twice");
+      const auto set = find_nodes(at);
       if (!set || !is_sound_[set->part] || !types_[set->part]) continue;
       const Part& ground = out_.scene.parts[set->part];
       if (on_nodes) {
@@ -329,7 +336,7 @@ class SceneReader {
       if (diagnostics_.errors() > errors_before) continue;
       std::vector<Joiner::Ends> sets;
       for (std::size_t i = 0; i < points.size(); ++i)
-        if (auto set = find_set(mention_of_item(points[i], table, i))) sets.push_back(*set);
+        if (auto set = find_nodes(mention_of_item(points[i], table, "points", i))) sets.push_back(*set);
       if (sets.size() != points.size() || !can_be_joined(sets, points, table)) continue;
       joiner_->join(sets);
       joins_.push_back({sets, mention("", table, "points")});
@@ -337,10 +344,12 @@ class SceneReader {
     if (diagnostics_.errors() == 0) check_joins();
   }
 
-  Mention mention_of_item(const std::string& name, TableReader& table, std::size_t i) {
-    Mention m = mention(name, table, "points");
-    const Array* array = table.raw("points") ? table.raw("points")->as<Array>() : nullptr;
-    if (array && i < array->items.size()) m.place = array->items[i].place;
+  /// One of the names that stand at a key; of a name that stands there alone, the key itself.
+  Mention mention_of_item(const std::string& name, TableReader& table, std::string_view key, std::size_t i) {
+    Mention m = mention(name, table, key);
+    const Array* array = table.raw(key) ? table.raw(key)->as<Array>() : nullptr;
+    if (!array || i >= array->items.size()) return m;
+    m.place = array->items[i].place;
     m.path += "[" + std::to_string(i) + "]";
     return m;
   }
@@ -415,6 +424,10 @@ class SceneReader {
       return ends;
     }
     const std::string name = m.name.substr(dot + 1);
+    if (is_rider(geometry.names.name)) {
+      refuse_rider(m, geometry.names.name);
+      return {};
+    }
     if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
     const bool hangs_on_geometry =
         geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
@@ -425,6 +438,24 @@ class SceneReader {
     return {};
   }
 
+  /// The same where nodes are wanted. A part that stands on others has none of its own.
+  std::optional<Joiner::Ends> find_nodes(const Mention& m) {
+    auto set = find_set(m);
+    if (!set || !set->own.empty() || !is_sound_[set->part]) return set;
+    refuse_rider(m, m.name);
+    return {};
+  }
+
+  void refuse_rider(const Mention& m, const std::string& name) {
+    diagnostics_.error(m.place,
+                       m.path + ": " + in_quotes(name) + " stands on other parts and has no nodes of its own",
+                       "name what it stands on");
+  }
+
+  bool is_rider(const std::string& name) const {
+    return std::any_of(riders_.begin(), riders_.end(), [&](const auto& r) { return r.first == name; });
+  }
+
   std::optional<std::size_t> find_part(const Mention& m, const std::string& name) {
     std::vector<std::string> names, owners;
     for (std::size_t p = 0; p < geometries_.size(); ++p) {
@@ -433,7 +464,9 @@ class SceneReader {
       names.push_back(part.name);
       if (part.sets.contains(name)) owners.push_back(part.name + "." + name);
     }
-    if (m.name.empty())
+    if (is_rider(name))
+      refuse_rider(m, name);
+    else if (m.name.empty())
       diagnostics_.error(m.place, m.path + " is empty; a part, an edge or a point is wanted (net.fore)");
     else
       diagnostics_.error(m.place, m.path + ": there is no part " + in_quotes(name),
@@ -448,7 +481,7 @@ class SceneReader {
       const HoldEntry entry = read_hold(table);
       check_hold_name(entry, table);
       if (entry.on.empty() && table.kind("on") != Kind::text) continue;
-      const auto set = find_set(mention(entry.on, table, "on"));
+      const auto set = find_nodes(mention(entry.on, table, "on"));
       if (!set || !is_sound_[set->part] || diagnostics_.errors() > errors_before) continue;
       std::vector<std::uint32_t> nodes;
       for (const auto own : set->own) nodes.push_back(out_.parts[set->part].nodes[own]);
@@ -512,6 +545,8 @@ class SceneReader {
       for (const auto own : set->own) request.nodes.push_back(out_.parts[set->part].nodes[own]);
       drop_repeats(request.nodes);  // of a part that is joined to itself
       if (!understand(request, *types_[set->part], entry)) continue;
+      if (request.nodes.empty() && is_sound_[set->part] && request.source != ResultRequest::Source::output)
+        refuse_rider(mention("", entry, "take"), request.of);
       if (holds_are_known) check_reaction(request, entry);
       out_.results.push_back(std::move(request));
     }

@@ -208,6 +208,42 @@ OPTIONS = [
     Wrong("the result over the scene", "", "the scene is read from it", args=["-o", "scene.toml"]),
 ]
 
+RIDER = ('[[join]]', '[parts.more]\ntype = "rope/bar"\non = "rope"\n'
+         'rope = { diameter = 0.01, EA = 1e3, density = 1e3 }\n[[join]]')
+
+
+def rider(name, old, new, where, says, hint="", **more):
+    return Wrong(name, "scene.toml:" + where, says, hint, change=[RIDER, (old, new)], **more)
+
+
+OWN = '"more" stands on other parts and has no nodes of its own'
+RIDERS = [
+    rider("on: no such part", 'on = "rope"', 'on = "rpoe"', "21:6", 'there is no part "rpoe"', 'did you mean "rope"?'),
+    rider("on: a number", 'on = "rope"', "on = 3", "21:6", "parts.more.on is the integer 3"),
+    rider("on: nothing", 'on = "rope"', "on = []", "21:6", "has 0 values; at least 1 is wanted"),
+    rider("on: another kind of part", 'on = "rope"', 'on = "net"', "21:6", '"net" is no whole part that rope/bar can stand on'),
+    rider("on: an end of a rope", 'on = "rope"', 'on = "rope.end"', "21:6", '"rope.end" is no whole part that rope/bar'),
+    rider("on: a part twice", 'on = "rope"', 'on = ["rope", "rope"]', "21:15", '"rope" is named twice'),
+    rider("on: itself", 'on = "rope"', 'on = "more"', "21:6", OWN),
+    rider("a part on others in a join", JOIN, 'points = ["net.aft", "more"]', "24:22", OWN, "name what it stands on"),
+    rider("a part on others in a hold", HOLD, 'on = "more"', "27:6", OWN),
+    rider("an end of a part on others", HOLD, 'on = "more.start"', "27:6", OWN),
+    rider("heights of a part on others", 'of = "net"', 'of = "more"', "34:34", OWN),
+]
+
+CURRENTS = [
+    edit("current: " + name, "gravity = 9.81", f"current = {current}", place, says)
+    for name, current, place, says in (
+        ("a number", "1.5", "3:11", "an array of values in m/s is wanted"),
+        ("two components", "[1, 0]", "3:11", "water.current has 2 values; 3 are wanted"),
+        ("a mass", '["1 kg", 0, 0]', "3:12", "is a mass (kg); a speed (m/s) is wanted"),
+        ("NaN", "[nan, 0, 0]", "3:12", "is not a finite number"),
+        ("no heights", "{ x = [1] }", "3:11", 'missing key "z" in water.current'),
+        ("a column too short", "{ z = [0, -5], x = [1] }", "3:30", "water.current.x has 1 value; 2 are wanted"),
+        ("a height twice", "{ z = [0, 0], x = [1, 2] }", "3:17", "has the same height twice"),
+    )
+]
+
 SEVERAL = [
     Wrong("several at once", "scene.toml:3:11", 'water.gravity: "9.81 m" is a length',
           change=[("gravity = 9.81", 'gravity = "9.81 m"'), ('bar = "0.6 m"', "bar = -1"), ('length = "3 m"\n', ""),
@@ -218,4 +254,4 @@ SEVERAL = [
                 ("scene.toml:29:33", '"q" is nothing')]),
 ]
 
-ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + RESULTS + FILES + PLUGINS + OPTIONS + SEVERAL
+ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + RESULTS + FILES + PLUGINS + OPTIONS + RIDERS + CURRENTS + SEVERAL
