@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Laws of netting as a screen against the dual numbers of their formulas, and against the published
+// polynomials.
+#include "plugins/hydro/screen.hpp"
+
+#include "tests/unit/plugins/hydro/law_oracle.hpp"
+
+namespace {
+
+using namespace netloft;
+using hydro::Aarsnes;
+using hydro::KristiansenFaltinsen;
+using hydro::Loland;
+using hydro::ScreenParameters;
+
+const ScreenParameters kOpen{1, 0}, kWake{0.9, 1};
+constexpr double kTwine = 0.002;  // [m]
+
+template <class L>
+class ScreenLaw : public testing::Test {};
+using Laws = testing::Types<Loland, Aarsnes, KristiansenFaltinsen>;
+
+class LawNames {
+ public:
+  template <class L>
+  static std::string GetName(int) {
+    return std::is_same_v<L, Loland> ? "Loland" : std::is_same_v<L, Aarsnes> ? "Aarsnes" : "Kristiansen";
+  }
+};
+TYPED_TEST_SUITE(ScreenLaw, Laws, LawNames);
+
+TYPED_TEST(ScreenLaw, LanesMatchTheDualNumbersOfTheFormula) {
+  for (const auto& p : {kOpen, kWake})
+    for (const unsigned seed : {1u, 2u}) {
+      TestFlow t = sample_flows(seed);
+      expect_lanes_match_oracle<TypeParam>(p, t);
+    }
+}
+
+/// Coefficients of drag and lift at an angle of the flow to the normal, from the force.
+template <class L>
+std::pair<double, double> coefficients(double degrees, double S, double V = 1,
+                                       const ScreenParameters& p = kOpen) {
+  const double theta = degrees * std::numbers::pi / 180;
+  const auto f = force_of<L>(p, {V, 0, 0}, {std::cos(theta), 0, std::sin(theta)}, kTwine, S);
+  const double q = 0.5 * kDensity * V * V;
+  return {f.x / q, f.z / q};
+}
+
+TYPED_TEST(ScreenLaw, DoesNotCareWhichSideIsOut) {
+  const auto one = force_of<TypeParam>(kOpen, {1, 0.5, 0}, {0.8, 0, 0.6}, kTwine, 0.2);
+  const auto other = force_of<TypeParam>(kOpen, {1, 0.5, 0}, {-0.8, 0, -0.6}, kTwine, 0.2);
+  EXPECT_EQ(norm(one - other), 0);
+}
+
+TYPED_TEST(ScreenLaw, HasNoLiftStraightThroughAndAlong) {
+  for (const double angle : {0.0, 90.0}) {
+    const auto [drag, lift] = coefficients<TypeParam>(angle, 0.2);
+    EXPECT_NEAR(lift, 0, 1e-15) << angle;
+    EXPECT_GE(drag, 0) << angle;
+  }
+  EXPECT_GT(coefficients<TypeParam>(45, 0.2).second, 0.05);  // away from the flow, along the normal
+}
+
+TYPED_TEST(ScreenLaw, HasNoKinkAtGrazingAndNormalIncidence) {
+  for (const double angle : {0.0, 87.0, 87.134, 90.0}) {
+    const double h = 1e-4;
+    const auto left = coefficients<TypeParam>(angle - h, 0.2), at = coefficients<TypeParam>(angle, 0.2),
+               right = coefficients<TypeParam>(angle + h, 0.2);
+    EXPECT_NEAR((right.first - at.first) / h, (at.first - left.first) / h, 2e-5) << angle;
+    EXPECT_NEAR((right.second - at.second) / h, (at.second - left.second) / h, 2e-5) << angle;
+  }
+}
+
+TYPED_TEST(ScreenLaw, IsZeroWithItsDerivativesInStillWater) {
+  TestFlow t(1);
+  t.set(0, {0, 0, 0}, {0, 0, 1}, kTwine, 0.2);
+  TypeParam::lanes(kWake, t.f);
+  EXPECT_EQ(norm(t.force(0)), 0);
+  for (const auto& row : t.lanes.d_flow) EXPECT_EQ(row[0], 0);
+  for (const auto& row : t.lanes.d_direction) EXPECT_EQ(row[0], 0);
+  for (const auto& row : t.lanes.d_solidity) EXPECT_EQ(row[0], 0);
+}
+
+TYPED_TEST(ScreenLaw, SlowsTheWaterAsLolandsWakeSays) {
+  const double S = 0.2, C_D = 0.33 * S + 6.54 * S * S - 4.88 * S * S * S;
+  const double r = 0.9 * (1 - 0.46 * C_D);
+  const double open = coefficients<TypeParam>(30, S, r).first,
+               behind = coefficients<TypeParam>(30, S, 1, kWake).first;
+  EXPECT_NEAR(behind / (open * r * r), 1, 1e-12);
+}
+
+TEST(Loland, HoldsTheForceOfNettingDenserThanAnyMeasured) {
+  EXPECT_EQ(coefficients<Loland>(30, 0.38), coefficients<Loland>(30, 0.99));
+  EXPECT_GT(coefficients<Loland>(30, 0.38), coefficients<Loland>(30, 0.34));
+}
+
+// By hand from the published polynomials, S = 0.2.
+TEST(Loland, HasThePublishedCoefficients) {
+  EXPECT_NEAR(coefficients<Loland>(0, 0.2).first, 0.28856, 1e-12);
+  EXPECT_NEAR(coefficients<Loland>(60, 0.2).first, 0.04 + 0.24856 * 0.5, 1e-12);
+  EXPECT_NEAR(coefficients<Loland>(45, 0.2).second, 0.06792, 1e-12);
+  EXPECT_NEAR(coefficients<Loland>(90, 0.2).first, 0.04, 1e-12);
+}
+
+TEST(Aarsnes, HasThePublishedCoefficients) {
+  EXPECT_NEAR(coefficients<Aarsnes>(0, 0.2).first, 0.26, 1e-12);
+  EXPECT_NEAR(coefficients<Aarsnes>(45, 0.2).second, 0.0532, 1e-12);
+}
+
+// The polynomial gives 1.03439 at Re = 10³; S (2 − S)/(2 (1 − S)²) = 0.28125.
+TEST(KristiansenFaltinsen, HasTheDragOfItsTwinesInFasterWater) {
+  const double V = 800 * kViscosity / kTwine;  // Re = 10³ between the twines
+  const double C_0 = coefficients<KristiansenFaltinsen>(0, 0.2, V).first;
+  EXPECT_NEAR(C_0, 0.28125 * 1.03439, 1e-9);
+  const double C_N = 0.5 * C_0, C_T = std::numbers::pi * C_N / (8 + C_N);
+  EXPECT_NEAR(coefficients<KristiansenFaltinsen>(45, 0.2, V).second, (C_N - C_T) / std::numbers::sqrt2,
+              1e-12);
+}
+
+}  // namespace

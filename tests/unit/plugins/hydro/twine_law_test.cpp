@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Laws of twines and ropes against the dual numbers of their formulas, by hand, and where they are 0/0.
+#include "plugins/hydro/morison.hpp"
+#include "plugins/hydro/reynolds.hpp"
+
+#include "tests/unit/plugins/hydro/law_oracle.hpp"
+
+namespace {
+
+using namespace netloft;
+using hydro::Morison;
+using hydro::MorisonReynolds;
+
+const Morison::Parameters kUsual{1.2, 0.08, 1};
+
+double drag_coefficient(double Re) { return hydro::choo_casarella_phi(Re) / Re; }
+
+TEST(Morison, LanesMatchTheDualNumbersOfTheFormula) {
+  for (const double shielding : {1.0, 0.8, 0.0}) {
+    TestFlow t = sample_flows(1);
+    expect_lanes_match_oracle<Morison>({1.2, 0.08, shielding}, t);
+  }
+}
+
+TEST(Morison, PushesAcrossAndAlongByHand) {
+  // ½ 1025 0.02 1.2 1.5² across, ½ 1025 0.02 0.08 0.5² along
+  const auto f = force_of<Morison>(kUsual, {1.5, 0, -0.5}, {0, 0, 1}, 0.02);
+  EXPECT_DOUBLE_EQ(f.x, 27.675);
+  EXPECT_DOUBLE_EQ(f.y, 0);
+  EXPECT_DOUBLE_EQ(f.z, -0.205);
+}
+
+TEST(Morison, IsZeroWithAllItsDerivativesInStillWater) {
+  TestFlow t(1);
+  t.set(0, {0, 0, 0}, {0, 0, 1}, 0.02, 0);
+  Morison::lanes(kUsual, t.f);
+  for (const auto& row : t.lanes.d_flow) EXPECT_EQ(row[0], 0);
+  for (const auto& row : t.lanes.d_direction) EXPECT_EQ(row[0], 0);
+  EXPECT_EQ(norm(t.force(0)), 0);
+}
+
+TEST(Morison, TurnsSmoothlyThroughTheFlowAlongTheTwine) {
+  TestFlow t(1);
+  t.set(0, {2, 0, 0}, {1, 0, 0}, 0.02, 0);
+  Morison::lanes(kUsual, t.f);
+  EXPECT_DOUBLE_EQ(t.lanes.d_flow[0][0], 1025 * 0.02 * 0.08 * 2);  // 2 κ |τ|
+  EXPECT_EQ(t.lanes.d_flow[4][0], 0);
+  EXPECT_EQ(t.lanes.d_flow[8][0], 0);
+}
+
+TEST(Morison, FallsWithTheSquareOfShielding) {
+  const auto open = force_of<Morison>(kUsual, {1, 2, 3}, {0, 1, 1}, 0.02);
+  const auto behind = force_of<Morison>({1.2, 0.08, 0.5}, {1, 2, 3}, {0, 1, 1}, 0.02);
+  EXPECT_NEAR(norm(behind - 0.25 * open), 0, 1e-12 * norm(open));
+}
+
+TEST(MorisonReynolds, LanesMatchTheDualNumbersOfTheFormula) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    TestFlow t = sample_flows(seed);
+    expect_lanes_match_oracle<MorisonReynolds>({0.08, 0.9, {}}, t);
+  }
+}
+
+// Choo and Casarella 1971, computed apart from the published pieces.
+TEST(MorisonReynolds, HasThePublishedCoefficientsAwayFromTheJoints) {
+  EXPECT_NEAR(drag_coefficient(0.1), 55.641992, 1e-6);
+  EXPECT_NEAR(drag_coefficient(0.5), 16.415579, 1e-6);
+  EXPECT_DOUBLE_EQ(drag_coefficient(10), 1.45 + 8.55 * std::pow(10, -0.9));
+  EXPECT_DOUBLE_EQ(drag_coefficient(100), 1.5);
+  EXPECT_DOUBLE_EQ(drag_coefficient(1e4), 1.14);
+}
+
+TEST(MorisonReynolds, StaysWithinOnePercentOfThePublishedPiecesAtTheJoints) {
+  EXPECT_NEAR(drag_coefficient(1), (9.8283 + 10) / 2, 0.001);  // 9.8283 from below, 10 from above
+  EXPECT_NEAR(drag_coefficient(30), (1.8505 + 1.8303) / 2, 0.001);
+}
+
+double slope(double Re) { return hydro::choo_casarella_phi(Dual<1, 1>::variable(Re, 0)).gradient[0]; }
+
+TEST(MorisonReynolds, HasNoStepAndNoKinkAtAnyJoint) {
+  for (const double joint : {0.1, 0.8, 1.25, 24.0, 37.5}) {
+    const double below = joint * (1 - 1e-9), above = joint * (1 + 1e-9);
+    EXPECT_NEAR(hydro::choo_casarella_phi(above) / hydro::choo_casarella_phi(below), 1, 1e-8) << joint;
+    EXPECT_NEAR(slope(above) / slope(below), 1, 1e-6) << joint;
+  }
+}
+
+TEST(MorisonReynolds, IsLinearInTheVelocityAtRest) {
+  TestFlow t(1);
+  t.set(0, {0, 0, 0}, {0, 0, 1}, 0.001, 0);
+  MorisonReynolds::lanes({0.08, 1, {}}, t.f);
+  EXPECT_EQ(norm(t.force(0)), 0);
+  EXPECT_NEAR(t.lanes.d_flow[0][0], 0.5 * kDensity * kViscosity * hydro::choo_casarella_phi(0.0), 1e-18);
+  EXPECT_GT(t.lanes.d_flow[0][0], 0);
+  EXPECT_EQ(t.lanes.d_flow[8][0], 0);
+}
+
+const double kTable[] = {10, 3, 100, 1.5, 1e3, 1.0, 1e4, 1.2};
+
+TEST(MorisonReynolds, TakesATableInstead) {
+  const MorisonReynolds::Parameters p{0, 1, {kTable, 4, 2}};
+  const double D = 0.01;
+  const auto coefficient = [&](double Re) {
+    const double V = Re * kViscosity / D;
+    return force_of<MorisonReynolds>(p, {V, 0, 0}, {0, 1, 0}, D).x / (0.5 * kDensity * D * V * V);
+  };
+  EXPECT_NEAR(coefficient(1), 3, 1e-12);
+  EXPECT_NEAR(coefficient(100), 1.5, 1e-9);
+  EXPECT_NEAR(coefficient(1e3), 1.0, 1e-9);
+  EXPECT_NEAR(coefficient(1e6), 1.2, 1e-12);
+  for (const double Re : {20.0, 50.0, 300.0, 700.0, 2e3, 8e3}) {  // no overshoot
+    EXPECT_GE(coefficient(Re), 1.0 - 1e-12) << Re;
+    EXPECT_LE(coefficient(Re), Re > 1e3 ? 1.2 : 3.0) << Re;
+  }
+  for (const unsigned seed : {4u, 5u}) {
+    TestFlow t = sample_flows(seed);
+    expect_lanes_match_oracle<MorisonReynolds>(p, t);
+  }
+}
+
+TEST(MorisonReynolds, SaysThatItNeedsAViscosity) {
+  TestFlow t(1);
+  t.f.water_viscosity = 0;
+  EXPECT_THROW(MorisonReynolds::lanes({0, 1, {}}, t.f), std::runtime_error);
+}
+
+}  // namespace
