@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/priour/triangle.hpp"
+#include "plugins/priour/knot_contact.hpp"
+#include "plugins/priour/opening.hpp"
 
-using netloft::priour::Triangle;
+using namespace netloft::priour;
 
 NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   auto& t = plugin.element<Triangle>("triangle", "Triangle of netting with straight, parallel twines inside");
@@ -12,6 +13,17 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.real("twine.diameter", &Triangle::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   t.real("twine.density", &Triangle::Parameters::density, "kg/m3", "density of the twine's material",
          {.lo = 0, .hi = 3e4});
+  t.real("twine.EI", &Triangle::Parameters::EI, "N m2", "bending stiffness of one twine",
+         {.lo = 0, .hi = 1e6, .fallback = 0});
+  t.real(
+      "twine.opening_stiffness", &Triangle::Parameters::opening_stiffness, "N m/rad",
+      "couple per radian with which a knot resists opening of its meshes, on each twine; instead of twine.EI",
+      {.lo = 0, .hi = 1e6, .fallback = 0});
+  t.real("twine.opening_angle", &Triangle::Parameters::opening_angle, "rad",
+         "half angle between the twines of an unloaded mesh", {.lo = 0, .hi = 1.5707, .fallback = 0});
+  t.real("twine.knot_size", &Triangle::Parameters::knot_size, "m",
+         "knots of this size touch when a mesh closes; zero lets it close",
+         {.lo = 0, .hi = 10, .fallback = 0});
   t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
   t.data("v", &Triangle::Data::v, "1", "twine coordinate of the corners along v, in bars");
   t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched bar, from knot to knot");
@@ -20,6 +32,12 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
       "elastic", "tension of the twines, and their small resistance when slack");
   t.term<Triangle::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
                                netloft::needs_gravity>("weight", "weight in water of the unstretched twines");
+  constexpr auto of_angle = netloft::conservative | netloft::symmetric | netloft::has_convex;
+  t.term<OpeningGiven, of_angle>("opening", "resistance of the meshes to opening", "twine.opening_stiffness");
+  t.term<OpeningOfTwines, of_angle>(
+      "opening-by-EI", "resistance of the meshes to opening, by bending of the twines", "twine.EI");
+  t.term<KnotContact, of_angle>("knot-contact", "knots that touch before a mesh is closed",
+                                "twine.knot_size");
   t.output("tension", "N", "tension of one twine, the larger of both directions",
            [](auto& p, auto& d, auto& s) {
              return std::max(Triangle::stretch(0, p, d, s).T, Triangle::stretch(1, p, d, s).T);

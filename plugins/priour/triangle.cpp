@@ -8,8 +8,6 @@ namespace netloft::priour {
 
 namespace {
 
-constexpr std::size_t at(int dof, std::size_t lane) { return static_cast<std::size_t>(dof) * kLanes + lane; }
-
 double determinant(const Triangle::Data& d) {  // (1)
   return (d.u[1] - d.u[0]) * (d.v[2] - d.v[0]) - (d.u[2] - d.u[0]) * (d.v[1] - d.v[0]);
 }
@@ -27,8 +25,32 @@ Triangle::Shape Triangle::shape(const Data& d) {
           std::abs(determinant(d)) / 2};
 }
 
-void Triangle::check(const Parameters&, const Data& d) {
+double Triangle::opening_stiffness(const Parameters& p, const Data& d) {
+  return p.opening_stiffness + 12 * p.EI / d.bar_length;
+}
+
+double Triangle::touching_cosine(const Parameters& p, const Data& d) {
+  const double t = p.knot_size / (2 * d.bar_length), square = t * t;  // tan α_k
+  return (1 - square) / (1 + square);
+}
+
+namespace {
+
+void check_twines(const Triangle::Parameters& p, const Triangle::Data& d) {
+  if (p.EI > 0 && p.opening_stiffness > 0)
+    throw std::invalid_argument(
+        "twine.EI and twine.opening_stiffness both say how the meshes resist opening (the first as 12 EI "
+        "over "
+        "the bar): give one of them");
+  if (p.knot_size >= 2 * d.bar_length)
+    throw std::invalid_argument("twine.knot_size leaves no mesh between knots: it must be below two bars");
+}
+
+}  // namespace
+
+void Triangle::check(const Parameters& p, const Data& d) {
   if (!(d.bar_length > 0)) throw std::invalid_argument("a bar length of zero leaves no netting");
+  check_twines(p, d);
   const double across = std::abs(d.u[1] - d.u[0]) + std::abs(d.v[1] - d.v[0]);
   const double along = std::abs(d.u[2] - d.u[0]) + std::abs(d.v[2] - d.v[0]);
   if (!(std::abs(determinant(d)) > 1e-14 * across * along))
@@ -44,6 +66,10 @@ void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_
   lanes.EA_compression[lane] = p.EA_compression;
   lanes.volume[lane] = 2 * s.bars * std::numbers::pi / 4 * p.diameter * p.diameter * d.bar_length;
   lanes.density[lane] = p.density;
+  lanes.H[lane] = p.opening_stiffness;
+  lanes.H_of_EI[lane] = 12 * p.EI / d.bar_length;
+  lanes.alpha0[lane] = p.opening_angle;
+  lanes.touching[lane] = touching_cosine(p, d);
 }
 
 axial::Bar Triangle::stretch(int direction, const Parameters& p, const Data& d, const State<3>& s) {

@@ -6,6 +6,9 @@
 
 namespace netloft::priour {
 
+/// Place of a degree of freedom or matrix entry of a lane in the arrays of a tile.
+constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
+
 /// Priour's triangle of netting: the twines of both directions stay straight and parallel inside it.
 /// Corners x₁ x₂ x₃ have twine coordinates (u_i, v_i), counted in bars along the two twine directions.
 ///   d = (u₂−u₁)(v₃−v₁) − (u₃−u₁)(v₂−v₁);  |d|/2 bars of each direction lie in the triangle      (1)
@@ -23,6 +26,7 @@ struct Triangle {
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
+    double EI = 0, opening_stiffness = 0, opening_angle = 0, knot_size = 0;
   };
   struct Data {
     std::array<double, 3> u{}, v{};  // twine coordinates of the corners [bars]
@@ -33,6 +37,8 @@ struct Triangle {
     double bars[kLanes];                // |d|/2
     double l0[kLanes], EA[kLanes], EA_compression[kLanes];
     double volume[kLanes], density[kLanes];
+    double H[kLanes], H_of_EI[kLanes], alpha0[kLanes];  // opening (1), (5)
+    double touching[kLanes];                            // c_k of knot contact (1); 1 without knots
   };
 
   /// (1)–(3) of one triangle.
@@ -44,6 +50,11 @@ struct Triangle {
   static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
   /// Half the angle between Û and V̂ [rad].
   static double half_angle(const Data& d, const State<3>& s);
+
+  /// H of opening (1), given or of the twines' bending stiffness [N·m/rad].
+  static double opening_stiffness(const Parameters& p, const Data& d);
+  /// c_k of knot contact (1).
+  static double touching_cosine(const Parameters& p, const Data& d);
 
   static void check(const Parameters&, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
