@@ -96,7 +96,8 @@ Json geometry_schema(const GeometryKey& key) {
   const Json number = quantity(key.unit, key.range.lo, key.range.hi, key.doc);
   const Json integer = {
       {"type", "integer"}, {"minimum", key.range.lo}, {"maximum", key.range.hi}, {"description", key.doc}};
-  const Json point = {{"type", "array"},
+  const Json point = {{"description", key.doc},
+                      {"type", "array"},
                       {"items", quantity(key.unit, key.range.lo, key.range.hi, "x, y or z")},
                       {"minItems", 3},
                       {"maxItems", 3}};

@@ -129,7 +129,8 @@ const std::vector<GeometryKey>& geometry_keys(std::uint32_t stencil) {
 }
 
 const std::vector<std::string>& geometry_data(std::uint32_t stencil) {
-  static const std::vector<std::string> point, line{"rest_length"}, panel{"u", "v", "bar_length"};
+  static const std::vector<std::string> point{"share", "length"}, line{"rest_length"},
+      panel{"u", "v", "bar_length"};
   return stencil == NETLOFT_NODE ? point : stencil == NETLOFT_BAR ? line : panel;
 }
 
@@ -152,6 +153,7 @@ Geometry read_point(TableReader& part) {
   if (at.size() != 3) return out;
   out.positions = at;
   out.elements = {0};
+  out.data["share"] = {1}, out.data["length"] = {0};
   out.names.sets["point"] = {0};
   return out;
 }

@@ -33,7 +33,7 @@ const std::vector<std::string>& geometry_data(std::uint32_t stencil);
 /// The point a share `t` of the way along a line through one or more points.
 std::array<double, 3> along_line(const std::vector<std::array<double, 3>>& line, double t);
 
-/// A point: one node. Set: point.
+/// A point: one node. Set: point. Data: share [pieces], one; length [m], none.
 Geometry read_point(TableReader& part);
 
 /// A rope in bars: `length` unstretched, `cells` bars, `sketch` a line of two or more points along which the

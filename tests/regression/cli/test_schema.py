@@ -23,10 +23,13 @@ def is_whole(scene):
 
 
 def keys_of(schema):
-    """Names of all keys, at any depth."""
-    for name, member in schema.get("properties", {}).items():
+    """Names of all keys, at any depth; of what belongs to a plugin only the table it stands in (`netloft describe` has the rest)."""
+    here = schema.get("properties", {})
+    of_plugins = "const" in here.get("type", {}) or "solver" in here
+    for name, member in here.items():
         yield name
-        yield from keys_of(member)
+        if not of_plugins or name == "panel":
+            yield from keys_of(member)
     for inner in [schema.get("items"), schema.get("additionalProperties"), *schema.get("oneOf", []), *schema.get("anyOf", [])]:
         if isinstance(inner, dict):
             yield from keys_of(inner)
