@@ -165,7 +165,8 @@ Json end_part(Json part, const ElementType& e, const PluginContent& plugin) {
 /// A part with a geometry of its own.
 Json part_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
-  for (const auto& key : geometry_keys(e.element.stencil)) put(part, key.name, geometry_schema(key), true);
+  for (const auto& key : geometry_keys(e.element.stencil))
+    put(part, key.name, geometry_schema(key), key.required);
   put_data(part, e, true);
   return end_part(std::move(part), e, plugin);
 }
@@ -200,7 +201,7 @@ Json join_schema() {
   put(join, "points",
       {{"type", "array"},
        {"items", {{"type", "string"}}},
-       {"minItems", 2},
+       {"minItems", 1},
        {"description", "points or edges that become one"}},
       true);
   return {{"type", "array"}, {"items", join}};
@@ -211,6 +212,8 @@ Json current_schema() {
   const auto column = [](const std::string& unit, double limit, const std::string& doc) {
     return Json{{"type", "array"},
                 {"items", quantity(unit, -limit, limit, doc)},
+  put(join, "together", {{"type", "boolean"}, {"default", false}, {"description", "all nodes become one"}},
+      false);
                 {"minItems", 1},
                 {"description", doc}};
   };

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/geometry.hpp"
 
+#include <netloft/vec3.hpp>
+
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace netloft::io {
 
@@ -38,13 +43,30 @@ const GeometryKey kCells{
     exactly(2)};
 const GeometryKey kCorners{
     "sketch",      "m",          "corners: fore left, fore right, aft right, aft left; need not be accurate",
-    Shape::points, kCoordinates, exactly(4)};
+    Shape::points, kCoordinates, exactly(4),
+    false};
+const Range kRadii = between(0, 1e4);
+const GeometryKey kFrom{"tube.from",   "m",          "middle of the fore edge, of a panel sketched as a tube",
+                        Shape::points, kCoordinates, exactly(1),
+                        false};
+const GeometryKey kTo{"tube.to",  "m",  "middle of the aft edge of the tube", Shape::points, kCoordinates,
+                      exactly(1), false};
+const GeometryKey kRadius{"tube.radius", "m", "radius of the tube", Shape::real, kRadii, {}, false};
+const GeometryKey kRadiusAft{
+    "tube.radius_aft", "m", "radius at the aft edge, if it is another one", Shape::real, kRadii, {}, false};
 
 /// The last word of a dotted name.
 std::string leaf(const GeometryKey& key) { return key.name.substr(key.name.find('.') + 1); }
 
-double read_real(TableReader& table, const GeometryKey& key) {
-  return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range});
+double read_real(TableReader& table, const GeometryKey& key, std::optional<double> fallback = {}) {
+  return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .fallback = fallback});
+}
+
+/// A point that is needed; the origin if something is wrong with it.
+Point read_one_point(TableReader& table, const GeometryKey& key) {
+  const auto at =
+      table.reals(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .count = exactly(3)});
+  return at.size() == 3 ? Point{at[0], at[1], at[2]} : Point{};
 }
 
 std::vector<std::int64_t> read_integers(TableReader& table, const GeometryKey& key) {
@@ -96,14 +118,38 @@ void name_edges(const Grid& g, PartGeometry& names) {
   names.sets["aft-right"] = {g.node(g.across, g.along)};
 }
 
-/// Nodes of the panel on the bilinear surface through the four corners.
-void place_nodes(const Grid& g, const std::vector<Point>& corner, double meshes_across, double meshes_along,
+/// Where a panel starts: the point a share s of the way across and t of the way along.
+using Surface = std::function<Point(double s, double t)>;
+
+/// The bilinear surface through the four corners.
+Surface through_corners(std::vector<Point> corner) {
+  return [corner = std::move(corner)](double s, double t) {
+    return between_points(between_points(corner[0], corner[1], s), between_points(corner[3], corner[2], s),
+                          t);
+  };
+}
+
+Vec3<double> vector(const Point& p) { return {p[0], p[1], p[2]}; }
+
+/// c(t) + r(t) (cos 2πs e₁ + sin 2πs e₂) about the axis a, e₁ × e₂ = a; e₁ is as much upwards as can be.
+Surface round_an_axis(const Point& from, const Point& to, double radius, double radius_aft) {
+  const Vec3<double> way = vector(to) - vector(from), a = (1 / norm(way)) * way;
+  const Vec3<double> up = std::abs(a.z) > 0.999 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 0, 1};
+  const Vec3<double> across = up - dot(up, a) * a, e1 = (1 / norm(across)) * across, e2 = cross(a, e1);
+  return [=](double s, double t) {
+    const double r = radius + t * (radius_aft - radius), angle = 2 * std::numbers::pi * s;
+    const Vec3<double> x =
+        vector(between_points(from, to, t)) + r * (std::cos(angle) * e1 + std::sin(angle) * e2);
+    return Point{x.x, x.y, x.z};
+  };
+}
+
+void place_nodes(const Grid& g, const Surface& surface, double meshes_across, double meshes_along,
                  Geometry& out) {
   for (std::size_t j = 0; j <= g.along; ++j)
     for (std::size_t i = 0; i <= g.across; ++i) {
       const double s = double(i) / double(g.across), t = double(j) / double(g.along);
-      append(out.positions, between_points(between_points(corner[0], corner[1], s),
-                                           between_points(corner[3], corner[2], s), t));
+      append(out.positions, surface(s, t));
       out.names.panel.push_back({meshes_across * s, meshes_along * t});
     }
 }
@@ -116,6 +162,7 @@ void add_triangle(const Grid& g, std::array<std::array<std::size_t, 2>, 3> corne
     out.elements.push_back(node);
     out.data["u"].push_back(U + V);
     out.data["v"].push_back(V - U);
+    out.data["to_aft"].push_back(out.names.panel.back()[1] - V);
   }
   out.data["bar_length"].push_back(bar);
 }
@@ -124,13 +171,13 @@ void add_triangle(const Grid& g, std::array<std::array<std::size_t, 2>, 3> corne
 
 const std::vector<GeometryKey>& geometry_keys(std::uint32_t stencil) {
   static const std::vector<GeometryKey> point{kAt}, line{kLength, kBars, kLine},
-      panel{kAcross, kAlong, kBar, kCells, kCorners};
+      panel{kAcross, kAlong, kBar, kCells, kCorners, kFrom, kTo, kRadius, kRadiusAft};
   return stencil == NETLOFT_NODE ? point : stencil == NETLOFT_BAR ? line : panel;
 }
 
 const std::vector<std::string>& geometry_data(std::uint32_t stencil) {
   static const std::vector<std::string> point{"share", "length"}, line{"rest_length"},
-      panel{"u", "v", "bar_length"};
+      panel{"u", "v", "bar_length", "to_aft"};
   return stencil == NETLOFT_NODE ? point : stencil == NETLOFT_BAR ? line : panel;
 }
 
@@ -173,21 +220,46 @@ Geometry read_line(TableReader& part) {
   return out;
 }
 
+namespace {
+
+std::optional<Surface> read_tube(TableReader& part) {
+  TableReader tube = part.table("tube", Presence::required, "a tube along which the panel starts");
+  const Point from = read_one_point(tube, kFrom), to = read_one_point(tube, kTo);
+  const double radius = read_real(tube, kRadius), radius_aft = read_real(tube, kRadiusAft, radius);
+  if (distance(from, to) == 0) {
+    tube.error("to", "is where the tube begins; a tube must have a length");
+    return {};
+  }
+  return round_an_axis(from, to, radius, radius_aft);
+}
+
+/// `sketch` or `tube`; nothing when there is something wrong with it.
+std::optional<Surface> read_surface(TableReader& part) {
+  if (part.has("tube") && part.has("sketch"))
+    part.error("tube", "stands beside a sketch; a panel starts in one place", "leave one of them out");
+  if (part.has("tube")) return read_tube(part);
+  const auto sketch = read_points(part, kCorners);
+  if (sketch.size() != 4) return {};
+  return through_corners(sketch);
+}
+
+}  // namespace
+
 Geometry read_panel(TableReader& part) {
   Geometry out;
   TableReader panel = part.table("panel", Presence::required, "size of the panel in meshes");
   const double across = read_real(panel, kAcross), along = read_real(panel, kAlong),
                bar = read_real(panel, kBar);
   const auto cells = read_integers(part, kCells);
-  const auto sketch = read_points(part, kCorners);
-  if (cells.size() != 2 || sketch.size() != 4) return out;
+  const auto surface = read_surface(part);
+  if (cells.size() != 2 || !surface) return out;
   if (cells[0] * cells[1] * 2 > kMostElements) {
     part.error("cells", "makes " + std::to_string(cells[0] * cells[1] * 2) + " triangles; at most " +
                             std::to_string(kMostElements) + " are taken in one part");
     return out;
   }
   const Grid g{static_cast<std::size_t>(cells[0]), static_cast<std::size_t>(cells[1])};
-  place_nodes(g, sketch, across, along, out);
+  place_nodes(g, *surface, across, along, out);
   name_edges(g, out.names);
   for (std::size_t j = 0; j < g.along; ++j)
     for (std::size_t i = 0; i < g.across; ++i)

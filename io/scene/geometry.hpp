@@ -22,6 +22,7 @@ struct GeometryKey {
   Shape shape;
   Range range;
   Count count;  // of integers or points
+  bool required = true;
 };
 
 /// The keys of parts whose elements stand on this stencil.
@@ -41,10 +42,14 @@ Geometry read_point(TableReader& part);
 Geometry read_line(TableReader& part);
 
 /// A rectangle of netting in triangles, the paper's section 2.2 for a panel cut along meshes: `panel` in
-/// meshes, `cells` across and along, `sketch` four corners: fore left, fore right, aft right, aft left. In
-/// cell (i, j) the diagonal runs (i,j)-(i+1,j+1) if i+j is even. Nodes are row by row from the fore edge: j
-/// (across+1) + i. Sets: fore, aft, left, right and the corners fore-left … Data: u, v [bars], bar_length
-/// [m].
+/// meshes, `cells` across and along, `sketch` four corners: fore left, fore right, aft right, aft left; or
+/// `tube` instead of it. In cell (i, j) the diagonal runs (i,j)-(i+1,j+1) if i+j is even. Nodes are row by
+/// row from the fore edge: j (across+1) + i. Sets: fore, aft, left, right and the corners fore-left … Data:
+/// u, v [bars], bar_length [m], to_aft, meshes from each corner to the aft edge.
+/// A tube runs `from` a point `to` another, `radius` wide at the fore edge and `radius_aft` at the aft one.
+/// Left edge and right edge lie on the same line, on top (towards +x for a tube that stands upright); from
+/// one to the other the nodes turn clockwise as seen by one who looks aft, so that corners are
+/// counter-clockwise seen from outside.
 Geometry read_panel(TableReader& part);
 
 }  // namespace netloft::io

@@ -2,6 +2,7 @@
 #pragma once
 #include "io/scene/geometry.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -39,7 +40,18 @@ class Joiner {
       }
   }
 
-  /// An element two of whose nodes have become one.
+  /// All nodes of all sets become one node, in the middle of them: netting gathered in a point.
+  void gather(const std::vector<Ends>& sets) {
+    std::vector<std::uint32_t> nodes;
+    for (const auto& set : sets)
+      for (const auto own : set.own) nodes.push_back(find(first_[set.part] + own));
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const auto node : nodes) leader_[node] = nodes[0];
+    gathered_.push_back(std::move(nodes));
+  }
+
+  /// An element that has lost its size: two of its nodes have become one, other than by being gathered.
   struct Collapse {
     std::size_t part, element;
   };
@@ -47,9 +59,11 @@ class Joiner {
     for (std::size_t p = 0; p < geometries_.size(); ++p) {
       const auto width = static_cast<std::size_t>(nodes_per_element[p]);
       const auto& own = geometries_[p].elements;
-      for (std::size_t i = 0; i < own.size(); ++i)
-        for (std::size_t k = i - i % width; k < i; ++k)
-          if (find(first_[p] + own[i]) == find(first_[p] + own[k])) return Collapse{p, i / width};
+      for (std::size_t i = 0; i < own.size(); i += width) {
+        std::vector<std::uint32_t> corners;
+        for (std::size_t k = i; k < i + width; ++k) corners.push_back(find(first_[p] + own[k]));
+        if (is_collapsed(corners)) return Collapse{p, i / width};
+      }
     }
     return std::nullopt;
   }
@@ -70,6 +84,7 @@ class Joiner {
         scene.labels.push_back({p, own});
         scene.held.push_back(0);
       }
+    for (const auto& nodes : gathered_) place_in_the_middle(nodes, scene);
   }
 
   /// Scene nodes of a part, by own number.
@@ -84,8 +99,36 @@ class Joiner {
     return node;
   }
 
+  /// A triangle may have two corners where netting is gathered; what is left of it is a line, not a point.
+  bool is_collapsed(const std::vector<std::uint32_t>& corners) {
+    std::size_t twins = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (corners[i] == corners[k] && (++twins > 1 || corners.size() < 3 || !is_gathered(corners[i])))
+          return true;
+    return false;
+  }
+  bool is_gathered(std::uint32_t leader) {
+    return std::any_of(gathered_.begin(), gathered_.end(),
+                       [&](const auto& nodes) { return find(nodes[0]) == leader; });
+  }
+
+  const double* position(std::uint32_t node) const {
+    const auto part =
+        static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), node) - first_.begin() - 1);
+    return &geometries_[part].positions[3 * std::size_t{node - first_[part]}];
+  }
+
+  void place_in_the_middle(const std::vector<std::uint32_t>& nodes, Scene& scene) const {
+    double* x = &scene.positions[3 * std::size_t{number_[nodes[0]]}];
+    std::fill_n(x, 3, 0.0);
+    for (const auto node : nodes)
+      for (int axis = 0; axis < 3; ++axis) x[axis] += position(node)[axis] / double(nodes.size());
+  }
+
   const std::vector<Geometry>& geometries_;
   std::vector<std::uint32_t> first_, leader_, number_;
+  std::vector<std::vector<std::uint32_t>> gathered_;
 };
 
 }  // namespace netloft::io

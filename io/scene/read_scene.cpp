@@ -331,15 +331,16 @@ class SceneReader {
     joiner_.emplace(geometries_);
     for (auto& table : root_.tables("join")) {
       const int errors_before = diagnostics_.errors();
-      const auto points = table.texts(
-          "points", {.doc = "two or more points or edges that become one", .count = {.least = 2}});
+      const bool together = table.boolean("together", {.doc = "all nodes become one", .fallback = false});
+      const auto points = table.texts("points", {.doc = "two or more points or edges that become one",
+                                                 .count = {.least = together ? 1u : 2u}});
       if (diagnostics_.errors() > errors_before) continue;
       std::vector<Joiner::Ends> sets;
       for (std::size_t i = 0; i < points.size(); ++i)
         if (auto set = find_nodes(mention_of_item(points[i], table, "points", i))) sets.push_back(*set);
-      if (sets.size() != points.size() || !can_be_joined(sets, points, table)) continue;
-      joiner_->join(sets);
-      joins_.push_back({sets, mention("", table, "points")});
+      if (sets.size() != points.size() || !can_be_joined(sets, points, table, together)) continue;
+      joins_.push_back({sets, mention("", table, "points"), together});
+      joins_.back().make(*joiner_);
     }
     if (diagnostics_.errors() == 0) check_joins();
   }
@@ -355,15 +356,16 @@ class SceneReader {
   }
 
   bool can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
-                     TableReader& table) {
+                     TableReader& table, bool together) {
     for (std::size_t s = 0; s < sets.size(); ++s) {
       if (!is_sound_[sets[s].part]) return false;  // it has no true number of nodes
-      if (sets[s].own.size() != sets[0].own.size()) {
+      if (!together && sets[s].own.size() != sets[0].own.size()) {
         table.error("points",
                     in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +
                         in_quotes(points[s]) + " has " + std::to_string(sets[s].own.size()) +
                         "; only as many to as many can be joined",
-                    "give both the same cells, or join node by node (net.node-17)");
+                    "give both the same cells, join node by node (net.node-17), or write together = true to "
+                    "gather all in one");
         return false;
       }
       for (std::size_t t = 0; t < s; ++t)
@@ -380,11 +382,11 @@ class SceneReader {
   void check_joins() {
     if (!joiner_->find_collapse(nodes_per_element())) return;
     Joiner again(geometries_);
-    for (const auto& [sets, at] : joins_) {
-      again.join(sets);
+    for (const auto& join : joins_) {
+      join.make(again);
       if (const auto fault = again.find_collapse(nodes_per_element())) {
-        diagnostics_.error(at.place,
-                           at.path + ": " + in_quotes(out_.scene.parts[fault->part].name) + " element " +
+        diagnostics_.error(join.at.place,
+                           join.at.path + ": " + in_quotes(out_.scene.parts[fault->part].name) + " element " +
                                std::to_string(fault->element) +
                                " would have two of its corners in one node, and no size",
                            "join nodes that are no neighbours: more cells make room");
@@ -577,6 +579,8 @@ class SceneReader {
   struct Join {
     std::vector<Joiner::Ends> sets;
     Mention at;
+    bool together;  // all nodes in one
+    void make(Joiner& joiner) const { together ? joiner.gather(sets) : joiner.join(sets); }
   };
 
   std::vector<const ElementType*> types_, companions_;

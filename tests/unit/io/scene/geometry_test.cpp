@@ -136,6 +136,64 @@ TEST(Panel, RefusesMoreTrianglesThanMemoryHolds) {
   EXPECT_EQ(in.error(), "2:9: cells: makes 20000000000 triangles; at most 4000000 are taken in one part");
 }
 
+Geometry tube(const std::string& where, const std::string& cells = "[8, 2]") {
+  return panel("panel = { across = 8, along = 6, bar = 0.1 }\ncells = " + cells + "\ntube = " + where + "\n");
+}
+
+TEST(Tube, BeginsOnTopAndTurnsClockwiseForOneWhoLooksAft) {
+  const Geometry g = tube("{ from = [1, 2, 3], to = [5, 2, 3], radius = 0.5, radius_aft = 1.5 }");
+  const auto near = [&](std::uint32_t node, double x, double y, double z) {
+    const auto p = at(g, node);
+    EXPECT_NEAR(std::hypot(p[0] - x, p[1] - y, p[2] - z), 0, 1e-14) << node;
+  };
+  near(0, 1, 2, 3.5);  // top of the fore ring
+  near(2, 1, 1.5, 3);  // looking along x, y is to the left: a quarter turn clockwise leads to -y
+  near(4, 1, 2, 2.5);
+  near(8, 1, 2, 3.5);  // the right edge lies where the left one does
+  near(9, 3, 2, 4);    // half way: radius 1
+  near(18, 5, 2, 4.5);
+}
+
+TEST(Tube, ShowsItsTrianglesCounterClockwiseToTheOutside) {
+  for (const char* axis : {"to = [5, 2, 3]", "to = [1, 2, -9]", "to = [1, 8, 9]"}) {
+    const Geometry g = tube(std::string("{ from = [1, 2, 3], ") + axis + ", radius = 0.5 }");
+    for (std::size_t t = 0; 3 * t < g.elements.size(); ++t) {
+      const auto n = triangle(g, t);
+      std::array<std::array<double, 3>, 3> x{at(g, n[0]), at(g, n[1]), at(g, n[2])};
+      const auto first = at(g, 0), opposite = at(g, 4);
+      double outwards =
+          0;  // normal . way from the axis at the fore edge; what is along the axis adds nothing
+      for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+        const double normal =
+            (x[1][b] - x[0][b]) * (x[2][c] - x[0][c]) - (x[1][c] - x[0][c]) * (x[2][b] - x[0][b]);
+        outwards += normal * ((x[0][a] + x[1][a] + x[2][a]) / 3 - (first[a] + opposite[a]) / 2);
+      }
+      EXPECT_GT(outwards, 0) << axis << ' ' << t;
+    }
+  }
+}
+
+TEST(Tube, MustHaveALengthAndNoSketchBesideIt) {
+  Input none(
+      "panel = { across = 4, along = 3, bar = 0.1 }\ncells = [4, 4]\n"
+      "tube = { from = [1, 0, 0], to = [1, 0, 0], radius = 1 }\n");
+  read_panel(none.reader);
+  EXPECT_NE(none.error().find("is where the tube begins"), std::string::npos) << none.error();
+  Input both(
+      "panel = { across = 4, along = 3, bar = 0.1 }\ncells = [4, 4]\n"
+      "sketch = [[0, 0, 0], [2, 0, 0], [2, 0, -4], [0, 0, -4]]\n"
+      "tube = { from = [1, 0, 0], to = [2, 0, 0], radius = 1 }\n");
+  read_panel(both.reader);
+  EXPECT_NE(both.error().find("stands beside a sketch"), std::string::npos) << both.error();
+}
+
+TEST(Panel, CountsMeshesToItsAftEdge) {
+  const Geometry g = panel();  // 4 x 3 meshes
+  for (std::size_t i = 0; i < g.elements.size(); ++i)
+    EXPECT_EQ(g.data.at("to_aft")[i], 3 - g.names.panel[g.elements[i]][1]);
+}
+
 TEST(Rope, SpreadsNodesEvenlyAlongItsSketch) {
   const Geometry g = rope("length = 10\ncells = 4\nsketch = [[0, 0, 0], [3, 0, 0], [3, 0, -1]]\n");
   ASSERT_EQ(g.node_count(), 5u);

@@ -103,5 +103,42 @@ TEST_F(Join, FindsABarThatCollapsesRoundACorner) {
   EXPECT_EQ(joiner.find_collapse(two)->part, 2u);
 }
 
+TEST_F(Join, GathersAllNodesInTheirMiddle) {
+  joiner.gather({{0, {0, 1}}, {1, {0}}});
+  const Scene scene = number();
+  EXPECT_EQ(joiner.nodes(0)[0], joiner.nodes(0)[1]);
+  EXPECT_EQ(joiner.nodes(1)[0], joiner.nodes(0)[0]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_DOUBLE_EQ(
+        scene.positions[3 * joiner.nodes(0)[0] + axis],
+        (parts[0].positions[axis] + parts[0].positions[3 + axis] + parts[1].positions[axis]) / 3);
+}
+
+TEST_F(Join, FindsTheBarThatWasGathered) {
+  joiner.gather({{0, {0, 1}}});
+  EXPECT_EQ(joiner.find_collapse(two)->element, 0u);
+}
+
+/// Two triangles on the nodes of a square.
+std::vector<Geometry> square() {
+  std::vector<Geometry> parts(1);
+  parts[0].positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  parts[0].elements = {0, 1, 2, 0, 2, 3};
+  return parts;
+}
+
+TEST(Gathered, NettingMayEndInAPointButNotBeOne) {
+  const auto parts = square();
+  Joiner edge(parts), all(parts), joined(parts);
+  edge.gather({{0, {2, 3}}});
+  EXPECT_FALSE(edge.find_collapse({3}));
+  all.gather({{0, {1, 2, 3}}});
+  EXPECT_FALSE(all.find_collapse({3}));
+  all.gather({{0, {0, 1}}});
+  EXPECT_TRUE(all.find_collapse({3}));
+  joined.join({{0, {2}}, {0, {3}}});
+  EXPECT_EQ(joined.find_collapse({3})->element, 1u);
+}
+
 }  // namespace
 }  // namespace netloft::io

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/catch/pressure.hpp"
+
+using netloft::catches::Pressure;
+
+NETLOFT_PLUGIN("catch", "0.1.0", "What is caught, and its push on the cod-end") {
+  auto& c =
+      plugin.element<Pressure>("pressure", "Pressure on the netting of a cod-end behind the catch front");
+  c.real("catch.meshes", &Pressure::Parameters::meshes, "1",
+         "meshes along the panel that are filled, counted from its aft edge", {.lo = 0, .hi = 1e6});
+  c.real("catch.pressure", &Pressure::Parameters::pressure, "Pa", "pressure on the netting from inside",
+         {.lo = 0, .hi = 1e7, .fallback = 0});
+  c.real("catch.speed", &Pressure::Parameters::speed, "m/s",
+         "speed of the water through the gear, which adds the pressure of the flow it stops",
+         {.lo = 0, .hi = 50, .fallback = 0});
+  c.real("catch.drag_coefficient", &Pressure::Parameters::drag_coefficient, "1",
+         "pressure over the dynamic pressure of that speed", {.lo = 0, .hi = 10, .fallback = 1.4});
+  c.data("to_aft", &Pressure::Data::to_aft, "1", "meshes from each corner to the aft edge of its panel");
+  c.term<Pressure::Push, netloft::from_outside>("pressure", "push of the catch on the netting, outwards");
+  c.output("pressure", "Pa", "pressure on the netting, cut by the catch front in part",
+           [](auto& p, auto& d, auto& s) { return Pressure::on(p, d, s.water); });
+}
