@@ -74,6 +74,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
       current_(scene.current),
       tangent_(plan.tangent),
       numbering_(scene),
+      axes_(scene.frames),
       workers_(threads) {
   std::size_t dofs = 0, tiles = 0;
   for (const auto& family : plan.families) {
@@ -83,6 +84,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
   }
   const NodeBlocks blocks = make_blocks(families_, scene, plan.symmetric);
   pattern_ = make_pattern(blocks, numbering_, plan.symmetric);
+  frames_ = Frames(scene, numbering_, blocks, plan.symmetric);
   for (const auto& family : families_) {
     tilings_.push_back(
         make_tiling(*family, scene, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles));
@@ -102,6 +104,33 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
 
 Assembler::~Assembler() = default;
 
+void Assembler::place(std::span<const double> u, std::span<double> x) const {
+  for (std::size_t i = 0; i < u.size(); ++i) x[i] = start_[i] + u[i];
+  frames_.place(start_, u, x);
+}
+
+std::array<double, 3> Assembler::reaction(std::uint32_t node, std::span<const double> residual,
+                                          std::uint8_t axes) const {
+  return part_of(node, residual, true, axes);
+}
+std::array<double, 3> Assembler::unbalanced(std::uint32_t node, std::span<const double> residual) const {
+  return part_of(node, residual, false, kAllAxes);
+}
+
+std::array<double, 3> Assembler::part_of(std::uint32_t node, std::span<const double> residual, bool held,
+                                         std::uint8_t axes) const {
+  const auto frame = axes_.find(node);
+  std::array<double, 3> force{};
+  for (std::size_t own = 0; own < 3; ++own) {
+    const std::int32_t place = numbering_.index(node, static_cast<int>(own));
+    if (numbering_.is_unknown(place) == held || !(axes & (1 << own))) continue;
+    const double f = residual[static_cast<std::size_t>(place)];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      force[axis] += frame == axes_.end() ? (axis == own ? f : 0.0) : frame->second[3 * axis + own] * f;
+  }
+  return force;
+}
+
 int Assembler::threads_used() const {
   for (const auto& tiling : tilings_)
     for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
@@ -115,6 +144,8 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);
   for (std::size_t f = 0; f < families_.size(); ++f)
     if (!run_family(f, x, request)) return false;
+  if (request.residual) frames_.turn(request.residual);
+  if (request.values) frames_.turn_matrix(request.values);
   if (request.energy) {
     *request.energy = 0;
     for (const double e : tile_energy_) *request.energy += e;
@@ -390,6 +421,7 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
     }
     scatter(family, tile, Request{.residual = residual.data()}, w);
   }
+  frames_.turn(residual.data());
   return true;
 }
 

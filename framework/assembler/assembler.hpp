@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/assembler/frames.hpp"
 #include "framework/assembler/tiling.hpp"
 #include "framework/assembler/workers.hpp"
 
@@ -42,6 +43,14 @@ class Assembler {
   /// Threads that evaluations share out: 1 while the scene is too small to gain from more.
   int threads_used() const;
 
+  /// Positions over all dofs at displacements u of the unknowns [m].
+  void place(std::span<const double> u, std::span<double> x) const;
+  /// What holds a node (along some of its own axes), and what is left unbalanced at it, out of a residual
+  /// [N], in the world frame.
+  std::array<double, 3> reaction(std::uint32_t node, std::span<const double> residual,
+                                 std::uint8_t axes = kAllAxes) const;
+  std::array<double, 3> unbalanced(std::uint32_t node, std::span<const double> residual) const;
+
   /// Start positions over all dofs [m].
   const std::vector<double>& start() const { return start_; }
 
@@ -72,6 +81,8 @@ class Assembler {
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
   netloft_tile make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
                          Workspace& w) const;
+  std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
+                                std::uint8_t axes) const;
   void gather_current(const Tiling& tiling, std::size_t tile, Workspace& w) const;
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
   bool collect_faults();
@@ -81,6 +92,8 @@ class Assembler {
   TangentChoice tangent_;
   std::vector<std::unique_ptr<Family>> families_;
   Numbering numbering_;
+  std::map<std::uint32_t, std::array<double, 9>> axes_;  // of turned nodes
+  Frames frames_;
   SparsePattern pattern_;
   std::vector<Tiling> tilings_;
   std::vector<std::size_t> first_tile_;  // per family

@@ -130,10 +130,7 @@ void StaticProblem::find_element_size() {
   if (largest > 0) element_size_ = largest;
 }
 
-void StaticProblem::place(const double* u) {
-  const auto& start = assembler_.start();
-  for (std::size_t i = 0; i < u_.size(); ++i) x_[i] = start[i] + u[i];
-}
+void StaticProblem::place(const double* u) { assembler_.place({u, u_.size()}, x_); }
 
 int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy, double* residual) {
   const MatrixKind kind = kind_of(want);

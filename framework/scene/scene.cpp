@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/scene/scene.hpp"
 
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -33,6 +34,18 @@ Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element
   return pieces;
 }
 
+/// World axes along which a node meets resistance of what holds it.
+std::uint8_t world_axes(const Scene& scene, std::uint32_t node) {
+  const auto frame = scene.frames.find(node);
+  if (frame == scene.frames.end()) return scene.held[node];
+  std::uint8_t axes = 0;
+  for (std::size_t own = 0; own < 3; ++own)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((scene.held[node] & (1 << own)) && std::abs(frame->second[3 * axis + own]) > 1e-6)
+        axes = static_cast<std::uint8_t>(axes | (1 << axis));
+  return axes;
+}
+
 std::string axes_text(std::uint8_t axes) {
   std::string text;
   for (int axis = 0; axis < 3; ++axis)
@@ -58,7 +71,7 @@ void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3
 std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element) {
   Pieces pieces = find_pieces(scene, nodes_per_element);
   std::vector<std::uint8_t> held(scene.node_count(), 0);
-  for (std::uint32_t n = 0; n < scene.node_count(); ++n) held[pieces.find(n)] |= scene.held[n];
+  for (std::uint32_t n = 0; n < scene.node_count(); ++n) held[pieces.find(n)] |= world_axes(scene, n);
 
   std::vector<SceneFault> faults;
   std::set<std::uint32_t> told;

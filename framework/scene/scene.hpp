@@ -69,7 +69,10 @@ struct Scene {
   Current current;
   std::vector<double> positions;   // start, 3 per node [m]
   std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move
-  std::vector<NodeLabel> labels;   // per node
+  /// Axes of nodes that are held along others than x, y and z: the columns of a rotation, row by row. Bits of
+  /// `held` then mean these axes.
+  std::map<std::uint32_t, std::array<double, 9>> frames;
+  std::vector<NodeLabel> labels;  // per node
   std::vector<Part> parts;
 
   std::size_t node_count() const { return positions.size() / 3; }

@@ -191,6 +191,14 @@ Json hold_schema() {
   put(hold, "on", text("what is held: a part, an edge or a point (net.fore)"), true);
   put(hold, "axes",
       {{"type", "string"}, {"pattern", "^[xyz]+$"}, {"description", "along which it cannot move"}}, false);
+  const Json direction = {
+      {"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
+  for (const auto& [key, doc] : {std::pair{"along", "direction of the line it slides on"},
+                                 std::pair{"plane", "normal of the plane it stays in"}}) {
+    Json own = direction;
+    own["description"] = doc;
+    put(hold, key, own, false);
+  }
   put(hold, "at", {{"description", "\"sketch\", a point, or points of a line"}}, false);
   put(hold, "name", text("name of the reaction"), false);
   return {{"type", "array"}, {"items", hold}};
@@ -204,6 +212,8 @@ Json join_schema() {
        {"minItems", 1},
        {"description", "points or edges that become one"}},
       true);
+  put(join, "together", {{"type", "boolean"}, {"default", false}, {"description", "all nodes become one"}},
+      false);
   return {{"type", "array"}, {"items", join}};
 }
 
@@ -212,8 +222,6 @@ Json current_schema() {
   const auto column = [](const std::string& unit, double limit, const std::string& doc) {
     return Json{{"type", "array"},
                 {"items", quantity(unit, -limit, limit, doc)},
-  put(join, "together", {{"type", "boolean"}, {"default", false}, {"description", "all nodes become one"}},
-      false);
                 {"minItems", 1},
                 {"description", doc}};
   };

@@ -24,12 +24,10 @@ void collect_part_forces(const LoadedScene& loaded, Assembler& assembler, RunRes
 void collect_hold_forces(const LoadedScene& loaded, const Assembler& assembler, RunResult& result) {
   for (const auto& hold : loaded.holds) {
     HoldForce sum{hold.name, {}};
-    for (std::size_t i = 0; i < hold.nodes.size(); ++i)
-      for (int axis = 0; axis < 3; ++axis)
-        if (hold.axes[i] & (1 << axis))
-          sum.force[static_cast<std::size_t>(axis)] +=
-              result.solution
-                  .residual[static_cast<std::size_t>(assembler.numbering().index(hold.nodes[i], axis))];
+    for (std::size_t i = 0; i < hold.nodes.size(); ++i) {
+      const auto force = assembler.reaction(hold.nodes[i], result.solution.residual, hold.axes[i]);
+      for (std::size_t axis = 0; axis < 3; ++axis) sum.force[axis] += force[axis];
+    }
     result.hold_forces.push_back(sum);
   }
 }

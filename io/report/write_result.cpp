@@ -103,11 +103,13 @@ std::vector<double> by_node(const Assembler& assembler, const std::vector<double
 void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                    const RunResult& result) {
   const auto points = by_node(assembler, result.solution.x);
-  std::vector<double> displacement(points.size()), residual = by_node(assembler, result.solution.residual),
-                                                   reaction(points.size(), 0.0);
-  for (std::size_t d = 0; d < points.size(); ++d) {
-    displacement[d] = points[d] - loaded.scene.positions[d];
-    if (loaded.scene.held[d / 3] & (1 << (d % 3))) reaction[d] = std::exchange(residual[d], 0.0);
+  std::vector<double> displacement(points.size()), residual, reaction;
+  for (std::size_t d = 0; d < points.size(); ++d) displacement[d] = points[d] - loaded.scene.positions[d];
+  for (std::uint32_t node = 0; node < loaded.scene.node_count(); ++node) {
+    const auto left = assembler.unbalanced(node, result.solution.residual);
+    const auto held = assembler.reaction(node, result.solution.residual);
+    residual.insert(residual.end(), left.begin(), left.end());
+    reaction.insert(reaction.end(), held.begin(), held.end());
   }
   const auto cells = gather_outputs(loaded, assembler, result);
   std::vector<FieldSpec> changing = {

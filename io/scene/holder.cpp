@@ -27,6 +27,41 @@ std::uint8_t read_axes(TableReader& table) {
   return axes ? axes : std::uint8_t{kAllAxes};
 }
 
+/// A rotation whose first column is `d`.
+std::array<double, 9> frame_along(const std::array<double, 3>& d) {
+  const double length = std::hypot(d[0], d[1], d[2]);
+  const std::array<double, 3> a{d[0] / length, d[1] / length, d[2] / length};
+  std::array<double, 3> b =
+      std::abs(a[2]) < 0.9 ? std::array<double, 3>{-a[1], a[0], 0} : std::array<double, 3>{0, -a[2], a[1]};
+  const double width = std::hypot(b[0], b[1], b[2]);
+  for (double& v : b) v /= width;
+  const std::array<double, 3> c{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                                a[0] * b[1] - a[1] * b[0]};
+  return {a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]};
+}
+
+/// `along`: free on a line of this direction alone. `plane`: free in the plane with this normal (a symmetry
+/// plane).
+void read_frame(TableReader& table, HoldEntry& entry) {
+  const bool along = table.has("along"), plane = table.has("plane");
+  if (!along && !plane) return;
+  if (along + plane + table.has("axes") > 1)
+    table.error(along ? "along" : "plane", "is one way to hold; along, plane and axes exclude each other");
+  const auto d = along ? table.reals("along", {.doc = "direction of the line it slides on",
+                                               .range = between(-1e6, 1e6),
+                                               .count = exactly(3)})
+                       : table.reals("plane", {.doc = "normal of the plane it stays in",
+                                               .range = between(-1e6, 1e6),
+                                               .count = exactly(3)});
+  if (d.size() != 3) return;
+  if (std::hypot(d[0], d[1], d[2]) == 0) {
+    table.error(along ? "along" : "plane", "has no direction");
+    return;
+  }
+  entry.frame = frame_along({d[0], d[1], d[2]});
+  entry.axes = along ? kAxisY | kAxisZ : kAxisX;
+}
+
 void read_at(TableReader& table, HoldEntry& entry) {
   const auto kind = table.kind("at");
   if (!kind) return;
@@ -78,6 +113,7 @@ HoldEntry read_hold(TableReader& table) {
   HoldEntry entry;
   entry.on = table.text("on", {.doc = "what is held: a part, an edge or a point (net.fore)"});
   entry.axes = read_axes(table);
+  read_frame(table, entry);
   read_at(table, entry);
   entry.name = table.text("name", {.doc = "name of the reaction", .fallback = entry.on});
   return entry;
@@ -93,10 +129,24 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!points.empty() && !is_told)
       is_told = !put(nodes[i], {points[i], entry.axes, table.place("at")}, table);
+    if (entry.frame && !turn(nodes[i], *entry.frame)) {
+      table.error("on", "a node of \"" + entry.on + "\" is held in another way already",
+                  "hold it in one place, or leave it out of one of the sets");
+      return held;
+    }
     held.axes.push_back(static_cast<std::uint8_t>(entry.axes & ~scene_.held[nodes[i]]));
     scene_.held[nodes[i]] |= entry.axes;
   }
   return held;
+}
+
+/// Gives a node its own axes. Not if it is held along others already, but for one that is held altogether.
+bool Holder::turn(std::uint32_t node, const std::array<double, 9>& frame) {
+  if (scene_.held[node] == kAllAxes) return true;
+  if (const auto at = scene_.frames.find(node); at != scene_.frames.end()) return at->second == frame;
+  if (scene_.held[node]) return false;
+  scene_.frames[node] = frame;
+  return true;
 }
 
 /// A point for every node; none at all if the entry leaves them where they are.

@@ -3,6 +3,7 @@
 #include "io/scene/loaded_scene.hpp"
 #include "io/toml/table_reader.hpp"
 
+#include <optional>
 #include <unordered_map>
 
 namespace netloft::io {
@@ -11,8 +12,9 @@ namespace netloft::io {
 struct HoldEntry {
   std::string on, name;
   std::uint8_t axes = kAllAxes;
-  bool as_sketched = false;               // at = "sketch"
-  std::vector<std::array<double, 3>> at;  // points of a line; empty: not said
+  std::optional<std::array<double, 9>> frame;  // its own axes, for `along` and `plane`
+  bool as_sketched = false;                    // at = "sketch"
+  std::vector<std::array<double, 3>> at;       // points of a line; empty: not said
 };
 
 /// Errors are located and go to the diagnostics of `table`.
@@ -38,6 +40,7 @@ class Holder {
 
   std::vector<Point> places(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes) const;
   bool put(std::uint32_t node, const Put& put, TableReader& table);
+  bool turn(std::uint32_t node, const std::array<double, 9>& frame);
 
   Scene& scene_;
   std::vector<double> sketch_;

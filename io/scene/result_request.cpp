@@ -95,13 +95,10 @@ std::string take_hint(const ResultRequest& request, const ElementType& type, boo
 double node_value(const ResultRequest& r, std::uint32_t node, const Scene& scene, const Assembler& assembler,
                   const Solution& s) {
   std::array<double, 3> v{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(assembler.numbering().index(node, axis));
-    const auto a = static_cast<std::size_t>(axis);
-    const bool held = scene.held[node] & (1 << axis);
-    v[a] = r.source == Source::position   ? s.x[i]
-           : r.source == Source::reaction ? (held ? s.residual[i] : 0.0)
-                                          : s.x[i] - scene.positions[3 * std::size_t{node} + a];
+  if (r.source == Source::reaction) v = assembler.reaction(node, s.residual);
+  for (std::size_t axis = 0; axis < 3 && r.source != Source::reaction; ++axis) {
+    v[axis] = s.x[static_cast<std::size_t>(assembler.numbering().index(node, static_cast<int>(axis)))];
+    if (r.source == Source::displacement) v[axis] -= scene.positions[3 * std::size_t{node} + axis];
   }
   return r.axis == 3 ? std::hypot(v[0], v[1], v[2]) : v[static_cast<std::size_t>(r.axis)];
 }

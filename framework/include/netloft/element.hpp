@@ -271,6 +271,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   using Parameters = typename E::Parameters;
   using Data = typename E::Data;
   using Output = double (*)(const Parameters&, const Data&, const State<detail::nodes_of<E>>&);
+  using LanesOutput = void (*)(const Family<E>&, const netloft_tile&, double* values);
   static_assert(std::is_trivially_copyable_v<Data>, "Data must be plain numbers");
 
   ElementTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
@@ -299,10 +300,11 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
 
   /// A number reported per element, in physical sign.
   void output(const char* name, const char* unit, const char* doc, Output function) {
-    netloft_output o{};
-    o.size = sizeof o, o.name = name, o.unit = unit, o.doc = doc;
-    outputs_.push_back(o);
-    functions_.push_back(function);
+    add_output(name, unit, doc, {function, nullptr});
+  }
+  /// The same for 64 elements at once, with the family at hand: what comes out of a law.
+  void output_lanes(const char* name, const char* unit, const char* doc, LanesOutput function) {
+    add_output(name, unit, doc, {nullptr, function});
   }
 
   /// A law that users choose by name under this key; `accepts` is a sum of netloft_law_kind.
@@ -338,6 +340,17 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     return static_cast<std::size_t>(reinterpret_cast<const char*>(&(object.*member)) -
                                     reinterpret_cast<const char*>(&object));
   }
+  /// One of both.
+  struct OutputFunction {
+    Output one;
+    LanesOutput lanes;
+  };
+  void add_output(const char* name, const char* unit, const char* doc, OutputFunction function) {
+    netloft_output o{};
+    o.size = sizeof o, o.name = name, o.unit = unit, o.doc = doc;
+    outputs_.push_back(o);
+    functions_.push_back(function);
+  }
   void add_datum(const char* name, const char* unit, const char* doc, std::size_t offset, std::size_t width) {
     netloft_datum d{};
     d.size = sizeof d, d.width = static_cast<std::uint32_t>(width), d.name = name, d.unit = unit, d.doc = doc;
@@ -360,8 +373,11 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
         const auto state = detail::gather<detail::nodes_of<E>>(*t, lane);
         const std::size_t e = t->first + lane;
         for (std::size_t k = 0; k < functions_.size(); ++k)
-          values[k * kLanes + lane] = functions_[k](f.parameters(e), f.data(e), state);
+          if (functions_[k].one)
+            values[k * kLanes + lane] = functions_[k].one(f.parameters(e), f.data(e), state);
       }
+      for (std::size_t k = 0; k < functions_.size(); ++k)
+        if (functions_[k].lanes) functions_[k].lanes(f, *t, values + k * kLanes);
       return NETLOFT_OK;
     });
   }
@@ -374,7 +390,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   // One table per element type, described once, before any family is made.
   static inline std::vector<netloft_datum> data_;
   static inline std::vector<std::size_t> offsets_;
-  static inline std::vector<Output> functions_;
+  static inline std::vector<OutputFunction> functions_;
 };
 
 }  // namespace netloft
