@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/bar.hpp"
 
+#include "plugins/rope/chords.hpp"
+
 #include <limits>
 
 namespace netloft::rope {
@@ -11,20 +13,25 @@ void Bar::check(const Parameters&, const Data& d) {
 
 void Bar::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
   lanes.l0[lane] = d.rest_length;
-  lanes.EA[lane] = p.EA;
-  lanes.EA_compression[lane] = p.EA_compression;
+  const bool springs = p.constant_tension == 0;
+  lanes.EA[lane] = springs ? p.EA : 0;
+  lanes.EA_compression[lane] = springs ? p.EA_compression : 0;
   lanes.volume[lane] = std::numbers::pi / 4 * p.diameter * p.diameter * d.rest_length;
   lanes.density[lane] = p.density;
+  lanes.diameter[lane] = p.diameter;
+  lanes.constant_tension[lane] = p.constant_tension;
+  lanes.damping[lane] = p.damping;
+  lanes.added_mass[lane] = p.added_mass;
 }
 
 axial::Bar Bar::stretch(const Parameters& p, const Data& d, const State<2>& s) {
   const Vec3<double> w = s.x[1] - s.x[0];
-  return axial::stretch(w.x, w.y, w.z, d.rest_length, p.EA, p.EA_compression);
+  auto bar = axial::stretch(w.x, w.y, w.z, d.rest_length, p.EA, p.EA_compression);
+  if (p.constant_tension > 0) bar.T = p.constant_tension;
+  return bar;
 }
 
 namespace {
-
-constexpr std::size_t at(int dof, std::size_t lane) { return static_cast<std::size_t>(dof) * kLanes + lane; }
 
 /// Adds ±A to the four blocks of a bar's packed tangent: [ A −A; −A A ]. `A` has six numbers per lane.
 inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double* __restrict tangent) {
@@ -74,6 +81,27 @@ Status Bar::Elastic::tile(const Family<Bar>& family, netloft_tile& t) {
     }
     add_blocks(A, t.count, t.tangent);
   }
+  return Status::ok;
+}
+
+Status Bar::Tension::tile(const Family<Bar>& family, netloft_tile& t) {
+  const Lanes& p = family.lanes(t);
+  const Chords chord(t, p.l0);
+  double A[6][kLanes];
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double T = p.constant_tension[i];
+    if (t.energy) t.energy[i] += T * chord.l[i];
+    if (t.force)
+      for (int axis = 0; axis < 3; ++axis) {
+        t.force[at(axis, i)] -= T * chord.t[axis][i];
+        t.force[at(axis + 3, i)] += T * chord.t[axis][i];
+      }
+    const double g = t.cu * T * chord.inverse[i];
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c <= r; ++c)
+        A[axial::kPlace[r][c]][i] = g * ((r == c ? 1 : 0) - chord.t[r][i] * chord.t[c][i]);
+  }
+  if (t.tangent) add_blocks(A, t.count, t.tangent);  // positive semi-definite as it is
   return Status::ok;
 }
 

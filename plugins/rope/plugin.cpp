@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/bar.hpp"
+#include "plugins/rope/bending.hpp"
 
 using netloft::rope::Bar;
+using netloft::rope::Bending;
 
 NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   auto& bar = plugin.element<Bar>("bar", "Straight elastic bar of a rope between two nodes, weak when slack");
@@ -11,14 +13,45 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.real("rope.diameter", &Bar::Parameters::diameter, "m", "diameter of the rope", {.lo = 0, .hi = 10});
   bar.real("rope.density", &Bar::Parameters::density, "kg/m3", "density of the rope's material",
            {.lo = 0, .hi = 3e4});
+  bar.real(
+      "rope.constant_tension", &Bar::Parameters::constant_tension, "N",
+      "tension that a winch or a weight over a pulley holds at any length, instead of the spring; 0: none",
+      {.lo = 0, .hi = 1e12, .fallback = 0});
+  bar.real("rope.damping", &Bar::Parameters::damping, "N s",
+           "damping of stretch: tension per strain rate, EA times a relaxation time",
+           {.lo = 0, .hi = 1e15, .fallback = 0});
+  bar.real("rope.added_mass", &Bar::Parameters::added_mass, "1",
+           "added mass across the rope over the mass of the water it displaces",
+           {.lo = 0, .hi = 10, .fallback = 1});
+  bar.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the rope");
   bar.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
   bar.term<Bar::Elastic,
            netloft::conservative | netloft::symmetric | netloft::has_convex | netloft::has_metric>(
       "elastic", "tension of the rope, and its small resistance when slack");
   bar.term<Bar::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
                             netloft::needs_gravity>("weight", "weight in water of the unstretched rope");
+  bar.term<Bar::Tension, netloft::conservative | netloft::symmetric | netloft::has_convex>(
+      "tension", "constant tension instead of the spring", "rope.constant_tension");
+  bar.term<Bar::Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow>(
+      "drag", "force of the water on the unstretched rope, by its law, half per node");
+  bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
+      "damping", "resistance to the rate of stretch, also when slack", "rope.damping");
+  bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
+      "inertia", "mass of the rope, and added mass across it, half per node");
   bar.output("tension", "N", "tension, positive when the rope pulls",
              [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).T; });
   bar.output("strain", "1", "elongation over unstretched length",
              [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).l / d.rest_length - 1; });
+  bar.output_lanes("drag", "N", "magnitude of the force of the water on the bar", Bar::drag_of);
+  bar.output_lanes("angle_to_flow", "rad", "angle between bar and flow, 0 along it", Bar::angle_of);
+
+  auto& bending = plugin.element<Bending>("bending", "Resistance to bending between two neighbouring bars");
+  bending.rides_on("bar");
+  bending.real("rope.EI", &Bending::Parameters::EI, "N m2", "bending stiffness of the rope",
+               {.lo = 0, .hi = 1e12, .fallback = 0});
+  bending.data("rest_length", &Bending::Data::rest_length, "m", "unstretched length of both bars");
+  bending.term<Bending::Elastic, netloft::conservative | netloft::symmetric>(
+      "bending", "moment against the curvature of the rope", "rope.EI");
+  bending.output("turning_angle", "rad", "angle by which the second bar turns away from the first",
+                 [](auto&, auto&, auto& s) { return Bending::turning_angle(s); });
 }
