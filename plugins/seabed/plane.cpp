@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/seabed/plane.hpp"
+
+#include <cmath>
+
+namespace netloft::seabed {
+
+namespace {
+constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
+}  // namespace
+
+void Plane::check(const Parameters&, const Data& d) {
+  if (!(d.length >= 0) || !(d.share >= 0))
+    throw std::invalid_argument("a node cannot carry less than nothing onto the seabed");
+}
+
+void Plane::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
+  const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);  // (1)
+  lanes.n[0][lane] = -p.slope_x * n_z, lanes.n[1][lane] = -p.slope_y * n_z, lanes.n[2][lane] = n_z;
+  lanes.offset[lane] = n_z * p.depth;
+  const double metres = d.length > 0 ? d.length : d.share;
+  lanes.K[lane] = p.stiffness * metres, lanes.shear[lane] = p.shear_stiffness * metres;
+  lanes.softness[lane] = p.softness, lanes.friction[lane] = p.friction;
+}
+
+Plane::Depth Plane::press(double depth, double softness) {  // (2)
+  if (depth <= 0) return {0, 0, 0};
+  if (depth < softness)
+    return {depth * depth * depth / (6 * softness), depth * depth / (2 * softness), depth / softness};
+  const double beyond = depth - 0.5 * softness;
+  return {0.5 * beyond * beyond + softness * softness / 24, beyond, 1};
+}
+
+namespace {
+
+Plane::Depth press_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
+  const double h = p.n[0][i] * t.x[at(0, i)] + p.n[1][i] * t.x[at(1, i)] + p.n[2][i] * t.x[at(2, i)];
+  return Plane::press(-(h + p.offset[i]), p.softness[i]);
+}
+
+/// factor n nᵀ on the packed lower triangle.
+void add_normal_block(const Plane::Lanes& p, double factor, std::size_t i, double* tangent) {
+  int entry = 0;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c <= r; ++c) tangent[at(entry++, i)] += factor * p.n[r][i] * p.n[c][i];
+}
+
+}  // namespace
+
+double Plane::normal_force(const Parameters& p, const Data& d, const State<1>& s) {
+  const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);
+  const double h = n_z * (s.x[0].z + p.depth - p.slope_x * s.x[0].x - p.slope_y * s.x[0].y);
+  return p.stiffness * (d.length > 0 ? d.length : d.share) * press(-h, p.softness).f1;
+}
+
+Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
+  const Lanes& p = family.lanes(t);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    if (t.want & NETLOFT_WANT_METRIC) {
+      add_normal_block(p, p.K[i], i, t.tangent);  // f'' ≤ 1
+      continue;
+    }
+    const Depth depth = press_node(p, t, i);
+    if (t.energy) t.energy[i] += p.K[i] * depth.f;  // (3)
+    if (t.force)
+      for (int axis = 0; axis < 3; ++axis) t.force[at(axis, i)] -= p.K[i] * depth.f1 * p.n[axis][i];
+    if (t.tangent) add_normal_block(p, t.cu * p.K[i] * depth.f2, i, t.tangent);
+  }
+  return Status::ok;
+}
+
+namespace {
+
+/// One node on the bed: (4)–(7).
+struct Hold {
+  double n[3], unit[3];       // normal, and d̂
+  double way, limit, spring;  // |d|, μ N, κ L
+  double limit_slope;         // −∂(μ N)/∂h = μ K f''
+  bool slides() const { return spring * way > limit; }
+  double force() const { return slides() ? limit : spring * way; }
+};
+
+Hold hold_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
+  Hold b{};
+  const bool has_past = t.state && t.state[at(3, i)] != 0;
+  double w[3] = {0, 0, 0}, along = 0, square = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    b.n[axis] = p.n[axis][i];
+    if (has_past) w[axis] = t.x[at(axis, i)] - t.state[at(axis, i)];
+    along += b.n[axis] * w[axis];
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    w[axis] -= along * b.n[axis];  // (4)
+    square += w[axis] * w[axis];
+  }
+  const Plane::Depth depth = press_node(p, t, i);
+  b.way = std::sqrt(square), b.spring = has_past ? p.shear[i] : 0;
+  b.limit = p.friction[i] * p.K[i] * depth.f1, b.limit_slope = p.friction[i] * p.K[i] * depth.f2;
+  for (int axis = 0; axis < 3; ++axis) b.unit[axis] = b.way > 0 ? w[axis] / b.way : 0;
+  return b;
+}
+
+void add_tangent(const Hold& b, double cu, std::size_t i, double* tangent) {
+  // While it sticks the spring resists along every direction of the bed; while it slides only a turn of d̂
+  // and a change of N count.
+  const double across = b.slides() ? b.limit / b.way : b.spring, along = b.slides() ? 0 : b.spring;
+  const double press = b.slides() ? b.limit_slope : 0;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      const double flat = (r == c ? 1 : 0) - b.n[r] * b.n[c], way = b.unit[r] * b.unit[c];
+      tangent[at(3 * r + c, i)] += cu * (across * (flat - way) + along * way - press * b.unit[r] * b.n[c]);
+    }
+}
+
+void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i) {  // (7)
+  for (int axis = 0; axis < 3; ++axis) {
+    const double x = t.x[at(axis, i)];
+    const double stays = b.spring > 0 && !b.slides() ? t.state[at(axis, i)] : x;
+    const double back = b.spring > 0 && b.slides() ? b.limit / b.spring * b.unit[axis] : 0;
+    t.state_new[at(axis, i)] = b.limit > 0 ? stays - back : x;
+  }
+  t.state_new[at(3, i)] = 1;
+}
+
+}  // namespace
+
+Status Plane::Friction::tile(const Family<Plane>& family, netloft_tile& t) {
+  const Lanes& p = family.lanes(t);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const Hold b = hold_node(p, t, i);
+    if (t.force)
+      for (int axis = 0; axis < 3; ++axis) t.force[at(axis, i)] += b.force() * b.unit[axis];  // (5), (6)
+    if (t.tangent) add_tangent(b, t.cu, i, t.tangent);
+    if (t.state_new) note_anchor(b, t, i);
+  }
+  return Status::ok;
+}
+
+}  // namespace netloft::seabed

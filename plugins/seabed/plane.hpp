@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+namespace netloft::seabed {
+
+/// A plane seabed under a node that carries L metres of rope or twine: it pushes the node out and holds it
+/// back.
+///   n = (−s_x, −s_y, 1)/√(1 + s_x² + s_y²),  h = n·x + n_z D      height over the bed           (1)
+///   δ = −h,  f(δ) = 0 | δ³/6ε | (δ − ε/2)²/2 + ε²/24  for  δ ≤ 0 | 0 < δ < ε | δ ≥ ε            (2)
+///   E = k L f,  N = k L f',  r = −N n,  K = k L f'' n nᵀ          contact; f'' is continuous     (3)
+///   d = (I − n nᵀ)(x − a)                                        way from where it sticks        (4)
+///   r = κ L d                   while κ L |d| ≤ μ N              it sticks to a by a spring      (5)
+///   r = μ N d̂                   beyond that                      it slides, Coulomb              (6)
+///   a ← x where N = 0,  a where it sticks,  x − (μ N/κ L) d̂ where it slides                       (7)
+/// D [m] depth of the bed below z = 0 at x = y = 0, s_x, s_y [1] its slopes dz/dx, dz/dy; k, κ [N/m²]
+/// stiffness per metre of rope against pressing in and against shearing along; ε [m] over which the bed
+/// becomes hard; μ [1] friction. a, the anchor, is what the element remembers; the host replaces it by (7)
+/// only where a step is accepted, so that within one equilibrium friction has a fixed past. The force does
+/// not change when it does. An element without a past (memory all zero) has no friction. A node that carries
+/// nothing counts as one metre per piece. Source: penalty contact and radial return, as in Wriggers,
+/// Computational Contact Mechanics, Springer 2006, chapters 5 and 10; a wire of weight w per metre lies ε/2 +
+/// w/k deep.
+struct Plane {
+  static constexpr auto stencil = NETLOFT_NODE;
+  static constexpr std::uint32_t kRemembers = 4;  // a, then 1 if there is a past
+
+  struct Parameters {
+    double depth = 0, slope_x = 0, slope_y = 0, stiffness = 0, softness = 0;
+    double friction = 0, shear_stiffness = 0;
+  };
+  struct Data {
+    double length = 0, share = 0;  // [m] that the node carries, pieces
+  };
+  struct Lanes {
+    double n[3][kLanes], offset[kLanes];     // (1): h = n·x + offset
+    double K[kLanes], softness[kLanes];      // k L, ε
+    double friction[kLanes], shear[kLanes];  // μ, κ L
+  };
+
+  /// f, f', f'' of (2).
+  struct Depth {
+    double f, f1, f2;
+  };
+  static Depth press(double depth, double softness);
+  static double normal_force(const Parameters& p, const Data& d, const State<1>& s);
+
+  static void check(const Parameters&, const Data& d);
+  static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
+
+  struct Contact {
+    static Status tile(const Family<Plane>& family, netloft_tile& t);
+    template <class T>
+    static T oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 1>& x);
+  };
+  struct Friction {
+    static Status tile(const Family<Plane>& family, netloft_tile& t);
+  };
+};
+
+template <class T>
+T Plane::Contact::oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 1>& x) {
+  const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);
+  const T depth = n_z * (p.slope_x * x[0].x + p.slope_y * x[0].y - x[0].z - p.depth);
+  const double K = p.stiffness * (d.length > 0 ? d.length : d.share), e = p.softness;
+  if (depth <= T(0)) return T(0);
+  if (depth < T(e)) return (K / (6 * e)) * depth * depth * depth;
+  return K * (0.5 * (depth - 0.5 * e) * (depth - 0.5 * e) + e * e / 24);
+}
+
+}  // namespace netloft::seabed

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/seabed/plane.hpp"
+
+using netloft::seabed::Plane;
+
+NETLOFT_PLUGIN("seabed", "0.1.0", "The ground that gear lies on and is dragged over") {
+  auto& e = plugin.element<Plane>("plane", "A plane seabed under nodes, with friction that sticks");
+  e.real("seabed.depth", &Plane::Parameters::depth, "m", "depth of the seabed below z = 0, at x = y = 0",
+         {.lo = -1e4, .hi = 1e4});
+  e.real("seabed.slope_x", &Plane::Parameters::slope_x, "1", "rise of the seabed along x",
+         {.lo = -10, .hi = 10, .fallback = 0});
+  e.real("seabed.slope_y", &Plane::Parameters::slope_y, "1", "rise of the seabed along y",
+         {.lo = -10, .hi = 10, .fallback = 0});
+  e.real("seabed.stiffness", &Plane::Parameters::stiffness, "N/m2",
+         "force per metre of rope and metre of depth", {.lo = 0, .hi = 1e9, .fallback = 1e5});
+  e.real("seabed.softness", &Plane::Parameters::softness, "m",
+         "depth over which the seabed becomes as stiff as that", {.lo = 1e-9, .hi = 10, .fallback = 1e-3});
+  e.real("seabed.friction", &Plane::Parameters::friction, "1", "friction force over normal force",
+         {.lo = 0, .hi = 10, .fallback = 0});
+  e.real("seabed.shear_stiffness", &Plane::Parameters::shear_stiffness, "N/m2",
+         "force per metre of rope and metre along the seabed, until it slides",
+         {.lo = 1e-3, .hi = 1e9, .fallback = 1, .fallback_of = "seabed.stiffness"});
+  e.data("length", &Plane::Data::length, "m", "rope or twine that the node carries");
+  e.data("share", &Plane::Data::share, "1", "pieces at the node, each a metre, if it carries none");
+  e.remembers(Plane::kRemembers);
+  e.term<Plane::Contact, netloft::conservative | netloft::symmetric | netloft::has_convex |
+                             netloft::has_metric | netloft::from_outside>(
+      "contact", "push of the seabed on what lies on it");
+  e.term<Plane::Friction, netloft::reads_state | netloft::from_outside>(
+      "friction", "resistance of the seabed to being dragged over, up to sliding", "seabed.friction");
+  e.output("normal_force", "N", "force of the seabed on the node, along its normal",
+           [](auto& p, auto& d, auto& s) { return Plane::normal_force(p, d, s); });
+}
