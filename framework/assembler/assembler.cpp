@@ -42,7 +42,7 @@ bool is_idle(const Scene& scene, const FamilyPlan& family) {
 }
 
 /// Whether something in the family wants to know the current.
-bool reads_current(const Family& family) {
+bool reads_current(const ElementFamily& family) {
   for (const auto& term : family.active_terms())
     if (term.traits & NETLOFT_READS_CURRENT) return true;
   return false;
@@ -79,7 +79,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
   std::size_t dofs = 0, tiles = 0;
   for (const auto& family : plan.families) {
     if (is_idle(scene, family)) continue;
-    families_.push_back(std::make_unique<Family>(scene, family));
+    families_.push_back(std::make_unique<ElementFamily>(scene, family));
     dofs = std::max(dofs, static_cast<std::size_t>(family.type->dofs()));
   }
   const NodeBlocks blocks = make_blocks(families_, scene, plan.symmetric);
@@ -88,6 +88,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
   for (const auto& family : families_) {
     tilings_.push_back(
         make_tiling(*family, scene, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles));
+    memories_.push_back(make_memory(*family, tilings_.back().tiles));
     first_tile_.push_back(tiles);
     tiles += tilings_.back().tiles;
   }
@@ -100,6 +101,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
           scene.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
   for (std::size_t w = 0; w < workers_.size(); ++w)
     workspaces_.push_back(std::make_unique<Workspace>(dofs, plan.symmetric, scene.current.flows()));
+  remember(start_);
 }
 
 Assembler::~Assembler() = default;
@@ -197,11 +199,12 @@ netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::s
   t.first = static_cast<std::uint32_t>(tile * kLanes), t.count = static_cast<std::uint32_t>(count);
   t.cu = 1;
   t.water_density = water_.density, t.gravity = water_.gravity, t.water_viscosity = water_.viscosity;
-  if (!w.current.empty() && reads_current(*tiling.family)) {
+  if (!w.current.empty() && reads(*tiling.family, NETLOFT_READS_CURRENT)) {
     gather_current(tiling, tile, w);
     t.current = w.current.data(), t.current_dz = w.current_dz.data();
   }
   t.x = w.x.data();
+  t.state = memories_[static_cast<std::size_t>(&tiling - tilings_.data())].kept(tile);
   t.message = w.message, t.message_size = sizeof w.message;
   return t;
 }
@@ -220,7 +223,7 @@ void Assembler::gather_current(const Tiling& tiling, std::size_t tile, Workspace
 }
 
 int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
-  const Family& f = *families_[family];
+  const ElementFamily& f = *families_[family];
   for (const auto& term : f.active_terms()) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
     if (request.conservative_only && !conservative) continue;
@@ -392,7 +395,7 @@ bool Assembler::collect_faults() {
 }
 
 std::string Assembler::fault_place(const Scene& scene) const {
-  const Family& f = *families_[fault_.family];
+  const ElementFamily& f = *families_[fault_.family];
   std::size_t first = 0;
   for (const std::size_t begin : f.part_begin())
     if (begin <= fault_.element) first = begin;
@@ -408,7 +411,7 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
                               std::span<double> residual) {
   std::fill(residual.begin(), residual.end(), 0.0);
   const Tiling& tiling = tilings_[family];
-  const Family& f = *families_[family];
+  const ElementFamily& f = *families_[family];
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   Workspace& w = *workspaces_[0];
   for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
@@ -429,7 +432,7 @@ bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::siz
                          std::span<double> sums) {
   std::fill(sums.begin(), sums.end(), 0.0);
   const Tiling& tiling = tilings_[family];
-  const Family& f = *families_[family];
+  const ElementFamily& f = *families_[family];
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   Workspace& w = *workspaces_[0];
   std::size_t part = 0;
@@ -449,10 +452,37 @@ bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::siz
   return true;
 }
 
+bool Assembler::remember(std::span<const double> x) {
+  for (std::size_t f = 0; f < families_.size(); ++f) {
+    if (memories_[f].empty()) continue;
+    memories_[f].begin();
+    for (std::size_t tile = 0; tile < tilings_[f].tiles; ++tile)
+      if (!remember_tile(f, tile, x)) return false;
+  }
+  for (auto& memory : memories_) memory.accept();
+  return true;
+}
+
+bool Assembler::remember_tile(std::size_t family, std::size_t tile, std::span<const double> x) {
+  const Family& f = *families_[family];
+  Workspace& w = *workspaces_[0];
+  netloft_tile t = make_tile(tilings_[family], tile, x, w);
+  t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
+  t.state_new = memories_[family].next(tile);
+  for (const auto& term : f.active_terms()) {
+    if (!(term.traits & NETLOFT_READS_STATE)) continue;
+    if (const int status = term.evaluate(f.self(), &t); status != NETLOFT_OK) {
+      report(family, t, status, w);
+      return collect_faults();
+    }
+  }
+  return true;
+}
+
 bool Assembler::outputs(std::span<const double> x, std::size_t family,
                         std::vector<std::vector<double>>& values) {
   const Tiling& tiling = tilings_[family];
-  const Family& f = *families_[family];
+  const ElementFamily& f = *families_[family];
   const std::size_t count = f.type().outputs.size();
   values.assign(count, std::vector<double>(f.size()));
   if (!count) return true;

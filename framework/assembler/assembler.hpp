@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/assembler/frames.hpp"
+#include "framework/assembler/memory.hpp"
 #include "framework/assembler/tiling.hpp"
 #include "framework/assembler/workers.hpp"
 
@@ -39,7 +40,7 @@ class Assembler {
   const Numbering& numbering() const { return numbering_; }
   const SparsePattern& pattern() const { return pattern_; }
   std::size_t value_slots() const { return value_slots_; }
-  std::span<const std::unique_ptr<Family>> families() const { return families_; }
+  std::span<const std::unique_ptr<ElementFamily>> families() const { return families_; }
   /// Threads that evaluations share out: 1 while the scene is too small to gain from more.
   int threads_used() const;
 
@@ -60,6 +61,11 @@ class Assembler {
   /// "net element 17"
   std::string fault_place(const Scene& scene) const;
   std::string fault_sentence(const Scene& scene) const;
+
+  /// Lets every element remember positions x as the last accepted step. Evaluations do not: between two calls
+  /// the past of all elements stands still. At first they remember the start. False: nothing has changed, see
+  /// fault().
+  bool remember(std::span<const double> x);
 
   /// Force of one active term alone, as a residual over all dofs. False: see fault().
   bool evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
@@ -84,18 +90,20 @@ class Assembler {
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
                                 std::uint8_t axes) const;
   void gather_current(const Tiling& tiling, std::size_t tile, Workspace& w) const;
+  bool remember_tile(std::size_t family, std::size_t tile, std::span<const double> x);
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
   bool collect_faults();
 
-  Water water_;
+  SceneWater water_;
   Current current_;
   TangentChoice tangent_;
-  std::vector<std::unique_ptr<Family>> families_;
+  std::vector<std::unique_ptr<ElementFamily>> families_;
   Numbering numbering_;
   std::map<std::uint32_t, std::array<double, 9>> axes_;  // of turned nodes
   Frames frames_;
   SparsePattern pattern_;
   std::vector<Tiling> tilings_;
+  std::vector<Memory> memories_;         // per family
   std::vector<std::size_t> first_tile_;  // per family
   std::size_t value_slots_ = 0;
   std::vector<double> start_, tile_energy_;

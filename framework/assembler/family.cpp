@@ -3,7 +3,8 @@
 
 namespace netloft {
 
-Family::Family(const Scene& scene, const FamilyPlan& plan) : type_(plan.type), parts_(plan.parts) {
+ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan)
+    : type_(plan.type), parts_(plan.parts) {
   for (std::size_t i = 0; i < plan.terms.size(); ++i)
     if (plan.terms[i].on) terms_.push_back(type_->terms[i]);
   gather_parameters(scene);
@@ -12,11 +13,11 @@ Family::Family(const Scene& scene, const FamilyPlan& plan) : type_(plan.type), p
   create(scene);
 }
 
-Family::~Family() {
+ElementFamily::~ElementFamily() {
   if (self_) type_->element.destroy(self_);
 }
 
-void Family::gather_parameters(const Scene& scene) {
+void ElementFamily::gather_parameters(const Scene& scene) {
   std::vector<SceneFault> faults;
   for (const auto part : parts_) {
     std::vector<std::string> wrong;
@@ -27,7 +28,7 @@ void Family::gather_parameters(const Scene& scene) {
   if (!faults.empty()) throw SceneError(std::move(faults));
 }
 
-void Family::gather_laws(const Scene& scene, const FamilyPlan& plan) {
+void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
   for (const auto& law : plan.laws) {
     if (!law.type) {
       laws_.push_back({});  // still water: no term asks it
@@ -41,7 +42,7 @@ void Family::gather_laws(const Scene& scene, const FamilyPlan& plan) {
   }
 }
 
-void Family::gather_elements(const Scene& scene) {
+void ElementFamily::gather_elements(const Scene& scene) {
   const auto width = static_cast<std::size_t>(type_->nodes());
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
     const auto& nodes = scene.parts[parts_[p]].nodes;
@@ -52,7 +53,7 @@ void Family::gather_elements(const Scene& scene) {
   part_begin_.push_back(part_.size());
 }
 
-std::vector<double> Family::gather_datum(const Scene& scene, const netloft_datum& datum) const {
+std::vector<double> ElementFamily::gather_datum(const Scene& scene, const netloft_datum& datum) const {
   std::vector<double> all;
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
     const Part& part = scene.parts[parts_[p]];
@@ -70,7 +71,7 @@ std::vector<double> Family::gather_datum(const Scene& scene, const netloft_datum
   return all;
 }
 
-void Family::create(const Scene& scene) {
+void ElementFamily::create(const Scene& scene) {
   std::vector<std::vector<double>> data;
   std::vector<const double*> data_pointers;
   for (const auto& datum : type_->data) data.push_back(gather_datum(scene, datum));

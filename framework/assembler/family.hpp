@@ -8,13 +8,13 @@ namespace netloft {
 
 /// All elements of one type in a scene, made by their plugin; stands on the nodes of the scene.
 /// Elements keep the order of the parts, and within a part the order they were given in.
-class Family {
+class ElementFamily {
  public:
   /// Throws SceneError when parameters or data are wrong or the plugin refuses an element.
-  Family(const Scene& scene, const FamilyPlan& plan);
-  ~Family();
-  Family(const Family&) = delete;
-  Family& operator=(const Family&) = delete;
+  ElementFamily(const Scene& scene, const FamilyPlan& plan);
+  ~ElementFamily();
+  ElementFamily(const ElementFamily&) = delete;
+  ElementFamily& operator=(const ElementFamily&) = delete;
 
   const ElementType& type() const { return *type_; }
   std::size_t size() const { return part_.size(); }

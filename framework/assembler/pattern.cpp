@@ -8,8 +8,8 @@ namespace netloft {
 namespace {
 
 /// Per node, the nodes with unknowns that share an element with it; itself included.
-std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const std::unique_ptr<Family>> families,
-                                                        const Scene& scene, bool symmetric) {
+std::vector<std::vector<std::uint32_t>> find_neighbours(
+    std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene, bool symmetric) {
   std::vector<std::vector<std::uint32_t>> near(scene.node_count());
   const auto has_unknowns = [&](std::uint32_t node) { return scene.held[node] != kAllAxes; };
   const auto add = [&](std::uint32_t column, std::uint32_t row) {
@@ -37,7 +37,7 @@ std::size_t NodeBlocks::base(std::uint32_t row, std::uint32_t column) const {
   return 9 * static_cast<std::size_t>(std::lower_bound(begin, end, row) - row_node.begin());
 }
 
-NodeBlocks make_blocks(std::span<const std::unique_ptr<Family>> families, const Scene& scene,
+NodeBlocks make_blocks(std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene,
                        bool symmetric) {
   NodeBlocks blocks;
   blocks.column_start.push_back(0);

@@ -22,7 +22,8 @@ struct NodeBlocks {
 };
 
 /// The blocks that the elements of all families can make; the lower ones if symmetric.
-NodeBlocks make_blocks(std::span<const std::unique_ptr<Family>> families, const Scene& scene, bool symmetric);
+NodeBlocks make_blocks(std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene,
+                       bool symmetric);
 
 /// The entries of the unknowns within the blocks, lower triangle if symmetric, each with its slot.
 SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering, bool symmetric);

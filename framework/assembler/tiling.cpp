@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kLanes = NETLOFT_LANES;
 
 /// Greedy colours: a tile takes the lowest colour that none of its nodes has seen yet.
-std::vector<int> colour_tiles(const Family& family, std::size_t tiles, std::size_t nodes) {
+std::vector<int> colour_tiles(const ElementFamily& family, std::size_t tiles, std::size_t nodes) {
   std::vector<std::uint64_t> taken(nodes, 0);  // colours used at a node; tiles beyond 64 colours go alone
   std::vector<int> colours(tiles);
   int next_alone = 64;
@@ -45,7 +45,7 @@ void order_by_colour(const std::vector<int>& colours, Tiling& tiling) {
 }
 
 void map_vectors(const Numbering& numbering, Tiling& tiling) {
-  const Family& family = *tiling.family;
+  const ElementFamily& family = *tiling.family;
   const auto dofs = static_cast<std::size_t>(family.type().dofs());
   tiling.vector_map.assign(tiling.tiles * dofs * kLanes, 0);
   for (std::size_t e = 0; e < family.size(); ++e)
@@ -55,8 +55,8 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
 }
 
 /// Where the block of corners (P, Q) of an element is added.
-std::int32_t find_block(const Family& family, const Scene& scene, const NodeBlocks& blocks, bool symmetric,
-                        std::size_t e, int P, int Q, std::size_t spare) {
+std::int32_t find_block(const ElementFamily& family, const Scene& scene, const NodeBlocks& blocks,
+                        bool symmetric, std::size_t e, int P, int Q, std::size_t spare) {
   const std::uint32_t row = family.node(e, P), column = family.node(e, Q);
   if (scene.held[row] == kAllAxes || scene.held[column] == kAllAxes) return static_cast<std::int32_t>(spare);
   if (symmetric && row < column) return ~static_cast<std::int32_t>(blocks.base(column, row));
@@ -64,7 +64,7 @@ std::int32_t find_block(const Family& family, const Scene& scene, const NodeBloc
 }
 
 void map_blocks(const Scene& scene, const NodeBlocks& blocks, bool symmetric, Tiling& tiling) {
-  const Family& family = *tiling.family;
+  const ElementFamily& family = *tiling.family;
   const int corners = family.nodes_per_element();
   tiling.blocks_per_element =
       static_cast<std::size_t>(symmetric ? corners * (corners + 1) / 2 : corners * corners);
@@ -79,7 +79,7 @@ void map_blocks(const Scene& scene, const NodeBlocks& blocks, bool symmetric, Ti
 }
 
 void find_twins(const Scene& scene, Tiling& tiling) {
-  const Family& family = *tiling.family;
+  const ElementFamily& family = *tiling.family;
   tiling.twins.resize(tiling.tiles);
   for (std::size_t e = 0; e < family.size(); ++e)
     for (int P = 0; P < family.nodes_per_element(); ++P)
@@ -92,7 +92,7 @@ void find_twins(const Scene& scene, Tiling& tiling) {
 
 std::size_t Tiling::lanes(std::size_t tile) const { return std::min(kLanes, family->size() - tile * kLanes); }
 
-Tiling make_tiling(const Family& family, const Scene& scene, const Numbering& numbering,
+Tiling make_tiling(const ElementFamily& family, const Scene& scene, const Numbering& numbering,
                    const NodeBlocks& blocks, bool symmetric, std::size_t first_spare) {
   Tiling tiling;
   tiling.family = &family;

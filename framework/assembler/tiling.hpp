@@ -19,7 +19,7 @@ struct Tiling {
     int P, Q;
   };
 
-  const Family* family = nullptr;
+  const ElementFamily* family = nullptr;
   std::size_t tiles = 0;
   std::vector<std::uint32_t> order;       // tiles, colour by colour
   std::vector<std::size_t> colour_begin;  // in `order`, +1
@@ -33,7 +33,7 @@ struct Tiling {
   std::size_t lanes(std::size_t tile) const;
 };
 
-Tiling make_tiling(const Family& family, const Scene& scene, const Numbering& numbering,
+Tiling make_tiling(const ElementFamily& family, const Scene& scene, const Numbering& numbering,
                    const NodeBlocks& blocks, bool symmetric, std::size_t first_spare);
 
 }  // namespace netloft

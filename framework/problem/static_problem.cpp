@@ -55,6 +55,9 @@ void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end,
   }
 }
 
+// Rounding is no excuse for a residual that matters: this much of the largest load.
+constexpr double kMostExcused = 1e-6;
+
 bool all_finite(std::span<const double> v) {
   double sum = 0;
   for (const double a : v) sum += a - a;  // zero unless something is infinite or no number
@@ -317,7 +320,8 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
                 floor = std::max(floor, 4 * std::numeric_limits<double>::epsilon() * stiffness *
                                             std::abs(x[static_cast<std::size_t>(i)]));
               }
-              if (norm <= floor)
+              b.floor = std::max(b.floor, floor);
+              if (norm <= floor && (b.scale == 0 || floor <= kMostExcused * b.scale))
                 b.at_round_off = true;
               else
                 b.balanced = false;

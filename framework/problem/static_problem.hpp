@@ -23,6 +23,7 @@ struct Balance {
   double residual = 0;        // largest nodal residual [N]
   double scale = 0;           // largest nodal load [N]
   std::uint32_t worst = 0;    // node of the largest residual
+  double floor = 0;           // what rounding of the positions is worth, where it exceeds the tolerance [N]
   bool balanced = false;      // every node within tolerance x scale, or at its round-off floor
   bool at_round_off = false;  // some node only by the latter
 };

@@ -84,6 +84,9 @@ void judge(Solution& s, const std::string& ending, StaticProblem& problem, const
     s.status = problem.stop() == StaticProblem::Stop::interrupted ? SolveStatus::interrupted
                                                                   : SolveStatus::not_converged;
     s.reason = ending + "; " + balance_text(s, scene);
+    if (s.balance.residual <= s.balance.floor)
+      s.reason += "; rounding of the positions alone is worth " + newtons(s.balance.floor) +
+                  ": its stiffness is too high for what it carries";
     return;
   }
   s.status = SolveStatus::converged;
@@ -128,6 +131,7 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
     judge(s, ending, problem, assembler, scene);
   else
     judge_without_forces(s, problem, assembler, scene);
+  if (s.status == SolveStatus::converged) assembler.remember(s.x);
   s.history = problem.history();
   s.books.total_seconds = wall_seconds() - wall;
   s.books.total_cpu_seconds = cpu_seconds() - cpu;

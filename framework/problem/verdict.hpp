@@ -22,7 +22,8 @@ struct Solution {
 };
 
 /// Lets `solver` find the static equilibrium of the assembled scene, recomputes the residual where it ended
-/// and judges it. A stationary point whose tangent is not positive definite is called unstable.
+/// and judges it. A stationary point whose tangent is not positive definite is called unstable. What elements
+/// remember (friction) stands still while the solver works; where it converged is what they remember next.
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
                       std::function<void(const IterationRecord&)> on_iteration = {});

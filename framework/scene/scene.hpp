@@ -12,7 +12,7 @@
 namespace netloft {
 
 /// The water a gear hangs in. World frame z up, z = 0 at the surface.
-struct Water {
+struct SceneWater {
   double density = 1025;       // [kg/m3]
   double gravity = 9.80665;    // [m/s2]
   double viscosity = 1.19e-6;  // kinematic [m2/s]
@@ -65,7 +65,7 @@ enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 /// What is solved: parts on nodes in water, some of them held. Plain data; whoever reads a file makes one.
 struct Scene {
   std::string name;
-  Water water;
+  SceneWater water;
   Current current;
   std::vector<double> positions;   // start, 3 per node [m]
   std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move

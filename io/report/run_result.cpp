@@ -9,7 +9,7 @@ namespace {
 
 void collect_part_forces(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
-    const Family& family = *assembler.families()[f];
+    const ElementFamily& family = *assembler.families()[f];
     std::vector<double> sums(3 * family.parts().size());
     for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
       if (!assembler.sum_term(result.solution.x, f, t, sums)) continue;

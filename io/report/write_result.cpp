@@ -15,7 +15,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// What makes a cell of the picture: elements on nodes of their own, and whatever sits on single nodes.
 /// Pairs, and what rides on elements that are drawn already, would hide those.
-bool is_drawn(const LoadedScene& loaded, const Family& family) {
+bool is_drawn(const LoadedScene& loaded, const ElementFamily& family) {
   if (family.type().element.stencil == NETLOFT_NODE) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
 }

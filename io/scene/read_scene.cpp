@@ -86,8 +86,8 @@ class SceneReader {
     TableReader water = root_.table("water", Presence::optional);
     const Values values = read_parameters(water_keys(), water);
     std::vector<std::string> faults;
-    const ParameterBlock block(water_keys(), sizeof(Water), values, faults);
-    if (faults.empty()) out_.scene.water = *static_cast<const Water*>(block.data());
+    const ParameterBlock block(water_keys(), sizeof(SceneWater), values, faults);
+    if (faults.empty()) out_.scene.water = *static_cast<const SceneWater*>(block.data());
     out_.scene.current = read_current(water);
   }
 

@@ -107,7 +107,7 @@ std::vector<double> output_values(const ResultRequest& r, const Assembler& assem
                                   const std::vector<std::vector<std::vector<double>>>& outputs) {
   std::vector<double> values;
   for (std::size_t f = 0; f < outputs.size(); ++f) {
-    const Family& family = *assembler.families()[f];
+    const ElementFamily& family = *assembler.families()[f];
     for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
       if (r.quantity == family.type().outputs[k].name)
         for (std::size_t e = 0; e < family.size(); ++e)

@@ -23,7 +23,7 @@ struct Tiled {
         tiling(make_tiling(family, scene, numbering, blocks, true, 0)) {}
   Scene scene;
   Plan plan;
-  Family family;
+  ElementFamily family;
   Numbering numbering;
   NodeBlocks blocks;
   Tiling tiling;
