@@ -41,11 +41,15 @@ bool is_idle(const Scene& scene, const FamilyPlan& family) {
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
 }
 
-/// Whether something in the family wants to know the current.
-bool reads_current(const ElementFamily& family) {
+/// Whether some term in the family wants this of the host.
+bool reads(const ElementFamily& family, std::uint32_t trait) {
   for (const auto& term : family.active_terms())
-    if (term.traits & NETLOFT_READS_CURRENT) return true;
+    if (term.traits & trait) return true;
   return false;
+}
+
+Memory make_memory(const ElementFamily& family, std::size_t tiles) {
+  return {tiles, reads(family, NETLOFT_READS_STATE) ? family.type().element.state_width : 0};
 }
 
 }  // namespace
@@ -464,7 +468,7 @@ bool Assembler::remember(std::span<const double> x) {
 }
 
 bool Assembler::remember_tile(std::size_t family, std::size_t tile, std::span<const double> x) {
-  const Family& f = *families_[family];
+  const ElementFamily& f = *families_[family];
   Workspace& w = *workspaces_[0];
   netloft_tile t = make_tile(tilings_[family], tile, x, w);
   t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;

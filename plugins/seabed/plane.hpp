@@ -20,7 +20,7 @@ namespace netloft::seabed {
 /// not change when it does. An element without a past (memory all zero) has no friction. A node that carries
 /// nothing counts as one metre per piece. Source: penalty contact and radial return, as in Wriggers,
 /// Computational Contact Mechanics, Springer 2006, chapters 5 and 10; a wire of weight w per metre lies ε/2 +
-/// w/k deep.
+/// w/k deep if that is more than ε, else √(2 ε w/k).
 struct Plane {
   static constexpr auto stencil = NETLOFT_NODE;
   static constexpr std::uint32_t kRemembers = 4;  // a, then 1 if there is a past

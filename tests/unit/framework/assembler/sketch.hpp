@@ -10,6 +10,7 @@ namespace netloft::test {
 ///   test/follower   bar; pushes sideways and turns with the bar: no energy, unsymmetric tangent
 ///   test/spring     bar; quartic spring known by its energy alone: the host makes convex part and metric
 ///   test/picky      bar; has no force when longer than its limit
+///   test/leash      node; pulls back along x to where it was remembered
 ///   test/load       node; a constant force
 Registry& plugins();
 

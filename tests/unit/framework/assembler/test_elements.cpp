@@ -89,6 +89,26 @@ struct Load {
   };
 };
 
+/// f = k (x - a) along x, a where it was when it was last told to remember; has no force beyond x = 1000.
+struct Leash {
+  static constexpr auto stencil = NETLOFT_NODE;
+  struct Parameters {
+    double k = 0;  // [N/m]
+  };
+  struct Data {};
+  struct Pull {
+    static Status tile(const Family<Leash>& family, netloft_tile& t) {
+      for (std::size_t i = 0; i < t.count; ++i) {
+        t.lane_at_fault = static_cast<std::uint32_t>(i);
+        if (t.x[i] > 1000) return Status::outside_domain;
+        if (t.force) t.force[i] += family.parameters(t.first + i).k * (t.x[i] - t.state[i]);
+        if (t.state_new) t.state_new[i] = t.x[i], t.state_new[kLanes + i] += 1;
+      }
+      return Status::ok;
+    }
+  };
+};
+
 void describe(Plugin& plugin) {
   auto& follower = plugin.element<Follower>("follower", "Pushes sideways and turns with the bar");
   follower.real("k", &Follower::Parameters::k, "N/m", "push per length", {});
@@ -105,6 +125,11 @@ void describe(Plugin& plugin) {
   picky.boolean("broken", &Picky::Parameters::broken, "fails whatever its length", false);
   picky.data("rest_length", &BarData::rest_length, "m", "not used");
   picky.term<Picky::Pull>("pull", "pull of the spring");
+
+  auto& leash = plugin.element<Leash>("leash", "Pulls back to where it was");
+  leash.real("k", &Leash::Parameters::k, "N/m", "stiffness", {});
+  leash.remembers(2);
+  leash.term<Leash::Pull, reads_state | from_outside>("pull", "pull of the leash");
 
   auto& load = plugin.element<Load>("load", "A constant force");
   load.real("x", &Load::Parameters::x, "N", "force along x", {.fallback = 0});
