@@ -92,6 +92,7 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"units", units},
                {"part_forces", forces},
                {"hold_forces", held},
+               {"balance", {{"force", r.balance}, {"largest_force", r.largest_force}}},
                {"output", r.output_file.empty() ? Json(nullptr) : Json(r.output_file)}});
 }
 

@@ -3,6 +3,9 @@
 
 #include "io/scene/result_request.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace netloft::io {
 
 namespace {
@@ -32,6 +35,18 @@ void collect_hold_forces(const LoadedScene& loaded, const Assembler& assembler, 
   }
 }
 
+void add_to_balance(const std::array<double, 3>& force, RunResult& result) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result.balance[axis] += force[axis];
+    result.largest_force = std::max(result.largest_force, std::abs(force[axis]));
+  }
+}
+
+void collect_balance(RunResult& result) {
+  for (const auto& f : result.part_forces) add_to_balance(f.force, result);
+  for (const auto& h : result.hold_forces) add_to_balance(h.force, result);
+}
+
 }  // namespace
 
 void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
@@ -40,6 +55,7 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
     assembler.outputs(result.solution.x, f, result.outputs[f]);
   collect_part_forces(loaded, assembler, result);
   collect_hold_forces(loaded, assembler, result);
+  collect_balance(result);
   for (const auto& request : loaded.results)
     result.scalars.push_back({request.name, request.unit, request.take + " of " + request.of,
                               value_of(request, loaded.scene, assembler, result.solution, result.outputs)});

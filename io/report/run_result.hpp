@@ -4,6 +4,7 @@
 #include "framework/scene/plan.hpp"
 #include "io/scene/loaded_scene.hpp"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ struct RunResult {
   Solution solution;
   std::vector<PartForce> part_forces;
   std::vector<HoldForce> hold_forces;
+  std::array<double, 3> balance{};  // sum of all forces on the gear, what holds it included [N]
+  double largest_force = 0;         // of those that were summed [N]
   std::vector<NamedScalar> scalars;
   std::vector<std::vector<std::vector<double>>> outputs;  // [family][output][element]
   double reading_seconds = 0, setup_seconds = 0;

@@ -65,6 +65,9 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   for (const auto& h : result.hold_forces)
     fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", h.name + ", held", h.force[0], h.force[1],
                    h.force[2]);
+  if (!result.hold_forces.empty())
+    fmt::format_to(out, "  {:<24} {:>14.2g} {:>14.2g} {:>14.2g}\n", "sum of all", result.balance[0],
+                   result.balance[1], result.balance[2]);
   if (!result.output_file.empty()) fmt::format_to(out, "  written to {}\n", result.output_file);
   return text;
 }

@@ -216,6 +216,8 @@ void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result
     names.push_back(h.name), held.insert(held.end(), h.force.begin(), h.force.end());
   tree.write_matrix("/netloft/forces/held", held, 3, "N", "force of each hold on the gear");
   tree.write_strings("/netloft/forces/held_name", names);
+  tree.write_reals("/netloft/forces/balance", result.balance, "N",
+                   "sum of all forces on the gear, what holds it included");
 }
 
 }  // namespace
