@@ -262,7 +262,7 @@ class SceneReader {
 
   void add_companions() {
     if (diagnostics_.errors()) return;
-    for (std::size_t p = 0, parts = out_.scene.parts.size(); p < parts; ++p)
+    for (std::size_t p = 0, parts = out_.scene.parts.size(); p < parts; ++p) {
       for (const auto* rider : companions_of(*types_[p])) {
         Part companion = make_companion(out_.scene.parts[p], *types_[p], *rider);
         if (companion.nodes.empty()) continue;
@@ -270,6 +270,16 @@ class SceneReader {
         out_.scene.parts.push_back(std::move(companion));
         out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}});
       }
+      keep_own_parameters(out_.scene.parts[p], *types_[p]);
+    }
+  }
+
+  /// What only the riders of a part know has been handed to them.
+  static void keep_own_parameters(Part& part, const ElementType& type) {
+    std::erase_if(part.parameters, [&](const auto& given) {
+      return std::none_of(type.parameters.begin(), type.parameters.end(),
+                          [&](const auto& p) { return given.first == p.name; });
+    });
   }
 
   /// A part that --set has made by a slip of the pen has no type.
