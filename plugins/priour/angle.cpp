@@ -3,46 +3,18 @@
 
 namespace netloft::priour::angle {
 
-namespace {
-
-/// Û or V̂ and 1/length in every lane; the shortest length over the rest length.
-double point_along(const double (&c)[3][kLanes], const double* l0, const netloft_tile& t,
-                   double (&unit)[3][kLanes], double (&inverse)[kLanes]) {
-  const double* x = t.x;
-  double shortest = 1;
-  for (std::size_t i = 0; i < t.count; ++i) {
-    const double c0 = c[0][i], c1 = c[1][i], c2 = c[2][i];
-    const double wx = c0 * x[at(0, i)] + c1 * x[at(3, i)] + c2 * x[at(6, i)];
-    const double wy = c0 * x[at(1, i)] + c1 * x[at(4, i)] + c2 * x[at(7, i)];
-    const double wz = c0 * x[at(2, i)] + c1 * x[at(5, i)] + c2 * x[at(8, i)];
-    const double l = std::sqrt(wx * wx + wy * wy + wz * wz), least = axial::kCollapsed * l0[i];
-    shortest = std::min(shortest, l - least);
-    inverse[i] = 1 / std::max(l, least);
-    unit[0][i] = inverse[i] * wx, unit[1][i] = inverse[i] * wy, unit[2][i] = inverse[i] * wz;
-  }
-  return shortest;
-}
-
-[[noreturn]] void complain(const Triangle::Lanes& p, const Meshes& m, netloft_tile& t) {
-  for (std::uint32_t i = 0; i < t.count; ++i)
-    if (std::max(m.iu[i], m.iv[i]) * axial::kCollapsed * p.l0[i] >= 1) {
-      t.lane_at_fault = i;
-      break;
+Meshes::Meshes(const Triangle::Lanes& p, netloft_tile& tile) : u(tile, p.a, p.l0), v(tile, p.b, p.l0) {
+  for (std::uint32_t i = 0; i < tile.count; ++i)
+    if (u.collapsed(i, p.l0[i]) || v.collapsed(i, p.l0[i])) {
+      tile.lane_at_fault = i;
+      throw OutsideDomain("a twine of no length has no angle with another");
     }
-  throw OutsideDomain("a twine of no length has no angle with another");
-}
-
-}  // namespace
-
-void measure(const Triangle::Lanes& p, netloft_tile& t, Meshes& m) {
-  if (std::min(point_along(p.a, p.l0, t, m.u, m.iu), point_along(p.b, p.l0, t, m.v, m.iv)) <= 0)
-    complain(p, m, t);
-  for (std::size_t i = 0; i < t.count; ++i) {
-    const double ux = m.u[0][i], uy = m.u[1][i], uz = m.u[2][i];
-    const double vx = m.v[0][i], vy = m.v[1][i], vz = m.v[2][i];
+  for (std::size_t i = 0; i < tile.count; ++i) {
+    const double ux = u.t[0][i], uy = u.t[1][i], uz = u.t[2][i];
+    const double vx = v.t[0][i], vy = v.t[1][i], vz = v.t[2][i];
     const double wx = uy * vz - uz * vy, wy = uz * vx - ux * vz, wz = ux * vy - uy * vx;
-    m.c[i] = ux * vx + uy * vy + uz * vz;  // (1)
-    m.s[i] = std::sqrt(wx * wx + wy * wy + wz * wz);
+    c[i] = ux * vx + uy * vy + uz * vz;  // (1)
+    s[i] = std::sqrt(wx * wx + wy * wy + wz * wz);
   }
 }
 
@@ -56,26 +28,26 @@ struct Curvature {
 void add_force(const Triangle::Lanes& p, const Meshes& m, const Function& f, std::uint32_t count,
                double* __restrict force) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double c = m.c[i], gu = f.E1[i] * m.iu[i], gv = f.E1[i] * m.iv[i];
+    const double c = m.c[i], gu = f.E1[i] * m.u.inverse[i], gv = f.E1[i] * m.v.inverse[i];
     for (int axis = 0; axis < 3; ++axis) {
-      const double U = gu * (m.v[axis][i] - c * m.u[axis][i]), V = gv * (m.u[axis][i] - c * m.v[axis][i]);
+      const double U = gu * (m.v.t[axis][i] - c * m.u.t[axis][i]),
+                   V = gv * (m.u.t[axis][i] - c * m.v.t[axis][i]);
       for (int corner = 0; corner < 3; ++corner)  // (3)
         force[at(3 * corner + axis, i)] += p.a[corner][i] * U + p.b[corner][i] * V;
     }
   }
 }
 
-/// (4) for one direction: unit vector w of inverse length `inverse`, the other one's unit vector z.
-void fill_own(const double (&w)[3][kLanes], const double (&z)[3][kLanes], const double* inverse,
-              const Meshes& m, const Function& f, double cu, std::uint32_t count,
-              double (&__restrict out)[6][kLanes]) {
+/// (4) for one direction.
+void fill_own(const Twines& own, const Twines& other, const Meshes& m, const Function& f, double cu,
+              std::uint32_t count, double (&__restrict out)[6][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double c = m.c[i], k = cu * inverse[i] * inverse[i], e1 = k * f.E1[i], e2 = k * f.E2[i];
+    const double c = m.c[i], k = cu * own.inverse[i] * own.inverse[i], e1 = k * f.E1[i], e2 = k * f.E2[i];
     double p[3];
-    for (int r = 0; r < 3; ++r) p[r] = z[r][i] - c * w[r][i];
+    for (int r = 0; r < 3; ++r) p[r] = other.t[r][i] - c * own.t[r][i];
     for (int r = 0, n = 0; r < 3; ++r)
       for (int s = 0; s <= r; ++s, ++n) {
-        const double wr = w[r][i], ws = w[s][i], one = r == s ? 1 : 0;
+        const double wr = own.t[r][i], ws = own.t[s][i], one = r == s ? 1 : 0;
         out[n][i] = e2 * p[r] * p[s] - e1 * (p[r] * ws + wr * p[s] + c * (one - wr * ws));
       }
   }
@@ -85,10 +57,11 @@ void fill_own(const double (&w)[3][kLanes], const double (&z)[3][kLanes], const 
 void fill_mixed(const Meshes& m, const Function& f, double cu, std::uint32_t count,
                 double (&__restrict out)[9][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double c = m.c[i], k = cu * m.iu[i] * m.iv[i], e1 = k * f.E1[i], e2 = k * f.E2[i];
+    const double c = m.c[i], k = cu * m.u.inverse[i] * m.v.inverse[i], e1 = k * f.E1[i], e2 = k * f.E2[i];
     for (int r = 0; r < 3; ++r)
       for (int s = 0; s < 3; ++s) {
-        const double ur = m.u[r][i], us = m.u[s][i], vr = m.v[r][i], vs = m.v[s][i], one = r == s ? 1 : 0;
+        const double ur = m.u.t[r][i], us = m.u.t[s][i], vr = m.v.t[r][i], vs = m.v.t[s][i],
+                     one = r == s ? 1 : 0;
         out[3 * r + s][i] = e2 * (vr - c * ur) * (us - c * vs) + e1 * (one - ur * us - vr * vs + c * ur * vs);
       }
   }
@@ -122,9 +95,9 @@ void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t co
     const double c = m.c[i], s = m.s[i], E1 = cu * f.E1[i], E2 = cu * f.E2[i];
     const double h1 = -s * E1, h2 = s * s * E2 - c * E1, rho = std::sqrt(h2 * h2 + h1 * h1);
     if (rho == 0) continue;
-    const Vec3<double> u{m.u[0][i], m.u[1][i], m.u[2][i]}, v{m.v[0][i], m.v[1][i], m.v[2][i]};
+    const Vec3<double> u{m.u.t[0][i], m.u.t[1][i], m.u.t[2][i]}, v{m.v.t[0][i], m.v.t[1][i], m.v.t[2][i]};
     const Vec3<double> fu = across(u, v), w = cross(u, fu), fv = cross(w, v);
-    const double iu = m.iu[i], iv = m.iv[i], lambda = h2 > 0 ? h2 + rho : h1 * h1 / (rho - h2);
+    const double iu = m.u.inverse[i], iv = m.v.inverse[i], lambda = h2 > 0 ? h2 + rho : h1 * h1 / (rho - h2);
     // (σ, μ) = (λ, −h′): its square is 2λρ, so the unit vector's eigenvalue over that is 1/2ρ.
     add_square(0.25 / rho, iu * (-h1 * u - lambda * fu), iv * (-h1 * v + lambda * fv), i, k);
     const double sign = h1 > 0 ? 1 : -1;  // (τ, κ)
@@ -162,8 +135,8 @@ void add(const Triangle::Lanes& p, const Meshes& m, const Function& f, netloft_t
   if (t.want & NETLOFT_WANT_CONVEX) {
     fill_convex(m, f, t.cu, t.count, k);
   } else {
-    fill_own(m.u, m.v, m.iu, m, f, t.cu, t.count, k.uu);
-    fill_own(m.v, m.u, m.iv, m, f, t.cu, t.count, k.vv);
+    fill_own(m.u, m.v, m, f, t.cu, t.count, k.uu);
+    fill_own(m.v, m.u, m, f, t.cu, t.count, k.vv);
     fill_mixed(m, f, t.cu, t.count, k.uv);
   }
   add_block<0, 0>(p, k, t.count, t.tangent);

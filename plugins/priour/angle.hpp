@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "plugins/priour/triangle.hpp"
+#include "plugins/priour/twines.hpp"
 
 namespace netloft::priour {
 
@@ -26,11 +26,12 @@ namespace netloft::priour {
 /// A metric would have to bound 1/‖U‖²: there is none.
 namespace angle {
 
-/// The twines of every lane.
+/// The meshes of every lane. Throws OutsideDomain where a twine has no direction.
 struct Meshes {
-  double u[3][kLanes], v[3][kLanes];  // Û, V̂
-  double iu[kLanes], iv[kLanes];      // 1/‖U‖, 1/‖V‖ [1/m]
-  double c[kLanes], s[kLanes];        // (1)
+  Meshes(const Triangle::Lanes& lanes, netloft_tile& tile);
+
+  Twines u, v;
+  double c[kLanes], s[kLanes];  // (1)
 };
 
 /// E and its derivatives after c in every lane [J].
@@ -38,8 +39,6 @@ struct Function {
   double E[kLanes], E1[kLanes], E2[kLanes];
 };
 
-/// Throws OutsideDomain where a twine has no direction.
-void measure(const Triangle::Lanes& lanes, netloft_tile& t, Meshes& meshes);
 /// Adds what the tile wants.
 void add(const Triangle::Lanes& lanes, const Meshes& meshes, const Function& f, netloft_tile& t);
 

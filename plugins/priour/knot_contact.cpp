@@ -5,9 +5,8 @@ namespace netloft::priour {
 
 Status KnotContact::tile(const Family<Triangle>& family, netloft_tile& t) {
   const Triangle::Lanes& p = family.lanes(t);
-  angle::Meshes m;
+  const angle::Meshes m(p, t);
   angle::Function f;
-  angle::measure(p, t, m);
   for (std::size_t i = 0; i < t.count; ++i) {
     const double width = 1 - p.touching[i];  // zero without knots
     const double over = std::max(std::abs(m.c[i]) - p.touching[i], 0.0);

@@ -30,9 +30,8 @@ double sum(const double (&a)[kTerms + 1], int from, double e) {
 }  // namespace
 
 Status Opening::tile(const double* stiffness, const Triangle::Lanes& p, netloft_tile& t) {
-  angle::Meshes m;
+  const angle::Meshes m(p, t);
   angle::Function f;
-  angle::measure(p, t, m);
   for (std::uint32_t i = 0; i < t.count; ++i) {
     const double H = p.bars[i] * stiffness[i], a0 = p.alpha0[i], c = m.c[i], s = m.s[i];
     if (H == 0) {

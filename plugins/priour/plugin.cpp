@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/priour/drag.hpp"
 #include "plugins/priour/knot_contact.hpp"
+#include "plugins/priour/motion.hpp"
 #include "plugins/priour/opening.hpp"
 
 using namespace netloft::priour;
@@ -24,6 +26,14 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.real("twine.knot_size", &Triangle::Parameters::knot_size, "m",
          "knots of this size touch when a mesh closes; zero lets it close",
          {.lo = 0, .hi = 10, .fallback = 0});
+  t.real("twine.damping", &Triangle::Parameters::damping, "N s",
+         "damping of stretch: tension per strain rate, EA times a relaxation time",
+         {.lo = 0, .hi = 1e9, .fallback = 0});
+  t.real("twine.added_mass", &Triangle::Parameters::added_mass, "1",
+         "added mass across a twine over the mass of the water it displaces",
+         {.lo = 0, .hi = 10, .fallback = 1});
+  t.law("drag", NETLOFT_TWINE_LAW | NETLOFT_SCREEN_LAW, "hydro/morison",
+        "force of the water on the netting, twine by twine or as a screen");
   t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
   t.data("v", &Triangle::Data::v, "1", "twine coordinate of the corners along v, in bars");
   t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched bar, from knot to knot");
@@ -38,6 +48,12 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
       "opening-by-EI", "resistance of the meshes to opening, by bending of the twines", "twine.EI");
   t.term<KnotContact, of_angle>("knot-contact", "knots that touch before a mesh is closed",
                                 "twine.knot_size");
+  t.term<Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow>(
+      "drag", "force of the water on the netting, by its law, a third per corner", "twine.diameter");
+  t.term<Damping, netloft::reads_velocity | netloft::needs_motion>(
+      "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
+  t.term<Inertia, netloft::reads_acceleration | netloft::needs_motion>(
+      "inertia", "mass of the twines, and added mass across them, a third per corner");
   t.output("tension", "N", "tension of one twine, the larger of both directions",
            [](auto& p, auto& d, auto& s) {
              return std::max(Triangle::stretch(0, p, d, s).T, Triangle::stretch(1, p, d, s).T);
@@ -53,4 +69,5 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
            [](auto& p, auto& d, auto& s) { return Triangle::stretch(1, p, d, s).T; });
   t.output("half_angle", "rad", "half the angle between the twines of a mesh",
            [](auto&, auto& d, auto& s) { return Triangle::half_angle(d, s); });
+  t.output_lanes("drag", "N", "magnitude of the force of the water on the triangle", Drag::output);
 }

@@ -66,6 +66,9 @@ void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_
   lanes.EA_compression[lane] = p.EA_compression;
   lanes.volume[lane] = 2 * s.bars * std::numbers::pi / 4 * p.diameter * p.diameter * d.bar_length;
   lanes.density[lane] = p.density;
+  lanes.diameter[lane] = p.diameter;
+  lanes.damping[lane] = p.damping;
+  lanes.added_mass[lane] = p.added_mass;
   lanes.H[lane] = p.opening_stiffness;
   lanes.H_of_EI[lane] = 12 * p.EI / d.bar_length;
   lanes.alpha0[lane] = p.opening_angle;

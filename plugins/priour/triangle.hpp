@@ -27,6 +27,7 @@ struct Triangle {
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
     double EI = 0, opening_stiffness = 0, opening_angle = 0, knot_size = 0;
+    double damping = 0, added_mass = 0;
   };
   struct Data {
     std::array<double, 3> u{}, v{};  // twine coordinates of the corners [bars]
@@ -38,7 +39,8 @@ struct Triangle {
     double l0[kLanes], EA[kLanes], EA_compression[kLanes];
     double volume[kLanes], density[kLanes];
     double H[kLanes], H_of_EI[kLanes], alpha0[kLanes];  // opening (1), (5)
-    double touching[kLanes];                            // c_k of knot contact (1); 1 without knots
+    double diameter[kLanes], damping[kLanes], added_mass[kLanes];
+    double touching[kLanes];  // c_k of knot contact (1); 1 without knots
   };
 
   /// (1)–(3) of one triangle.

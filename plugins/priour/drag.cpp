@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/priour/drag.hpp"
+
+#include <netloft/law.hpp>
+
+namespace netloft::priour {
+
+namespace {
+
+/// F of every lane and its derivatives after W and, [corner], after positions without the shear of the
+/// current.
+struct Force {
+  double F[3][kLanes] = {}, flow[9][kLanes] = {}, x[3][9][kLanes] = {};
+};
+
+/// W and the diameter, which both kinds of law want.
+void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f) {
+  for (std::size_t i = 0; i < t.count; ++i) {
+    for (int axis = 0; axis < 3; ++axis)  // (1)
+      f.flow[axis][i] = mean_of_corners(t.current, axis, i) - mean_of_corners(t.v, axis, i);
+    f.diameter[i] = p.diameter[i];
+  }
+}
+
+/// Adds `factor` times force and flow derivative of a law.
+void add_law(const FlowLanes& f, const double* factor, const netloft_tile& t, Force& out) {
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t i = 0; i < t.count; ++i) out.F[r][i] += factor[i] * f.force[r][i];
+  if (!t.tangent) return;
+  for (std::size_t k = 0; k < 9; ++k)
+    for (std::size_t i = 0; i < t.count; ++i) out.flow[k][i] += factor[i] * f.d_flow[k][i];
+}
+
+/// (2), (3) of one direction; `c` is a or b.
+void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const double (&c)[3][kLanes],
+                const netloft_tile& t, FlowLanes& f, Force& out) {
+  const Twines twines(t, c, p.l0);
+  double length[kLanes];
+  for (std::size_t i = 0; i < t.count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) f.direction[axis][i] = twines.t[axis][i];
+    f.solidity[i] = 0, length[i] = p.bars[i] * p.l0[i];
+  }
+  f.call(law, t, t.tangent != nullptr);
+  add_law(f, length, t, out);
+  if (!t.tangent) return;
+  for (int r = 0; r < 3; ++r)
+    for (std::size_t i = 0; i < t.count; ++i) {
+      const double k = length[i] * twines.inverse[i];
+      double along = 0;  // f_t Û of row r
+      for (int a = 0; a < 3; ++a) along += f.d_direction[3 * r + a][i] * twines.t[a][i];
+      for (int a = 0; a < 3; ++a) {
+        const double turn = k * (f.d_direction[3 * r + a][i] - along * twines.t[a][i]);
+        for (int q = 0; q < 3; ++q) out.x[q][3 * r + a][i] += c[q][i] * turn;
+      }
+    }
+}
+
+Vec3<double> corner(const netloft_tile& t, int q, std::size_t i) {
+  return {t.x[at(3 * q, i)], t.x[at(3 * q + 1, i)], t.x[at(3 * q + 2, i)]};
+}
+
+/// (4); f.solidity and f.direction are filled.
+void fill_screen(const Triangle::Lanes& p, const netloft_tile& t, double* area, FlowLanes& f) {
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const Vec3<double> o = corner(t, 0, i), N = cross(corner(t, 1, i) - o, corner(t, 2, i) - o);
+    area[i] = std::max(0.5 * norm(N), Drag::kNoArea * 2 * p.bars[i] * p.l0[i] * p.l0[i]);
+    for (int axis = 0; axis < 3; ++axis) f.direction[axis][i] = N[axis] / (2 * area[i]);
+    f.solidity[i] = 2 * p.bars[i] * p.diameter[i] * p.l0[i] / area[i];
+  }
+}
+
+/// (6), (7)
+void add_screen_tangent(const netloft_tile& t, const FlowLanes& f, Force& out) {
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const Vec3<double> m{f.direction[0][i], f.direction[1][i], f.direction[2][i]};
+    for (int r = 0; r < 3; ++r) {
+      const Vec3<double> f_m{f.d_direction[3 * r][i], f.d_direction[3 * r + 1][i],
+                             f.d_direction[3 * r + 2][i]};
+      const double scale = f.force[r][i] - f.solidity[i] * f.d_solidity[r][i] - dot(f_m, m);
+      const Vec3<double> G = 0.5 * (scale * m + f_m);
+      for (int q = 0; q < 3; ++q) {
+        const Vec3<double> row = cross(G, corner(t, (q + 2) % 3, i) - corner(t, (q + 1) % 3, i));
+        for (int a = 0; a < 3; ++a) out.x[q][3 * r + a][i] += row[a];
+      }
+    }
+  }
+}
+
+void add_screen(const netloft_bound_law& law, const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f,
+                Force& out) {
+  double area[kLanes];
+  fill_screen(p, t, area, f);
+  f.call(law, t, t.tangent != nullptr);
+  add_law(f, area, t, out);  // (5)
+  if (t.tangent) add_screen_tangent(t, f, out);
+}
+
+void compute(const Family<Triangle>& family, const netloft_tile& t, Force& out) {
+  const Triangle::Lanes& p = family.lanes(t);
+  const netloft_bound_law& law = family.law(0);
+  FlowLanes f;
+  fill_flow(p, t, f);
+  if (law.kind == NETLOFT_SCREEN_LAW) return add_screen(law, p, t, f, out);
+  add_twines(law, p, p.a, t, f, out);
+  add_twines(law, p, p.b, t, f, out);
+}
+
+/// All three rows of corners are the same.
+void add_tangent(const Force& F, netloft_tile& t) {
+  const double third = -1.0 / 3;
+  for (int r = 0; r < 3; ++r)
+    for (int q = 0; q < 3; ++q)
+      for (std::size_t i = 0; i < t.count; ++i) {
+        double shear = 0;  // ⅓ F_W dc/dz
+        for (int a = 0; a < 3; ++a) shear += F.flow[3 * r + a][i] * entry(t.current_dz, 3 * q + a, i) / 3;
+        for (int c = 0; c < 3; ++c) {
+          const double moved = F.x[q][3 * r + c][i] + (c == 2 ? shear : 0);
+          const double k = third * (t.cu * moved - t.cv * F.flow[3 * r + c][i] / 3);
+          for (int p = 0; p < 3; ++p) t.tangent[at(place(p, r, q, c), i)] += k;
+        }
+      }
+}
+
+}  // namespace
+
+Status Drag::tile(const Family<Triangle>& family, netloft_tile& t) {
+  Force F;
+  compute(family, t, F);
+  if (t.force)
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < t.count; ++i) {
+        const double third = F.F[axis][i] / 3;
+        for (int p = 0; p < 3; ++p) t.force[at(3 * p + axis, i)] -= third;
+      }
+  if (t.tangent) add_tangent(F, t);
+  return Status::ok;
+}
+
+void Drag::output(const Family<Triangle>& family, const netloft_tile& t, double* values) {
+  std::fill_n(values, t.count, 0.0);
+  if (!family.law(0).evaluate) return;  // still water: no law was asked for
+  Force F;
+  compute(family, t, F);
+  for (std::size_t i = 0; i < t.count; ++i) values[i] = std::hypot(F.F[0][i], F.F[1][i], F.F[2][i]);
+}
+
+}  // namespace netloft::priour

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/priour/motion.hpp"
+
+namespace netloft::priour {
+
+namespace {
+
+Vec3<double> unit(const Twines& w, std::size_t i) { return {w.t[0][i], w.t[1][i], w.t[2][i]}; }
+
+/// t (y − (t·y) t)ᵀ + (t·y)(I − t tᵀ): how (t·y) t turns with ‖w‖ t.
+double turning(const Vec3<double>& t, const Vec3<double>& y, double along, int r, int c) {
+  return t[r] * (y[c] - along * t[c]) + along * ((r == c ? 1 : 0) - t[r] * t[c]);
+}
+
+void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], netloft_tile& t) {
+  const Twines twines(t, c, p.l0);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double eta = p.bars[i] * p.damping[i] / p.l0[i];
+    const Vec3<double> s = unit(twines, i);
+    Vec3<double> rate;  // U′
+    for (int q = 0; q < 3; ++q)
+      for (int axis = 0; axis < 3; ++axis) rate[axis] += c[q][i] * entry(t.v, 3 * q + axis, i);
+    const double along = dot(s, rate);
+    for (int corner = 0; corner < 3 && t.force; ++corner)
+      for (int r = 0; r < 3; ++r) t.force[at(3 * corner + r, i)] += c[corner][i] * eta * along * s[r];  // (1)
+    if (!t.tangent) continue;
+    for (int r = 0; r < 3; ++r)
+      for (int k = 0; k < 3; ++k) {
+        const double turned = twines.inverse[i] * turning(s, rate, along, r, k);
+        const double A = eta * (t.cu * turned + t.cv * s[r] * s[k]);  // (2)
+        for (int m = 0; m < 3; ++m)
+          for (int q = 0; q < 3; ++q) t.tangent[at(place(m, r, q, k), i)] += c[m][i] * c[q][i] * A;
+      }
+  }
+}
+
+void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], netloft_tile& t) {
+  const Twines twines(t, c, p.l0);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double third = p.volume[i] / 6, added = third * p.added_mass[i] * t.water_density;
+    const double across = third * p.density[i] + added;
+    const Vec3<double> s = unit(twines, i);
+    for (int m = 0; m < 3; ++m) {
+      const Vec3<double> a{entry(t.a, 3 * m, i), entry(t.a, 3 * m + 1, i), entry(t.a, 3 * m + 2, i)};
+      const double along = dot(s, a);
+      for (int r = 0; r < 3; ++r) {
+        if (t.force) t.force[at(3 * m + r, i)] += across * a[r] - added * along * s[r];  // (3)
+        if (!t.tangent) continue;
+        for (int k = 0; k < 3; ++k) {
+          t.tangent[at(place(m, r, m, k), i)] += t.ca * ((r == k ? across : 0) - added * s[r] * s[k]);  // (4)
+          const double turned = -t.cu * added * twines.inverse[i] * turning(s, a, along, r, k);         // (5)
+          for (int q = 0; q < 3; ++q) t.tangent[at(place(m, r, q, k), i)] += c[q][i] * turned;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Status Damping::tile(const Family<Triangle>& family, netloft_tile& t) {
+  const Triangle::Lanes& p = family.lanes(t);
+  damp(p, p.a, t);
+  damp(p, p.b, t);
+  return Status::ok;
+}
+
+Status Inertia::tile(const Family<Triangle>& family, netloft_tile& t) {
+  const Triangle::Lanes& p = family.lanes(t);
+  accelerate(p, p.a, t);
+  accelerate(p, p.b, t);
+  return Status::ok;
+}
+
+}  // namespace netloft::priour

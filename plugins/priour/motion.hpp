@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "plugins/priour/twines.hpp"
+
+namespace netloft::priour {
+
+/// Damping of stretch: tension per strain rate, in the twines of both directions.
+///   U′ = Σ a_p v_p,  T_d = (η/l₀) Û·U′,  r_p = n a_p T_d Û                                           (1)
+///   ∂(T_d Û)/∂U = (η/l₀)/‖U‖ [Û (U′ − (Û·U′) Û)ᵀ + (Û·U′)(I − ÛÛᵀ)],  ∂(T_d Û)/∂U′ = (η/l₀) ÛÛᵀ      (2)
+/// n = |d|/2; v alike with b. η [N s] is EA times a relaxation time, as that of ropes.
+struct Damping {
+  static Status tile(const Family<Triangle>& family, netloft_tile& t);
+};
+
+/// Mass of the twines, a third at every corner, and added mass across each of both directions.
+///   r_p = ⅓ M Σ_t [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t],  t = Û, V̂,  M = n (π/4) D² l₀             (3)
+///   ∂r_p/∂a_p = ⅓ M Σ_t [(ρ + C_a ρ_w) I − C_a ρ_w t tᵀ]                                             (4)
+///   ∂r_p/∂U = −⅓ M C_a ρ_w [Û (a_p − (Û·a_p) Û)ᵀ + (Û·a_p)(I − ÛÛᵀ)]/‖U‖                             (5)
+/// D [m] diameter, ρ [kg/m³] of the twines, ρ_w of the water, C_a [1] added over displaced mass. The water's
+/// own acceleration is left out: currents are steady. Source: the trawl-gear paper, section 2.3; Morison et
+/// al. 1950.
+struct Inertia {
+  static Status tile(const Family<Triangle>& family, netloft_tile& t);
+};
+
+}  // namespace netloft::priour
