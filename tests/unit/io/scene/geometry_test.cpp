@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/geometry.hpp"
 
+#include <cmath>
+
 #include "tests/unit/io/toml/scratch.hpp"
 
 namespace netloft::io {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Wires that lie on the seabed in part, and ropes drawn over it, against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "tests/verification/scene_file.hpp"
+
+namespace netloft::test {
+namespace {
+
+double relative(double value, double exact) { return std::abs(value - exact) / std::abs(exact); }
+
+double pull_at(const SolvedFile& s, const std::string& part, const std::string& set) {
+  const auto r = s.solved.reaction(s.node(part, set));
+  return std::hypot(r[0], r[1], r[2]);
+}
+
+// 28 mm wire of 3 kg/m in air, EA 30 MN; elastic catenary after Irvine, Cable Structures, MIT Press 1981.
+const double kWeight = (3 - 1025 * std::acos(-1.0) / 4 * 0.028 * 0.028) * 9.80665;  // [N/m] in water
+constexpr double kEA = 3e7;
+
+/// Where the root of a rising function lies.
+template <class F>
+double root(double low, double high, F&& f) {
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (f(middle) < 0 ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Top tension of 480 m of it, 400 m away and 190 m above a rigid bed: s metres hang, H is the tension on the
+/// bed.
+///   190 = w s²/(2 EA) + (H/w)(√(1 + (w s/H)²) − 1)                       (1)
+///   400 = H s/EA + (H/w) asinh(w s/H) + (480 − s)(1 + H/EA)              (2)
+double top_tension_on_rigid_bed() {
+  const double w = kWeight;
+  const auto hanging = [&](double H) {
+    return root(0, 480, [&](double s) {
+      return w * s * s / (2 * kEA) + H / w * (std::hypot(1, w * s / H) - 1) - 190;  // (1)
+    });
+  };
+  const double H = root(100, 1e5, [&](double h) {
+    const double s = hanging(h);
+    return h * s / kEA + h / w * std::asinh(w * s / h) + (480 - s) * (1 + h / kEA) - 400;  // (2)
+  });
+  return std::hypot(H, w * hanging(H));
+}
+
+TEST(CatenaryOnSeabed, HasAClosedFormThatGivesThePublishedDigits) {
+  EXPECT_NEAR(top_tension_on_rigid_bed(), 8655.4, 0.05);
+}
+
+TEST(CatenaryOnSeabed, PullsAsOnARigidBed) {
+  const SolvedFile s = solve_file("verification/catenary-on-seabed.toml");
+  ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+  EXPECT_EQ(s.solved.solution.stability, Stability::stable);
+  EXPECT_LT(relative(pull_at(s, "wire", "start"), 8655.4), 3e-5);
+}
+
+// The way that a soft bed gives is √(2 ε w/k) or ε/2 + w/k deep: the error falls with the stiffness until
+// that of straight bars, here 3e-6, is all that is left.
+TEST(CatenaryOnSeabed, ApproachesTheRigidBedAsItsStiffnessGrows) {
+  const double exact = top_tension_on_rigid_bed();
+  double before = 1;
+  for (const double k : {1e3, 1e4, 1e5, 1e6}) {
+    const SolvedFile s = solve_file("verification/catenary-on-seabed.toml",
+                                    {"parts.wire.cells=960", "parts.bed.seabed.softness=1e-4",
+                                     "parts.bed.seabed.stiffness=" + std::to_string(k)});
+    ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+    const double error = relative(pull_at(s, "wire", "start"), exact);
+    std::printf("stiffness %.0e N/m2: %3d iterations, top tension %.3f N, error %.2e\n", k,
+                s.solved.solution.books.iterations, pull_at(s, "wire", "start"), error);
+    EXPECT_LT(error, before);
+    before = k < 1e5 ? error / 4 : 3e-6;
+  }
+}
+
+/// F = √(2 EA μ w (D − d/2)), d = μ w/κ: first integral of EA u'' = friction.
+TEST(RopeOverSeabed, IsHeldByTheFrictionOfWhatSlidesAndNoMore) {
+  const double EA = 1e5, friction = 0.5 * 10, shear = 1e5, D = 0.04;
+  const double exact = std::sqrt(2 * EA * friction * (D - 0.5 * friction / shear));
+  for (const int bars : {80, 160, 320}) {
+    const SolvedFile s = solve_file("verification/rope-dragged-over-seabed.toml",
+                                    {"parts.rope.cells=" + std::to_string(bars)});
+    ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+    // The end was sketched where it is held, so its half bar is not dragged; the rest of the rope is.
+    const double pull = -s.solved.reaction(s.node("rope", "start"))[0] + friction * 0.5 * 80 / bars;
+    std::printf("%3d bars: %2d iterations, pull %.4f N, error %.2e\n", bars,
+                s.solved.solution.books.iterations, pull, relative(pull, exact));
+    EXPECT_LT(relative(pull, exact), 1e-4);
+    const auto end = s.solved.position(s.node("rope", "end"));
+    EXPECT_NEAR(end[0], 80, 1e-12) << "40 m away it sticks to where it was laid";
+  }
+}
+
+}  // namespace
+}  // namespace netloft::test
