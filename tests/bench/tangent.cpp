@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the exact tangent of drag is worth: iterations, factorisations and time to 1e-8 for the hanging panel
+// across a current, with the tangent of drag whole, its symmetric part alone, or left out. Times are of one
+// run on one machine: compare rows.
+#include "framework/problem/verdict.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/support/sample_scenes.hpp"
+
+#include <cstdio>
+
+namespace {
+
+using namespace netloft;
+
+void run(int cells, double speed, TangentChoice tangent, const char* name, Registry& registry) {
+  Scene scene = sample::hanging_panel(cells, 36.5);
+  scene.current.samples = {{0, {0, speed, 0}}};
+  const Plan plan = make_plan(scene, registry, tangent);
+  Assembler assembler(scene, plan, 1);
+  const SolverType& newton = registry.solver("newton");
+  std::vector<std::string> faults;
+  const ParameterBlock parameters(newton.parameters, newton.solver.parameter_bytes, {}, faults);
+  Limits limits;
+  limits.tolerance = 1e-8, limits.iterations = 500;
+  const Solution s = solve_static(scene, assembler, newton, parameters.data(), limits, make_factorisation);
+  std::printf("%6.1f  %8zu  %-10s %10d %15d %9.3f  %s, residual %.1e N of %.3g N\n", speed, plan.unknowns,
+              name, s.books.iterations, s.books.factorisations, s.books.total_cpu_seconds, name_of(s.status),
+              s.balance.residual, s.balance.scale);
+}
+
+}  // namespace
+
+int main() {
+  Registry registry;
+  registry.add_folder(NETLOFT_PLUGIN_DIR);
+  std::printf("current  unknowns  tangent    iterations  factorisations     CPU s\n");
+  for (const double speed : {0.5, 1.0, 2.0}) {
+    run(32, speed, TangentChoice::exact, "exact", registry);
+    run(32, speed, TangentChoice::symmetric, "symmetric", registry);
+    run(32, speed, TangentChoice::elastic, "elastic", registry);
+  }
+}
