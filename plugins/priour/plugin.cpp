@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/priour/bending.hpp"
 #include "plugins/priour/drag.hpp"
 #include "plugins/priour/knot_contact.hpp"
 #include "plugins/priour/motion.hpp"
@@ -70,4 +71,20 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.output("half_angle", "rad", "half the angle between the twines of a mesh",
            [](auto&, auto& d, auto& s) { return Triangle::half_angle(d, s); });
   t.output_lanes("drag", "N", "magnitude of the force of the water on the triangle", Drag::output);
+
+  auto& bending =
+      plugin.element<Bending>("bending", "Resistance of netting to bending between two triangles");
+  bending.rides_on("triangle");
+  bending.real("twine.EI", &Bending::Parameters::EI, "N m2", "bending stiffness of one twine",
+               {.lo = 0, .hi = 1e6, .fallback = 0});
+  bending.real("twine.bending_half_angle", &Bending::Parameters::half_angle, "rad",
+               "half angle of the meshes in which altitudes and edges are measured for bending; 45 degrees",
+               {.lo = 0.01, .hi = 1.56, .fallback = 0.78539816339744831});
+  bending.data("u", &Bending::Data::u, "1", "twine coordinate of the corners along u, in bars");
+  bending.data("v", &Bending::Data::v, "1", "twine coordinate of the corners along v, in bars");
+  bending.data("bar_length", &Bending::Data::bar_length, "m", "unstretched bar of both triangles");
+  bending.term<Bending::Elastic, netloft::conservative | netloft::symmetric>(
+      "bending", "moment against the curvature of the netting", "twine.EI");
+  bending.output("turning_angle", "rad", "angle by which the second triangle turns away from the first",
+                 [](auto&, auto&, auto& s) { return Bending::turning_angle(s); });
 }
