@@ -138,6 +138,18 @@ JOINS = [
          '[[join]]\npoints = ["rope.node-1", "net.aft-left"]', "22:10", '"rope" element 0 would have two of its corners in one'),
     Wrong("join: a tube one cell wide", "scene.toml:20:10", '"net" element 0 would have two of its corners in one node', "more cells",
           change=[("cells = [4, 4]", "cells = [1, 4]"), (JOIN, 'points = ["net.left", "net.right"]')]),
+    edit("join: a rope gathered in a point", JOIN, 'points = ["rope"]\ntogether = true', "20:10",
+         '"rope" element 0 would have two of its corners in one'),
+    edit("join: together is no word", JOIN, JOIN + '\ntogether = "yes"', "21:12", "join[0].together is the text"),
+]
+
+TUBE = "tube = { from = [0, 0, 0], to = [0, 0, -4], radius = 1 }"
+TUBES = [
+    edit("tube: beside a sketch", "[parts.rope]", TUBE + "\n[parts.rope]", "12:8", "stands beside a sketch", "leave one of them out"),
+    edit("tube: of no length", "sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]", TUBE.replace("-4", "0"), "9:33",
+         "is where the tube begins"),
+    edit("tube: radius below nothing", "sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]", TUBE.replace("= 1", "= -1"), "9:54",
+         "parts.net.tube.radius = -1 m is outside"),
 ]
 
 RESULTS = [
@@ -254,4 +266,4 @@ SEVERAL = [
                 ("scene.toml:29:33", '"q" is nothing')]),
 ]
 
-ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + RESULTS + FILES + PLUGINS + OPTIONS + RIDERS + CURRENTS + SEVERAL
+ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + TUBES + RESULTS + FILES + PLUGINS + OPTIONS + RIDERS + CURRENTS + SEVERAL
