@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/conformance/conformance.hpp"
 
-#include "framework/conformance/checks.hpp"
+#include "framework/conformance/checklist.hpp"
 
 #include <algorithm>
 
@@ -11,17 +11,9 @@ namespace {
 
 using namespace conformance;
 
-struct Check {
-  const char* name;
-  Finding (*run)(Bench&);
-  std::vector<const char*>
-      leans_on;  // skipped when one of these failed or was itself skipped for that reason
-  const char* hint;
-};
-
 // Order matters: a check stands below those that it leans on.
-const std::vector<Check>& table() {
-  static const std::vector<Check> checks = {
+const std::vector<Check<Bench>>& table() {
+  static const std::vector<Check<Bench>> checks = {
       {"defaults-are-allowed",
        defaults_are_allowed,
        {},
@@ -150,36 +142,6 @@ const std::vector<Check>& table() {
        "the host divides the work; a plugin that starts threads takes the processor from it"},
   };
   return checks;
-}
-
-/// Names of checks that failed, and of those left out because of them.
-class Doubtful {
- public:
-  void add(std::string name) { names_.push_back(std::move(name)); }
-  const char* among(const std::vector<const char*>& names) const {
-    const auto found = std::find_if(names.begin(), names.end(), [this](const char* n) {
-      return std::find(names_.begin(), names_.end(), n) != names_.end();
-    });
-    return found == names.end() ? nullptr : *found;
-  }
-
- private:
-  std::vector<std::string> names_;
-};
-
-CheckResult run(const Check& check, Bench& bench, Doubtful& doubtful) {
-  CheckResult r;
-  r.name = check.name, r.hint = check.hint;
-  if (const char* first = doubtful.among(check.leans_on)) {
-    doubtful.add(check.name);
-    r.skipped = true, r.detail = std::string("leans on ") + first;
-    return r;
-  }
-  Finding f = check.run(bench);
-  r.passed = f.passed && !f.skipped, r.skipped = f.skipped;
-  r.figure = f.figure, r.limit = f.limit, r.detail = std::move(f.detail);
-  if (!f.passed) doubtful.add(check.name);
-  return r;
 }
 
 }  // namespace

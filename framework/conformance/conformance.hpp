@@ -13,8 +13,7 @@ struct ConformanceOptions {
   int elements = 100;      // sampled elements, 1 … 640
   int directions = 3;      // directions of each directional check, 1 … 100
   bool timings = true;
-  std::uint32_t law_kind =
-      0;  // what stands in the slots of the element; 0: every kind that they take, in turn
+  std::uint32_t law_kind = 0;  // in the slots of an element; 0: every kind that they take, in turn
 };
 
 /// Answer to one question about an element. A check that leans on one that failed is skipped, so that one
@@ -44,8 +43,12 @@ struct ConformanceReport {
 /// sampler.hpp. Never throws on account of the element; an element that crashes takes the program with it.
 ConformanceReport check_element(const ElementType& type, const ConformanceOptions& options = {});
 
-/// Names of all checks, in the order they are made.
+/// The same of a hydrodynamic law. Its elements are 64 flows of each sampled set of parameters.
+ConformanceReport check_law(const LawType& type, const ConformanceOptions& options = {});
+
+/// Names of all checks, in the order they are made: of elements, of laws.
 std::vector<std::string> conformance_checks();
+std::vector<std::string> law_checks();
 
 /// One line per failed check; empty when all passed.
 std::string failures(const ConformanceReport& report);

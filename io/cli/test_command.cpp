@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace netloft::io {
@@ -13,15 +14,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The elements that PLUGIN.so, "rope" or "rope/bar" stands for.
-std::vector<const ElementType*> find_elements(const std::string& target, Registry& registry) {
-  const auto slash = target.rfind('/');
-  const bool is_file = target.ends_with(".so");
-  if (!is_file && slash != std::string::npos) return {&registry.element(target)};
-  const PluginContent& plugin = is_file ? registry.add_file(target) : registry.plugin(target);
+/// What PLUGIN.so, "rope", "rope/bar" or "hydro/morison" stands for.
+struct Targets {
   std::vector<const ElementType*> elements;
-  for (const auto& e : plugin.elements) elements.push_back(&e);
-  return elements;
+  std::vector<const LawType*> laws;
+};
+
+Targets find_targets(const std::string& target, Registry& registry) {
+  const auto slash = target.rfind('/');
+  const bool is_file = target.ends_with(".so"), one = !is_file && slash != std::string::npos;
+  const PluginContent& plugin =
+      is_file ? registry.add_file(target) : registry.plugin(one ? target.substr(0, slash) : target);
+  Targets found;
+  for (const auto& e : plugin.elements)
+    if (!one || e.type == target) found.elements.push_back(&e);
+  for (const auto& l : plugin.laws)
+    if (!one || l.type == target) found.laws.push_back(&l);
+  if (one && found.elements.empty() && found.laws.empty()) registry.element(target);  // says what there is
+  return found;
 }
 
 std::string verdict(const CheckResult& c) { return c.skipped ? "skipped" : c.passed ? "passed" : "FAILED"; }
@@ -59,21 +69,19 @@ Json report_json(const ConformanceReport& report) {
 int test_command(const Options& options) {
   Registry registry;
   find_plugins(options, registry);
-  const auto elements = find_elements(options.target, registry);
-  Json reports = Json::array();
-  bool passed = true;
-  for (const auto* element : elements) {
-    const ConformanceReport report = check_element(*element);
-    passed &= report.passed();
-    if (options.json)
-      reports.push_back(report_json(report));
-    else
-      print_report(report);
+  const Targets found = find_targets(options.target, registry);
+  std::vector<ConformanceReport> reports;
+  for (const auto* element : found.elements) reports.push_back(check_element(*element));
+  for (const auto* law : found.laws) reports.push_back(check_law(*law));
+  const bool passed = std::all_of(reports.begin(), reports.end(), [](const auto& r) { return r.passed(); });
+  if (options.json) {
+    Json lines = Json::array();
+    for (const auto& report : reports) lines.push_back(report_json(report));
+    std::puts(Json{{"passed", passed}, {"elements", lines}}.dump(2).c_str());
+  } else {
+    for (const auto& report : reports) print_report(report);
+    if (reports.empty()) std::puts("there is no element and no law in this plugin to check");
   }
-  if (options.json)
-    std::puts(Json{{"passed", passed}, {"elements", reports}}.dump(2).c_str());
-  else if (elements.empty())
-    std::puts("there is no element in this plugin to check");
   return passed ? kDone : kOther;
 }
 

@@ -25,6 +25,15 @@ netloft_element element() {
   return e;
 }
 
+int push(const void*, const netloft_flow*) { throw std::runtime_error("nobody catches me"); }
+
+netloft_law law() {
+  netloft_law l{};
+  l.size = sizeof l, l.kind = NETLOFT_TWINE_LAW, l.name = "law", l.doc = "no-exception-escapes";
+  l.evaluate = push;
+  return l;
+}
+
 }  // namespace
 
 extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
@@ -34,5 +43,7 @@ extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   plugin.abi_major = NETLOFT_ABI_MAJOR, plugin.abi_minor = NETLOFT_ABI_MINOR;
   plugin.name = "escaping", plugin.version = "1", plugin.doc = "throws", plugin.compiler = "";
   plugin.elements = elements, plugin.element_count = 1;
+  static const netloft_law laws[] = {law()};
+  plugin.laws = laws, plugin.law_count = 1;
   return &plugin;
 }

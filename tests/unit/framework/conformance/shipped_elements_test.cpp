@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Everything shipped passes the suite, in each of its builds, and all builds give the same bits.
-#include "framework/conformance/bench.hpp"
+#include "framework/conformance/law_bench.hpp"
 #include "framework/registry/library.hpp"
 
 #include <gtest/gtest.h>
@@ -20,27 +20,31 @@ const fs::path kFolder = NETLOFT_BINARY_DIR "/lib/netloft";
 
 bool runs_v3() { return netloft::best_build(kFolder, "rope").parent_path() != kFolder; }
 
-/// All shipped plugins that hold elements.
+/// All shipped plugins that hold elements or laws.
 std::vector<std::string> shipped() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(kFolder))
-    if (entry.path().extension() == ".so" && !netloft::open_library(entry.path()).elements.empty())
-      names.push_back(entry.path().stem());
+  for (const auto& entry : fs::directory_iterator(kFolder)) {
+    if (entry.path().extension() != ".so") continue;
+    const auto content = netloft::open_library(entry.path());
+    if (!content.elements.empty() || !content.laws.empty()) names.push_back(entry.path().stem());
+  }
   std::sort(names.begin(), names.end());
   return names;
 }
 
 class Shipped : public testing::TestWithParam<std::string> {};
 
+void expect_conformance(const netloft::ConformanceReport& report, const fs::path& file) {
+  EXPECT_TRUE(report.passed()) << failures(report);
+  for (const auto& t : report.timings)
+    std::cout << file.string() << ' ' << report.type << ' ' << t.term << ' ' << t.want << ": "
+              << t.nanoseconds << " ns per element\n";
+}
+
 void expect_conformance(const fs::path& file) {
   const auto content = netloft::open_library(file);
-  for (const auto& type : content.elements) {
-    const auto report = netloft::check_element(type);
-    EXPECT_TRUE(report.passed()) << failures(report);
-    for (const auto& t : report.timings)
-      std::cout << file.string() << ' ' << type.type << ' ' << t.term << ' ' << t.want << ": "
-                << t.nanoseconds << " ns per element\n";
-  }
+  for (const auto& type : content.elements) expect_conformance(netloft::check_element(type), file);
+  for (const auto& type : content.laws) expect_conformance(netloft::check_law(type), file);
 }
 
 TEST_P(Shipped, KeepsItsPromises) { expect_conformance(kFolder / (GetParam() + ".so")); }
@@ -72,6 +76,22 @@ TEST_P(Shipped, GivesTheSameBitsInEveryBuild) {
                     same_bits(a.matrix, b.matrix) && same_bits(a.memory, b.memory))
             << base.elements[k].type << ' ' << base.elements[k].terms[t].name << ' ' << want_text(want);
       }
+  }
+}
+
+TEST_P(Shipped, GivesTheSameBitsOfItsLawsInEveryBuild) {
+  if (!runs_v3()) GTEST_SKIP() << "this processor or build has no x86-64-v3";
+  const auto base = netloft::open_library(kFolder / (GetParam() + ".so"));
+  const auto v3 = netloft::open_library(kFolder / "x86-64-v3" / (GetParam() + ".so"));
+  for (std::size_t k = 0; k < base.laws.size(); ++k) {
+    const LawBench one(base.laws[k], {.seed = 7}), two(v3.laws[k], {.seed = 7});
+    for (std::size_t part = 0; part < one.tiles.size(); ++part) {
+      const LawAnswer a = one.evaluate(part, one.tiles[part], true),
+                      b = two.evaluate(part, one.tiles[part], true);
+      EXPECT_TRUE(same_bits(a.force, b.force) && same_bits(a.d_flow, b.d_flow) &&
+                  same_bits(a.d_direction, b.d_direction) && same_bits(a.d_solidity, b.d_solidity))
+          << base.laws[k].type;
+    }
   }
 }
 

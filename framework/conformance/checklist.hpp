@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/conformance/checks.hpp"
+
+#include <algorithm>
+
+namespace netloft::conformance {
+
+/// One question, asked at a bench of elements or of laws.
+template <class Bench>
+struct Check {
+  const char* name;
+  Finding (*run)(Bench&);
+  std::vector<const char*>
+      leans_on;  // skipped when one of these failed or was itself skipped for that reason
+  const char* hint;
+};
+
+/// Names of checks that failed, and of those left out because of them.
+class Doubtful {
+ public:
+  void add(std::string name) { names_.push_back(std::move(name)); }
+  const char* among(const std::vector<const char*>& names) const {
+    const auto found = std::find_if(names.begin(), names.end(), [this](const char* n) {
+      return std::find(names_.begin(), names_.end(), n) != names_.end();
+    });
+    return found == names.end() ? nullptr : *found;
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+template <class Bench>
+CheckResult run(const Check<Bench>& check, Bench& bench, Doubtful& doubtful) {
+  CheckResult r;
+  r.name = check.name, r.hint = check.hint;
+  if (const char* first = doubtful.among(check.leans_on)) {
+    doubtful.add(check.name);
+    r.skipped = true, r.detail = std::string("leans on ") + first;
+    return r;
+  }
+  Finding f = check.run(bench);
+  r.passed = f.passed && !f.skipped, r.skipped = f.skipped;
+  r.figure = f.figure, r.limit = f.limit, r.detail = std::move(f.detail);
+  if (!f.passed) doubtful.add(check.name);
+  return r;
+}
+
+}  // namespace netloft::conformance

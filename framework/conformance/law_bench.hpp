@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/conformance/bench.hpp"
+
+namespace netloft::conformance {
+
+/// Up to 64 flows past a twine or a screen, arrays [component][64] like those of a law.
+struct Flows {
+  std::uint32_t count = 0;
+  std::vector<double> flow, direction, diameter, solidity;
+};
+
+/// What a law said of them. Rows that it did not write are no numbers.
+struct LawAnswer {
+  bool ok = false;
+  std::string thrown;  // what came out of the law, if something did
+  std::vector<double> force, d_flow, d_direction, d_solidity;
+};
+
+/// One law on the bench, with sampled parameters and flows. Speeds are from 1 cm/s to 5 m/s, diameters from 1
+/// mm to 10 cm, solidities from 0 to 0.9, one in four zero. Of eight flows one is none at all, one runs along
+/// the direction, one across it, two miss these by a millionth, one is a thousand times slower.
+struct LawBench {
+  LawBench(const LawType& type, const ConformanceOptions& options);
+
+  LawAnswer evaluate(std::size_t part, const Flows& flows, bool derivatives) const;
+  /// The plain call, into arrays of the caller. False: it failed or threw.
+  bool call(std::size_t part, const netloft_flow& flow, std::string& thrown) const;
+  /// "parameters 3, flow 12 (along the direction)"
+  std::string place(std::size_t part, std::size_t lane) const;
+  /// Speed over which a flow is varied [m/s], and the largest force at that speed.
+  double reach(const Flows& flows, std::size_t lane) const;
+  std::vector<double> force_scale(std::size_t part, const Flows& flows);
+  std::vector<double> random_field();
+
+  const LawType& type;
+  ConformanceOptions options;
+  ParameterSampler sampler;
+  std::vector<Values> values;
+  std::vector<ParameterBlock> parameters;
+  std::vector<std::string> faults;
+  std::vector<Flows> tiles;  // one per set of parameters
+
+ private:
+  Flows sample();
+};
+
+/// What an array of the answer was before the law wrote to it.
+double not_written();
+
+}  // namespace netloft::conformance

@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a law promises: arrays written as asked, derivatives of its force, and the manners of still water.
+#include "framework/conformance/checklist.hpp"
+#include "framework/conformance/law_bench.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+
+namespace netloft {
+
+namespace conformance {
+namespace {
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j) {
+  for (std::size_t row = 0; row * kLanes < a.size(); ++row)
+    if (!same_bits(a[at(row, i)], b[at(row, j)])) return false;
+  return true;
+}
+
+bool same_lane(const LawAnswer& a, std::size_t i, const LawAnswer& b, std::size_t j) {
+  return same_lane(a.force, i, b.force, j) && same_lane(a.d_flow, i, b.d_flow, j) &&
+         same_lane(a.d_direction, i, b.d_direction, j) && same_lane(a.d_solidity, i, b.d_solidity, j);
+}
+
+/// Asks `question(part, flows)` of all sets of parameters; it returns a fault or nothing.
+template <class Question>
+Finding ask_all(LawBench& b, Question&& question) {
+  for (std::size_t part = 0; part < b.tiles.size(); ++part)
+    if (const std::string fault = question(part, b.tiles[part]); !fault.empty()) return failed(fault);
+  return {};
+}
+
+Finding law_defaults_are_allowed(LawBench& b) {
+  std::vector<std::string> faults;
+  Values given;
+  for (const auto& p : b.type.parameters)
+    if (p.flags & NETLOFT_REQUIRED) given[p.name] = b.values[0].at(p.name);
+  const ParameterBlock block(b.type.parameters, b.type.law.parameter_bytes, given, faults);
+  return faults.empty() ? Finding{} : failed(faults.front());
+}
+
+Finding law_lets_no_exception_escape(LawBench& b) {
+  return ask_all(b, [&](std::size_t part, const Flows& f) { return b.evaluate(part, f, true).thrown; });
+}
+
+Finding law_evaluates_without_error(LawBench& b) {
+  return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
+    for (const bool derivatives : {false, true})
+      if (!b.evaluate(part, f, derivatives).ok)
+        return "parameters " + std::to_string(part) + ": status is not OK";
+    return {};
+  });
+}
+
+Finding law_outputs_are_finite(LawBench& b) {
+  return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
+    const LawAnswer a = b.evaluate(part, f, true);
+    const std::pair<const char*, const std::vector<double>*> arrays[] = {{"force", &a.force},
+                                                                         {"d_flow", &a.d_flow},
+                                                                         {"d_direction", &a.d_direction},
+                                                                         {"d_solidity", &a.d_solidity}};
+    for (const auto& [name, values] : arrays)
+      for (std::size_t i = 0; i < values->size(); ++i)
+        if (!std::isfinite((*values)[i]))
+          return b.place(part, i % kLanes) + ": " + name + "[" + std::to_string(i / kLanes) +
+                 "] is not written or not finite";
+    return {};
+  });
+}
+
+/// Lanes from `count` on keep what was there, whatever their inputs.
+Finding law_writes_nothing_past_count(LawBench& b) {
+  return ask_all(b, [&](std::size_t part, const Flows& all) -> std::string {
+    for (const std::uint32_t count : {1u, 3u, 31u, 63u}) {
+      Flows f = all;
+      f.count = count;
+      const LawAnswer a = b.evaluate(part, f, true);
+      for (const auto* values : {&a.force, &a.d_flow, &a.d_direction, &a.d_solidity})
+        for (std::size_t i = 0; i < values->size(); ++i)
+          if (i % kLanes >= count && !std::isnan((*values)[i]))
+            return "of " + std::to_string(count) + " flows, lane " + std::to_string(i % kLanes) +
+                   " was written";
+    }
+    return {};
+  });
+}
+
+Finding law_has_no_hidden_state(LawBench& b) {
+  return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
+    const LawAnswer before = b.evaluate(part, f, true);
+    b.evaluate(part, b.tiles.front(), true);
+    const LawAnswer after = b.evaluate(part, f, true);
+    for (std::size_t lane = 0; lane < f.count; ++lane)
+      if (!same_lane(before, lane, after, lane)) return b.place(part, lane) + ": asked twice, answers differ";
+    return {};
+  });
+}
+
+Finding law_is_the_same_in_any_lane(LawBench& b) {
+  return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
+    Flows turned = f;  // lane i stands where 63 - i stood
+    for (auto field : {&Flows::flow, &Flows::direction, &Flows::diameter, &Flows::solidity})
+      for (std::size_t i = 0; i < (f.*field).size(); ++i)
+        (turned.*field)[at(i / kLanes, kLanes - 1 - i % kLanes)] = (f.*field)[i];
+    const LawAnswer here = b.evaluate(part, f, true), there = b.evaluate(part, turned, true);
+    for (std::size_t lane = 0; lane < f.count; ++lane)
+      if (!same_lane(here, lane, there, kLanes - 1 - lane))
+        return b.place(part, lane) + ": differs in another lane";
+    return {};
+  });
+}
+
+Finding law_has_the_same_force_alone(LawBench& b) {
+  return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
+    const LawAnswer with = b.evaluate(part, f, true), alone = b.evaluate(part, f, false);
+    for (std::size_t lane = 0; lane < f.count; ++lane)
+      if (!same_lane(with.force, lane, alone.force, lane))
+        return b.place(part, lane) + ": differs from alone";
+    return {};
+  });
+}
+
+/// flows + step·field in one of their arrays, a step per lane.
+Flows varied(const Flows& from, std::vector<double> Flows::*array, const std::vector<double>& field,
+             const std::vector<double>& step, double sign) {
+  Flows to = from;
+  for (std::size_t i = 0; i < (to.*array).size(); ++i) (to.*array)[i] += sign * step[i % kLanes] * field[i];
+  return to;
+}
+
+std::vector<double> steps(const LawBench& b, const Flows& f, double step) {
+  std::vector<double> h(kLanes);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) h[lane] = step * b.reach(f, lane);
+  return h;
+}
+
+double largest(const std::array<double, 3>& v) {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+
+constexpr double kKinkStep = 1e-6, kKinkLimit = 1e-3;
+
+/// Slopes to both sides of each flow, the special ones above all, must agree.
+Finding law_has_no_kink(LawBench& b) {
+  Worst worst(kKinkLimit);
+  for (std::size_t part = 0; part < b.tiles.size(); ++part)
+    for (int k = 0; k < b.options.directions; ++k) {
+      const Flows& f = b.tiles[part];
+      const auto field = b.random_field(), h = steps(b, f, kKinkStep), scale = b.force_scale(part, f);
+      const LawAnswer here = b.evaluate(part, f, false);
+      const LawAnswer right = b.evaluate(part, varied(f, &Flows::flow, field, h, 1), false);
+      const LawAnswer left = b.evaluate(part, varied(f, &Flows::flow, field, h, -1), false);
+      for (std::size_t i = 0; i < here.force.size(); ++i)
+        worst.note(ratio((right.force[i] - 2 * here.force[i] + left.force[i]) / kKinkStep, scale[i % kLanes]),
+                   [&] { return b.place(part, i % kLanes); });
+    }
+  return judged(worst, "");
+}
+
+/// A derivative along a field of variations against the best of central differences, over the force at
+/// `reach`. `promised(answer, lane, row)` is the derivative times the field.
+template <class Promised>
+void compare_slopes(LawBench& b, std::size_t part, std::vector<double> Flows::*array,
+                    const std::vector<double>& field, bool by_speed, Promised&& promised, Worst& worst) {
+  const Flows& f = b.tiles[part];
+  const LawAnswer here = b.evaluate(part, f, true);
+  const auto scale = b.force_scale(part, f);
+  std::vector<double> best(kLanes, 1e300);
+  for (const double step : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+    const auto h = by_speed ? steps(b, f, step) : std::vector<double>(kLanes, step);
+    const LawAnswer right = b.evaluate(part, varied(f, array, field, h, 1), false);
+    const LawAnswer left = b.evaluate(part, varied(f, array, field, h, -1), false);
+    for (std::size_t lane = 0; lane < f.count; ++lane) {
+      std::array<double, 3> error;
+      for (std::size_t row = 0; row < 3; ++row)
+        error[row] = (right.force[at(row, lane)] - left.force[at(row, lane)]) / (2 * step) -
+                     h[lane] / step * promised(here, lane, row);
+      best[lane] = std::min(best[lane], ratio(largest(error), scale[lane]));
+    }
+  }
+  for (std::size_t lane = 0; lane < f.count; ++lane)
+    worst.note(best[lane], [&] { return b.place(part, lane); });
+}
+
+constexpr double kSlopeLimit = 1e-5;
+
+double along_field(const std::vector<double>& matrix, const std::vector<double>& field, std::size_t lane,
+                   std::size_t row) {
+  double sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) sum += matrix[at(3 * row + c, lane)] * field[at(c, lane)];
+  return sum;
+}
+
+Finding d_flow_is_derivative(LawBench& b) {
+  Worst worst(kSlopeLimit);
+  for (std::size_t part = 0; part < b.tiles.size(); ++part)
+    for (int k = 0; k < b.options.directions; ++k) {
+      const auto field = b.random_field();
+      compare_slopes(
+          b, part, &Flows::flow, field, true,
+          [&](const LawAnswer& a, std::size_t lane, std::size_t row) {
+            return along_field(a.d_flow, field, lane, row);
+          },
+          worst);
+    }
+  return judged(worst, "");
+}
+
+/// Directions are unit vectors: only what turns them counts.
+Finding d_direction_is_derivative(LawBench& b) {
+  Worst worst(kSlopeLimit);
+  for (std::size_t part = 0; part < b.tiles.size(); ++part)
+    for (int k = 0; k < b.options.directions; ++k) {
+      auto field = b.random_field();
+      const auto& t = b.tiles[part].direction;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        double along = 0;
+        for (std::size_t i = 0; i < 3; ++i) along += field[at(i, lane)] * t[at(i, lane)];
+        for (std::size_t i = 0; i < 3; ++i) field[at(i, lane)] -= along * t[at(i, lane)];
+      }
+      compare_slopes(
+          b, part, &Flows::direction, field, false,
+          [&](const LawAnswer& a, std::size_t lane, std::size_t row) {
+            return along_field(a.d_direction, field, lane, row);
+          },
+          worst);
+    }
+  return judged(worst, "");
+}
+
+Finding d_solidity_is_derivative(LawBench& b) {
+  Worst worst(kSlopeLimit);
+  const std::vector<double> one(kLanes, 1.0);
+  for (std::size_t part = 0; part < b.tiles.size(); ++part)
+    compare_slopes(
+        b, part, &Flows::solidity, one, false,
+        [](const LawAnswer& a, std::size_t lane, std::size_t row) { return a.d_solidity[at(row, lane)]; },
+        worst);
+  return judged(worst, "");
+}
+
+constexpr double kRounding = 1e-10;
+
+Finding law_needs_flow(LawBench& b) {
+  Worst worst(kRounding);
+  for (std::size_t part = 0; part < b.tiles.size(); ++part) {
+    Flows still = b.tiles[part];
+    std::fill(still.flow.begin(), still.flow.end(), 0.0);
+    const auto scale = b.force_scale(part, b.tiles[part]);
+    const LawAnswer a = b.evaluate(part, still, false);
+    for (std::size_t i = 0; i < a.force.size(); ++i)
+      worst.note(ratio(a.force[i], scale[i % kLanes]), [&] { return b.place(part, i % kLanes); });
+  }
+  return judged(worst, "");
+}
+
+/// Power of the force seen from the water, F·W, may not be negative.
+Finding law_never_gains_energy(LawBench& b) {
+  Worst worst(kRounding);
+  for (std::size_t part = 0; part < b.tiles.size(); ++part) {
+    const Flows& f = b.tiles[part];
+    const LawAnswer a = b.evaluate(part, f, false);
+    const auto scale = b.force_scale(part, f);
+    for (std::size_t lane = 0; lane < f.count; ++lane) {
+      double power = 0;
+      for (std::size_t i = 0; i < 3; ++i) power += a.force[at(i, lane)] * f.flow[at(i, lane)];
+      worst.note(ratio(std::max(-power, 0.0), scale[lane] * b.reach(f, lane)),
+                 [&] { return b.place(part, lane); });
+    }
+  }
+  return judged(worst, "");
+}
+
+/// Force with one array turned over, against `sign` times the force as it is.
+Finding compare_turned_over(LawBench& b, std::vector<double> Flows::*array, double sign) {
+  Worst worst(kRounding);
+  for (std::size_t part = 0; part < b.tiles.size(); ++part) {
+    Flows over = b.tiles[part];
+    for (double& v : over.*array) v = -v;
+    const auto scale = b.force_scale(part, over);
+    const LawAnswer here = b.evaluate(part, b.tiles[part], false), there = b.evaluate(part, over, false);
+    for (std::size_t i = 0; i < here.force.size(); ++i)
+      worst.note(ratio(there.force[i] - sign * here.force[i], scale[i % kLanes]),
+                 [&] { return b.place(part, i % kLanes); });
+  }
+  return judged(worst, "");
+}
+
+Finding law_is_odd_in_flow(LawBench& b) { return compare_turned_over(b, &Flows::flow, -1); }
+Finding law_is_even_in_direction(LawBench& b) { return compare_turned_over(b, &Flows::direction, 1); }
+
+/// Every vector of an array [3][64], turned about z.
+void turn(std::vector<double>& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const double x = v[at(0, lane)], y = v[at(1, lane)];
+    v[at(0, lane)] = c * x - s * y, v[at(1, lane)] = s * x + c * y;
+  }
+}
+
+Finding rotation_turns_the_force_of_a_law(LawBench& b) {
+  Worst worst(kRounding);
+  for (std::size_t part = 0; part < b.tiles.size(); ++part) {
+    Flows turned = b.tiles[part];
+    const double angle = b.sampler.uniform(0.3, 1.2);
+    turn(turned.flow, angle), turn(turned.direction, angle);
+    LawAnswer expected = b.evaluate(part, b.tiles[part], false);
+    turn(expected.force, angle);
+    const LawAnswer found = b.evaluate(part, turned, false);
+    const auto scale = b.force_scale(part, turned);
+    for (std::size_t i = 0; i < found.force.size(); ++i)
+      worst.note(ratio(found.force[i] - expected.force[i], scale[i % kLanes]),
+                 [&] { return b.place(part, i % kLanes); });
+  }
+  return judged(worst, "");
+}
+
+// Order matters: a check stands below those that it leans on.
+const std::vector<Check<LawBench>>& law_table() {
+  static const std::vector<Check<LawBench>> checks = {
+      {"defaults-are-allowed",
+       law_defaults_are_allowed,
+       {},
+       "a default must lie in the range that its own parameter allows"},
+      {"no-exception-escapes",
+       law_lets_no_exception_escape,
+       {"defaults-are-allowed"},
+       "catch everything before it crosses the boundary; the layer of law.hpp does"},
+      {"evaluates-without-error",
+       law_evaluates_without_error,
+       {"no-exception-escapes"},
+       "an ERROR stops the whole simulation; a law has an answer for every flow"},
+      {"outputs-finite",
+       law_outputs_are_finite,
+       {"evaluates-without-error"},
+       "write every output; without flow, along and across the direction something is divided by zero"},
+      {"nothing-written-past-count",
+       law_writes_nothing_past_count,
+       {"outputs-finite"},
+       "loop to flow.count, not to 64"},
+      {"no-hidden-state",
+       law_has_no_hidden_state,
+       {"outputs-finite"},
+       "no static or mutable variables: an answer may depend on nothing but the flow"},
+      {"same-in-any-lane",
+       law_is_the_same_in_any_lane,
+       {"no-hidden-state"},
+       "an answer may not depend on its place among the 64, nor on its neighbours"},
+      {"same-force-without-derivatives",
+       law_has_the_same_force_alone,
+       {"no-hidden-state"},
+       "compute the force in one way only"},
+      {"no-force-without-flow", law_needs_flow, {"no-hidden-state"}, "nothing flows, nothing pushes"},
+      {"no-kink",
+       law_has_no_kink,
+       {"no-hidden-state"},
+       "|W·n| has a kink at grazing incidence, clamps have one at their ends: round them"},
+      {"d-flow-is-derivative",
+       d_flow_is_derivative,
+       {"no-kink", "no-force-without-flow"},
+       "differentiate the force by the flow; does the speed itself depend on it?"},
+      {"d-direction-is-derivative",
+       d_direction_is_derivative,
+       {"no-kink", "no-force-without-flow"},
+       "differentiate the force by the direction"},
+      {"d-solidity-is-derivative",
+       d_solidity_is_derivative,
+       {"no-hidden-state"},
+       "differentiate the force by the solidity; zero where it does not matter"},
+      {"never-gains-energy",
+       law_never_gains_energy,
+       {"no-force-without-flow"},
+       "the force of a law is the physical one: it points with the flow"},
+      {"rotation-turns-the-force",
+       rotation_turns_the_force_of_a_law,
+       {"no-force-without-flow"},
+       "no direction of the compass is special: use lengths, dot and cross products"},
+      {"odd-in-flow",
+       law_is_odd_in_flow,
+       {"rotation-turns-the-force"},
+       "a flow from the other side pushes as hard to the other side"},
+      {"even-in-direction",
+       law_is_even_in_direction,
+       {"odd-in-flow"},
+       "a twine has no head, netting no upper side: t and -t are the same"},
+  };
+  return checks;
+}
+
+double nanoseconds(const LawBench& b, bool derivatives) {
+  using Clock = std::chrono::steady_clock;
+  LawAnswer a = b.evaluate(0, b.tiles[0], true);
+  const Flows& flows = b.tiles[0];
+  netloft_flow f{};
+  f.size = sizeof f, f.count = flows.count, f.water_density = 1025, f.water_viscosity = 1.19e-6;
+  f.flow = flows.flow.data(), f.direction = flows.direction.data();
+  f.diameter = flows.diameter.data(), f.solidity = flows.solidity.data(), f.force = a.force.data();
+  if (derivatives)
+    f.d_flow = a.d_flow.data(), f.d_direction = a.d_direction.data(), f.d_solidity = a.d_solidity.data();
+  double least = 1e300;
+  std::string thrown;
+  for (int repeat = 0; repeat < 15; ++repeat) {
+    const auto start = Clock::now();
+    for (int k = 0; k < 100; ++k) b.call(0, f, thrown);
+    const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
+    least = std::min(least, spent.count() / 100 / flows.count);
+  }
+  return least;
+}
+
+}  // namespace
+}  // namespace conformance
+
+ConformanceReport check_law(const LawType& type, const ConformanceOptions& options) {
+  using namespace conformance;
+  ConformanceReport report;
+  report.type = type.type;
+  LawBench bench(type, options);
+  Doubtful doubtful;
+  for (const auto& check : law_table()) report.checks.push_back(run(check, bench, doubtful));
+  if (options.timings && !doubtful.among({"evaluates-without-error"}))
+    report.timings = {{"law", "force", nanoseconds(bench, false)},
+                      {"law", "force + derivatives", nanoseconds(bench, true)}};
+  return report;
+}
+
+std::vector<std::string> law_checks() {
+  std::vector<std::string> names;
+  for (const auto& check : conformance::law_table()) names.push_back(check.name);
+  return names;
+}
+
+}  // namespace netloft
