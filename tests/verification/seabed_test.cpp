@@ -97,5 +97,27 @@ TEST(RopeOverSeabed, IsHeldByTheFrictionOfWhatSlidesAndNoMore) {
   }
 }
 
+double largest_difference(std::span<const double> a, std::span<const double> b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+// While it is solved the rope is held to where it was sketched, after that to where it has slid to: the
+// forces of the equilibrium stay, those of the sketch are no longer nothing.
+TEST(RopeOverSeabed, SticksToWhereItWasFoundInEquilibrium) {
+  const SolvedFile s = solve_file("verification/rope-dragged-over-seabed.toml");
+  ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+  Assembler& after = *s.solved.assembler;
+  Assembler before(s.solved.scene, s.solved.plan, 1);
+  std::vector<double> r(s.solved.solution.residual.size());
+  ASSERT_TRUE(after.evaluate(s.solved.solution.x, {.residual = r.data()}));
+  EXPECT_LT(largest_difference(r, s.solved.solution.residual), 1e-9);
+  std::vector<double> fresh(r.size());
+  ASSERT_TRUE(after.evaluate(after.start(), {.residual = r.data()}));
+  ASSERT_TRUE(before.evaluate(after.start(), {.residual = fresh.data()}));
+  EXPECT_NEAR(largest_difference(r, fresh), 0.5 * 10 * 0.25, 1e-9) << "0.25 m of rope slide back at most";
+}
+
 }  // namespace
 }  // namespace netloft::test
