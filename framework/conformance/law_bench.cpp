@@ -111,7 +111,8 @@ std::vector<double> LawBench::force_scale(std::size_t part, const Flows& flows) 
     Flows other = flows;
     const std::vector<double> field = random_field();
     for (std::size_t i = 0; i < field.size(); ++i) other.flow[i] = reach(flows, i % kLanes) * field[i];
-    for (double& S : other.solidity) S = k % 2 ? std::max(S, 0.2) : S;  // netting without twines feels nothing
+    for (double& S : other.solidity)
+      S = k % 2 ? std::max(S, 0.2) : S;  // netting without twines feels nothing
     const LawAnswer a = evaluate(part, other, false);
     for (std::size_t i = 0; i < a.force.size(); ++i)
       scale[i % kLanes] = std::max(scale[i % kLanes], std::abs(a.force[i]));
