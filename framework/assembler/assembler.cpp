@@ -89,6 +89,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
   const NodeBlocks blocks = make_blocks(families_, scene, plan.symmetric);
   pattern_ = make_pattern(blocks, numbering_, plan.symmetric);
   frames_ = Frames(scene, numbering_, blocks, plan.symmetric);
+  bodies_ = Bodies(scene, numbering_, blocks, plan.symmetric);
   for (const auto& family : families_) {
     tilings_.push_back(
         make_tiling(*family, scene, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles));
@@ -113,6 +114,20 @@ Assembler::~Assembler() = default;
 void Assembler::place(std::span<const double> u, std::span<double> x) const {
   for (std::size_t i = 0; i < u.size(); ++i) x[i] = start_[i] + u[i];
   frames_.place(start_, u, x);
+  bodies_.place(x);
+}
+
+/// The geometric term of a body wants forces: they are evaluated even if nobody else asked.
+void Assembler::hand_on(std::span<const double> x, const Request& request) {
+  if (bodies_.empty()) return;
+  double* residual = request.residual;
+  const bool exact = request.matrix == MatrixKind::exact;
+  if (!residual && exact) {
+    body_forces_.assign(numbering_.dofs(), 0.0);
+    for (std::size_t f = 0; f < families_.size(); ++f) run_family(f, x, {.residual = body_forces_.data()});
+    residual = body_forces_.data();
+  }
+  bodies_.hand_on(x, residual, request.values, exact);
 }
 
 std::array<double, 3> Assembler::reaction(std::uint32_t node, std::span<const double> residual,
@@ -150,6 +165,7 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);
   for (std::size_t f = 0; f < families_.size(); ++f)
     if (!run_family(f, x, request)) return false;
+  hand_on(x, request);
   if (request.residual) frames_.turn(request.residual);
   if (request.values) frames_.turn_matrix(request.values);
   if (request.energy) {
@@ -428,6 +444,7 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
     }
     scatter(family, tile, Request{.residual = residual.data()}, w);
   }
+  bodies_.hand_on(x, residual.data(), nullptr, false);
   frames_.turn(residual.data());
   return true;
 }

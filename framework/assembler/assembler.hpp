@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/assembler/bodies.hpp"
 #include "framework/assembler/frames.hpp"
 #include "framework/assembler/memory.hpp"
 #include "framework/assembler/tiling.hpp"
@@ -89,6 +90,7 @@ class Assembler {
                          Workspace& w) const;
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
                                 std::uint8_t axes) const;
+  void hand_on(std::span<const double> x, const Request& request);
   void gather_current(const Tiling& tiling, std::size_t tile, Workspace& w) const;
   bool remember_tile(std::size_t family, std::size_t tile, std::span<const double> x);
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
@@ -101,12 +103,13 @@ class Assembler {
   Numbering numbering_;
   std::map<std::uint32_t, std::array<double, 9>> axes_;  // of turned nodes
   Frames frames_;
+  Bodies bodies_;
   SparsePattern pattern_;
   std::vector<Tiling> tilings_;
   std::vector<Memory> memories_;         // per family
   std::vector<std::size_t> first_tile_;  // per family
   std::size_t value_slots_ = 0;
-  std::vector<double> start_, tile_energy_;
+  std::vector<double> start_, tile_energy_, body_forces_;
   Workers workers_;
   std::vector<std::unique_ptr<Workspace>> workspaces_;
   ElementFault fault_;

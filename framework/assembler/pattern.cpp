@@ -7,14 +7,28 @@ namespace netloft {
 
 namespace {
 
-/// Per node, the nodes with unknowns that share an element with it; itself included.
+/// A body stands next to whatever its points stand next to, and so do its points to each other.
+template <class Add>
+void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vector<std::uint32_t>>& near) {
+  if (scene.bodies.empty()) return;
+  std::vector<std::vector<std::uint32_t>> stands_for(scene.node_count());
+  for (std::uint32_t n = 0; n < scene.node_count(); ++n) stands_for[n] = {n};
+  for (const auto& body : scene.bodies)
+    for (const auto& point : body.points) stands_for[point.node] = {body.position, body.rotation};
+  const auto found = near;  // of the elements alone
+  for (std::uint32_t column = 0; column < found.size(); ++column)
+    for (const auto row : found[column])
+      for (const auto a : stands_for[row])
+        for (const auto b : stands_for[column]) add(b, a), add(a, b);
+}
+
+/// Per node, the nodes that move and share an element with it; itself included.
 std::vector<std::vector<std::uint32_t>> find_neighbours(
     std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene, bool symmetric) {
   std::vector<std::vector<std::uint32_t>> near(scene.node_count());
-  const auto has_unknowns = [&](std::uint32_t node) { return scene.held[node] != kAllAxes; };
+  const auto moves = [&](std::uint32_t node) { return !scene.stands_still(node); };
   const auto add = [&](std::uint32_t column, std::uint32_t row) {
-    if (has_unknowns(row) && has_unknowns(column) && (!symmetric || row >= column))
-      near[column].push_back(row);
+    if (moves(row) && moves(column) && (!symmetric || row >= column)) near[column].push_back(row);
   };
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) add(n, n);
   for (const auto& family : families)
@@ -22,6 +36,7 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(
       for (int i = 0; i < family->nodes_per_element(); ++i)
         for (int j = 0; j < family->nodes_per_element(); ++j)
           if (i != j) add(family->node(e, i), family->node(e, j));
+  join_bodies(scene, add, near);
   for (auto& rows : near) {
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());

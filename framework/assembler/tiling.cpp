@@ -58,7 +58,7 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
 std::int32_t find_block(const ElementFamily& family, const Scene& scene, const NodeBlocks& blocks,
                         bool symmetric, std::size_t e, int P, int Q, std::size_t spare) {
   const std::uint32_t row = family.node(e, P), column = family.node(e, Q);
-  if (scene.held[row] == kAllAxes || scene.held[column] == kAllAxes) return static_cast<std::int32_t>(spare);
+  if (scene.stands_still(row) || scene.stands_still(column)) return static_cast<std::int32_t>(spare);
   if (symmetric && row < column) return ~static_cast<std::int32_t>(blocks.base(column, row));
   return static_cast<std::int32_t>(blocks.base(row, column));
 }
@@ -84,7 +84,7 @@ void find_twins(const Scene& scene, Tiling& tiling) {
   for (std::size_t e = 0; e < family.size(); ++e)
     for (int P = 0; P < family.nodes_per_element(); ++P)
       for (int Q = 0; Q < P; ++Q)
-        if (family.node(e, P) == family.node(e, Q) && scene.held[family.node(e, P)] != kAllAxes)
+        if (family.node(e, P) == family.node(e, Q) && !scene.stands_still(family.node(e, P)))
           tiling.twins[e / kLanes].push_back({static_cast<std::uint32_t>(e % kLanes), P, Q});
 }
 

@@ -31,11 +31,16 @@ Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (i % width) pieces.join(nodes[i], nodes[i - i % width]);
   }
+  for (const auto& body : scene.bodies) {
+    pieces.join(body.rotation, body.position);
+    for (const auto& point : body.points) pieces.join(point.node, body.position);
+  }
   return pieces;
 }
 
 /// World axes along which a node meets resistance of what holds it.
 std::uint8_t world_axes(const Scene& scene, std::uint32_t node) {
+  if (!scene.carried.empty() && scene.carried[node]) return 0;
   const auto frame = scene.frames.find(node);
   if (frame == scene.frames.end()) return scene.held[node];
   std::uint8_t axes = 0;
@@ -66,6 +71,12 @@ void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3
     dz[i] = (b.velocity[i] - a.velocity[i]) / (b.z - a.z);
     velocity[i] = a.velocity[i] + dz[i] * (z - a.z);
   }
+}
+
+void Scene::add_body(RigidBody body) {
+  carried.resize(node_count(), false);
+  for (const auto& point : body.points) carried[point.node] = true, held[point.node] = kAllAxes;
+  bodies.push_back(std::move(body));
 }
 
 std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element) {

@@ -62,6 +62,19 @@ struct NodeLabel {
 
 enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 
+/// Nodes carried by a rigid body. Two nodes of the scene stand for its six unknowns: `position`, where its
+/// reference point is, and `rotation`, whose three numbers are the rotation vector from the start [rad], zero
+/// at first.
+struct RigidBody {
+  struct Point {
+    std::uint32_t node;
+    std::array<double, 3> r;  // from the reference point, at the start [m]
+  };
+  std::string name;
+  std::uint32_t position = 0, rotation = 0;
+  std::vector<Point> points;
+};
+
 /// What is solved: parts on nodes in water, some of them held. Plain data; whoever reads a file makes one.
 struct Scene {
   std::string name;
@@ -72,8 +85,17 @@ struct Scene {
   /// Axes of nodes that are held along others than x, y and z: the columns of a rotation, row by row. Bits of
   /// `held` then mean these axes.
   std::map<std::uint32_t, std::array<double, 9>> frames;
+  std::vector<RigidBody> bodies;  // their points are `carried`
+  std::vector<bool> carried;      // per node; empty if there are no bodies
   std::vector<NodeLabel> labels;  // per node
   std::vector<Part> parts;
+
+  /// A node that nothing moves: held along all axes, and on no body.
+  bool stands_still(std::uint32_t node) const {
+    return held[node] == kAllAxes && (carried.empty() || !carried[node]);
+  }
+  /// Adds a body: its points move with it from now on.
+  void add_body(RigidBody body);
 
   std::size_t node_count() const { return positions.size() / 3; }
   std::string node_name(std::uint32_t node) const {
