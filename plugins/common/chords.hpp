@@ -2,7 +2,7 @@
 #pragma once
 #include "plugins/common/axial.hpp"
 
-namespace netloft::rope {
+namespace netloft::bars {
 
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
@@ -21,4 +21,4 @@ struct Chords {
   double l[kLanes] = {}, inverse[kLanes] = {}, t[3][kLanes] = {};
 };
 
-}  // namespace netloft::rope
+}  // namespace netloft::bars

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "plugins/common/axial.hpp"
-
-#include <numbers>
+#include "plugins/common/bars_in_water.hpp"
 
 namespace netloft::rope {
 
-/// Straight two-node bar of a rope; the spring of the paper's section 2.3 with a slack branch.
-///   w = x₁ − x₀; tension and tangent by axial (1)–(5)
-///   r₀ = −T t,  r₁ = +T t          residual ∂E/∂x                    (1)
-///   W = (π/4) D² l₀ (ρ − ρ_w) g    weight in water, half per node    (2)
-///   E = T_c l                      at constant tension, no spring    (3)
-///   F = l₀ f(W, t)                 drag, half per node               (4)
-///     W = ½ (c₀ + c₁) − ½ (v₀ + v₁), c the current at the nodes; f [N/m] the law of the part
-///   T_d = (η/l₀) dl/dt             damping along the bar             (5)
-///   r_p = ½ V [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t]   inertia      (6)
-///     V = (π/4) D² l₀; added mass only across the rope, of the chord t; masses lumped at the nodes
-/// D [m] diameter, ρ [kg/m³] density of the rope, ρ_w of the water, g [m/s²], T_c [N] tension that a winch or
-/// a weight over a pulley holds whatever the length, η [N s] damping (EA times a relaxation time), C_a [1]
-/// added mass over displaced mass. The water's own acceleration is left out: currents are steady. Source: the
-/// trawl-gear paper, section 2.3 and eq. (2); Morison et al. 1950.
+/// Straight two-node bar of a rope; the spring of the paper's section 2.3 with a slack branch. The model is
+/// that of bars (1)–(5), plugins/common/bars.hpp, with N = 1; and besides
+///   E = T_c l                      at constant tension, no spring    (1)
+/// T_c [N] tension that a winch or a weight over a pulley holds whatever the length.
 struct Bar {
   static constexpr auto stencil = NETLOFT_BAR;
 
@@ -30,10 +18,8 @@ struct Bar {
   struct Data {
     double rest_length = 0;  // l₀ [m]
   };
-  struct Lanes {
-    double l0[kLanes], EA[kLanes], EA_compression[kLanes];
-    double volume[kLanes], density[kLanes], diameter[kLanes];
-    double constant_tension[kLanes], damping[kLanes], added_mass[kLanes];
+  struct Lanes : bars::Lanes {
+    double constant_tension[kLanes];
   };
 
   static void check(const Parameters&, const Data& d);
@@ -41,7 +27,7 @@ struct Bar {
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
 
   struct Elastic {
-    static Status tile(const Family<Bar>& family, netloft_tile& t);
+    static Status tile(const Family<Bar>& f, netloft_tile& t) { return bars::add_elastic(f.lanes(t), t); }
     template <class T>
     static T oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 2>& x) {
       if (p.constant_tension > 0) return T(0);
@@ -49,7 +35,7 @@ struct Bar {
     }
   };
 
-  /// (3); its elastic term is zero.
+  /// (1); its elastic term is zero.
   struct Tension {
     static Status tile(const Family<Bar>& family, netloft_tile& t);
     template <class T>
@@ -59,27 +45,31 @@ struct Bar {
   };
 
   struct Weight {
-    static Status tile(const Family<Bar>& family, netloft_tile& t);
+    static Status tile(const Family<Bar>& f, netloft_tile& t) { return bars::add_weight(f.lanes(t), t); }
     template <class T>
     static T oracle(const Parameters& p, const Data& d, const Water& w, const Points<T, 2>& x) {
-      const double volume = std::numbers::pi / 4 * p.diameter * p.diameter * d.rest_length;
-      return 0.5 * volume * (p.density - w.density) * w.gravity * (x[0].z + x[1].z);
+      return bars::weight_energy(p, d.rest_length, 1, w, x);
     }
   };
 
-  struct Drag {  // (4)
-    static Status tile(const Family<Bar>& family, netloft_tile& t);
+  struct Drag {
+    static Status tile(const Family<Bar>& f, netloft_tile& t) {
+      return bars::add_drag(f.lanes(t), f.law(0), t);
+    }
   };
-  struct Damping {  // (5)
-    static Status tile(const Family<Bar>& family, netloft_tile& t);
+  struct Damping {
+    static Status tile(const Family<Bar>& f, netloft_tile& t) { return bars::add_damping(f.lanes(t), t); }
   };
-  struct Inertia {  // (6)
-    static Status tile(const Family<Bar>& family, netloft_tile& t);
+  struct Inertia {
+    static Status tile(const Family<Bar>& f, netloft_tile& t) { return bars::add_inertia(f.lanes(t), t); }
   };
 
-  /// Drag of each bar [N], and the angle between bar and flow, 0 to π/2 [rad]; zero in still water.
-  static void drag_of(const Family<Bar>& family, const netloft_tile& t, double* values);
-  static void angle_of(const Family<Bar>& family, const netloft_tile& t, double* values);
+  static void drag_of(const Family<Bar>& f, const netloft_tile& t, double* values) {
+    bars::drag_of(f.lanes(t), f.law(0), t, values);
+  }
+  static void angle_of(const Family<Bar>& f, const netloft_tile& t, double* values) {
+    bars::angle_of(f.lanes(t), t, values);
+  }
 };
 
 }  // namespace netloft::rope

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What water and motion do to bars: drag (3), damping (4) and inertia (5) of bars.hpp.
+#pragma once
+#include <netloft/law.hpp>
+
+#include "plugins/common/bars.hpp"
+
+namespace netloft::bars {
+
+/// Entry of a tile's input that may be missing.
+inline double entry(const double* field, int row, std::size_t lane) {
+  return field ? field[at(row, lane)] : 0;
+}
+
+/// Place of (node p, axis r; node q, axis c) in a full tangent.
+constexpr int place(int p, int r, int q, int c) { return 6 * (3 * p + r) + 3 * q + c; }
+
+/// W, t and D of (3), ready for a law.
+inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t, FlowLanes& flow) {
+  for (std::size_t i = 0; i < t.count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      flow.flow[axis][i] = 0.5 * (entry(t.current, axis, i) + entry(t.current, axis + 3, i)) -
+                           0.5 * (entry(t.v, axis, i) + entry(t.v, axis + 3, i));
+      flow.direction[axis][i] = chord.t[axis][i];
+    }
+    flow.diameter[i] = p.diameter[i], flow.solidity[i] = 0;
+  }
+}
+
+/// Adds -½ N l₀ ∂f to the tangent, the same for both nodes p; of node q
+///   ∂f = cu [½ ∂f/∂W (dc/dz)_q e_zᵀ ± ∂f/∂t (I − t tᵀ)/l] − cv ½ ∂f/∂W
+inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLanes& f, netloft_tile& t) {
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double half = -0.5 * p.twine[i];
+    for (int r = 0; r < 3; ++r) {
+      double along = 0;  // (∂f/∂t t) of row r
+      for (int c = 0; c < 3; ++c) along += f.d_direction[3 * r + c][i] * chord.t[c][i];
+      for (int q = 0; q < 2; ++q) {
+        double shear = 0;  // ½ ∂f/∂W dc/dz
+        for (int c = 0; c < 3; ++c) shear += 0.5 * f.d_flow[3 * r + c][i] * entry(t.current_dz, 3 * q + c, i);
+        for (int c = 0; c < 3; ++c) {
+          const double turn = (f.d_direction[3 * r + c][i] - along * chord.t[c][i]) * chord.inverse[i];
+          const double d = half * (t.cu * ((q ? turn : -turn) + (c == 2 ? shear : 0)) -
+                                   t.cv * 0.5 * f.d_flow[3 * r + c][i]);
+          t.tangent[at(place(0, r, q, c), i)] += d;
+          t.tangent[at(place(1, r, q, c), i)] += d;
+        }
+      }
+    }
+  }
+}
+
+inline Status add_drag(const Lanes& p, const netloft_bound_law& law, netloft_tile& t) {
+  const Chords chord(t, p.l0);
+  FlowLanes f;
+  fill_flow(p, chord, t, f);
+  f.call(law, t, t.tangent != nullptr);
+  if (t.force)
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < t.count; ++i) {
+        const double half = 0.5 * p.twine[i] * f.force[axis][i];  // (3)
+        t.force[at(axis, i)] -= half, t.force[at(axis + 3, i)] -= half;
+      }
+  if (t.tangent) add_drag_tangent(p, chord, f, t);
+  return Status::ok;
+}
+
+/// Magnitude of (3) [N]; zero in still water.
+inline void drag_of(const Lanes& p, const netloft_bound_law& law, const netloft_tile& t, double* values) {
+  std::fill_n(values, t.count, 0.0);
+  if (!law.evaluate) return;  // still water: no law was asked for
+  const Chords chord(t, p.l0);
+  FlowLanes f;
+  fill_flow(p, chord, t, f);
+  f.call(law, t, false);
+  for (std::size_t i = 0; i < t.count; ++i)
+    values[i] = p.twine[i] * std::hypot(f.force[0][i], f.force[1][i], f.force[2][i]);
+}
+
+/// Angle between bar and flow, 0 to π/2 [rad]; zero in still water.
+inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
+  const Chords chord(t, p.l0);
+  FlowLanes f;
+  fill_flow(p, chord, t, f);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const Vec3<double> W{f.flow[0][i], f.flow[1][i], f.flow[2][i]};
+    const Vec3<double> s{chord.t[0][i], chord.t[1][i], chord.t[2][i]};
+    values[i] = std::atan2(norm(cross(W, s)), std::abs(dot(W, s)));
+  }
+}
+
+/// With w the chord and w' its rate: ∂(T_d t)/∂w = N (η/l₀)/l [t (w' − (t·w') t)ᵀ + (t·w')(I − t tᵀ)],
+/// ∂(T_d t)/∂w' = N (η/l₀) t tᵀ.
+inline Status add_damping(const Lanes& p, netloft_tile& t) {
+  const Chords chord(t, p.l0);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double eta = p.damping[i] / p.l0[i], s[3] = {chord.t[0][i], chord.t[1][i], chord.t[2][i]};
+    double w[3], rate = 0;  // dl/dt
+    for (int axis = 0; axis < 3; ++axis) {
+      w[axis] = entry(t.v, axis + 3, i) - entry(t.v, axis, i);
+      rate += s[axis] * w[axis];
+    }
+    for (int r = 0; r < 3; ++r) {
+      const double pull = eta * rate * s[r];  // (4)
+      if (t.force) t.force[at(r, i)] -= pull, t.force[at(r + 3, i)] += pull;
+      if (!t.tangent) continue;
+      for (int c = 0; c < 3; ++c) {
+        const double turn = s[r] * (w[c] - rate * s[c]) + rate * ((r == c ? 1 : 0) - s[r] * s[c]);
+        const double a = eta * (t.cu * chord.inverse[i] * turn + t.cv * s[r] * s[c]);
+        t.tangent[at(place(0, r, 0, c), i)] += a, t.tangent[at(place(1, r, 1, c), i)] += a;
+        t.tangent[at(place(0, r, 1, c), i)] -= a, t.tangent[at(place(1, r, 0, c), i)] -= a;
+      }
+    }
+  }
+  return Status::ok;
+}
+
+/// ∂r_p/∂w = −½ V C_a ρ_w [t (a_p − (t·a_p) t)ᵀ + (t·a_p)(I − t tᵀ)]/l.
+inline Status add_inertia(const Lanes& p, netloft_tile& t) {
+  const Chords chord(t, p.l0);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double half = 0.5 * p.volume[i], added = half * p.added_mass[i] * t.water_density;
+    const double across = half * p.density[i] + added, s[3] = {chord.t[0][i], chord.t[1][i], chord.t[2][i]};
+    for (int node = 0; node < 2; ++node) {
+      double a[3], along = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        a[axis] = entry(t.a, 3 * node + axis, i);
+        along += s[axis] * a[axis];
+      }
+      for (int r = 0; r < 3; ++r) {
+        if (t.force) t.force[at(3 * node + r, i)] += across * a[r] - added * along * s[r];  // (5)
+        if (!t.tangent) continue;
+        for (int c = 0; c < 3; ++c) {
+          const double one = r == c ? 1 : 0;
+          const double turn =
+              -added * chord.inverse[i] * (s[r] * (a[c] - along * s[c]) + along * (one - s[r] * s[c]));
+          t.tangent[at(place(node, r, 0, c), i)] -= t.cu * turn;
+          t.tangent[at(place(node, r, 1, c), i)] += t.cu * turn;
+          t.tangent[at(place(node, r, node, c), i)] += t.ca * (across * one - added * s[r] * s[c]);
+        }
+      }
+    }
+  }
+  return Status::ok;
+}
+
+}  // namespace netloft::bars

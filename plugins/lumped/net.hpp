@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "plugins/common/bars_in_water.hpp"
+
+namespace netloft::lumped {
+
+/// A bar of a lumped-mass net: between two grouped knots, along the twines of diamond netting, it stands for
+/// `parallel` twines side by side that stay straight and share their stretch. Point masses, springs and
+/// dampers; the model is that of bars (1)–(5), plugins/common/bars.hpp, with N = `parallel`.
+/// Where one bar is one twine (a cell of one mesh, N = 1) this is the real net, knot by knot, but for the
+/// resistance of its knots to opening, which is not modelled.
+/// Source: the usual lumped-mass model with mesh grouping: Theret, Etude de l'équilibre de surfaces
+/// réticulées placées dans un courant uniforme (thesis, Nantes 1993); Takagi et al., Fisheries Science 2004.
+struct Net {
+  static constexpr auto stencil = NETLOFT_BAR;
+
+  struct Parameters {
+    double EA = 0, EA_compression = 0, diameter = 0, density = 0;
+    double damping = 0, added_mass = 0;
+  };
+  struct Data {
+    double rest_length = 0;  // l₀ [m]
+    double parallel = 1;     // N, twines
+  };
+  using Lanes = bars::Lanes;
+
+  static void check(const Parameters&, const Data& d);
+  static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
+  /// One of the twines.
+  static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
+
+  struct Elastic {
+    static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_elastic(f.lanes(t), t); }
+    template <class T>
+    static T oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 2>& x) {
+      return d.parallel * axial::energy(x[1] - x[0], d.rest_length, {p.EA, p.EA_compression});
+    }
+  };
+
+  struct Weight {
+    static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_weight(f.lanes(t), t); }
+    template <class T>
+    static T oracle(const Parameters& p, const Data& d, const Water& w, const Points<T, 2>& x) {
+      return bars::weight_energy(p, d.rest_length, d.parallel, w, x);
+    }
+  };
+
+  struct Drag {
+    static Status tile(const Family<Net>& f, netloft_tile& t) {
+      return bars::add_drag(f.lanes(t), f.law(0), t);
+    }
+  };
+  struct Damping {
+    static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_damping(f.lanes(t), t); }
+  };
+  struct Inertia {
+    static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_inertia(f.lanes(t), t); }
+  };
+
+  static void drag_of(const Family<Net>& f, const netloft_tile& t, double* values) {
+    bars::drag_of(f.lanes(t), f.law(0), t, values);
+  }
+};
+
+}  // namespace netloft::lumped
