@@ -56,8 +56,7 @@ std::string element_text(const ElementType& e) {
   fmt::format_to(out, "{}: {}\nan element on {}; plugin {} {} ({})\n\ngeometry\n", e.type, e.element.doc,
                  stencil_name(e.element.stencil), e.origin->name, e.origin->version,
                  e.origin->file.empty() ? "compiled in" : e.origin->file);
-  for (const auto& key : geometry_keys(e.element.stencil))
-    fmt::format_to(out, "  {:<24} {}\n", key.name, key.doc);
+  for (const auto& key : geometry_keys(layout_of(e))) fmt::format_to(out, "  {:<24} {}\n", key.name, key.doc);
   fmt::format_to(out, "\nparameters\n");
   parameter_text(e.parameters, out);
   fmt::format_to(out, "\nterms\n");
@@ -72,7 +71,7 @@ std::string element_text(const ElementType& e) {
 
 Json element_json(const ElementType& e) {
   Json terms = Json::array(), outputs = Json::array(), data = Json::array(), geometry = Json::array();
-  for (const auto& key : geometry_keys(e.element.stencil))
+  for (const auto& key : geometry_keys(layout_of(e)))
     geometry.push_back({{"name", key.name}, {"doc", key.doc}});
   for (const auto& t : e.terms)
     terms.push_back({{"name", t.name}, {"traits", describe_traits(t.traits)}, {"doc", t.doc}});

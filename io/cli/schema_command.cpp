@@ -116,7 +116,7 @@ Json geometry_schema(const GeometryKey& key) {
 
 /// Data of elements that the geometry does not give stand in the part's table.
 void put_data(Json& part, const ElementType& e, bool required) {
-  const auto& given = geometry_data(e.element.stencil);
+  const auto& given = geometry_data(layout_of(e));
   const double inf = std::numeric_limits<double>::infinity();
   for (const auto& datum : e.data)
     if (std::find(given.begin(), given.end(), datum.name) == given.end())
@@ -165,8 +165,7 @@ Json end_part(Json part, const ElementType& e, const PluginContent& plugin) {
 /// A part with a geometry of its own.
 Json part_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
-  for (const auto& key : geometry_keys(e.element.stencil))
-    put(part, key.name, geometry_schema(key), key.required);
+  for (const auto& key : geometry_keys(layout_of(e))) put(part, key.name, geometry_schema(key), key.required);
   put_data(part, e, true);
   return end_part(std::move(part), e, plugin);
 }

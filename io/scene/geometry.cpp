@@ -3,12 +3,14 @@
 
 #include <netloft/vec3.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <sstream>
 
 namespace netloft::io {
 
@@ -41,6 +43,12 @@ const GeometryKey kBar{"panel.bar",
 const GeometryKey kCells{
     "cells",   "1", "cells across and along, two triangles each", Shape::integers, between(1, kMostCells),
     exactly(2)};
+const GeometryKey kSquareCells{"cells",
+                               "1",
+                               "cells across and along, as many meshes wide as long, four bars each",
+                               Shape::integers,
+                               between(1, kMostCells),
+                               exactly(2)};
 const GeometryKey kCorners{
     "sketch",      "m",          "corners: fore left, fore right, aft right, aft left; need not be accurate",
     Shape::points, kCoordinates, exactly(4),
@@ -169,16 +177,48 @@ void add_triangle(const Grid& g, std::array<std::array<std::size_t, 2>, 3> corne
 
 }  // namespace
 
-const std::vector<GeometryKey>& geometry_keys(std::uint32_t stencil) {
-  static const std::vector<GeometryKey> point{kAt}, line{kLength, kBars, kLine},
-      panel{kAcross, kAlong, kBar, kCells, kCorners, kFrom, kTo, kRadius, kRadiusAft};
-  return stencil == NETLOFT_NODE ? point : stencil == NETLOFT_BAR ? line : panel;
+Layout layout_of(const ElementType& type) {
+  const bool bundles = std::any_of(type.data.begin(), type.data.end(),
+                                   [](const auto& d) { return std::string_view(d.name) == "parallel"; });
+  switch (type.element.stencil) {
+    case NETLOFT_BAR:
+      return bundles ? Layout::panel_in_bars : Layout::line;
+    case NETLOFT_TRIANGLE:
+      return Layout::panel_in_triangles;
+    default:
+      return Layout::point;
+  }
 }
 
-const std::vector<std::string>& geometry_data(std::uint32_t stencil) {
+const std::vector<GeometryKey>& geometry_keys(Layout layout) {
+  static const std::vector<GeometryKey> point{kAt}, line{kLength, kBars, kLine},
+      triangles{kAcross, kAlong, kBar, kCells, kCorners, kFrom, kTo, kRadius, kRadiusAft},
+      bars{kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft};
+  switch (layout) {
+    case Layout::line:
+      return line;
+    case Layout::panel_in_triangles:
+      return triangles;
+    case Layout::panel_in_bars:
+      return bars;
+    default:
+      return point;
+  }
+}
+
+const std::vector<std::string>& geometry_data(Layout layout) {
   static const std::vector<std::string> point{"share", "length"}, line{"rest_length"},
-      panel{"u", "v", "bar_length", "to_aft"};
-  return stencil == NETLOFT_NODE ? point : stencil == NETLOFT_BAR ? line : panel;
+      triangles{"u", "v", "bar_length", "to_aft"}, bars{"rest_length", "parallel"};
+  switch (layout) {
+    case Layout::line:
+      return line;
+    case Layout::panel_in_triangles:
+      return triangles;
+    case Layout::panel_in_bars:
+      return bars;
+    default:
+      return point;
+  }
 }
 
 Point along_line(const std::vector<Point>& line, double t) {
@@ -243,23 +283,99 @@ std::optional<Surface> read_surface(TableReader& part) {
   return through_corners(sketch);
 }
 
+/// What the keys of a panel say, before it is divided.
+struct Panel {
+  double across, along, bar;  // [meshes], [m]
+  Grid cells;
+  Surface surface;
+};
+
+/// `elements` in a cell, of a kind.
+std::optional<Panel> read_panel_keys(TableReader& part, const GeometryKey& key, std::int64_t elements,
+                                     const char* kind) {
+  TableReader panel = part.table("panel", Presence::required, "size of the panel in meshes");
+  const double across = read_real(panel, kAcross), along = read_real(panel, kAlong),
+               bar = read_real(panel, kBar);
+  const auto cells = read_integers(part, key);
+  const auto surface = read_surface(part);
+  if (cells.size() != 2 || !surface) return {};
+  if (cells[0] * cells[1] * elements > kMostElements) {
+    part.error("cells", "makes " + std::to_string(cells[0] * cells[1] * elements) + " " + kind +
+                            "; at most " + std::to_string(kMostElements) + " are taken in one part");
+    return {};
+  }
+  return Panel{
+      across, along, bar, {static_cast<std::size_t>(cells[0]), static_cast<std::size_t>(cells[1])}, *surface};
+}
+
+/// Meshes of a cell along, over those across; 1 if its bars run along the twines.
+double slant(const Panel& p, double across, double along) { return p.along * across / (p.across * along); }
+
+bool is_square(double slant) { return std::abs(slant - 1) < 1e-9; }
+
+/// "[24, 24]": the square cells nearest to those of a panel; empty if there are none.
+std::string nearest_square_cells(const Panel& p) {
+  const auto wanted = static_cast<std::int64_t>(p.cells.across),
+             wanted_along = static_cast<std::int64_t>(p.cells.along);
+  std::int64_t best = std::numeric_limits<std::int64_t>::max();
+  std::string cells;
+  for (std::int64_t i = 1; i <= kMostCells; ++i) {
+    const auto j = std::llround(p.along / p.across * static_cast<double>(i));
+    const auto away = std::abs(i - wanted) + std::abs(j - wanted_along);
+    if (j < 1 || j > kMostCells || away >= best || !is_square(slant(p, double(i), double(j)))) continue;
+    best = away;
+    cells = "[" + std::to_string(i) + ", " + std::to_string(j) + "]";
+  }
+  return cells;
+}
+
+/// Whether the cells are as many meshes wide as long.
+bool check_square_cells(const Panel& p, TableReader& part) {
+  const double across = double(p.cells.across), along = double(p.cells.along);
+  if (is_square(slant(p, across, along))) return true;
+  std::ostringstream size;
+  size << p.across / across << " x " << p.along / along;
+  const std::string cells = nearest_square_cells(p);
+  part.error(
+      "cells",
+      "makes cells of " + size.str() +
+          " meshes; bars run along the twines only if a cell is as "
+          "many meshes wide as long",
+      cells.empty() ? "no cells fit this panel: change its meshes" : "nearest that fit: cells = " + cells);
+  return false;
+}
+
+/// Centres behind the corners.
+void place_centres(const Panel& p, Geometry& out) {
+  for (std::size_t j = 0; j < p.cells.along; ++j)
+    for (std::size_t i = 0; i < p.cells.across; ++i) {
+      const double s = (double(i) + 0.5) / double(p.cells.across),
+                   t = (double(j) + 0.5) / double(p.cells.along);
+      append(out.positions, p.surface(s, t));
+      out.names.panel.push_back({p.across * s, p.along * t});
+    }
+}
+
+void add_star(const Panel& p, std::size_t i, std::size_t j, Geometry& out) {
+  const Grid& g = p.cells;
+  const auto centre = static_cast<std::uint32_t>(g.columns() * (g.along + 1) + j * g.across + i);
+  const double meshes = p.across / double(g.across);
+  for (const auto corner : {g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1), g.node(i, j + 1)}) {
+    out.elements.insert(out.elements.end(), {centre, corner});
+    out.data["rest_length"].push_back(meshes * p.bar);  // (1)
+    out.data["parallel"].push_back(meshes);
+  }
+}
+
 }  // namespace
 
 Geometry read_panel(TableReader& part) {
   Geometry out;
-  TableReader panel = part.table("panel", Presence::required, "size of the panel in meshes");
-  const double across = read_real(panel, kAcross), along = read_real(panel, kAlong),
-               bar = read_real(panel, kBar);
-  const auto cells = read_integers(part, kCells);
-  const auto surface = read_surface(part);
-  if (cells.size() != 2 || !surface) return out;
-  if (cells[0] * cells[1] * 2 > kMostElements) {
-    part.error("cells", "makes " + std::to_string(cells[0] * cells[1] * 2) + " triangles; at most " +
-                            std::to_string(kMostElements) + " are taken in one part");
-    return out;
-  }
-  const Grid g{static_cast<std::size_t>(cells[0]), static_cast<std::size_t>(cells[1])};
-  place_nodes(g, *surface, across, along, out);
+  const auto panel = read_panel_keys(part, kCells, 2, "triangles");
+  if (!panel) return out;
+  const Grid& g = panel->cells;
+  const double bar = panel->bar;
+  place_nodes(g, panel->surface, panel->across, panel->along, out);
   name_edges(g, out.names);
   for (std::size_t j = 0; j < g.along; ++j)
     for (std::size_t i = 0; i < g.across; ++i)
@@ -270,6 +386,19 @@ Geometry read_panel(TableReader& part) {
         add_triangle(g, {{{i, j}, {i + 1, j}, {i, j + 1}}}, bar, out);
         add_triangle(g, {{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}, bar, out);
       }
+  return out;
+}
+
+Geometry read_panel_in_bars(TableReader& part) {
+  Geometry out;
+  const auto panel = read_panel_keys(part, kSquareCells, 4, "bars");
+  if (!panel || !check_square_cells(*panel, part)) return out;
+  const Grid& g = panel->cells;
+  place_nodes(g, panel->surface, panel->across, panel->along, out);
+  place_centres(*panel, out);
+  name_edges(g, out.names);
+  for (std::size_t j = 0; j < g.along; ++j)
+    for (std::size_t i = 0; i < g.across; ++i) add_star(*panel, i, j, out);
   return out;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/registry/descriptors.hpp"
 #include "io/scene/loaded_scene.hpp"
 #include "io/toml/table_reader.hpp"
 
@@ -25,11 +26,17 @@ struct GeometryKey {
   bool required = true;
 };
 
-/// The keys of parts whose elements stand on this stencil.
-const std::vector<GeometryKey>& geometry_keys(std::uint32_t stencil);
+/// How parts of an element type stand in space. Told by what the type declares, never by its name: elements
+/// on nodes are points, on bars ropes, on triangles panels; elements on bars that declare the datum
+/// `parallel`, of how many twines one stands for, are panels in bars.
+enum class Layout { point, line, panel_in_triangles, panel_in_bars };
+Layout layout_of(const ElementType& type);
+
+/// The keys of parts that stand so.
+const std::vector<GeometryKey>& geometry_keys(Layout layout);
 
 /// Names of the element data that the geometry of such parts gives; all other data stand in the part's table.
-const std::vector<std::string>& geometry_data(std::uint32_t stencil);
+const std::vector<std::string>& geometry_data(Layout layout);
 
 /// The point a share `t` of the way along a line through one or more points.
 std::array<double, 3> along_line(const std::vector<std::array<double, 3>>& line, double t);
@@ -51,5 +58,17 @@ Geometry read_line(TableReader& part);
 /// one to the other the nodes turn clockwise as seen by one who looks aft, so that corners are
 /// counter-clockwise seen from outside.
 Geometry read_panel(TableReader& part);
+
+/// The same panel in bars along the twines of diamond netting, from the same keys. A cell of m by m meshes,
+/// m = across/cells across = along/cells along, has its four corners and its centre as nodes, and a bar from
+/// the centre to each corner, in the order fore left, fore right, aft right, aft left:
+///   rest_length = m bar,  parallel = m                                                              (1)
+///   4 rest_length parallel = 4 m² bar, the bars of m² meshes                                        (2)
+/// so that the length of all twines is that of the panel whatever the cells; no bar lies on an edge, none is
+/// special there. With m = 1 nodes are the knots and bars the bars of the net. Cells that are not square in
+/// meshes are refused: their bars would run across twines.
+/// Nodes: corners as in read_panel, then centres row by row, (across+1)(along+1) + j across + i. Sets as in
+/// read_panel, of corners. Data: rest_length [m], parallel.
+Geometry read_panel_in_bars(TableReader& part);
 
 }  // namespace netloft::io

@@ -314,11 +314,13 @@ class SceneReader {
   }
 
   Geometry read_geometry(const ElementType& type, TableReader& table) {
-    switch (type.element.stencil) {
-      case NETLOFT_BAR:
+    switch (layout_of(type)) {
+      case Layout::line:
         return read_line(table);
-      case NETLOFT_TRIANGLE:
+      case Layout::panel_in_triangles:
         return read_panel(table);
+      case Layout::panel_in_bars:
+        return read_panel_in_bars(table);
       default:
         return read_point(table);
     }
@@ -326,7 +328,7 @@ class SceneReader {
 
   /// Data of elements that the geometry does not give: the same number for every element of the part.
   void read_extra_data(const ElementType& type, Geometry& geometry, TableReader& table) {
-    const auto& given = geometry_data(type.element.stencil);
+    const auto& given = geometry_data(layout_of(type));
     for (const auto& datum : type.data) {
       if (std::find(given.begin(), given.end(), datum.name) != given.end()) continue;
       const auto values =

@@ -24,10 +24,12 @@ double twine_length(const std::vector<double>& u, const std::vector<double>& v, 
 std::vector<double> carried_length(const Scene& scene, const Part& part, const ElementType& type) {
   std::vector<double> carried(scene.node_count(), 0.0);
   const auto *rest = find_data(part, "rest_length"), *u = find_data(part, "u"), *v = find_data(part, "v"),
-             *bar = find_data(part, "bar_length");
+             *bar = find_data(part, "bar_length"), *parallel = find_data(part, "parallel");
   const auto corners = static_cast<std::size_t>(type.nodes());
   for (std::size_t e = 0; e * corners < part.nodes.size(); ++e) {
-    const double length = rest ? (*rest)[e] : u && v && bar ? twine_length(*u, *v, (*bar)[e], e) : 0;
+    const double length = rest            ? (*rest)[e] * (parallel ? (*parallel)[e] : 1)
+                          : u && v && bar ? twine_length(*u, *v, (*bar)[e], e)
+                                          : 0;
     for (std::size_t c = 0; c < corners; ++c)
       carried[part.nodes[e * corners + c]] += length / static_cast<double>(corners);
   }

@@ -196,6 +196,118 @@ TEST(Panel, CountsMeshesToItsAftEdge) {
     EXPECT_EQ(g.data.at("to_aft")[i], 3 - g.names.panel[g.elements[i]][1]);
 }
 
+/// 4 x 6 meshes in 2 x 3 cells of 2 x 2 meshes.
+constexpr const char* kSquarePanel =
+    "panel = { across = 4, along = 6, bar = 0.1 }\ncells = [2, 3]\n"
+    "sketch = [[0, 0, 0], [2, 0, 0], [2, 0, -6], [0, 0, -6]]\n";
+
+Geometry panel_in_bars(const std::string& text = kSquarePanel) {
+  Input in(text);
+  Geometry g = read_panel_in_bars(in.reader);
+  EXPECT_EQ(in.diagnostics.render(false), "");
+  return g;
+}
+
+TEST(PanelInBars, NumbersCornersAsTrianglesDoAndCentresBehindThem) {
+  const Geometry bars = panel_in_bars(), triangles = panel(kSquarePanel);
+  ASSERT_EQ(bars.node_count(), 12u + 6u);
+  for (std::size_t n = 0; n < 12; ++n) EXPECT_EQ(at(bars, n), at(triangles, n));
+  EXPECT_EQ(at(bars, 12), (std::array<double, 3>{0.5, 0, -1}));
+  EXPECT_EQ(at(bars, 13), (std::array<double, 3>{1.5, 0, -1}));
+  EXPECT_EQ(at(bars, 14), (std::array<double, 3>{0.5, 0, -3}));
+  EXPECT_EQ(bars.names.sets, triangles.names.sets);
+  EXPECT_EQ(bars.names.panel[14], (std::array<double, 2>{1, 3}));
+}
+
+TEST(PanelInBars, HasABarFromEveryCentreToItsFourCorners) {
+  const Geometry g = panel_in_bars();
+  ASSERT_EQ(g.elements.size(), 2u * 4u * 6u);
+  const Nodes first(g.elements.begin(), g.elements.begin() + 8), last(g.elements.end() - 8, g.elements.end());
+  EXPECT_EQ(first, (Nodes{12, 0, 12, 1, 12, 4, 12, 3}));
+  EXPECT_EQ(last, (Nodes{17, 7, 17, 8, 17, 11, 17, 10}));
+}
+
+/// All twines of a panel [m].
+double twine_in_bars(const Geometry& g) {
+  double sum = 0;
+  for (std::size_t e = 0; e < g.elements.size() / 2; ++e)
+    sum += g.data.at("rest_length")[e] * g.data.at("parallel")[e];
+  return sum;
+}
+double twine_in_triangles(const Geometry& g) {
+  double sum = 0;
+  const auto &u = g.data.at("u"), &v = g.data.at("v");
+  for (std::size_t e = 0; e < g.elements.size() / 3; ++e) {
+    const std::size_t a = 3 * e, b = a + 1, c = a + 2;
+    sum +=
+        std::abs((u[b] - u[a]) * (v[c] - v[a]) - (u[c] - u[a]) * (v[b] - v[a])) * g.data.at("bar_length")[e];
+  }
+  return sum;
+}
+
+TEST(PanelInBars, HasTheTwineOfTheTrianglesAtAnyCells) {
+  const std::string text = kSquarePanel;
+  for (const char* cells : {"[2, 3]", "[4, 6]", "[8, 12]", "[10, 15]"}) {
+    std::string scene = text;
+    scene.replace(scene.find("[2, 3]"), 6, cells);
+    EXPECT_NEAR(twine_in_bars(panel_in_bars(scene)), 4 * 24 * 0.1, 1e-12) << cells;  // four bars a mesh
+    EXPECT_NEAR(twine_in_triangles(panel(scene)), 4 * 24 * 0.1, 1e-12) << cells;
+  }
+}
+
+TEST(PanelInBars, GroupsAsManyTwinesAsACellHasMeshes) {
+  const Geometry g = panel_in_bars();
+  EXPECT_EQ(g.data.at("rest_length"), std::vector<double>(24, 0.2));
+  EXPECT_EQ(g.data.at("parallel"), std::vector<double>(24, 2.0));
+}
+
+TEST(PanelInBars, IsTheNetKnotByKnotWithOneMeshACell) {
+  const Geometry g = panel_in_bars(
+      "panel = { across = 40, along = 40, bar = 0.6 }\ncells = [40, 40]\n"
+      "sketch = [[-16, 0, 0], [16, 0, 0], [16, 0, -34], [-16, 0, -34]]\n");
+  EXPECT_EQ(g.node_count(), 41u * 41u + 40u * 40u);
+  EXPECT_EQ(g.data.at("rest_length"), std::vector<double>(6400, 0.6));
+  EXPECT_EQ(g.data.at("parallel"), std::vector<double>(6400, 1.0));
+}
+
+std::string complaint_about(const std::string& meshes, const std::string& cells) {
+  Input in("panel = { " + meshes + ", bar = 0.1 }\ncells = " + cells +
+           "\nsketch = [[0, 0, 0], [2, 0, 0], [2, 0, -6], [0, 0, -6]]\n");
+  EXPECT_TRUE(read_panel_in_bars(in.reader).elements.empty());
+  return in.diagnostics.render(false);
+}
+
+TEST(PanelInBars, RefusesCellsWhoseBarsWouldCrossTwinesAndNamesTheNearestThatFit) {
+  const std::string oblong = complaint_about("across = 100, along = 150", "[24, 48]");
+  EXPECT_NE(oblong.find(":2:9: "), std::string::npos) << oblong;
+  EXPECT_NE(oblong.find("makes cells of 4.16667 x 3.125 meshes"), std::string::npos) << oblong;
+  EXPECT_NE(oblong.find("cells = [32, 48]"), std::string::npos) << oblong;
+  const std::string hopeless = complaint_about("across = 1, along = 0.123456789", "[2, 2]");
+  EXPECT_NE(hopeless.find("no cells fit this panel"), std::string::npos) << hopeless;
+}
+
+TEST(PanelInBars, LiesRoundATubeWithItsCentres) {
+  const Geometry g = panel_in_bars(
+      "panel = { across = 8, along = 4, bar = 0.1 }\ncells = [8, 4]\n"
+      "tube = { from = [0, 0, 0], to = [3, 0, 0], radius = 2 }\n");
+  for (std::size_t n = 0; n < g.node_count(); ++n)
+    EXPECT_NEAR(std::hypot(at(g, n)[1], at(g, n)[2]), 2, 1e-14) << n;
+}
+
+TEST(Layout, IsToldByWhatAnElementDeclares) {
+  const auto layout = [](std::uint32_t stencil, std::vector<netloft_datum> data) {
+    ElementType type;
+    type.element.stencil = stencil, type.data = std::move(data);
+    return layout_of(type);
+  };
+  const netloft_datum length{sizeof(netloft_datum), 1, "rest_length", "m", ""},
+      parallel{sizeof(netloft_datum), 1, "parallel", "1", ""};
+  EXPECT_EQ(layout(NETLOFT_NODE, {}), Layout::point);
+  EXPECT_EQ(layout(NETLOFT_BAR, {length}), Layout::line);
+  EXPECT_EQ(layout(NETLOFT_BAR, {length, parallel}), Layout::panel_in_bars);
+  EXPECT_EQ(layout(NETLOFT_TRIANGLE, {}), Layout::panel_in_triangles);
+}
+
 TEST(Rope, SpreadsNodesEvenlyAlongItsSketch) {
   const Geometry g = rope("length = 10\ncells = 4\nsketch = [[0, 0, 0], [3, 0, 0], [3, 0, -1]]\n");
   ASSERT_EQ(g.node_count(), 5u);
