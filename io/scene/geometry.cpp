@@ -313,18 +313,17 @@ double slant(const Panel& p, double across, double along) { return p.along * acr
 
 bool is_square(double slant) { return std::abs(slant - 1) < 1e-9; }
 
-/// "[24, 24]": the square cells nearest to those of a panel; empty if there are none.
+/// "[36, 36]": the square cells nearest to those of a panel; empty if there are none.
 std::string nearest_square_cells(const Panel& p) {
-  const auto wanted = static_cast<std::int64_t>(p.cells.across),
-             wanted_along = static_cast<std::int64_t>(p.cells.along);
-  std::int64_t best = std::numeric_limits<std::int64_t>::max();
+  double best = std::numeric_limits<double>::infinity();
   std::string cells;
   for (std::int64_t i = 1; i <= kMostCells; ++i) {
-    const auto j = std::llround(p.along / p.across * static_cast<double>(i));
-    const auto away = std::abs(i - wanted) + std::abs(j - wanted_along);
-    if (j < 1 || j > kMostCells || away >= best || !is_square(slant(p, double(i), double(j)))) continue;
+    const double across = static_cast<double>(i), along = std::round(p.along / p.across * across);
+    const double away = std::hypot(across - double(p.cells.across), along - double(p.cells.along));
+    if (along < 1 || along > double(kMostCells) || away >= best || !is_square(slant(p, across, along)))
+      continue;
     best = away;
-    cells = "[" + std::to_string(i) + ", " + std::to_string(j) + "]";
+    cells = "[" + std::to_string(i) + ", " + std::to_string(std::llround(along)) + "]";
   }
   return cells;
 }

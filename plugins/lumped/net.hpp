@@ -9,8 +9,9 @@ namespace netloft::lumped {
 /// dampers; the model is that of bars (1)–(5), plugins/common/bars.hpp, with N = `parallel`.
 /// Where one bar is one twine (a cell of one mesh, N = 1) this is the real net, knot by knot, but for the
 /// resistance of its knots to opening, which is not modelled.
-/// Source: the usual lumped-mass model with mesh grouping: Theret, Etude de l'équilibre de surfaces
-/// réticulées placées dans un courant uniforme (thesis, Nantes 1993); Takagi et al., Fisheries Science 2004.
+/// Source: the usual lumped-mass model with meshes in groups: Theret, Etude de l'équilibre de surfaces
+/// réticulées placées dans un courant uniforme (thesis, Nantes 1993); Takagi et al., Fisheries Science 70
+/// (2004). Knots have no drag of their own here.
 struct Net {
   static constexpr auto stencil = NETLOFT_BAR;
 

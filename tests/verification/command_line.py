@@ -81,6 +81,15 @@ class CommandLine(unittest.TestCase):
     def test_panel_hangs_the_same_from_a_sketch_that_is_too_long(self):
         self.check_panel(16, "--set", "parts.net.sketch=[[-16,0,0],[16,0,0],[16,0,-54],[-16,0,-54]]")
 
+    def test_panel_is_the_net_twine_by_twine_when_one_word_is_switched(self):
+        # the independent program with every twine a bar
+        answer = self.run_scene("dead-weight-panel.toml", "--set", "parts.net.type=lumped/net", "--set",
+                                f"parts.net.cells=[{MESHES},{MESHES}]")
+        self.assertEqual((answer["status"], answer["stability"]), ("converged", "stable"))
+        self.assertLess(abs(answer["results"]["lowest_z"] + 42.67468699107), NODE_TOLERANCE)
+        self.assertLess(abs(answer["energy"] / -58151.570400698 - 1), RELATIVE_TOLERANCE)
+        self.assertLess(abs(answer["results"]["top_reaction_z"] / 2884.660640009 - 1), RELATIVE_TOLERANCE)
+
     def test_classic_newton_fails_on_the_panel_and_says_so(self):
         answer = self.run_scene("dead-weight-panel.toml", "--solver", "newton:method=classic", "--set",
                                 "analysis.max_iterations=100", exit_code=NOT_CONVERGED)

@@ -77,6 +77,8 @@ RANGES = [
     edit("no meshes", "across = 4", "across = 0", "7:20", "parts.net.panel.across = 0 is outside (0, 1e6]"),
     edit("hardly a mesh", "across = 4", "across = 1e-300", "5:1", "holds no netting"),
     edit("no cells", "cells = [4, 4]", "cells = [0, 4]", "8:10", "parts.net.cells[0] = 0 is outside [1, 100000]"),
+    Wrong("cells that bars along the twines do not fit", "scene.toml:8:9", "makes cells of 1 x 2 meshes", "cells = [3, 3]",
+          change=[('"priour/triangle"', '"lumped/net"'), ("cells = [4, 4]", "cells = [4, 2]")]),
     edit("a rope of no bars", "cells = 4\n", "cells = 0\n", "15:9", "parts.rope.cells = 0 is outside"),
     edit("three cells", "cells = [4, 4]", "cells = [4, 4, 4]", "8:9", "has 3 values; 2 are wanted"),
     edit("tolerance of zero", "tolerance = 1e-10", "tolerance = 0", "27:13", "analysis.tolerance = 0 is outside"),
