@@ -5,44 +5,65 @@ namespace netloft::priour {
 
 namespace {
 
-constexpr double kNoArea = 1e-12;  // ‖N‖ over the product of its edges
-constexpr double kFolded = 1e-12;  // (1 + c)/2
-
 /// |d| of triangle (1) between the edge and corner k.
 double bars_beside(const Bending::Data& d, std::size_t k) {
   return std::abs((d.u[1] - d.u[0]) * (d.v[k] - d.v[0]) - (d.u[k] - d.u[0]) * (d.v[1] - d.v[0]));
 }
 
-/// (1), (2) at a state.
-struct Fold {
-  explicit Fold(const State<4>& s) : e{s.x[1] - s.x[0], s.x[2] - s.x[0], s.x[3] - s.x[0]} {
-    const Vec3<double> N[2] = {cross(e[0], e[1]), cross(e[2], e[0])};
-    for (int k = 0; k < 2; ++k) {
-      l[k] = norm(N[k]);
-      has_area = has_area && l[k] > kNoArea * norm(e[0]) * norm(e[k + 1]);
-      n[k] = (1 / l[k]) * N[k];
+/// L of (3), (5) and its derivatives after w, from h = 1 − w.
+struct Logarithm {
+  explicit Logarithm(double h) {
+    const double w = 1 - h, w0 = Bending::kFolded;
+    if (w >= w0) {
+      L = std::log1p(-h), L1 = 1 / w, L2 = -L1 * L1;
+    } else {
+      const double z = w / w0 - 1;
+      L = std::log(w0) + z - 0.5 * z * z, L1 = (1 - z) / w0, L2 = -1 / (w0 * w0);
     }
-    const Vec3<double> turn = n[1] - n[0];
-    h = 0.25 * dot(turn, turn);
-    c = 1 - 2 * h;
-    p[0] = turn - dot(n[0], turn) * n[0];  // N̂₂ − c N̂₁, all digits kept where it is flat
-    p[1] = dot(n[1], turn) * n[1] - turn;
   }
-  Vec3<double> e[3], n[2], p[2];
-  double l[2], c = 1, h = 0;  // h = (1 − c)/2
-  bool has_area = true;
+  double L, L1, L2;
 };
 
-/// ∂²E/∂N_a∂N_b, entry (r, s): angle (4), (5).
-double curvature(const Fold& f, double E1, double E2, int a, int b, int r, int s) {
-  const double one = r == s ? 1 : 0;
-  const auto square = [&](int k) { return f.n[k][r] * f.n[k][s]; };
-  if (a == b)
-    return (E2 * f.p[a][r] * f.p[a][s] -
-            E1 * (f.p[a][r] * f.n[a][s] + f.n[a][r] * f.p[a][s] + f.c * (one - square(a)))) /
-           (f.l[a] * f.l[a]);
-  return (E2 * f.p[a][r] * f.p[b][s] + E1 * (one - square(0) - square(1) + f.c * f.n[a][r] * f.n[b][s])) /
-         (f.l[0] * f.l[1]);
+constexpr double kSign[2] = {1, -1};  // σ
+
+/// (1)–(3) and (8) at a state.
+struct Fold {
+  Fold(const State<4>& state, const Bending::Flat& flat)
+      : e{state.x[1] - state.x[0], state.x[2] - state.x[0], state.x[3] - state.x[0]} {
+    const Vec3<double> N[2] = {cross(e[0], e[1]), cross(e[2], e[0])};
+    for (int k = 0; k < 2; ++k) {
+      const double fade = Bending::kClosed * flat.M[k];
+      s[k] = std::sqrt(dot(N[k], N[k]) + fade * fade);
+      n[k] = (1 / s[k]) * N[k];
+    }
+    q = n[0] - n[1];
+    const Logarithm log(0.25 * dot(q, q));
+    E = -flat.kappa * log.L, D1 = flat.kappa * log.L1, D2 = -flat.kappa * log.L2;
+    for (int k = 0; k < 2; ++k) {
+      const Vec3<double> g = (0.5 * D1 * kSign[k]) * q;
+      normal[k] = dot(g, n[k]);
+      p[k] = g - normal[k] * n[k];
+      G[k] = (1 / s[k]) * p[k];
+    }
+  }
+  Vec3<double> e[3], n[2], q, p[2], G[2];
+  double s[2], normal[2], E, D1, D2;  // normal: g·n
+};
+
+/// ∂²E/∂N_a∂N_b, (9).
+void fill_block(const Fold& f, int a, int b, double (&H)[6][6]) {
+  const Vec3<double> qa = f.q - dot(f.q, f.n[a]) * f.n[a], qb = f.q - dot(f.q, f.n[b]) * f.n[b];
+  const double k = kSign[a] * kSign[b] / (f.s[a] * f.s[b]), nn = dot(f.n[a], f.n[b]);
+  for (int r = 0; r < 3; ++r)
+    for (int s = 0; s < 3; ++s) {
+      const double one = r == s ? 1 : 0, naa = f.n[a][r] * f.n[a][s], nbb = f.n[b][r] * f.n[b][s];
+      double H_rs =
+          k * (0.5 * f.D1 * (one - naa - nbb + nn * f.n[a][r] * f.n[b][s]) + 0.25 * f.D2 * qa[r] * qb[s]);
+      if (a == b)
+        H_rs -=
+            (f.n[a][r] * f.p[a][s] + f.p[a][r] * f.n[a][s] + f.normal[a] * (one - naa)) / (f.s[a] * f.s[a]);
+      H[3 * a + r][3 * b + s] = H_rs;
+    }
 }
 
 /// Entry (r, s) of [w]×.
@@ -54,13 +75,6 @@ double cross_matrix(const Vec3<double>& w, int r, int s) {
 using Square6 = double[6][6];
 using Square9 = double[9][9];
 
-void fill_curvature(const Fold& f, double E1, double E2, Square6& H) {
-  for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b)
-      for (int r = 0; r < 3; ++r)
-        for (int s = 0; s < 3; ++s) H[3 * a + r][3 * b + s] = curvature(f, E1, E2, a, b, r, s);
-}
-
 /// ∂(N₁, N₂)/∂(e₀, e₁, e₂): −[e₁]×, [e₀]×, 0 and [e₂]×, 0, −[e₀]×.
 void fill_jacobian(const Fold& f, double (&J)[6][9]) {
   for (int r = 0; r < 3; ++r)
@@ -70,11 +84,12 @@ void fill_jacobian(const Fold& f, double (&J)[6][9]) {
     }
 }
 
-/// K = Jᵀ H J + what the second derivatives of N add, with G = ∂E/∂N.
-void fill_tangent(const Fold& f, const Vec3<double> (&G)[2], double E1, double E2, Square9& K) {
+/// K = Jᵀ H J + what the second derivatives of N add.
+void fill_tangent(const Fold& f, Square9& K) {
   Square6 H;
   double J[6][9], HJ[6][9];
-  fill_curvature(f, E1, E2, H);
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b) fill_block(f, a, b, H);
   fill_jacobian(f, J);
   for (int r = 0; r < 6; ++r)
     for (int s = 0; s < 9; ++s) {
@@ -88,8 +103,8 @@ void fill_tangent(const Fold& f, const Vec3<double> (&G)[2], double E1, double E
     }
   for (int r = 0; r < 3; ++r)
     for (int s = 0; s < 3; ++s) {
-      K[r][3 + s] -= cross_matrix(G[0], r, s), K[3 + r][s] += cross_matrix(G[0], r, s);
-      K[r][6 + s] += cross_matrix(G[1], r, s), K[6 + r][s] -= cross_matrix(G[1], r, s);
+      K[r][3 + s] -= cross_matrix(f.G[0], r, s), K[3 + r][s] += cross_matrix(f.G[0], r, s);
+      K[r][6 + s] += cross_matrix(f.G[1], r, s), K[6 + r][s] -= cross_matrix(f.G[1], r, s);
     }
 }
 
@@ -106,14 +121,19 @@ void spread(const Square9& K, double cu, Local<4>& out) {
 
 }  // namespace
 
-double Bending::kappa(const Parameters& p, const Data& d) {
+Bending::Flat Bending::flat(const Parameters& p, const Data& d) {
   const double du = d.u[1] - d.u[0], dv = d.v[1] - d.v[0], sine = std::sin(2 * p.half_angle);
   const double edge = std::sqrt(du * du + dv * dv + 2 * du * dv * std::cos(2 * p.half_angle));  // b/l₀
-  double h = 0;
-  for (std::size_t side = 0; side < 2; ++side)
-    h += bars_beside(d, 2 + side) * d.bar_length[side] * sine / edge;  // (5)
+  Flat flat{};
+  double altitudes = 0;
+  for (std::size_t side = 0; side < 2; ++side) {  // (6)
+    const double l0 = d.bar_length[side];
+    flat.M[side] = bars_beside(d, 2 + side) * l0 * l0 * sine;
+    altitudes += flat.M[side] / (edge * l0);
+  }
   const double across = std::abs(du * du * du) + std::abs(dv * dv * dv);
-  return 4 * p.EI * across * (sine / edge) * (sine / edge) / h;  // (6), (3)
+  flat.kappa = 4 * p.EI * across * (sine / edge) * (sine / edge) / altitudes;  // (7), (3)
+  return flat;
 }
 
 double Bending::turning_angle(const State<4>& s) {
@@ -129,18 +149,15 @@ void Bending::check(const Parameters&, const Data& d) {
 
 Status Bending::Elastic::evaluate(const Parameters& p, const Data& d, const State<4>& s, Local<4>& out) {
   if (p.EI == 0) return Status::ok;
-  const Fold f(s);
-  if (!f.has_area || !(1 - f.h > kFolded)) return Status::outside_domain;
-  const double k = kappa(p, d), E1 = -k / (1 + f.c), E2 = k / ((1 + f.c) * (1 + f.c));
-  out.energy = -k * std::log1p(-f.h);  // (3)
-  const Vec3<double> G[2] = {(E1 / f.l[0]) * f.p[0], (E1 / f.l[1]) * f.p[1]};
-  out.force[1] = cross(f.e[1], G[0]) - cross(f.e[2], G[1]);
-  out.force[2] = cross(G[0], f.e[0]);
-  out.force[3] = cross(f.e[0], G[1]);
+  const Fold f(s, flat(p, d));
+  out.energy = f.E;
+  out.force[1] = cross(f.e[1], f.G[0]) - cross(f.e[2], f.G[1]);
+  out.force[2] = cross(f.G[0], f.e[0]);
+  out.force[3] = cross(f.e[0], f.G[1]);
   out.force[0] = -(out.force[1] + out.force[2] + out.force[3]);
   if (!s.wants_tangent) return Status::ok;
   Square9 K;
-  fill_tangent(f, G, E1, E2, K);
+  fill_tangent(f, K);
   spread(K, s.cu, out);
   return Status::ok;
 }

@@ -8,23 +8,32 @@ namespace netloft::priour {
 
 /// Resistance of netting to bending across the edge (a, b) that the triangles (a, b, c) and (b, a, d) share.
 ///   e₀ = x_b − x_a, e₁ = x_c − x_a, e₂ = x_d − x_a;  N₁ = e₀×e₁, N₂ = e₂×e₀                          (1)
-///   c = N̂₁·N̂₂ = cos φ, φ the turning angle, 0 where the netting is flat                              (2)
-///   E = −κ ln((1 + c)/2),  κ = 4 k b/(h₁ + h₂)                                                       (3)
-///   dE/dφ = k b/R,  R = (h₁ + h₂)/(4 tan(φ/2))                                                       (4)
+///   n_i = N_i/s_i,  s_i = √(‖N_i‖² + (δ M_i)²),  M_i the unstretched ‖N_i‖                           (2)
+///   E = −κ L(w),  w = 1 − ¼‖n₁ − n₂‖²,  L = ln w,  κ = 4 k b/(h₁ + h₂)                               (3)
+///   dE/dφ = k b/R,  R = (h₁ + h₂)/(4 tan(φ/2)),  φ the turning angle, 0 where the netting is flat    (4)
+/// (2) is the unit normal, and w = (1 + cos φ)/2, but for δ = kClosed: in meshes that close, a normal turns
+/// faster than any bending, so it fades below 1/1000 of the unstretched area (1e-6 of E in open meshes, 1 %
+/// at 1/100). Netting drawn up in a plane turns triangles over, φ from 0 to π: below w₀ = kFolded (φ above
+/// 176.4°) L is continued by its Taylor polynomial ln w₀ + z − z²/2, z = w/w₀ − 1, or (3) would be a wall (5)
+///
 /// The unstretched altitudes h₁, h₂ over the edge play the part of two bars of a rope. b is the unstretched
 /// edge, k [N m] the bending stiffness of a metre of it: over both directions of twines, EI × twines that
 /// cross a metre × cos² of the angle between twine and the normal of the edge in the netting.
 /// A diamond mesh has no unstretched shape of its own. Lengths are those of meshes of half angle β, 45°
 /// unless the part says otherwise; with (Δu, Δv) along the edge and d_i of triangle (1) of both sides:
-///   b_i = l₀ √(Δu² + Δv² + 2 Δu Δv cos 2β),  h_i = |d_i| l₀² sin 2β/b_i                              (5)
-///   k b = EI (|Δu|³ + |Δv|³) sin² 2β (l₀/b)²                                                         (6)
-/// EI [N m²] of one twine, l₀ [m] bar, b the mean of both sides. For the edge along v of meshes at 45° (6) is
-/// EI times the number of u twines that cross it. (3) differentiated as in angle (2), (4), (5) with N₁, N₂
-/// for U, V, then after e; N is linear in each of two e, whence the terms in ∂E/∂N × e. Outside the domain: a
-/// triangle without area, netting folded back upon itself (φ → π). Source: the trawl-gear paper, eq. (1) and
-/// fig. 5b.
+///   b_i = l₀ √(Δu² + Δv² + 2 Δu Δv cos 2β),  M_i = |d_i| l₀² sin 2β,  h_i = M_i/b_i                  (6)
+///   k b = EI (|Δu|³ + |Δv|³) sin² 2β (l₀/b)²                                                         (7)
+/// EI [N m²] of one twine, l₀ [m] bar. For the edge along v of meshes at 45° (7) is EI times the number of u
+/// twines that cross it.
+///
+/// With D₁ = κ L′, D₂ = −κ L″, q = n₁ − n₂, σ = (1, −1), A_i = (I − n_i n_iᵀ)/s_i, g_i = ½ D₁ σ_i q:
+///   G_i = ∂E/∂N_i = A_i g_i                                                                          (8)
+///   ∂²E/∂N_i∂N_j = σ_i σ_j A_i (½ D₁ I + ¼ D₂ q qᵀ) A_j − δ_ij [n_i p_iᵀ + p_i n_iᵀ + (g_i·n_i)(I − n_i
+///   n_iᵀ)]/s_i² p_i = g_i − (g_i·n_i) n_i = s_i G_i (9)
+/// Source: the trawl-gear paper, eq. (1) and fig. 5b; (2) and (5) are ours.
 struct Bending {
   static constexpr auto stencil = NETLOFT_TRIANGLE_PAIR;
+  static constexpr double kClosed = 1e-3, kFolded = 1e-3;
 
   struct Parameters {
     double EI = 0, half_angle = 0;  // half_angle: β [rad]
@@ -34,8 +43,11 @@ struct Bending {
     std::array<double, 2> bar_length{};  // l₀ of both triangles [m]
   };
 
-  /// (3), (5), (6) [N m].
-  static double kappa(const Parameters& p, const Data& d);
+  /// κ [N m] and M [m²] of (3), (6).
+  struct Flat {
+    double kappa, M[2];
+  };
+  static Flat flat(const Parameters& p, const Data& d);
   /// φ [rad].
   static double turning_angle(const State<4>& s);
   static void check(const Parameters& p, const Data& d);
@@ -44,8 +56,13 @@ struct Bending {
     static Status evaluate(const Parameters& p, const Data& d, const State<4>& s, Local<4>& out);
     template <class T>
     static T oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 4>& x) {
-      const Vec3<T> e = x[1] - x[0], N1 = cross(e, x[2] - x[0]), N2 = cross(x[3] - x[0], e);
-      return -kappa(p, d) * log(0.5 * (1.0 + dot(N1, N2) / (norm(N1) * norm(N2))));
+      const Flat flat = Bending::flat(p, d);
+      const Vec3<T> e = x[1] - x[0], N[2] = {cross(e, x[2] - x[0]), cross(x[3] - x[0], e)};
+      Vec3<T> n[2];
+      for (int k = 0; k < 2; ++k)
+        n[k] = (1.0 / sqrt(dot(N[k], N[k]) + kClosed * kClosed * flat.M[k] * flat.M[k])) * N[k];
+      const T w = 1.0 - 0.25 * dot(n[0] - n[1], n[0] - n[1]), z = w / T(kFolded) - 1.0;
+      return -flat.kappa * (w < T(kFolded) ? std::log(kFolded) + z - 0.5 * z * z : log(w));
     }
   };
 };
