@@ -2,6 +2,7 @@
 #include "framework/assembler/assembler.hpp"
 
 #include "framework/assembler/projection.hpp"
+#include "framework/assembler/workspace.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@ namespace netloft {
 
 namespace {
 
-constexpr std::size_t kLanes = NETLOFT_LANES;
 // Below this many tiles of one colour the threads cost more than they give (bench_assembly).
 constexpr std::size_t kSerialBelow = 8;
 
@@ -28,12 +28,6 @@ std::uint32_t want_of(MatrixKind kind) {
       return 0;
   }
 }
-
-std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
-
-}  // namespace
-
-namespace {
 
 /// Riders whose every term is off need not be there at all.
 bool is_idle(const Scene& scene, const FamilyPlan& family) {
@@ -53,25 +47,6 @@ Memory make_memory(const ElementFamily& family, std::size_t tiles) {
 }
 
 }  // namespace
-
-/// One worker's tile: inputs, sums, and a square for what comes unpacked. Lines of 64 doubles.
-struct Assembler::Workspace {
-  Workspace(std::size_t dofs, bool symmetric, bool flows)
-      : current(flows ? dofs * kLanes : 0),
-        current_dz(flows ? dofs * kLanes : 0),
-        x(dofs * kLanes),
-        force(dofs * kLanes),
-        packed_tangent(packed(dofs) * kLanes),
-        square_tangent(symmetric ? 0 : dofs * dofs * kLanes),
-        scratch(dofs * dofs * kLanes),
-        element(dofs * dofs) {}
-  std::vector<double> current, current_dz;  // empty in still water
-  std::vector<double> x, force, packed_tangent, square_tangent, scratch, element;
-  double energy[kLanes] = {};
-  char message[sizeof ElementFault::message] = "";
-  ElementFault fault;
-  std::size_t fault_order = std::numeric_limits<std::size_t>::max();
-};
 
 Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
     : water_(scene.water),
@@ -425,100 +400,6 @@ std::string Assembler::fault_place(const Scene& scene) const {
 std::string Assembler::fault_sentence(const Scene& scene) const {
   return fault_place(scene) + " (" + families_[fault_.family]->type().type +
          "): " + (fault_.message[0] ? fault_.message : "no force at this state");
-}
-
-bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
-                              std::span<double> residual) {
-  std::fill(residual.begin(), residual.end(), 0.0);
-  const Tiling& tiling = tilings_[family];
-  const ElementFamily& f = *families_[family];
-  const auto dofs = static_cast<std::size_t>(f.type().dofs());
-  Workspace& w = *workspaces_[0];
-  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
-    netloft_tile t = make_tile(tiling, tile, x, w);
-    std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
-    t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
-    if (const int status = f.active_terms()[term].evaluate(f.self(), &t); status != NETLOFT_OK) {
-      report(family, t, status, w);
-      return collect_faults();
-    }
-    scatter(family, tile, Request{.residual = residual.data()}, w);
-  }
-  bodies_.hand_on(x, residual.data(), nullptr, false);
-  frames_.turn(residual.data());
-  return true;
-}
-
-bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::size_t term,
-                         std::span<double> sums) {
-  std::fill(sums.begin(), sums.end(), 0.0);
-  const Tiling& tiling = tilings_[family];
-  const ElementFamily& f = *families_[family];
-  const auto dofs = static_cast<std::size_t>(f.type().dofs());
-  Workspace& w = *workspaces_[0];
-  std::size_t part = 0;
-  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
-    netloft_tile t = make_tile(tiling, tile, x, w);
-    std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
-    t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
-    if (const int status = f.active_terms()[term].evaluate(f.self(), &t); status != NETLOFT_OK) {
-      report(family, t, status, w);
-      return collect_faults();
-    }
-    for (std::size_t lane = 0; lane < t.count; ++lane) {
-      while (t.first + lane >= f.part_begin()[part + 1]) ++part;
-      for (std::size_t d = 0; d < dofs; ++d) sums[3 * part + d % 3] += w.force[d * kLanes + lane];
-    }
-  }
-  return true;
-}
-
-bool Assembler::remember(std::span<const double> x) {
-  for (std::size_t f = 0; f < families_.size(); ++f) {
-    if (memories_[f].empty()) continue;
-    memories_[f].begin();
-    for (std::size_t tile = 0; tile < tilings_[f].tiles; ++tile)
-      if (!remember_tile(f, tile, x)) return false;
-  }
-  for (auto& memory : memories_) memory.accept();
-  return true;
-}
-
-bool Assembler::remember_tile(std::size_t family, std::size_t tile, std::span<const double> x) {
-  const ElementFamily& f = *families_[family];
-  Workspace& w = *workspaces_[0];
-  netloft_tile t = make_tile(tilings_[family], tile, x, w);
-  t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
-  t.state_new = memories_[family].next(tile);
-  for (const auto& term : f.active_terms()) {
-    if (!(term.traits & NETLOFT_READS_STATE)) continue;
-    if (const int status = term.evaluate(f.self(), &t); status != NETLOFT_OK) {
-      report(family, t, status, w);
-      return collect_faults();
-    }
-  }
-  return true;
-}
-
-bool Assembler::outputs(std::span<const double> x, std::size_t family,
-                        std::vector<std::vector<double>>& values) {
-  const Tiling& tiling = tilings_[family];
-  const ElementFamily& f = *families_[family];
-  const std::size_t count = f.type().outputs.size();
-  values.assign(count, std::vector<double>(f.size()));
-  if (!count) return true;
-  Workspace& w = *workspaces_[0];
-  std::vector<double> lines(count * kLanes);
-  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
-    netloft_tile t = make_tile(tiling, tile, x, w);
-    if (const int status = f.type().element.output(f.self(), &t, lines.data()); status != NETLOFT_OK) {
-      report(family, t, status, w);
-      return collect_faults();
-    }
-    for (std::size_t k = 0; k < count; ++k)
-      std::copy_n(&lines[k * kLanes], t.count, &values[k][tile * kLanes]);
-  }
-  return true;
 }
 
 }  // namespace netloft

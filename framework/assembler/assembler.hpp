@@ -92,7 +92,10 @@ class Assembler {
                                 std::uint8_t axes) const;
   void hand_on(std::span<const double> x, const Request& request);
   void gather_current(const Tiling& tiling, std::size_t tile, Workspace& w) const;
-  bool remember_tile(std::size_t family, std::size_t tile, std::span<const double> x);
+  template <class Evaluate, class Visit>
+  bool visit_tiles(std::span<const double> x, std::size_t family, const Evaluate& evaluate,
+                   const Visit& visit);
+  bool remember_family(std::size_t family, std::span<const double> x);
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
   bool collect_faults();
 

@@ -53,14 +53,28 @@ std::vector<double> pair_data(const std::vector<Pair>& pairs, const std::vector<
 
 }  // namespace
 
+bool may_act(const ElementType& type, const Values& parameters) {
+  const auto is_zero = [&](const std::string& name) {
+    if (const auto at = parameters.find(name); at != parameters.end()) {
+      const double* value = std::get_if<double>(&at->second);
+      return value && *value == 0;
+    }
+    return std::any_of(type.parameters.begin(), type.parameters.end(),
+                       [&](const netloft_parameter& p) { return name == p.name && p.fallback == 0; });
+  };
+  return std::any_of(type.terms.begin(), type.terms.end(),
+                     [&](const netloft_term& t) { return !t.needs || !is_zero(t.needs); });
+}
+
 Part make_companion(const Part& part, const ElementType& ridden, const ElementType& rider) {
   Part out;
   out.name = part.name, out.type = rider.type, out.companion = true;
   for (const auto& p : rider.parameters)
     if (const auto at = part.parameters.find(p.name); at != part.parameters.end()) out.parameters.insert(*at);
   const auto corners = static_cast<std::size_t>(ridden.nodes());
-  const auto pairs =
-      ridden.element.stencil == NETLOFT_BAR ? pair_bars(part.nodes) : pair_triangles(part.nodes);
+  std::vector<Pair> pairs;
+  if (may_act(rider, out.parameters))
+    pairs = ridden.element.stencil == NETLOFT_BAR ? pair_bars(part.nodes) : pair_triangles(part.nodes);
   for (const auto& pair : pairs)
     for (const auto& [element, corner] : pair.corners)
       out.nodes.push_back(part.nodes[element * corners + corner]);

@@ -5,6 +5,9 @@
 
 namespace netloft {
 
+/// Whether some term of the element acts with these parameters; riders that cannot act are not laid out.
+bool may_act(const ElementType& type, const Values& parameters);
+
 /// The part that an element riding on another makes out of a part of that one: neighbouring bars of a rope
 /// become bar pairs, triangles that share an edge triangle pairs. Data of the riders come from those of the
 /// ridden by name: a number per element becomes two (first, second), a number per corner becomes one per node

@@ -26,6 +26,10 @@ const char* stencil_name(std::uint32_t stencil) {
       return "a node";
     case NETLOFT_BAR:
       return "two nodes of a line";
+    case NETLOFT_BAR_PAIR:
+      return "two neighbouring bars of a rope";
+    case NETLOFT_TRIANGLE_PAIR:
+      return "two triangles that share an edge";
     default:
       return "the three corners of a triangle";
   }

@@ -265,7 +265,7 @@ class SceneReader {
     for (std::size_t p = 0, parts = out_.scene.parts.size(); p < parts; ++p) {
       for (const auto* rider : companions_of(*types_[p])) {
         Part companion = make_companion(out_.scene.parts[p], *types_[p], *rider);
-        if (companion.nodes.empty()) continue;
+        if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;  // it has no pairs
         companions_.push_back(rider);
         out_.scene.parts.push_back(std::move(companion));
         out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}});
