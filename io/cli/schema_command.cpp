@@ -106,6 +106,8 @@ Json geometry_schema(const GeometryKey& key) {
       return integer;
     case GeometryKey::Shape::integers:
       return count_limits({{"type", "array"}, {"items", integer}, {"description", key.doc}}, key.count);
+    case GeometryKey::Shape::word:
+      return {{"enum", key.words}, {"default", key.words[0]}, {"description", key.doc}};
     case GeometryKey::Shape::points:
       if (key.count.most == 1) return point;
       return count_limits({{"type", "array"}, {"items", point}, {"description", key.doc}}, key.count);

@@ -40,6 +40,16 @@ const GeometryKey kBar{"panel.bar",
                        Shape::real,
                        {.lo = 0, .hi = 100, .lo_open = true},
                        {}};
+const GeometryKey kNetting{
+    "panel.netting",
+    "1",
+    "how the netting hangs: diamond, meshes along; t90, the same turned by a right angle; "
+    "square, one twine direction along",
+    Shape::word,
+    {},
+    {},
+    false,
+    {"diamond", "t90", "square"}};
 const GeometryKey kCells{
     "cells",   "1", "cells across and along, two triangles each", Shape::integers, between(1, kMostCells),
     exactly(2)};
@@ -162,14 +172,21 @@ void place_nodes(const Grid& g, const Surface& surface, double meshes_across, do
     }
 }
 
+/// Twine coordinates of U meshes across and V along, geometry.hpp (0); `netting` is a word of kNetting.
+std::array<double, 2> twine_coordinates(const std::string& netting, double U, double V) {
+  if (netting == "square") return {U, V};
+  return {U + V, netting == "t90" ? U - V : V - U};
+}
+
 void add_triangle(const Grid& g, std::array<std::array<std::size_t, 2>, 3> corners, double bar,
-                  Geometry& out) {
+                  const std::string& netting, Geometry& out) {
   for (const auto& [i, j] : corners) {
     const std::uint32_t node = g.node(i, j);
     const auto [U, V] = out.names.panel[node];
     out.elements.push_back(node);
-    out.data["u"].push_back(U + V);
-    out.data["v"].push_back(V - U);
+    const auto [u, v] = twine_coordinates(netting, U, V);
+    out.data["u"].push_back(u);
+    out.data["v"].push_back(v);
     out.data["to_aft"].push_back(out.names.panel.back()[1] - V);
   }
   out.data["bar_length"].push_back(bar);
@@ -192,7 +209,7 @@ Layout layout_of(const ElementType& type) {
 
 const std::vector<GeometryKey>& geometry_keys(Layout layout) {
   static const std::vector<GeometryKey> point{kAt}, line{kLength, kBars, kLine},
-      triangles{kAcross, kAlong, kBar, kCells, kCorners, kFrom, kTo, kRadius, kRadiusAft},
+      triangles{kAcross, kAlong, kBar, kNetting, kCells, kCorners, kFrom, kTo, kRadius, kRadiusAft},
       bars{kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft};
   switch (layout) {
     case Layout::line:
@@ -370,6 +387,10 @@ void add_star(const Panel& p, std::size_t i, std::size_t j, Geometry& out) {
 
 Geometry read_panel(TableReader& part) {
   Geometry out;
+  const std::string netting =
+      part.table("panel", Presence::optional)
+          .choice(leaf(kNetting),
+                  {.allowed = kNetting.words, .doc = kNetting.doc, .fallback = kNetting.words[0]});
   const auto panel = read_panel_keys(part, kCells, 2, "triangles");
   if (!panel) return out;
   const Grid& g = panel->cells;
@@ -379,11 +400,11 @@ Geometry read_panel(TableReader& part) {
   for (std::size_t j = 0; j < g.along; ++j)
     for (std::size_t i = 0; i < g.across; ++i)
       if ((i + j) % 2 == 0) {
-        add_triangle(g, {{{i, j}, {i + 1, j}, {i + 1, j + 1}}}, bar, out);
-        add_triangle(g, {{{i, j}, {i + 1, j + 1}, {i, j + 1}}}, bar, out);
+        add_triangle(g, {{{i, j}, {i + 1, j}, {i + 1, j + 1}}}, bar, netting, out);
+        add_triangle(g, {{{i, j}, {i + 1, j + 1}, {i, j + 1}}}, bar, netting, out);
       } else {
-        add_triangle(g, {{{i, j}, {i + 1, j}, {i, j + 1}}}, bar, out);
-        add_triangle(g, {{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}, bar, out);
+        add_triangle(g, {{{i, j}, {i + 1, j}, {i, j + 1}}}, bar, netting, out);
+        add_triangle(g, {{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}, bar, netting, out);
       }
   return out;
 }

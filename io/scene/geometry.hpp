@@ -18,12 +18,13 @@ struct Geometry {
 
 /// A key with which a part says where it stands; a dot is a table within.
 struct GeometryKey {
-  enum class Shape { real, integer, integers, points };
+  enum class Shape { real, integer, integers, points, word };
   std::string name, unit, doc;
   Shape shape;
   Range range;
   Count count;  // of integers or points
   bool required = true;
+  std::vector<std::string> words = {};  // allowed, the first being the default
 };
 
 /// How parts of an element type stand in space. Told by what the type declares, never by its name: elements
@@ -53,6 +54,9 @@ Geometry read_line(TableReader& part);
 /// `tube` instead of it. In cell (i, j) the diagonal runs (i,j)-(i+1,j+1) if i+j is even. Nodes are row by
 /// row from the fore edge: j (across+1) + i. Sets: fore, aft, left, right and the corners fore-left … Data:
 /// u, v [bars], bar_length [m], to_aft, meshes from each corner to the aft edge.
+/// Twine coordinates of netting that is hung otherwise differ by nothing else, U, V being meshes across,
+/// along:
+///   diamond u = U + V, v = V − U;  T90 u = V + U, v = U − V;  square u = U, v = V                   (0)
 /// A tube runs `from` a point `to` another, `radius` wide at the fore edge and `radius_aft` at the aft one.
 /// Left edge and right edge lie on the same line, on top (towards +x for a tube that stands upright); from
 /// one to the other the nodes turn clockwise as seen by one who looks aft, so that corners are

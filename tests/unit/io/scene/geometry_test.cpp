@@ -109,6 +109,48 @@ TEST(Panel, CountsTwineCoordinatesInBars) {
   EXPECT_EQ(g.data.at("bar_length"), std::vector<double>(8, 0.1));
 }
 
+std::string netting(const std::string& word) {
+  return "panel = { across = 4, along = 3, bar = 0.1, netting = \"" + word +
+         "\" }\ncells = [2, 2]\nsketch = [[0, 0, 0], [2, 0, 0], [2, 0, -4], [0, 0, -4]]\n";
+}
+
+/// Knots in it, and bars of each direction: half of |d| of every triangle.
+double knots(const Geometry& g) {
+  const auto &u = g.data.at("u"), &v = g.data.at("v");
+  double sum = 0;
+  for (std::size_t i = 0; i < u.size(); i += 3)
+    sum += 0.5 * std::abs((u[i + 1] - u[i]) * (v[i + 2] - v[i]) - (u[i + 2] - u[i]) * (v[i + 1] - v[i]));
+  return sum;
+}
+
+TEST(Panel, TurnsMeshesByARightAngleForT90) {
+  const Geometry diamond = panel(netting("diamond")), t90 = panel(netting("t90"));
+  EXPECT_EQ(diamond.data, panel().data);
+  for (std::size_t i = 0; i < t90.elements.size(); ++i) {
+    const auto [U, V] = t90.names.panel[t90.elements[i]];
+    EXPECT_EQ(t90.data.at("u")[i], V + U);
+    EXPECT_EQ(t90.data.at("v")[i], U - V);
+  }
+  EXPECT_NEAR(knots(diamond), 2 * 4 * 3, 1e-12);
+  EXPECT_NEAR(knots(t90), 2 * 4 * 3, 1e-12);
+}
+
+TEST(Panel, HasOneKnotPerMeshOfSquareNetting) {
+  const Geometry g = panel(netting("square"));
+  for (std::size_t i = 0; i < g.elements.size(); ++i) {
+    const auto [U, V] = g.names.panel[g.elements[i]];
+    EXPECT_EQ(g.data.at("u")[i], U);
+    EXPECT_EQ(g.data.at("v")[i], V);
+  }
+  EXPECT_NEAR(knots(g), 4 * 3, 1e-12);
+}
+
+TEST(Panel, KnowsNoOtherNetting) {
+  Input in(netting("hexagonal"));
+  read_panel(in.reader);
+  EXPECT_NE(in.diagnostics.render(false).find("hexagonal"), std::string::npos);
+}
+
 TEST(Panel, KeepsItsAreaInMeshesWhateverTheCells) {
   for (const char* cells : {"[1, 1]", "[2, 2]", "[3, 5]", "[7, 4]"}) {
     const Geometry g = panel("panel = { across = 4, along = 3, bar = 0.1 }\ncells = " + std::string(cells) +
