@@ -13,7 +13,7 @@ struct Bar {
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
-    double constant_tension = 0, damping = 0, added_mass = 0;
+    double constant_tension = 0, damping = 0, added_mass = 0, sag = 0;
   };
   struct Data {
     double rest_length = 0;  // l₀ [m]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/bar.hpp"
 #include "plugins/rope/bending.hpp"
+#include "plugins/rope/sag.hpp"
 
 using netloft::rope::Bar;
 using netloft::rope::Bending;
@@ -23,6 +24,10 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.real("rope.added_mass", &Bar::Parameters::added_mass, "1",
            "added mass across the rope over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
+  bar.real("rope.sag", &Bar::Parameters::sag, "1",
+           "how much of the sag within a bar counts: 0 straight bars, 1 all of it, for fewer bars at the "
+           "same error",
+           {.lo = 0, .hi = 1, .fallback = 0});
   bar.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the rope");
   bar.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
   bar.term<Bar::Elastic,
@@ -32,6 +37,8 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
                             netloft::needs_gravity>("weight", "weight in water of the unstretched rope");
   bar.term<Bar::Tension, netloft::conservative | netloft::symmetric | netloft::has_convex>(
       "tension", "constant tension instead of the spring", "rope.constant_tension");
+  bar.term<netloft::rope::Sag, netloft::needs_gravity>(
+      "sag", "sag and uneven stretch of the rope within a bar, under its weight", "rope.sag");
   bar.term<Bar::Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow>(
       "drag", "force of the water on the unstretched rope, by its law, half per node");
   bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
