@@ -3,6 +3,13 @@
 
 namespace netloft::priour {
 
+double KnotContact::depth(const Triangle::Parameters& p, const Triangle::Data& d, const State<3>& s) {
+  if (p.knot_size == 0) return 0;
+  const double touch = Triangle::touching_cosine(p, d),
+               c = std::abs(std::cos(2 * Triangle::half_angle(d, s)));
+  return std::max(0.0, (c - touch) / (1 - touch));  // (2)
+}
+
 Status KnotContact::tile(const Family<Triangle>& family, netloft_tile& t) {
   const Triangle::Lanes& p = family.lanes(t);
   const angle::Meshes m(p, t);

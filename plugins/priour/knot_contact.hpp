@@ -14,6 +14,8 @@ namespace netloft::priour {
 /// ratio of the two only grows as it closes: no tension below 6 EA pushes it through.
 /// Source: ours; the limit (1) is that of Priour's programs.
 struct KnotContact {
+  /// y of (2): 0 without contact.
+  static double depth(const Triangle::Parameters& p, const Triangle::Data& d, const State<3>& s);
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
   template <class T>
   static T oracle(const Triangle::Parameters& p, const Triangle::Data& d, const Water&,

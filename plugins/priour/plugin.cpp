@@ -70,6 +70,8 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
            [](auto& p, auto& d, auto& s) { return Triangle::stretch(1, p, d, s).T; });
   t.output("half_angle", "rad", "half the angle between the twines of a mesh",
            [](auto&, auto& d, auto& s) { return Triangle::half_angle(d, s); });
+  t.output("contact", "1", "how far knots that touch are pressed: 0 not at all, 1 until the mesh is closed",
+           [](auto& p, auto& d, auto& s) { return KnotContact::depth(p, d, s); });
   t.output_lanes("drag", "N", "magnitude of the force of the water on the triangle", Drag::output);
 
   auto& bending =

@@ -191,6 +191,21 @@ TEST(KnotContact, HoldsAMeshUnderTensionWhereItSays) {  // a rhombus pulled leng
   EXPECT_NEAR(holding / closing, 1, 0.05);                              // cos α is not quite one
 }
 
+TEST(KnotContact, IsReportedFromTouchToClosed) {
+  const Triangle::Data data{{0, 10, 0}, {0, 0, 10}, 0.1};
+  const auto p = twine(0, 0, 0.06);
+  const auto depth_at = [&](double alpha, const Triangle::Parameters& of) {
+    State<3> s;  // twines at ± alpha to the x axis
+    s.x[1] = {std::cos(alpha), std::sin(alpha), 0}, s.x[2] = {std::cos(alpha), -std::sin(alpha), 0};
+    return KnotContact::depth(of, data, s);
+  };
+  EXPECT_EQ(depth_at(0.5, p), 0);
+  EXPECT_NEAR(depth_at(std::atan(0.3), p), 0, 1e-15);
+  EXPECT_NEAR(depth_at(0, p), 1, 1e-15);
+  EXPECT_NEAR(depth_at(kPi / 2, p), 1, 1e-15);
+  EXPECT_EQ(depth_at(0, twine(0)), 0);
+}
+
 TEST(KnotContact, RefusesKnotsLargerThanMeshes) {
   EXPECT_THROW(Triangle::check(twine(0, 0, 0.2), {{0, 1, 0}, {0, 0, 1}, 0.1}), std::invalid_argument);
 }
