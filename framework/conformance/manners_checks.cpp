@@ -106,7 +106,8 @@ std::string trespass(const Bench& b, const netloft_term& term, States s, std::ui
   if (wants_matrix(want) && !matrix.is_intact(entries, count)) return who + "wrote outside the matrix";
   if (!memory.is_intact(remembered, count)) return who + "wrote outside state_new";
   for (const auto field : kFields)
-    if (std::memcmp((s.*field).data(), (before.*field).data(), (s.*field).size() * sizeof(double)) != 0)
+    if (!(s.*field).empty() &&
+        std::memcmp((s.*field).data(), (before.*field).data(), (s.*field).size() * sizeof(double)) != 0)
       return who + "wrote to its inputs";
   return {};
 }
