@@ -176,6 +176,7 @@ void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const d
     std::fill_n(w.packed_tangent.begin(), packed(dofs) * kLanes, 0.0);
     if (!pattern_.symmetric) std::fill_n(w.square_tangent.begin(), dofs * dofs * kLanes, 0.0);
   }
+  w.message[0] = 0;
   if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
     return report(family, t, status, w);
   scatter(family, tile, request, w);

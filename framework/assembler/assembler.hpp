@@ -73,7 +73,7 @@ class Assembler {
                      std::span<double> residual);
   /// Force of one active term summed per part of the family, +dE/dx [N]: 3 numbers per part.
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums);
-  /// Outputs of a family: [output][element].
+  /// Outputs of a family: [output][element]; no number where they could not be found, which makes it false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values);
 
  private:

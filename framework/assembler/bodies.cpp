@@ -42,18 +42,21 @@ Bodies::Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks&
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) targets_[n] = {{n, -1}};
   for (const auto& body : scene.bodies)
     for (const auto& point : body.points) {
-      targets_[point.node] = {{body.position, -1}, {body.rotation, static_cast<int>(points_.size())}};
+      targets_[point.node].clear();
+      if (!scene.stands_still(body.position)) targets_[point.node].push_back({body.position, -1});
+      const bool turns = !scene.stands_still(body.rotation);
+      if (turns) targets_[point.node].push_back({body.rotation, static_cast<int>(points_.size())});
       points_.push_back({places_of(numbering, point.node),
                          places_of(numbering, body.position),
                          places_of(numbering, body.rotation),
                          point.r,
-                         blocks.base(body.rotation, body.rotation),
+                         turns ? blocks.base(body.rotation, body.rotation) : kNoBlock,
                          {},
                          {}});
     }
   for (std::uint32_t column = 0; column + 1 < blocks.column_start.size(); ++column)
     for (std::size_t b = blocks.column_start[column]; b < blocks.column_start[column + 1]; ++b)
-      if (targets_[blocks.row_node[b]].size() > 1 || targets_[column].size() > 1)
+      if ((!scene.carried.empty()) && (scene.carried[blocks.row_node[b]] || scene.carried[column]))
         add_products(blocks, 9 * b, blocks.row_node[b], column, symmetric);
 }
 
@@ -131,7 +134,7 @@ void Bodies::hand_on(std::span<const double> x, double* residual, double* values
       const double f = residual[p.at[i]];
       residual[p.position[i]] += f;
       for (std::size_t k = 0; k < 3; ++k) residual[p.rotation[k]] += p.G[3 * i + k] * f;
-      for (std::size_t k = 0; k < 9 && values && exact; ++k)
+      for (std::size_t k = 0; k < 9 && values && exact && p.rotation_block != kNoBlock; ++k)
         values[p.rotation_block + k] += f * p.second[i][k];
       residual[p.at[i]] = 0;
     }

@@ -25,10 +25,11 @@ class Bodies {
 
  private:
   using Matrix3 = std::array<double, 9>;  // row by row
+  static constexpr std::size_t kNoBlock = ~std::size_t{0};
   struct Point {
     std::array<std::size_t, 3> at, position, rotation;  // places in vectors over all dofs
     std::array<double, 3> r;
-    std::size_t rotation_block;  // of the body's rotation with itself
+    std::size_t rotation_block;  // of the body's rotation with itself; none if it cannot turn
     Matrix3 G{};
     std::array<Matrix3, 3> second{};  // ∂²x_i/∂θ²
   };

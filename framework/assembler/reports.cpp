@@ -64,13 +64,18 @@ bool Assembler::outputs(std::span<const double> x, std::size_t family,
   values.assign(count, std::vector<double>(f.size()));
   if (!count) return true;
   std::vector<double> lines(count * kLanes);
-  return visit_tiles(
-      x, family,
-      [&](std::size_t, netloft_tile& t) { return f.type().element.output(f.self(), &t, lines.data()); },
-      [&](std::size_t tile, const netloft_tile& t, const Workspace&) {
-        for (std::size_t k = 0; k < count; ++k)
-          std::copy_n(&lines[k * kLanes], t.count, &values[k][tile * kLanes]);
-      });
+  bool all_known = true;
+  const auto evaluate = [&](std::size_t, netloft_tile& t) {
+    if (f.type().element.output(f.self(), &t, lines.data()) == NETLOFT_OK) return NETLOFT_OK;
+    std::fill(lines.begin(), lines.end(), std::numeric_limits<double>::quiet_NaN());
+    all_known = false;
+    return NETLOFT_OK;
+  };
+  visit_tiles(x, family, evaluate, [&](std::size_t tile, const netloft_tile& t, const Workspace&) {
+    for (std::size_t k = 0; k < count; ++k)
+      std::copy_n(&lines[k * kLanes], t.count, &values[k][tile * kLanes]);
+  });
+  return all_known;
 }
 
 bool Assembler::remember(std::span<const double> x) {

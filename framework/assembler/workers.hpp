@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -14,7 +15,12 @@ namespace netloft {
 class Workers {
  public:
   explicit Workers(int threads) {
-    for (int i = 1; i < threads; ++i) pool_.emplace_back([this, i] { serve(static_cast<std::size_t>(i)); });
+    pool_.reserve(static_cast<std::size_t>(threads > 1 ? threads - 1 : 0));
+    try {
+      for (int i = 1; i < threads; ++i) pool_.emplace_back([this, i] { serve(static_cast<std::size_t>(i)); });
+    } catch (const std::system_error&) {
+      // No more threads to be had: the result has the same bits with those there are.
+    }
   }
   ~Workers() {
     stop_ = true;

@@ -14,8 +14,12 @@ struct Callback {
   /// A C function that forwards to a member of the StaticProblem behind `host`; no exception passes.
   template <auto Member>
   static int call(void* host, Args... args) noexcept {
+    auto& problem = *static_cast<StaticProblem*>(host);
     try {
-      return (static_cast<StaticProblem*>(host)->*Member)(args...);
+      return (problem.*Member)(args...);
+    } catch (const std::exception& e) {
+      problem.keep_message(e.what());
+      return NETLOFT_ERROR;
     } catch (...) {
       return NETLOFT_ERROR;
     }
@@ -104,6 +108,8 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   find_element_size();
 }
 
+void StaticProblem::keep_message(const char* text) { std::snprintf(message_, sizeof message_, "%s", text); }
+
 /// Largest nodal sum of the forces that do not depend on the state.
 void StaticProblem::find_dead_loads() {
   std::vector<double> term(residual_.size()), sum(residual_.size(), 0.0);
@@ -140,16 +146,23 @@ int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy,
   books_.energies += energy != nullptr, books_.residuals += residual != nullptr,
       books_.matrices += kind != MatrixKind::none;
   Timed timed(books_.assembly_seconds);
+  bad_numbers_ = met_error_ = false;
   place(u);
   Request request;
   request.conservative_only = want & NETLOFT_WANT_GRADIENT;
   request.energy = energy;
-  request.residual = residual ? residual_.data() : nullptr;
+  // The reactions of the last whole residual are the loads that tolerances are a part of.
+  auto& all = request.conservative_only ? gradient_ : residual_;
+  all.resize(x_.size());
+  request.residual = residual ? all.data() : nullptr;
   request.matrix = kind;
   request.values = kind == MatrixKind::none ? nullptr : values(kind).data();
-  if (!assembler_.evaluate(x_, request)) return assembler_.fault().status;
-  if (residual) std::copy_n(residual_.begin(), u_.size(), residual);
-  bad_numbers_ = (energy && !std::isfinite(*energy)) || (residual && !all_finite(residual_));
+  if (!assembler_.evaluate(x_, request)) {
+    met_error_ = assembler_.fault().status == NETLOFT_ERROR;
+    return assembler_.fault().status;
+  }
+  if (residual) std::copy_n(all.begin(), u_.size(), residual);
+  bad_numbers_ = (energy && !std::isfinite(*energy)) || (residual && !all_finite(all));
   return bad_numbers_ ? NETLOFT_OUTSIDE_DOMAIN : NETLOFT_OK;
 }
 
@@ -194,8 +207,9 @@ int StaticProblem::factorise(int matrix, double shift) {
 netloft_factor StaticProblem::factorise_symmetric(std::span<const double> v) {
   if (!symmetric_) {
     Timed timed(books_.analysis_seconds);
-    symmetric_ = make_(true);
-    symmetric_->analyse(assembler_.pattern());
+    auto factorisation = make_(true);
+    factorisation->analyse(assembler_.pattern());
+    symmetric_ = std::move(factorisation);
   }
   Timed timed(books_.factorisation_seconds);
   last_ = symmetric_.get();
@@ -206,9 +220,10 @@ netloft_factor StaticProblem::factorise_symmetric(std::span<const double> v) {
 netloft_factor StaticProblem::factorise_general(std::span<const double> v) {
   if (!general_) {
     Timed timed(books_.analysis_seconds);
-    general_ = make_(false);
+    auto factorisation = make_(false);
     if (assembler_.pattern().symmetric) expand_pattern();
-    general_->analyse(assembler_.pattern().symmetric ? full_pattern_ : assembler_.pattern());
+    factorisation->analyse(assembler_.pattern().symmetric ? full_pattern_ : assembler_.pattern());
+    general_ = std::move(factorisation);
   }
   Timed timed(books_.factorisation_seconds);
   last_ = general_.get();

@@ -44,6 +44,9 @@ class StaticProblem {
   const char* solver_message() const { return message_; }
   /// Whether forces overflowed in the last evaluation.
   bool met_bad_numbers() const { return bad_numbers_; }
+  /// The last evaluation ended with an element's error, which the assembler's fault tells.
+  bool met_error() const { return met_error_; }
+  void keep_message(const char* text);
   std::string factorisation_name() const;
   const FactorResult& last_factor() const { return factor_result_; }
 
@@ -81,11 +84,11 @@ class StaticProblem {
   Books books_;
   std::vector<IterationRecord> history_;
   Stop stop_ = Stop::none;
-  bool bad_numbers_ = false;
+  bool bad_numbers_ = false, met_error_ = false;
   double begun_ = 0, dead_load_ = 0, element_size_ = 1;
   char message_[256] = "";
 
-  std::vector<double> u_, x_, residual_;
+  std::vector<double> u_, x_, residual_, gradient_;
   std::vector<double> exact_, convex_, metric_, shifted_;
   std::unique_ptr<Factorisation> symmetric_, general_;
   Factorisation* last_ = nullptr;

@@ -50,6 +50,7 @@ std::string outcome_text(netloft_outcome outcome, const StaticProblem& problem, 
     case NETLOFT_NOT_FINITE:
       return "forces overflowed";
     default:
+      if (problem.met_error()) return "an element failed: " + assembler.fault_sentence(scene);
       return std::string("the solver failed") +
              (problem.solver_message()[0] ? std::string(": ") + problem.solver_message() : "");
   }

@@ -124,6 +124,11 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
     faults.require(t.evaluate != nullptr, who + " has no function");
     faults.require(!(t.traits & NETLOFT_CONSERVATIVE) || (t.traits & NETLOFT_SYMMETRIC),
                    who + " is said to be conservative and not symmetric, which cannot be");
+    faults.require(
+        !(t.traits & (NETLOFT_HAS_CONVEX | NETLOFT_HAS_METRIC)) || (t.traits & NETLOFT_SYMMETRIC),
+        who + " offers a convex part or a metric, which are symmetric, and is not symmetric itself");
+    faults.require(!(t.traits & NETLOFT_READS_STATE) || e.element.state_width > 0,
+                   who + " reads a state, but the element remembers nothing");
     faults.require(!t.needs || has_earlier_real(e.parameters, e.parameters.size(), t.needs),
                    who + " needs the parameter \"" + shown(t.needs) + "\", which the element does not have");
   }

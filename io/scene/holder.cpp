@@ -47,6 +47,10 @@ void read_frame(TableReader& table, HoldEntry& entry) {
   if (!along && !plane) return;
   if (along + plane + table.has("axes") > 1)
     table.error(along ? "along" : "plane", "is one way to hold; along, plane and axes exclude each other");
+  if (table.has("at"))
+    table.error("at",
+                "does not go with along and plane, which pass through the nodes where they are sketched",
+                "sketch the part where the line or plane is");
   const auto d = along ? table.reals("along", {.doc = "direction of the line it slides on",
                                                .range = between(-1e6, 1e6),
                                                .count = exactly(3)})
@@ -129,7 +133,7 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!points.empty() && !is_told)
       is_told = !put(nodes[i], {points[i], entry.axes, table.place("at")}, table);
-    if (entry.frame && !turn(nodes[i], *entry.frame)) {
+    if (entry.frame ? !turn(nodes[i], *entry.frame) : !holds_along_world_axes(nodes[i], entry.axes)) {
       table.error("on", "a node of \"" + entry.on + "\" is held in another way already",
                   "hold it in one place, or leave it out of one of the sets");
       return held;
@@ -138,6 +142,11 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
     scene_.held[nodes[i]] |= entry.axes;
   }
   return held;
+}
+
+/// Bits of a node that has its own axes mean those; only all of them together mean the same.
+bool Holder::holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const {
+  return axes == kAllAxes || scene_.held[node] == kAllAxes || !scene_.frames.contains(node);
 }
 
 /// Gives a node its own axes. Not if it is held along others already, but for one that is held altogether.

@@ -40,6 +40,7 @@ class Holder {
 
   std::vector<Point> places(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes) const;
   bool put(std::uint32_t node, const Put& put, TableReader& table);
+  bool holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const;
   bool turn(std::uint32_t node, const std::array<double, 9>& frame);
 
   Scene& scene_;

@@ -82,7 +82,7 @@ class Globalised {
         solve_for_step();
         if (dot(r_, s_) < 0) return true;
       }
-      if (mu_ >= kLargestDamping) return false;
+      if (mu_ >= kLargestDamping || factor == Factor::failed || static_cast<int>(factor) < 0) return false;
       note_ = "more damping";
     }
   }
@@ -110,8 +110,13 @@ class Globalised {
       }
       const double merit = energy + t * work;
       if (merit <= energy_ + p_.decrease * t * slope) {
-        adapt_damping(tries, (energy_ - merit) / (-slope * (t - 0.5 * t * t)));
-        return accept();
+        const double ratio = (energy_ - merit) / (-slope * (t - 0.5 * t * t));
+        if (accept()) {
+          adapt_damping(tries, ratio);
+          return true;
+        }
+        t *= 0.25;  // a force without an energy has no value there
+        continue;
       }
       t *= std::clamp(parabola_minimum(t, merit, slope), 0.1, 0.5);
     }
@@ -150,7 +155,11 @@ class Globalised {
 
   bool accept() {
     double energy = 0;
-    if (problem_.evaluate(trial_, energy, r_trial_, Matrix::exact) != Evaluation::ok) return false;
+    if (problem_.evaluate(trial_, energy, r_trial_, Matrix::exact) != Evaluation::ok) {
+      // The matrix kept is half that of the trial; the next factorisation wants that of u.
+      problem_.evaluate(problem_.u(), energy_, r_, Matrix::exact);
+      return false;
+    }
     take(energy);
     return true;
   }

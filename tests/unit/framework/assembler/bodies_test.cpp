@@ -81,6 +81,32 @@ TEST_P(BodyTangent, IsTheDerivativeOfTheResidualAtAnyRotation) {
   }
 }
 
+/// The same for a body on a hinge, which turns about a point that is held.
+TEST(Bodies, KeepTheTangentOnAHinge) {
+  Scene scene = link_on_a_rope();
+  scene.held[kPosition] = kAllAxes;
+  Assembler assembler(scene, make_plan(scene, test::shipped_plugins()), 1);
+  const SparsePattern& pattern = assembler.pattern();
+  ASSERT_EQ(pattern.size, 6);  // the tail, the rotation
+  std::vector<double> u{0.1, 0.2, -0.3, 0.7, -0.4, 0.9}, x(assembler.start());
+  std::vector<double> values(assembler.value_slots()), ahead(x.size()), behind(x.size());
+  assembler.place(u, x);
+  ASSERT_TRUE(assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = values.data()}));
+  for (std::size_t column = 0; column < u.size(); ++column) {
+    for (const double side : {1e-6, -1e-6}) {
+      auto moved = u;
+      moved[column] += side;
+      assembler.place(moved, x);
+      ASSERT_TRUE(assembler.evaluate(x, {.residual = side > 0 ? ahead.data() : behind.data()}));
+    }
+    for (auto entry = static_cast<std::size_t>(pattern.column_start[column]);
+         entry < static_cast<std::size_t>(pattern.column_start[column + 1]); ++entry) {
+      const auto row = static_cast<std::size_t>(pattern.row[entry]);
+      EXPECT_NEAR(values[pattern.slot_of(entry)], (ahead[row] - behind[row]) / 2e-6, 2e-3);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Symmetric, BodyTangent, testing::Bool());
 
 TEST(Bodies, GiveAResidualThatIsTheGradientOfTheEnergy) {
