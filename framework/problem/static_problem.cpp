@@ -96,6 +96,10 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   interface_.factorise = Callback<int, double>::call<&StaticProblem::factorise>;
   interface_.solve = Callback<const double*, double*>::call<&StaticProblem::solve>;
   interface_.multiply = Callback<int, double, const double*, double*>::call<&StaticProblem::multiply>;
+  interface_.row_sums = Callback<int, double, double*>::call<&StaticProblem::row_sums>;
+  interface_.negative_pivots = [](void* host) {
+    return static_cast<StaticProblem*>(host)->last_factor().negative_pivots;
+  };
   interface_.progress =
       Callback<const double*, double, const double*, const char*>::call<&StaticProblem::progress>;
   interface_.step_length = [](void* host, const double* du) {
@@ -275,19 +279,36 @@ int StaticProblem::solve(const double* rhs, double* x) {
   return NETLOFT_OK;
 }
 
-int StaticProblem::multiply(int matrix, double shift, const double* x, double* y) {
-  const auto v = shifted(matrix, shift);
-  if (v.empty() && !u_.empty()) return NETLOFT_ERROR;
-  const SparsePattern& p = assembler_.pattern();
-  std::fill_n(y, u_.size(), 0.0);
-  for (std::size_t c = 0; c < u_.size(); ++c)
+namespace {
+
+/// Calls visit(row, column, value) for every entry of the whole matrix.
+template <class Visit>
+void for_matrix(const SparsePattern& p, std::span<const double> values, Visit&& visit) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(p.size); ++c)
     for (auto k = static_cast<std::size_t>(p.column_start[c]);
          k < static_cast<std::size_t>(p.column_start[c + 1]); ++k) {
       const auto r = static_cast<std::size_t>(p.row[k]);
-      const double a = v[p.slot_of(k)];
-      y[r] += a * x[c];
-      if (p.symmetric && r != c) y[c] += a * x[r];
+      const double a = values[p.slot_of(k)];
+      visit(r, c, a);
+      if (p.symmetric && r != c) visit(c, r, a);
     }
+}
+
+}  // namespace
+
+int StaticProblem::multiply(int matrix, double shift, const double* x, double* y) {
+  const auto v = shifted(matrix, shift);
+  if (v.empty() && !u_.empty()) return NETLOFT_ERROR;
+  std::fill_n(y, u_.size(), 0.0);
+  for_matrix(assembler_.pattern(), v, [&](std::size_t r, std::size_t c, double a) { y[r] += a * x[c]; });
+  return NETLOFT_OK;
+}
+
+int StaticProblem::row_sums(int matrix, double shift, double* y) {
+  const auto v = shifted(matrix, shift);
+  if (v.empty() && !u_.empty()) return NETLOFT_ERROR;
+  std::fill_n(y, u_.size(), 0.0);
+  for_matrix(assembler_.pattern(), v, [&](std::size_t r, std::size_t, double a) { y[r] += std::abs(a); });
   return NETLOFT_OK;
 }
 

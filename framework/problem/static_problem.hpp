@@ -63,6 +63,7 @@ class StaticProblem {
   int factorise(int matrix, double shift);
   int solve(const double* rhs, double* x);
   int multiply(int matrix, double shift, const double* x, double* y);
+  int row_sums(int matrix, double shift, double* y);
   int progress(const double* u, double energy, const double* residual, const char* note);
   double step_length(const double* du) const;
 

@@ -6,9 +6,11 @@ using netloft::lumped::Net;
 NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers") {
   auto& net =
       plugin.element<Net>("net", "Bar along the twines of netting that stands for several, mass at its ends");
-  net.real("twine.EA", &Net::Parameters::EA, "N", "axial stiffness of one twine", {.lo = 0, .hi = 1e9});
-  net.real("twine.EA_compression", &Net::Parameters::EA_compression, "N", "axial stiffness of a slack twine",
-           {.lo = 0, .hi = 1e9, .fallback = 1e-4, .fallback_of = "twine.EA"});
+  net.real("twine.EA", &Net::Parameters::EA, "N", "axial stiffness of one twine",
+           {.lo = 0, .hi = 1e9, .role = netloft::Role::stiffness});
+  net.real(
+      "twine.EA_compression", &Net::Parameters::EA_compression, "N", "axial stiffness of a slack twine",
+      {.lo = 0, .hi = 1e9, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
   net.real("twine.diameter", &Net::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   net.real("twine.density", &Net::Parameters::density, "kg/m3", "density of the twine's material",
            {.lo = 0, .hi = 3e4});

@@ -9,19 +9,20 @@ using namespace netloft::priour;
 
 NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   auto& t = plugin.element<Triangle>("triangle", "Triangle of netting with straight, parallel twines inside");
-  t.real("twine.EA", &Triangle::Parameters::EA, "N", "axial stiffness of one twine", {.lo = 0, .hi = 1e9});
-  t.real("twine.EA_compression", &Triangle::Parameters::EA_compression, "N",
-         "axial stiffness of a slack twine",
-         {.lo = 0, .hi = 1e9, .fallback = 1e-4, .fallback_of = "twine.EA"});
+  t.real("twine.EA", &Triangle::Parameters::EA, "N", "axial stiffness of one twine",
+         {.lo = 0, .hi = 1e9, .role = netloft::Role::stiffness});
+  t.real(
+      "twine.EA_compression", &Triangle::Parameters::EA_compression, "N", "axial stiffness of a slack twine",
+      {.lo = 0, .hi = 1e9, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
   t.real("twine.diameter", &Triangle::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   t.real("twine.density", &Triangle::Parameters::density, "kg/m3", "density of the twine's material",
          {.lo = 0, .hi = 3e4});
   t.real("twine.EI", &Triangle::Parameters::EI, "N m2", "bending stiffness of one twine",
-         {.lo = 0, .hi = 1e6, .fallback = 0});
+         {.lo = 0, .hi = 1e6, .fallback = 0, .role = netloft::Role::stiffness});
   t.real(
       "twine.opening_stiffness", &Triangle::Parameters::opening_stiffness, "N m/rad",
       "couple per radian with which a knot resists opening of its meshes, on each twine; instead of twine.EI",
-      {.lo = 0, .hi = 1e6, .fallback = 0});
+      {.lo = 0, .hi = 1e6, .fallback = 0, .role = netloft::Role::stiffness});
   t.real("twine.opening_angle", &Triangle::Parameters::opening_angle, "rad",
          "half angle between the twines of an unloaded mesh", {.lo = 0, .hi = 1.5707, .fallback = 0});
   t.real("twine.knot_size", &Triangle::Parameters::knot_size, "m",
@@ -78,7 +79,7 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
       plugin.element<Bending>("bending", "Resistance of netting to bending between two triangles");
   bending.rides_on("triangle");
   bending.real("twine.EI", &Bending::Parameters::EI, "N m2", "bending stiffness of one twine",
-               {.lo = 0, .hi = 1e6, .fallback = 0});
+               {.lo = 0, .hi = 1e6, .fallback = 0, .role = netloft::Role::stiffness});
   bending.real("twine.bending_half_angle", &Bending::Parameters::half_angle, "rad",
                "half angle of the meshes in which altitudes and edges are measured for bending; 45 degrees",
                {.lo = 0.01, .hi = 1.56, .fallback = 0.78539816339744831});

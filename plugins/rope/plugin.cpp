@@ -8,9 +8,11 @@ using netloft::rope::Bending;
 
 NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   auto& bar = plugin.element<Bar>("bar", "Straight elastic bar of a rope between two nodes, weak when slack");
-  bar.real("rope.EA", &Bar::Parameters::EA, "N", "axial stiffness of the rope", {.lo = 0, .hi = 1e15});
-  bar.real("rope.EA_compression", &Bar::Parameters::EA_compression, "N", "axial stiffness when slack",
-           {.lo = 0, .hi = 1e15, .fallback = 1e-4, .fallback_of = "rope.EA"});
+  bar.real("rope.EA", &Bar::Parameters::EA, "N", "axial stiffness of the rope",
+           {.lo = 0, .hi = 1e15, .role = netloft::Role::stiffness});
+  bar.real(
+      "rope.EA_compression", &Bar::Parameters::EA_compression, "N", "axial stiffness when slack",
+      {.lo = 0, .hi = 1e15, .fallback = 1e-4, .fallback_of = "rope.EA", .role = netloft::Role::compression});
   bar.real("rope.diameter", &Bar::Parameters::diameter, "m", "diameter of the rope", {.lo = 0, .hi = 10});
   bar.real("rope.density", &Bar::Parameters::density, "kg/m3", "density of the rope's material",
            {.lo = 0, .hi = 3e4});
@@ -55,7 +57,7 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   auto& bending = plugin.element<Bending>("bending", "Resistance to bending between two neighbouring bars");
   bending.rides_on("bar");
   bending.real("rope.EI", &Bending::Parameters::EI, "N m2", "bending stiffness of the rope",
-               {.lo = 0, .hi = 1e12, .fallback = 0});
+               {.lo = 0, .hi = 1e12, .fallback = 0, .role = netloft::Role::stiffness});
   bending.data("rest_length", &Bending::Data::rest_length, "m", "unstretched length of both bars");
   bending.term<Bending::Elastic, netloft::conservative | netloft::symmetric>(
       "bending", "moment against the curvature of the rope", "rope.EI");

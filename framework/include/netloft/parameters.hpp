@@ -11,12 +11,20 @@
 
 namespace netloft {
 
+/// What a real means to a host that leads a solver to a hard answer over easier ones.
+enum class Role : std::uint32_t {
+  plain = 0,
+  stiffness = NETLOFT_STIFFNESS,      // elastic forces grow in proportion to it
+  compression = NETLOFT_COMPRESSION,  // stiffness of what is slack
+};
+
 /// Where a value may lie and what it is when the user does not say. Without a default it must be given.
 struct Real {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
   double fallback = std::numeric_limits<double>::quiet_NaN();
   const char* fallback_of = nullptr;  // name of an earlier parameter: `fallback` is a factor on it
+  Role role = Role::plain;
 };
 
 /// The parameter table of one element or solver: binds names in a scene to members of the struct P.
@@ -27,6 +35,7 @@ class ParameterTable {
   void real(const char* name, double P::*member, const char* unit, const char* doc, Real range) {
     auto& p = add(NETLOFT_REAL, name, offset(member), unit, doc);
     p.lo = range.lo, p.hi = range.hi, p.fallback_of = range.fallback_of;
+    p.flags |= static_cast<std::uint32_t>(range.role);
     set_fallback(p, range.fallback, range.fallback != range.fallback);
   }
   void integer(const char* name, std::int64_t P::*member, const char* doc, std::int64_t lo, std::int64_t hi,

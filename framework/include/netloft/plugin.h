@@ -48,7 +48,12 @@ typedef struct netloft_table {
   uint32_t rows, columns;
 } netloft_table;
 
-enum { NETLOFT_REQUIRED = 1 };
+/* What a host must know of a parameter to lead a solver to a hard answer over easier ones. */
+enum {
+  NETLOFT_REQUIRED = 1,
+  NETLOFT_STIFFNESS = 2,  /* elastic forces grow in proportion to it: a host may start with less */
+  NETLOFT_COMPRESSION = 4 /* stiffness of what is slack: at zero, the elastic energy is convex */
+};
 
 /* One value that a user may set. Its name may hold dots: "twine.EA" is EA in the table `twine`. */
 typedef struct netloft_parameter {
@@ -59,7 +64,7 @@ typedef struct netloft_parameter {
   const char* doc;                 /* half a sentence: "axial stiffness of one twine" */
   double fallback;                 /* value when absent; with `fallback_of`, a factor on that parameter */
   double lo, hi;                   /* allowed range, both ends included */
-  uint32_t flags;                  /* NETLOFT_REQUIRED */
+  uint32_t flags;                  /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS, NETLOFT_COMPRESSION */
   uint32_t offset;                 /* of the value in the parameter struct */
   const char* fallback_of;         /* name of an earlier real, or null */
   const char* const* choices;      /* null-terminated, for NETLOFT_CHOICE */
@@ -307,6 +312,12 @@ typedef struct netloft_problem {
 
   char* message; /* room for a sentence of the solver's */
   uint32_t message_size;
+
+  /* y[i] = sum of |entry| over row i of (matrix + shift x metric), of the last evaluation: bounds its largest
+   * eigenvalue, and fits masses. */
+  int (*row_sums)(void* host, int matrix, double shift, double* y);
+  /* Negative eigenvalues of the last matrix factorised with INDEFINITE, or -1 if not known. */
+  int (*negative_pivots)(void* host);
 } netloft_problem;
 
 typedef struct netloft_solver {

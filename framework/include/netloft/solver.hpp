@@ -85,6 +85,12 @@ class Problem {
   void multiply(Matrix matrix, double shift, std::span<const double> x, std::span<double> y) {
     check(p_.multiply(p_.host, static_cast<int>(matrix), shift, x.data(), y.data()));
   }
+  /// y[i] = sum of the absolute values in row i of matrix + shift x metric.
+  void row_sums(Matrix matrix, double shift, std::span<double> y) {
+    check(p_.row_sums(p_.host, static_cast<int>(matrix), shift, y.data()));
+  }
+  /// Negative eigenvalues of the last matrix given to `factorise_indefinite`; -1 if not known.
+  int negative_pivots() { return p_.negative_pivots(p_.host); }
   /// Books an accepted point. True: go on. False: return Outcome::stopped.
   bool progress(std::span<const double> u, double energy, std::span<const double> residual,
                 const char* note = "") {
