@@ -2,7 +2,6 @@
 #include "io/cli/session.hpp"
 #include "io/report/provenance.hpp"
 #include "io/report/write_result.hpp"
-#include "solvers/factorisation/factorisation.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -10,20 +9,6 @@
 namespace netloft::io {
 
 namespace {
-
-Solution solve(Session& session) {
-  const LoadedScene& loaded = session.loaded();
-  const SolverType& solver = session.registry().solver(loaded.analysis.solver);
-  std::vector<std::string> faults;
-  const ParameterBlock parameters(solver.parameters, solver.solver.parameter_bytes,
-                                  loaded.analysis.solver_parameters, faults);
-  if (!faults.empty()) throw UsageError{faults.front()};
-  Limits limits = loaded.analysis.limits;
-  limits.interrupt = &interrupt_flag();
-  return solve_static(
-      loaded.scene, session.assembler(), solver, parameters.data(), limits, make_factorisation,
-      [&](const IterationRecord& record) { session.terminal().progress(record, limits.tolerance); });
-}
 
 int exit_code(SolveStatus status) {
   switch (status) {
@@ -59,8 +44,12 @@ int run_command(const Options& options) {
 
   ResultFile file(output_file(options, session.loaded()));
   RunResult result;
-  result.reading_seconds = session.reading_seconds(), result.setup_seconds = session.setup_seconds();
-  result.solution = solve(session);
+  result.reading_seconds = session.the_case().reading_seconds();
+  result.setup_seconds = session.the_case().setup_seconds();
+  const double tolerance = session.loaded().analysis.limits.tolerance;
+  result.solution = session.the_case().solve({&interrupt_flag(), [&](const IterationRecord& record) {
+                                                session.terminal().progress(record, tolerance);
+                                              }});
   collect(session.loaded(), session.assembler(), result);
   context.plugins = session.registry().opened();
   write_result(file, session.loaded(), session.assembler(), result, context);

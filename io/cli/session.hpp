@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/analysis/case.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/terminal.hpp"
 #include "io/report/text.hpp"
-#include "io/scene/loaded_scene.hpp"
-
-#include <memory>
 
 namespace netloft::io {
 
-/// A scene on its way from a file to an assembled problem: what `run` and `plan` share.
+/// The case that a command line speaks of, with the terminal that tells what is wrong with it: what `run` and
+/// `plan` share.
 class Session {
  public:
   explicit Session(const Options& options);
@@ -17,32 +16,23 @@ class Session {
   /// Reads, checks and assembles the scene. Anything but kDone: it was said why, stop with that code.
   int open();
 
-  const LoadedScene& loaded() const { return loaded_; }
-  const Plan& plan() const { return plan_; }
-  Assembler& assembler() { return *assembler_; }
+  Case& the_case() { return case_; }
+  LoadedScene& loaded() { return case_.loaded(); }
+  const Plan& plan() const { return case_.plan(); }
+  Assembler& assembler() { return case_.assembler(); }
   Registry& registry() { return registry_; }
   Terminal& terminal() { return terminal_; }
-  PlanExtras plan_extras() const;
-  double reading_seconds() const { return reading_seconds_; }
-  double setup_seconds() const { return setup_seconds_; }
+  PlanExtras plan_extras();
 
  private:
-  std::vector<std::string> overrides() const;
-  int read();
-  int assemble();
-  int report(int code);
-  void add_faults(const SceneError& error);
-
   const Options& options_;
   Terminal terminal_;
   Registry registry_;
-  Diagnostics diagnostics_;
-  LoadedScene loaded_;
-  Plan plan_;
-  std::unique_ptr<Assembler> assembler_;
-  double reading_seconds_ = 0, setup_seconds_ = 0;
+  Case case_;
 };
 
+/// The case of a command line: its scene, --set and --solver.
+CaseSource source_of(const Options& options);
 int threads_for(const Options& options);
 
 }  // namespace netloft::io
