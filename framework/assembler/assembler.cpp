@@ -35,15 +35,8 @@ bool is_idle(const Scene& scene, const FamilyPlan& family) {
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
 }
 
-/// Whether some term in the family wants this of the host.
-bool reads(const ElementFamily& family, std::uint32_t trait) {
-  for (const auto& term : family.active_terms())
-    if (term.traits & trait) return true;
-  return false;
-}
-
 Memory make_memory(const ElementFamily& family, std::size_t tiles) {
-  return {tiles, reads(family, NETLOFT_READS_STATE) ? family.type().element.state_width : 0};
+  return {tiles, family.reads(NETLOFT_READS_STATE) ? family.type().element.state_width : 0};
 }
 
 }  // namespace
@@ -54,6 +47,7 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
       tangent_(plan.tangent),
       numbering_(scene),
       axes_(scene.frames),
+      guides_(scene.guides),
       workers_(threads) {
   std::size_t dofs = 0, tiles = 0;
   for (const auto& family : plan.families) {
@@ -80,16 +74,43 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
       start_[static_cast<std::size_t>(numbering_.index(n, axis))] =
           scene.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
   for (std::size_t w = 0; w < workers_.size(); ++w)
-    workspaces_.push_back(std::make_unique<Workspace>(dofs, plan.symmetric, scene.current.flows()));
+    workspaces_.push_back(std::make_unique<Workspace>(dofs, plan, scene.current.flows()));
   remember(start_);
 }
 
 Assembler::~Assembler() = default;
 
-void Assembler::place(std::span<const double> u, std::span<double> x) const {
+/// Calls visit(place among all dofs, axis, moment) for every degree of freedom that a guide moves.
+template <class Visit>
+void Assembler::visit_guided(double time, const Visit& visit) const {
+  for (const Guide& guide : guides_) {
+    const Course::Moment moment = guide.course.at(time);
+    for (std::size_t i = 0; i < guide.nodes.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (guide.axes[i] & (1 << axis))
+          visit(static_cast<std::size_t>(numbering_.index(guide.nodes[i], static_cast<int>(axis))), axis,
+                moment);
+  }
+}
+
+void Assembler::place(std::span<const double> u, std::span<double> x, double time) const {
   for (std::size_t i = 0; i < u.size(); ++i) x[i] = start_[i] + u[i];
   frames_.place(start_, u, x);
+  visit_guided(
+      time, [&](std::size_t i, std::size_t axis, const Course::Moment& m) { x[i] = start_[i] + m.d[axis]; });
   bodies_.place(x);
+}
+
+void Assembler::move(double time, std::span<const double> v, std::span<const double> a,
+                     std::span<double> all_v, std::span<double> all_a) const {
+  for (const auto& [from, to] : {std::pair{v, all_v}, std::pair{a, all_a}}) {
+    std::copy(from.begin(), from.end(), to.begin());
+    std::fill(to.begin() + static_cast<std::ptrdiff_t>(from.size()), to.end(), 0.0);
+    frames_.turn_back(from, to);
+  }
+  visit_guided(time, [&](std::size_t i, std::size_t axis, const Course::Moment& m) {
+    all_v[i] = m.v[axis], all_a[i] = m.a[axis];
+  });
 }
 
 /// The geometric term of a body wants forces: they are evaluated even if nobody else asked.
@@ -99,7 +120,8 @@ void Assembler::hand_on(std::span<const double> x, const Request& request) {
   const bool exact = request.matrix == MatrixKind::exact;
   if (!residual && exact) {
     body_forces_.assign(numbering_.dofs(), 0.0);
-    for (std::size_t f = 0; f < families_.size(); ++f) run_family(f, x, {.residual = body_forces_.data()});
+    for (std::size_t f = 0; f < families_.size(); ++f)
+      run_family(f, x, {.residual = body_forces_.data(), .motion = request.motion});
     residual = body_forces_.data();
   }
   bodies_.hand_on(x, residual, request.values, exact);
@@ -169,7 +191,7 @@ void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const d
                          const Request& request, Workspace& w) {
   const Tiling& tiling = tilings_[family];
   const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
-  netloft_tile t = make_tile(tiling, tile, x, w);
+  netloft_tile t = make_tile(tiling, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   if (request.residual) std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
   if (request.values) {
@@ -182,21 +204,39 @@ void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const d
   scatter(family, tile, request, w);
 }
 
-netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
-                                  Workspace& w) const {
+namespace {
+
+/// Entries of a vector over all dofs as a tile wants them.
+void gather(const Tiling& tiling, std::size_t tile, const double* from, double* to) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
   const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
   for (std::size_t d = 0; d < dofs; ++d)
-    for (std::size_t lane = 0; lane < count; ++lane)
-      w.x[d * kLanes + lane] = x[static_cast<std::size_t>(map[d * kLanes + lane])];
+    for (std::size_t lane = 0; lane < count; ++lane) to[d * kLanes + lane] = from[map[d * kLanes + lane]];
+}
+
+}  // namespace
+
+netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
+                                  const Kinematics& motion, Workspace& w) const {
+  const ElementFamily& family = *tiling.family;
+  gather(tiling, tile, x.data(), w.x.data());
   netloft_tile t{};
   t.size = sizeof t;
-  t.first = static_cast<std::uint32_t>(tile * kLanes), t.count = static_cast<std::uint32_t>(count);
-  t.cu = 1;
+  t.first = static_cast<std::uint32_t>(tile * kLanes),
+  t.count = static_cast<std::uint32_t>(tiling.lanes(tile));
+  t.time = motion.time, t.cu = motion.cu, t.cv = motion.cv, t.ca = motion.ca;
   t.water_density = water_.density, t.gravity = water_.gravity, t.water_viscosity = water_.viscosity;
-  if (!w.current.empty() && reads(*tiling.family, NETLOFT_READS_CURRENT)) {
-    gather_current(tiling, tile, w);
+  if (motion.v && family.reads(NETLOFT_READS_VELOCITY)) {
+    gather(tiling, tile, motion.v, w.v.data());
+    t.v = w.v.data();
+  }
+  if (motion.a && family.reads(NETLOFT_READS_ACCELERATION)) {
+    gather(tiling, tile, motion.a, w.a.data());
+    t.a = w.a.data();
+  }
+  if (!w.current.empty() && family.reads(NETLOFT_READS_CURRENT)) {
+    gather_current(tiling, tile, motion.time, w);
     t.current = w.current.data(), t.current_dz = w.current_dz.data();
   }
   t.x = w.x.data();
@@ -206,11 +246,11 @@ netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::s
 }
 
 /// Velocity of the water at the nodes of a tile, whose positions have been gathered.
-void Assembler::gather_current(const Tiling& tiling, std::size_t tile, Workspace& w) const {
+void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
   std::array<double, 3> velocity, dz;
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
-      current_.at(w.x[(3 * node + 2) * kLanes + lane], velocity, dz);
+      current_.at(w.x[(3 * node + 2) * kLanes + lane], velocity, dz, time);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         w.current[(3 * node + axis) * kLanes + lane] = velocity[axis];
         w.current_dz[(3 * node + axis) * kLanes + lane] = dz[axis];
@@ -223,8 +263,10 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
   for (const auto& term : f.active_terms()) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
     if (request.conservative_only && !conservative) continue;
-    const bool moving =
-        !(term.traits & NETLOFT_CONSTANT) && (conservative || tangent_ != TangentChoice::elastic);
+    // Inertia is no force to be left out: without it a step's matrix is none.
+    const bool counts =
+        conservative || tangent_ != TangentChoice::elastic || (term.traits & NETLOFT_READS_ACCELERATION);
+    const bool moving = !(term.traits & NETLOFT_CONSTANT) && counts;
     const bool packed_here =
         request.values && moving && request.matrix == MatrixKind::exact && (term.traits & NETLOFT_SYMMETRIC);
     t.energy = request.energy && conservative ? w.energy : nullptr;

@@ -13,6 +13,14 @@ namespace netloft {
 
 enum class MatrixKind { none, exact, convex, metric };
 
+/// How everything moves while it is evaluated: rates over all dofs, null at rest, and the factors of the
+/// matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a.
+struct Kinematics {
+  double time = 0;                          // [s]
+  const double *v = nullptr, *a = nullptr;  // [m/s], [m/s²]
+  double cu = 1, cv = 0, ca = 0;
+};
+
 /// What an evaluation adds up. Null or none: not wanted, not computed.
 struct Request {
   double* energy = nullptr;        // one number [J]
@@ -20,6 +28,7 @@ struct Request {
   double* residual = nullptr;      // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
+  Kinematics motion = {};
 };
 
 /// Which element could not be evaluated, and why.
@@ -45,8 +54,12 @@ class Assembler {
   /// Threads that evaluations share out: 1 while the scene is too small to gain from more.
   int threads_used() const;
 
-  /// Positions over all dofs at displacements u of the unknowns [m].
-  void place(std::span<const double> u, std::span<double> x) const;
+  /// Positions over all dofs at displacements u of the unknowns [m], with guides where they are at a time
+  /// [s].
+  void place(std::span<const double> u, std::span<double> x, double time = 0) const;
+  /// Rates over all dofs from those of the unknowns and of the guides.
+  void move(double time, std::span<const double> v, std::span<const double> a, std::span<double> all_v,
+            std::span<double> all_a) const;
   /// What holds a node (along some of its own axes), and what is left unbalanced at it, out of a residual
   /// [N], in the world frame.
   std::array<double, 3> reaction(std::uint32_t node, std::span<const double> residual,
@@ -66,15 +79,26 @@ class Assembler {
   /// Lets every element remember positions x as the last accepted step. Evaluations do not: between two calls
   /// the past of all elements stands still. At first they remember the start. False: nothing has changed, see
   /// fault().
-  bool remember(std::span<const double> x);
+  bool remember(std::span<const double> x, const Kinematics& motion = {});
+  /// What all elements remember, one after another: to keep, and to put back later.
+  std::vector<double> memory() const;
+  void set_memory(std::span<const double> kept);
 
   /// Force of one active term alone, as a residual over all dofs. False: see fault().
   bool evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
-                     std::span<double> residual);
+                     std::span<double> residual, const Kinematics& motion = {});
+  /// Energy of one active term alone [J]; zero if it has none. False: see fault().
+  bool term_energy(std::span<const double> x, std::size_t family, std::size_t term, double& energy,
+                   const Kinematics& motion = {});
+  /// Masses of the nodes along their own axes: nine numbers each, row by row [kg]. `coupled` is the largest
+  /// entry between two nodes, which these blocks leave out. False: see fault().
+  bool masses(std::span<const double> x, std::span<double> blocks, double& coupled);
   /// Force of one active term summed per part of the family, +dE/dx [N]: 3 numbers per part.
-  bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums);
+  bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
+                const Kinematics& motion = {});
   /// Outputs of a family: [output][element]; no number where they could not be found, which makes it false.
-  bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values);
+  bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
+               const Kinematics& motion = {});
 
  private:
   struct Workspace;
@@ -87,15 +111,18 @@ class Assembler {
   void scatter(std::size_t family, std::size_t tile, const Request& request, Workspace& w);
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
   netloft_tile make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
-                         Workspace& w) const;
+                         const Kinematics& motion, Workspace& w) const;
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
                                 std::uint8_t axes) const;
   void hand_on(std::span<const double> x, const Request& request);
-  void gather_current(const Tiling& tiling, std::size_t tile, Workspace& w) const;
+  void gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const;
   template <class Evaluate, class Visit>
-  bool visit_tiles(std::span<const double> x, std::size_t family, const Evaluate& evaluate,
-                   const Visit& visit);
-  bool remember_family(std::size_t family, std::span<const double> x);
+  bool visit_tiles(std::span<const double> x, const Kinematics& motion, std::size_t family,
+                   const Evaluate& evaluate, const Visit& visit);
+  bool remember_family(std::size_t family, std::span<const double> x, const Kinematics& motion);
+  bool add_masses(std::span<const double> x, std::size_t family, std::span<double> blocks, double& coupled);
+  template <class Visit>
+  void visit_guided(double time, const Visit& visit) const;
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
   bool collect_faults();
 
@@ -107,6 +134,7 @@ class Assembler {
   std::map<std::uint32_t, std::array<double, 9>> axes_;  // of turned nodes
   Frames frames_;
   Bodies bodies_;
+  std::vector<Guide> guides_;
   SparsePattern pattern_;
   std::vector<Tiling> tilings_;
   std::vector<Memory> memories_;         // per family

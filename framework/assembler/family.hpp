@@ -30,6 +30,12 @@ class ElementFamily {
   const void* self() const { return self_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
+  /// Whether some active term wants this of the host.
+  bool reads(std::uint32_t trait) const {
+    for (const auto& term : terms_)
+      if (term.traits & trait) return true;
+    return false;
+  }
 
  private:
   void gather_parameters(const Scene& scene);

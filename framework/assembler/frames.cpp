@@ -33,6 +33,15 @@ void Frames::place(std::span<const double> start, std::span<const double> u, std
     }
 }
 
+void Frames::turn_back(std::span<const double> own, std::span<double> world) const {
+  for (const Node& n : nodes_)
+    for (std::size_t i = 0; i < 3; ++i) {
+      world[n.place[i]] = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (n.place[k] < unknowns_) world[n.place[i]] += n.Q[3 * i + k] * own[n.place[k]];
+    }
+}
+
 void Frames::turn(double* residual) const {
   for (const Node& n : nodes_) {
     std::array<double, 3> own{};

@@ -18,6 +18,8 @@ class Frames {
   bool empty() const { return nodes_.empty(); }
   /// Positions of the turned nodes from their start and the displacements of the unknowns.
   void place(std::span<const double> start, std::span<const double> u, std::span<double> x) const;
+  /// Rates of the turned nodes from those of the unknowns.
+  void turn_back(std::span<const double> own, std::span<double> world) const;
   /// World to node, in vectors over all dofs.
   void turn(double* residual) const;
   /// Blocks of the matrix that touch a turned node.

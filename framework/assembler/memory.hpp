@@ -20,6 +20,8 @@ class Memory {
   double* next(std::size_t tile) { return &next_[tile * stride_]; }
   void begin() { next_ = kept_; }
   void accept() { kept_.swap(next_); }
+  std::vector<double>& all() { return kept_; }
+  const std::vector<double>& all() const { return kept_; }
 
  private:
   std::size_t stride_;

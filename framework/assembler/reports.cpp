@@ -7,32 +7,13 @@
 
 namespace netloft {
 
-/// Lets `evaluate` fill each tile of a family and hands it to `visit`. False: see fault().
-template <class Evaluate, class Visit>
-bool Assembler::visit_tiles(std::span<const double> x, std::size_t family, const Evaluate& evaluate,
-                            const Visit& visit) {
-  const Tiling& tiling = tilings_[family];
-  const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
-  Workspace& w = *workspaces_[0];
-  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
-    netloft_tile t = make_tile(tiling, tile, x, w);
-    std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
-    t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
-    if (const int status = evaluate(tile, t); status != NETLOFT_OK) {
-      report(family, t, status, w);
-      return collect_faults();
-    }
-    visit(tile, t, w);
-  }
-  return true;
-}
-
 bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
-                              std::span<double> residual) {
+                              std::span<double> residual, const Kinematics& motion) {
   std::fill(residual.begin(), residual.end(), 0.0);
   const ElementFamily& f = *families_[family];
   const bool done = visit_tiles(
-      x, family, [&](std::size_t, netloft_tile& t) { return f.active_terms()[term].evaluate(f.self(), &t); },
+      x, motion, family,
+      [&](std::size_t, netloft_tile& t) { return f.active_terms()[term].evaluate(f.self(), &t); },
       [&](std::size_t tile, const netloft_tile&, Workspace& w) {
         scatter(family, tile, {.residual = residual.data()}, w);
       });
@@ -41,14 +22,32 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
   return done;
 }
 
+bool Assembler::term_energy(std::span<const double> x, std::size_t family, std::size_t term, double& energy,
+                            const Kinematics& motion) {
+  energy = 0;
+  const ElementFamily& f = *families_[family];
+  const netloft_term& wanted = f.active_terms()[term];
+  if (!(wanted.traits & NETLOFT_CONSERVATIVE)) return true;
+  const auto evaluate = [&](std::size_t, netloft_tile& t) {
+    std::fill_n(workspaces_[0]->energy, kLanes, 0.0);
+    t.energy = workspaces_[0]->energy, t.force = nullptr, t.want = NETLOFT_WANT_ENERGY;
+    return wanted.evaluate(f.self(), &t);
+  };
+  return visit_tiles(x, motion, family, evaluate,
+                     [&](std::size_t, const netloft_tile& t, const Workspace& w) {
+                       for (std::size_t lane = 0; lane < t.count; ++lane) energy += w.energy[lane];
+                     });
+}
+
 bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::size_t term,
-                         std::span<double> sums) {
+                         std::span<double> sums, const Kinematics& motion) {
   std::fill(sums.begin(), sums.end(), 0.0);
   const ElementFamily& f = *families_[family];
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   std::size_t part = 0;
   return visit_tiles(
-      x, family, [&](std::size_t, netloft_tile& t) { return f.active_terms()[term].evaluate(f.self(), &t); },
+      x, motion, family,
+      [&](std::size_t, netloft_tile& t) { return f.active_terms()[term].evaluate(f.self(), &t); },
       [&](std::size_t, const netloft_tile& t, const Workspace& w) {
         for (std::size_t lane = 0; lane < t.count; ++lane) {
           while (t.first + lane >= f.part_begin()[part + 1]) ++part;
@@ -58,7 +57,7 @@ bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::siz
 }
 
 bool Assembler::outputs(std::span<const double> x, std::size_t family,
-                        std::vector<std::vector<double>>& values) {
+                        std::vector<std::vector<double>>& values, const Kinematics& motion) {
   const ElementFamily& f = *families_[family];
   const std::size_t count = f.type().outputs.size();
   values.assign(count, std::vector<double>(f.size()));
@@ -71,21 +70,21 @@ bool Assembler::outputs(std::span<const double> x, std::size_t family,
     all_known = false;
     return NETLOFT_OK;
   };
-  visit_tiles(x, family, evaluate, [&](std::size_t tile, const netloft_tile& t, const Workspace&) {
+  visit_tiles(x, motion, family, evaluate, [&](std::size_t tile, const netloft_tile& t, const Workspace&) {
     for (std::size_t k = 0; k < count; ++k)
       std::copy_n(&lines[k * kLanes], t.count, &values[k][tile * kLanes]);
   });
   return all_known;
 }
 
-bool Assembler::remember(std::span<const double> x) {
+bool Assembler::remember(std::span<const double> x, const Kinematics& motion) {
   for (std::size_t f = 0; f < families_.size(); ++f)
-    if (!memories_[f].empty() && !remember_family(f, x)) return false;
+    if (!memories_[f].empty() && !remember_family(f, x, motion)) return false;
   for (auto& memory : memories_) memory.accept();
   return true;
 }
 
-bool Assembler::remember_family(std::size_t family, std::span<const double> x) {
+bool Assembler::remember_family(std::size_t family, std::span<const double> x, const Kinematics& motion) {
   const ElementFamily& f = *families_[family];
   memories_[family].begin();
   const auto evaluate = [&](std::size_t tile, netloft_tile& t) {
@@ -95,7 +94,20 @@ bool Assembler::remember_family(std::size_t family, std::span<const double> x) {
         if (const int status = term.evaluate(f.self(), &t); status != NETLOFT_OK) return status;
     return int{NETLOFT_OK};
   };
-  return visit_tiles(x, family, evaluate, [](std::size_t, const netloft_tile&, const Workspace&) {});
+  return visit_tiles(x, motion, family, evaluate, [](std::size_t, const netloft_tile&, const Workspace&) {});
+}
+
+std::vector<double> Assembler::memory() const {
+  std::vector<double> all;
+  for (const auto& memory : memories_) all.insert(all.end(), memory.all().begin(), memory.all().end());
+  return all;
+}
+
+void Assembler::set_memory(std::span<const double> kept) {
+  for (auto& memory : memories_) {
+    std::copy_n(kept.begin(), memory.all().size(), memory.all().begin());
+    kept = kept.subspan(memory.all().size());
+  }
 }
 
 }  // namespace netloft

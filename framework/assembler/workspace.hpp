@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/assembler/assembler.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace netloft {
@@ -12,21 +13,44 @@ inline std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
 
 /// One worker's tile: inputs, sums, and a square for what comes unpacked. Lines of 64 doubles.
 struct Assembler::Workspace {
-  Workspace(std::size_t dofs, bool symmetric, bool flows)
+  Workspace(std::size_t dofs, const Plan& plan, bool flows)
       : current(flows ? dofs * kLanes : 0),
         current_dz(flows ? dofs * kLanes : 0),
         x(dofs * kLanes),
+        v(plan.kind == AnalysisKind::dynamics ? dofs * kLanes : 0),
+        a(v.size()),
         force(dofs * kLanes),
         packed_tangent(packed(dofs) * kLanes),
-        square_tangent(symmetric ? 0 : dofs * dofs * kLanes),
+        square_tangent(plan.symmetric ? 0 : dofs * dofs * kLanes),
         scratch(dofs * dofs * kLanes),
         element(dofs * dofs) {}
   std::vector<double> current, current_dz;  // empty in still water
-  std::vector<double> x, force, packed_tangent, square_tangent, scratch, element;
+  std::vector<double> x, v, a;              // no rates where everything is at rest
+  std::vector<double> force, packed_tangent, square_tangent, scratch, element;
   double energy[kLanes] = {};
   char message[sizeof ElementFault::message] = "";
   ElementFault fault;
   std::size_t fault_order = std::numeric_limits<std::size_t>::max();
 };
+
+/// Lets `evaluate` fill each tile of a family and hands it to `visit`. False: see fault().
+template <class Evaluate, class Visit>
+bool Assembler::visit_tiles(std::span<const double> x, const Kinematics& motion, std::size_t family,
+                            const Evaluate& evaluate, const Visit& visit) {
+  const Tiling& tiling = tilings_[family];
+  const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
+  Workspace& w = *workspaces_[0];
+  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
+    netloft_tile t = make_tile(tiling, tile, x, motion, w);
+    std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
+    t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
+    if (const int status = evaluate(tile, t); status != NETLOFT_OK) {
+      report(family, t, status, w);
+      return collect_faults();
+    }
+    visit(tile, t, w);
+  }
+  return true;
+}
 
 }  // namespace netloft

@@ -7,11 +7,16 @@ namespace netloft {
 
 namespace {
 
+/// Whether water moves past the gear: it flows, or the gear moves through it.
+bool meets_flow(const Scene& scene, AnalysisKind kind) {
+  return scene.current.flows() || (kind == AnalysisKind::dynamics && scene.water.density > 0);
+}
+
 /// The laws of a part, slot by slot: what the part says, or the slot's default.
 std::vector<LawPlan> laws_of(const Scene& scene, const Part& part, const ElementType& type,
-                             Registry& registry) {
+                             Registry& registry, AnalysisKind kind) {
   std::vector<LawPlan> laws;
-  if (!scene.current.flows()) return std::vector<LawPlan>(type.laws.size());  // nothing will ask them
+  if (!meets_flow(scene, kind)) return std::vector<LawPlan>(type.laws.size());  // nothing will ask them
   for (const auto& slot : type.laws) {
     const auto given = part.laws.find(slot.name);
     LawPlan law{slot.name, nullptr, given == part.laws.end() ? LawChoice{slot.fallback, {}} : given->second};
@@ -48,15 +53,15 @@ bool any_part_sets(const char* name, const FamilyPlan& family, const Scene& scen
   return false;
 }
 
-TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene& scene) {
+TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene& scene, AnalysisKind kind) {
   TermPlan plan{term.name, term.doc, term.traits, false, ""};
   if (term.needs && !any_part_sets(term.needs, family, scene))
     plan.reason = std::string(term.needs) + " is zero";
   else if ((term.traits & NETLOFT_NEEDS_GRAVITY) && scene.water.gravity == 0)
     plan.reason = "no gravity in the scene";
-  else if ((term.traits & NETLOFT_NEEDS_FLOW) && !scene.current.flows())
-    plan.reason = "no current in the scene";
-  else if (term.traits & NETLOFT_NEEDS_MOTION)
+  else if ((term.traits & NETLOFT_NEEDS_FLOW) && !meets_flow(scene, kind))
+    plan.reason = kind == AnalysisKind::statics ? "no current in the scene" : "no water in the scene";
+  else if ((term.traits & NETLOFT_NEEDS_MOTION) && kind == AnalysisKind::statics)
     plan.reason = "the analysis is static";
   else
     plan.on = true,
@@ -90,20 +95,28 @@ std::vector<std::string> unused_plugins(const Plan& plan, const Registry& regist
   return names;
 }
 
+/// A body's own inertia, and the rates of what it carries, are not there yet.
+void check_bodies(const Scene& scene, AnalysisKind kind) {
+  if (kind == AnalysisKind::dynamics && !scene.bodies.empty())
+    throw SceneError({{"", "the rigid body \"" + scene.bodies[0].name +
+                               "\" cannot take part in dynamics: only its equilibrium is known"}});
+}
+
 }  // namespace
 
-Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent) {
+Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, AnalysisKind kind) {
+  check_bodies(scene, kind);
   Plan plan;
-  plan.tangent = tangent;
+  plan.tangent = tangent, plan.kind = kind;
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
     const ElementType& type = registry.element(scene.parts[p].type);
-    FamilyPlan& family = family_of(plan.families, type, laws_of(scene, scene.parts[p], type, registry));
+    FamilyPlan& family = family_of(plan.families, type, laws_of(scene, scene.parts[p], type, registry, kind));
     family.parts.push_back(p);
     family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(type.nodes());
   }
   for (auto& family : plan.families)
     for (const auto& term : family.type->terms) {
-      family.terms.push_back(decide(term, family, scene));
+      family.terms.push_back(decide(term, family, scene, kind));
       note_traits(plan, family, family.terms.back());
       plan.conservative &= !family.terms.back().on || (term.traits & NETLOFT_CONSERVATIVE);
     }

@@ -26,6 +26,9 @@ struct LawPlan {
 /// What the tangent of forces without an energy (drag) is worth: all of it, its symmetric part, nothing.
 enum class TangentChoice { exact, symmetric, elastic };
 
+/// Whether everything is at rest, or moves in time.
+enum class AnalysisKind { statics, dynamics };
+
 /// All elements of one type that share their laws.
 struct FamilyPlan {
   const ElementType* type = nullptr;
@@ -40,14 +43,16 @@ struct Plan {
   std::vector<FamilyPlan> families;
   std::vector<std::string> not_loaded;  // plugins that were there and that no part uses
   std::size_t nodes = 0, held_nodes = 0, unknowns = 0;
+  AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
   std::string unsymmetric_because;  // "priour/triangle drag"
 };
 
-/// Decides which terms of which families act in a static analysis of the scene.
+/// Decides which terms of which families act in an analysis of the scene.
 /// Opens the plugins the scene names. Throws SceneError for parts that are wrong, PluginRefused for plugins.
-Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent = TangentChoice::exact);
+Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent = TangentChoice::exact,
+               AnalysisKind kind = AnalysisKind::statics);
 
 /// "conservative, symmetric, constant"
 std::string describe_traits(std::uint32_t traits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -60,17 +61,68 @@ std::string axes_text(std::uint8_t axes) {
 
 }  // namespace
 
-void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz) const {
-  dz = {};
-  if (samples.empty()) return void(velocity = {});
+namespace {
+
+/// Share of the way from one of two neighbouring samples to the next, and the first of them.
+struct Place {
+  std::size_t first;
+  double way;
+};
+
+/// Where t lies among samples that ascend in t; beyond them, at the nearest.
+template <class Samples>
+Place find_place(const Samples& samples, double t) {
+  std::size_t after = 0;
+  while (after < samples.size() && samples[after].t < t) ++after;
+  if (after == 0 || after == samples.size()) return {after ? after - 1 : 0, 0};
+  return {after - 1, (t - samples[after - 1].t) / (samples[after].t - samples[after - 1].t)};
+}
+
+double share_at(const std::vector<Current::Share>& shares, double t) {
+  const auto [i, way] = find_place(shares, t);
+  return way == 0 ? shares[i].value : shares[i].value + way * (shares[i + 1].value - shares[i].value);
+}
+
+std::array<double, 3> drift_at(const std::vector<Current::Drift>& drifts, double t) {
+  const auto [i, way] = find_place(drifts, t);
+  std::array<double, 3> velocity = drifts[i].velocity;
+  for (std::size_t k = 0; k < 3 && way != 0; ++k)
+    velocity[k] += way * (drifts[i + 1].velocity[k] - velocity[k]);
+  return velocity;
+}
+
+void profile_at(const std::vector<Current::Sample>& samples, double z, std::array<double, 3>& velocity,
+                std::array<double, 3>& dz) {
   std::size_t above = 0;
   while (above < samples.size() && samples[above].z < z) ++above;
   if (above == 0 || above == samples.size()) return void(velocity = samples[above ? above - 1 : 0].velocity);
-  const Sample &a = samples[above - 1], &b = samples[above];
+  const Current::Sample &a = samples[above - 1], &b = samples[above];
   for (std::size_t i = 0; i < 3; ++i) {
     dz[i] = (b.velocity[i] - a.velocity[i]) / (b.z - a.z);
     velocity[i] = a.velocity[i] + dz[i] * (z - a.z);
   }
+}
+
+bool is_something(const std::array<double, 3>& velocity) {
+  return velocity[0] != 0 || velocity[1] != 0 || velocity[2] != 0;
+}
+
+}  // namespace
+
+bool Current::flows() const {
+  const auto flows = [](const auto& sample) { return is_something(sample.velocity); };
+  return std::any_of(samples.begin(), samples.end(), flows) ||
+         std::any_of(drifts.begin(), drifts.end(), flows);
+}
+
+void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t) const {
+  velocity = dz = {};
+  if (!samples.empty()) profile_at(samples, z, velocity, dz);
+  if (!shares.empty())
+    for (const double share = share_at(shares, t); auto* part : {&velocity, &dz})
+      for (double& v : *part) v *= share;
+  if (!drifts.empty())
+    for (const auto drift = drift_at(drifts, t); const std::size_t i : {0u, 1u, 2u}) velocity[i] += drift[i];
 }
 
 void Scene::add_body(RigidBody body) {

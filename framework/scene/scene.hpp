@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/parameters/parameters.hpp"
+#include "framework/scene/course.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,23 +19,29 @@ struct SceneWater {
   double viscosity = 1.19e-6;  // kinematic [m2/s]
 };
 
-/// Velocity of the water over depth: straight lines between samples, constant beyond them. Empty: still
-/// water.
+/// Velocity of the water over depth and time: straight lines between samples, constant beyond them.
+///   c(z, t) = profile(z) share(t) + drift(t)                                                     (1)
+/// Without samples the profile and the drift are zero and the share is one: still water.
 struct Current {
   struct Sample {
     double z;                        // [m]
     std::array<double, 3> velocity;  // [m/s]
   };
-  std::vector<Sample> samples;  // ascending in z
+  struct Share {
+    double t;      // [s]
+    double value;  // [1]
+  };
+  struct Drift {
+    double t;                        // [s]
+    std::array<double, 3> velocity;  // [m/s]
+  };
+  std::vector<Sample> samples;     // the profile, ascending in z
+  std::vector<Share> shares = {};  // ascending in t
+  std::vector<Drift> drifts = {};  // ascending in t
 
-  bool flows() const {
-    for (const auto& s : samples)
-      for (const double v : s.velocity)
-        if (v != 0) return true;
-    return false;
-  }
+  bool flows() const;
   /// Velocity and its derivative with z at height z.
-  void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz) const;
+  void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
 };
 
 /// A law chosen for a slot of a part: "hydro/morison" and its parameters.
@@ -58,6 +65,13 @@ struct Part {
 /// The part a node was first made for, and its number within that part.
 struct NodeLabel {
   std::uint32_t part = 0, id = 0;
+};
+
+/// Held nodes that are moved: where they are beyond their start, in the world frame.
+struct Guide {
+  std::vector<std::uint32_t> nodes;
+  std::vector<std::uint8_t> axes;  // per node, those that this guide moves
+  Course course;
 };
 
 enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
@@ -87,6 +101,7 @@ struct Scene {
   std::map<std::uint32_t, std::array<double, 9>> frames;
   std::vector<RigidBody> bodies;  // their points are `carried`
   std::vector<bool> carried;      // per node; empty if there are no bodies
+  std::vector<Guide> guides;      // what moves held nodes in time
   std::vector<NodeLabel> labels;  // per node
   std::vector<Part> parts;
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// ∂r/∂a by nodes: what explicit schemes divide by. Every element's own tangent is asked, no sparse matrix
+// made.
+#include "framework/assembler/workspace.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft {
+
+namespace {
+
+/// Entry (r, c) of a tangent in one lane, packed or full.
+double entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::size_t r, std::size_t c,
+                std::size_t lane) {
+  const std::size_t at = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * dofs + c;
+  return tangent[at * kLanes + lane];
+}
+
+/// M ← Qᵀ M Q, row by row.
+void turn(double* M, const std::array<double, 9>& Q) {
+  double left[9] = {}, both[9] = {};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) left[3 * i + j] += Q[3 * k + i] * M[3 * k + j];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) both[3 * i + j] += left[3 * i + k] * Q[3 * k + j];
+  std::copy_n(both, 9, M);
+}
+
+}  // namespace
+
+bool Assembler::masses(std::span<const double> x, std::span<double> blocks, double& coupled) {
+  std::fill(blocks.begin(), blocks.end(), 0.0);
+  coupled = 0;
+  for (std::size_t f = 0; f < families_.size(); ++f)
+    if (families_[f]->reads(NETLOFT_READS_ACCELERATION) && !add_masses(x, f, blocks, coupled)) return false;
+  for (const auto& [node, Q] : axes_) turn(&blocks[9 * std::size_t{node}], Q);
+  return true;
+}
+
+bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::span<double> blocks,
+                           double& coupled) {
+  const ElementFamily& f = *families_[family];
+  const auto dofs = static_cast<std::size_t>(f.type().dofs());
+  for (const auto& term : f.active_terms()) {
+    if (!(term.traits & NETLOFT_READS_ACCELERATION)) continue;
+    const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
+    const auto evaluate = [&](std::size_t, netloft_tile& t) {
+      auto& scratch = workspaces_[0]->scratch;
+      std::fill_n(scratch.begin(), (symmetric ? packed(dofs) : dofs * dofs) * kLanes, 0.0);
+      t.force = nullptr, t.tangent = scratch.data(), t.want = NETLOFT_WANT_TANGENT;
+      return term.evaluate(f.self(), &t);
+    };
+    const auto add = [&](std::size_t, const netloft_tile& t, const Workspace& w) {
+      for (std::size_t r = 0; r < dofs; ++r)
+        for (std::size_t c = 0; c < dofs; ++c)
+          for (std::size_t lane = 0; lane < t.count; ++lane) {
+            const double m = entry_of(w.scratch.data(), symmetric, dofs, r, c, lane);
+            if (r / 3 == c / 3)
+              blocks[9 * std::size_t{f.node(t.first + lane, static_cast<int>(r / 3))} + 3 * (r % 3) +
+                     c % 3] += m;
+            else
+              coupled = std::max(coupled, std::abs(m));
+          }
+    };
+    if (!visit_tiles(x, {.cu = 0, .cv = 0, .ca = 1}, family, evaluate, add)) return false;
+  }
+  return true;
+}
+
+}  // namespace netloft
