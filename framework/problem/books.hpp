@@ -18,7 +18,8 @@ struct Books {
   int energies = 0, residuals = 0, matrices = 0;  // evaluations
   int factorisations = 0, refused_factorisations = 0, solves = 0;
   double assembly_seconds = 0, analysis_seconds = 0, factorisation_seconds = 0, solve_seconds = 0;
-  double total_seconds = 0, total_cpu_seconds = 0;
+  double total_seconds = 0, total_cpu_seconds = 0;  // the host's last checks included
+  double solver_cpu_seconds = 0;                    // without them
 };
 
 /// Adds the wall time of its life to one account.

@@ -14,16 +14,20 @@ struct Solution {
   std::string reason;               // a sentence
   std::string at_fault;             // the part that is furthest from balance or could not be evaluated
   std::vector<double> x, residual;  // over all dofs [m], [N]
+  std::vector<double> u;            // displacements of the unknowns that x stands for
   double energy = 0;
   Balance balance;
+  std::vector<double> corrected;  // x after the Newton step that is left, over all dofs; empty: not known
+  double correction = std::numeric_limits<double>::quiet_NaN();  // its largest nodal move [m]
   Books books;
   std::vector<IterationRecord> history;
   std::string factorisation;
 };
 
 /// Lets `solver` find the static equilibrium of the assembled scene, recomputes the residual where it ended
-/// and judges it. A stationary point whose tangent is not positive definite is called unstable. What elements
-/// remember (friction) stands still while the solver works; where it converged is what they remember next.
+/// and judges it. How far from the equilibrium a balanced point is estimated to be, says `correction`. A
+/// stationary point whose tangent is not positive definite is called unstable. What elements remember
+/// (friction) stands still while the solver works; where it converged is what they remember next.
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
                       std::function<void(const IterationRecord&)> on_iteration = {});

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft {
+
+namespace {
+
+double node_distance(const Numbering& numbering, std::uint32_t node, std::span<const double> x,
+                     std::span<const double> y) {
+  std::array<double, 3> way{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(numbering.index(node, axis));
+    way[static_cast<std::size_t>(axis)] = y[i] - x[i];
+  }
+  return std::hypot(way[0], way[1], way[2]);
+}
+
+bool is_rotation(const Scene& scene, std::uint32_t node) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const RigidBody& body) { return body.rotation == node; });
+}
+
+}  // namespace
+
+bool find_correction(StaticProblem& problem, std::span<const double> u, std::span<const double> residual,
+                     std::span<double> du) {
+  netloft_problem& p = problem.interface();
+  if (p.evaluate(p.host, NETLOFT_WANT_TANGENT, u.data(), nullptr, nullptr) != NETLOFT_OK ||
+      p.factorise(p.host, NETLOFT_EXACT | NETLOFT_INDEFINITE, 0) != NETLOFT_FACTOR_OK)
+    return false;
+  return solve_for_correction(problem, residual, du);
+}
+
+bool solve_for_correction(StaticProblem& problem, std::span<const double> residual, std::span<double> du) {
+  netloft_problem& p = problem.interface();
+  if (p.solve(p.host, residual.data(), du.data()) != NETLOFT_OK) return false;
+  for (double& step : du) step = -step;  // (1)
+  return std::all_of(du.begin(), du.end(), [](double step) { return std::isfinite(step); });
+}
+
+double largest_node_distance(const Scene& scene, const Numbering& numbering, std::span<const double> x,
+                             std::span<const double> y) {
+  double largest = 0;
+  for (std::uint32_t node = 0; node < scene.node_count(); ++node)
+    if (!is_rotation(scene, node)) largest = std::max(largest, node_distance(numbering, node, x, y));
+  return largest;
+}
+
+}  // namespace netloft
