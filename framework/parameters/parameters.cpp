@@ -152,7 +152,7 @@ std::optional<std::string> fault_of(const netloft_parameter& p, const Value& val
 
 ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes,
                                const Values& values, std::vector<std::string>& faults)
-    : bytes_(new std::max_align_t[bytes / sizeof(std::max_align_t) + 1]()) {
+    : bytes_(std::make_unique<std::byte[]>(bytes)) {  // all zero; aligned for any type, as new[] of bytes is
   std::vector<std::string> names;
   for (const auto& p : table) {
     names.push_back(p.name);

@@ -48,7 +48,7 @@ class ParameterBlock {
   void store(const netloft_parameter& parameter, const Value& value);
   Value fallback(std::span<const netloft_parameter> table, const netloft_parameter& parameter) const;
 
-  std::unique_ptr<std::max_align_t[]> bytes_;
+  std::unique_ptr<std::byte[]> bytes_;
   std::vector<std::unique_ptr<std::string>> texts_;
   std::vector<std::unique_ptr<std::vector<double>>> tables_;
 };

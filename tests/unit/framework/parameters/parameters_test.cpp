@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -175,6 +176,16 @@ TEST(Parameters, SayWhatIsAllowedAndWhatTheDefaultIs) {
   EXPECT_EQ(netloft::default_of(row("knotted")), "true");
   EXPECT_EQ(netloft::default_of(row("strands")), "3");
   EXPECT_EQ(netloft::default_of(row("colour")), "green");
+}
+
+// A struct may have members that its author did not register: elements that share one struct do.
+TEST(Parameters, AreZeroWhereNothingIsRegistered) {
+  constexpr std::size_t kBytes = 96;
+  { const std::vector<char> used_before(kBytes, 'x'); }  // what the heap is likely to hand out next
+  std::vector<std::string> faults;
+  const ParameterBlock block({}, kBytes, {}, faults);
+  const auto* bytes = static_cast<const char*>(block.data());
+  EXPECT_TRUE(std::all_of(bytes, bytes + kBytes, [](char c) { return c == 0; }));
 }
 
 }  // namespace
