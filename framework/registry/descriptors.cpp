@@ -177,6 +177,16 @@ LawType read_law(const netloft_law& raw, const std::string& plugin, Faults& faul
   return l;
 }
 
+IntegratorType read_integrator(const netloft_integrator& raw, const std::string& plugin, Faults& faults) {
+  IntegratorType i;
+  i.integrator = raw;
+  i.type = plugin + "/" + shown(raw.name);
+  i.parameters = read_array(raw.parameters, raw.parameter_count);
+  faults.require(raw.step && raw.order && raw.stable_step, i.type + " has no step, order or stable_step");
+  check_parameters(i.parameters, raw.parameter_bytes, i.type, faults);
+  return i;
+}
+
 void check_version(const netloft_plugin& p, const std::string& file) {
   const std::string built = std::to_string(p.abi_major) + "." + std::to_string(p.abi_minor);
   const std::string here = std::to_string(NETLOFT_ABI_MAJOR) + "." + std::to_string(NETLOFT_ABI_MINOR);
@@ -212,11 +222,14 @@ PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file,
   const auto laws = read_array(p.laws, p.law_count);
   check_names(solvers, stem, "solver", faults);
   check_names(laws, stem, "law", faults);
+  const auto integrators = read_array(p.integrators, p.integrator_count);
+  check_names(integrators, stem, "integrator", faults);
   for (const auto& raw : elements) content.elements.push_back(read_element(raw, stem, faults));
   for (const auto& raw : solvers) content.solvers.push_back(read_solver(raw, stem, faults));
   for (const auto& raw : laws) content.laws.push_back(read_law(raw, stem, faults));
-  faults.require(!elements.empty() || !solvers.empty() || !laws.empty(),
-                 "holds no element, no solver and no law");
+  for (const auto& raw : integrators) content.integrators.push_back(read_integrator(raw, stem, faults));
+  faults.require(!elements.empty() || !solvers.empty() || !laws.empty() || !integrators.empty(),
+                 "holds no element, no solver, no law and no integrator");
   faults.raise();
   return content;
 }

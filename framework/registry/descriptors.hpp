@@ -66,6 +66,16 @@ struct SolverType {
   const PluginOrigin* origin = nullptr;
 };
 
+/// A time integrator as the host knows it.
+struct IntegratorType {
+  std::string type;  // "newmark/newmark"
+  netloft_integrator integrator{};
+  std::vector<netloft_parameter> parameters;
+  const PluginOrigin* origin = nullptr;
+
+  bool is_explicit() const { return integrator.traits & NETLOFT_EXPLICIT; }
+};
+
 /// A hydrodynamic law as the host knows it.
 struct LawType {
   std::string type;  // "hydro/morison"
@@ -80,6 +90,7 @@ struct PluginContent {
   std::vector<ElementType> elements;
   std::vector<SolverType> solvers;
   std::vector<LawType> laws;
+  std::vector<IntegratorType> integrators;
 };
 
 /// Reads and checks what a plugin says of itself. `stem` is the name its file promises.

@@ -51,6 +51,12 @@ const SolverType& Registry::solver(const std::string& type) {
   return find(plugin(name).solvers, full, "solver", name);
 }
 
+const IntegratorType& Registry::integrator(const std::string& type) {
+  const std::string full = type.find('/') == std::string::npos ? type + "/" + type : type;
+  const std::string name = plugin_of(full);
+  return find(plugin(name).integrators, full, "integrator", name);
+}
+
 const LawType& Registry::law(const std::string& type) {
   if (type.find('/') == std::string::npos)
     throw UnknownComponent("\"" + type + "\" is no law; a law is written plugin/law, such as hydro/morison");
@@ -84,6 +90,7 @@ const PluginContent& Registry::keep(PluginContent content) {
   for (auto& e : owned->elements) e.origin = &owned->origin;
   for (auto& s : owned->solvers) s.origin = &owned->origin;
   for (auto& l : owned->laws) l.origin = &owned->origin;
+  for (auto& i : owned->integrators) i.origin = &owned->origin;
   auto& slot = opened_[owned->origin.name];
   if (!slot) slot = std::move(owned);
   return *slot;

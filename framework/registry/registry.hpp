@@ -29,6 +29,8 @@ class Registry {
   const ElementType& element(const std::string& type);
   /// "newton", short for "newton/newton".
   const SolverType& solver(const std::string& type);
+  /// "newmark", short for "newmark/newmark".
+  const IntegratorType& integrator(const std::string& type);
   /// "hydro/morison".
   const LawType& law(const std::string& type);
   const PluginContent& plugin(const std::string& name);

@@ -3,9 +3,9 @@
  * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
  *
  * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of the
- * elements, laws and solvers inside. No C++ type, exception or allocation crosses; the plugin links to
- * nothing of ours. Authors seldom need this file: netloft/element.hpp and netloft/solver.hpp write these
- * structs for them.
+ * elements, laws, solvers and integrators inside. No C++ type, exception or allocation crosses; the plugin
+ * links to nothing of ours. Authors seldom need this file: netloft/element.hpp, netloft/solver.hpp and
+ * netloft/integrator.hpp write these structs for them.
  *
  * Every struct begins with its own size. Fields are only ever appended, so that a host reads an older
  * plugin (what is missing is zero) and a plugin of the same major version runs in a newer host.
@@ -330,6 +330,53 @@ typedef struct netloft_solver {
   int (*solve)(const void* parameters, netloft_problem* problem); /* returns a netloft_outcome */
 } netloft_solver;
 
+/* ---------------------------------------------------------------- integrators */
+
+/* What an integrator sees of a scene that moves: F(t, u, v, a) = 0, in which one step leads from t to t + h.
+ * u are displacements of the unknowns from the start [m], v and a their rates. F is the residual: inertia and
+ * all other forces, +dE/dx. The host chooses h, accepts or rejects what a step has found, and keeps the
+ * books. */
+typedef struct netloft_motion {
+  uint32_t size;
+  uint32_t unknowns;
+  void* host;
+  double t, h;                   /* [s] */
+  const double *u, *v, *a;       /* at t; a is whatever the integrator left there itself */
+  double *u_new, *v_new, *a_new; /* out: at t + h */
+  double* error; /* out: estimate of the error of u_new in this step [m]; zero if left alone */
+
+  /* F(t, u, v, a) [N]. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */
+  int (*residual)(void* host, double t, const double* u, const double* v, const double* a, double* residual);
+  /* a such that F(t, u, v, a) = 0; explicitly, by the masses of the nodes. */
+  int (*accelerate)(void* host, double t, const double* u, const double* v, double* a);
+  /* u such that F(t, u, v0 + cv u, a0 + ca u) = 0, from the u given, by the solver of the analysis. OK, or
+   * NETLOFT_OUTSIDE_DOMAIN if it did not arrive: a shorter step may. */
+  int (*solve)(void* host, double t, const double* v0, double cv, const double* a0, double ca, double* u);
+  /* Room for `unknowns` numbers, the same for the same index as long as the integration lasts. */
+  double* (*scratch)(void* host, uint32_t index);
+
+  char* message; /* room for a sentence of the integrator's */
+  uint32_t message_size;
+} netloft_motion;
+
+/* Traits of an integrator. */
+enum { NETLOFT_EXPLICIT = 1 }; /* never calls `solve` */
+
+typedef struct netloft_integrator {
+  uint32_t size;
+  uint32_t traits;
+  const char *name, *doc;
+  uint32_t parameter_bytes;
+  uint32_t parameter_count;
+  const netloft_parameter* parameters;
+  /* One step. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN (a shorter step may do) or NETLOFT_ERROR. */
+  int (*step)(const void* parameters, netloft_motion* motion);
+  /* Order of the error estimate: it shrinks with this power of the step. */
+  double (*order)(const void* parameters);
+  /* Longest step [s] that is stable where the highest angular frequency is `omega` [rad/s]; 0: any is. */
+  double (*stable_step)(const void* parameters, double omega);
+} netloft_integrator;
+
 /* ---------------------------------------------------------------- the plugin */
 
 enum { NETLOFT_FAST_MATH = 1 };
@@ -344,7 +391,8 @@ typedef struct netloft_plugin {
   const netloft_solver* solvers;
   uint32_t element_count, solver_count;
   const netloft_law* laws;
-  uint32_t law_count, reserved;
+  uint32_t law_count, integrator_count;
+  const netloft_integrator* integrators;
 } netloft_plugin;
 
 #if defined(__FAST_MATH__)

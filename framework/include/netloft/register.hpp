@@ -13,6 +13,8 @@ template <class S>
 class SolverTable;
 template <class L>
 class LawTable;
+template <class I>
+class IntegratorTable;
 
 /// Collects the tables of a plugin and turns them into what crosses the boundary.
 class Plugin {
@@ -24,6 +26,11 @@ class Plugin {
   template <class S>
   SolverTable<S>& solver(const char* name, const char* doc) {
     return add<SolverTable<S>>(name, doc);
+  }
+
+  template <class I>
+  IntegratorTable<I>& integrator(const char* name, const char* doc) {
+    return add<IntegratorTable<I>>(name, doc);
   }
 
   template <class L>
@@ -40,6 +47,8 @@ class Plugin {
     plugin_.elements = elements_.data(), plugin_.element_count = static_cast<std::uint32_t>(elements_.size());
     plugin_.solvers = solvers_.data(), plugin_.solver_count = static_cast<std::uint32_t>(solvers_.size());
     plugin_.laws = laws_.data(), plugin_.law_count = static_cast<std::uint32_t>(laws_.size());
+    plugin_.integrators = integrators_.data(),
+    plugin_.integrator_count = static_cast<std::uint32_t>(integrators_.size());
     return &plugin_;
   }
 
@@ -66,11 +75,13 @@ class Plugin {
   void take(const netloft_element& e) { elements_.push_back(e); }
   void take(const netloft_solver& s) { solvers_.push_back(s); }
   void take(const netloft_law& l) { laws_.push_back(l); }
+  void take(const netloft_integrator& i) { integrators_.push_back(i); }
 
   std::vector<std::unique_ptr<Pending>> pending_;
   std::vector<netloft_element> elements_;
   std::vector<netloft_solver> solvers_;
   std::vector<netloft_law> laws_;
+  std::vector<netloft_integrator> integrators_;
   netloft_plugin plugin_{};
 };
 

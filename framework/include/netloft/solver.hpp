@@ -81,6 +81,10 @@ class Problem {
   void solve(std::span<const double> rhs, std::span<double> x) {
     check(p_.solve(p_.host, rhs.data(), x.data()));
   }
+  /// The same with whatever factor there is, perhaps of an earlier problem. False: there is none.
+  bool try_solve(std::span<const double> rhs, std::span<double> x) {
+    return p_.solve(p_.host, rhs.data(), x.data()) == NETLOFT_OK;
+  }
   /// y = (matrix + shift x metric) x
   void multiply(Matrix matrix, double shift, std::span<const double> x, std::span<double> y) {
     check(p_.multiply(p_.host, static_cast<int>(matrix), shift, x.data(), y.data()));

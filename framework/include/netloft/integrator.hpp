@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the author of a time scheme includes. An integrator is a struct with `Parameters` and
+//
+//   static Step step(const Parameters&, Motion&);            // fills next_u, next_v, next_a
+//   static double order(const Parameters&);                  // of the error that it puts into `error`
+//   static double stable_step(const Parameters&, double w);  // longest, at the highest frequency w; 0: any
+//
+// It sees F(t, u, v, a) = 0 and makes of one step whatever it likes: a sum of accelerations, or an algebraic
+// problem that the solver of the analysis gets. The host controls the step and keeps the books.
+#pragma once
+#include <netloft/plugin.h>
+#include <netloft/parameters.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <span>
+#include <stdexcept>
+
+namespace netloft {
+
+/// How a step ended: `shorter` if it may be found when h is smaller.
+enum class Step { found = NETLOFT_OK, shorter = NETLOFT_OUTSIDE_DOMAIN };
+
+/// F(t, u, v, a) = 0 as an integrator sees it, at the start of a step of length h.
+class Motion {
+ public:
+  explicit Motion(netloft_motion& m) : m_(m) {}
+
+  std::size_t size() const { return m_.unknowns; }
+  double t() const { return m_.t; }
+  double h() const { return m_.h; }
+  std::span<const double> u() const { return {m_.u, size()}; }
+  std::span<const double> v() const { return {m_.v, size()}; }
+  std::span<const double> a() const { return {m_.a, size()}; }
+  std::span<double> next_u() { return {m_.u_new, size()}; }
+  std::span<double> next_v() { return {m_.v_new, size()}; }
+  std::span<double> next_a() { return {m_.a_new, size()}; }
+  std::span<double> error() { return {m_.error, size()}; }
+  /// A vector of the integrator's own.
+  std::span<double> scratch(std::uint32_t index) { return {m_.scratch(m_.host, index), size()}; }
+
+  /// F [N].
+  Step residual(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
+                std::span<double> r) {
+    return checked(m_.residual(m_.host, t, u.data(), v.data(), a.data(), r.data()));
+  }
+  /// The a with which F vanishes.
+  Step accelerate(double t, std::span<const double> u, std::span<const double> v, std::span<double> a) {
+    return checked(m_.accelerate(m_.host, t, u.data(), v.data(), a.data()));
+  }
+  /// The u with which F(t, u, v0 + cv u, a0 + ca u) vanishes, from the u given.
+  Step solve(double t, std::span<const double> v0, double cv, std::span<const double> a0, double ca,
+             std::span<double> u) {
+    return checked(m_.solve(m_.host, t, v0.data(), cv, a0.data(), ca, u.data()));
+  }
+
+ private:
+  static Step checked(int status) {
+    if (status < 0) throw std::runtime_error("");  // the host knows what went wrong
+    return static_cast<Step>(status);
+  }
+  netloft_motion& m_;
+};
+
+namespace detail {
+template <class I>
+int run_step(const void* parameters, netloft_motion* motion) noexcept {
+  try {
+    Motion m(*motion);
+    return static_cast<int>(I::step(*static_cast<const typename I::Parameters*>(parameters), m));
+  } catch (const std::exception& e) {
+    if (motion->message) std::snprintf(motion->message, motion->message_size, "%s", e.what());
+  } catch (...) {
+  }
+  return NETLOFT_ERROR;
+}
+}  // namespace detail
+
+/// Describes one integrator to the host.
+template <class I>
+class IntegratorTable : public ParameterTable<typename I::Parameters> {
+ public:
+  using Parameters = typename I::Parameters;
+  IntegratorTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
+  void traits(std::uint32_t traits) { traits_ = traits; }
+
+  netloft_integrator descriptor() const {
+    netloft_integrator i{};
+    i.size = sizeof i, i.traits = traits_, i.name = name_, i.doc = doc_;
+    i.parameter_bytes = sizeof(Parameters);
+    i.parameter_count = static_cast<std::uint32_t>(this->rows().size()), i.parameters = this->rows().data();
+    i.step = &detail::run_step<I>;
+    i.order = [](const void* p) { return I::order(*static_cast<const Parameters*>(p)); };
+    i.stable_step = [](const void* p, double w) {
+      return I::stable_step(*static_cast<const Parameters*>(p), w);
+    };
+    return i;
+  }
+
+ private:
+  const char *name_, *doc_;
+  std::uint32_t traits_ = 0;
+};
+
+}  // namespace netloft
+
+#include <netloft/register.hpp>
