@@ -28,12 +28,15 @@ struct SparsePattern {
   std::size_t value_slots() const { return slot.empty() ? entries() : slots; }
 };
 
+/// What is known of a matrix before it is factorised. Of the first two, the lower triangle is given.
+enum class MatrixClass { positive_definite, symmetric, unsymmetric };
+
 enum class FactorStatus { ok, not_positive_definite, singular, out_of_memory, failed };
 
 struct FactorResult {
   FactorStatus status = FactorStatus::ok;
   std::int32_t column = -1;           // unknown at which it stopped, in the caller's numbering; -1 not known
-  std::int32_t negative_pivots = -1;  // -1 not known
+  std::int32_t negative_pivots = -1;  // negative eigenvalues of a symmetric matrix; -1 not known
 };
 
 /// A direct factorisation of one sparse pattern, analysed once and factorised many times.
@@ -60,6 +63,6 @@ class Factorisation {
   virtual double factor_flops() const { return 0; }
 };
 
-using MakeFactorisation = std::function<std::unique_ptr<Factorisation>(bool symmetric)>;
+using MakeFactorisation = std::function<std::unique_ptr<Factorisation>(MatrixClass kind)>;
 
 }  // namespace netloft

@@ -201,74 +201,29 @@ std::span<const double> StaticProblem::shifted(int matrix, double shift) {
 int StaticProblem::factorise(int matrix, double shift) {
   const auto v = shifted(matrix & ~NETLOFT_INDEFINITE, shift);
   if (v.empty() && !u_.empty()) return NETLOFT_FACTOR_FAILED;
-  const bool general = !assembler_.pattern().symmetric || (matrix & NETLOFT_INDEFINITE);
-  const netloft_factor code = general ? factorise_general(v) : factorise_symmetric(v);
+  const netloft_factor code = factorise_as(matrix_class(matrix & NETLOFT_INDEFINITE), v);
   ++books_.factorisations;
   books_.refused_factorisations += code != NETLOFT_FACTOR_OK;
   return code;
 }
 
-netloft_factor StaticProblem::factorise_symmetric(std::span<const double> v) {
-  if (!symmetric_) {
-    Timed timed(books_.analysis_seconds);
-    auto factorisation = make_(true);
-    factorisation->analyse(assembler_.pattern());
-    symmetric_ = std::move(factorisation);
-  }
-  Timed timed(books_.factorisation_seconds);
-  last_ = symmetric_.get();
-  factor_result_ = symmetric_->factorise(v);
-  return factor_code(factor_result_.status);
+MatrixClass StaticProblem::matrix_class(bool may_be_indefinite) const {
+  if (!assembler_.pattern().symmetric) return MatrixClass::unsymmetric;
+  return may_be_indefinite ? MatrixClass::symmetric : MatrixClass::positive_definite;
 }
 
-netloft_factor StaticProblem::factorise_general(std::span<const double> v) {
-  if (!general_) {
+netloft_factor StaticProblem::factorise_as(MatrixClass kind, std::span<const double> v) {
+  auto& factorisation = factorisations_[static_cast<std::size_t>(kind)];
+  if (!factorisation) {
     Timed timed(books_.analysis_seconds);
-    auto factorisation = make_(false);
-    if (assembler_.pattern().symmetric) expand_pattern();
-    factorisation->analyse(assembler_.pattern().symmetric ? full_pattern_ : assembler_.pattern());
-    general_ = std::move(factorisation);
+    auto fresh = make_(kind);
+    fresh->analyse(assembler_.pattern());
+    factorisation = std::move(fresh);
   }
   Timed timed(books_.factorisation_seconds);
-  last_ = general_.get();
-  if (assembler_.pattern().symmetric) {
-    for (std::size_t i = 0; i < full_values_.size(); ++i) full_values_[i] = v[full_from_[i]];
-    v = full_values_;
-  }
-  factor_result_ = general_->factorise(v);
+  last_ = factorisation.get();
+  factor_result_ = factorisation->factorise(v);
   return factor_code(factor_result_.status);
-}
-
-/// The whole matrix of a lower triangle, and where each of its entries comes from.
-void StaticProblem::expand_pattern() {
-  const SparsePattern& lower = assembler_.pattern();
-  const auto n = static_cast<std::size_t>(lower.size);
-  full_pattern_ = {};
-  full_pattern_.size = lower.size, full_pattern_.node = lower.node, full_pattern_.symmetric = false;
-  full_pattern_.column_start.assign(n + 1, 0);
-  const auto for_entries = [&](auto&& visit) {
-    for (std::size_t c = 0; c < n; ++c)
-      for (auto k = static_cast<std::size_t>(lower.column_start[c]);
-           k < static_cast<std::size_t>(lower.column_start[c + 1]); ++k)
-        visit(static_cast<std::size_t>(lower.row[k]), c, k);
-  };
-  for_entries([&](std::size_t r, std::size_t c, std::size_t) {
-    ++full_pattern_.column_start[c + 1];
-    if (r != c) ++full_pattern_.column_start[r + 1];
-  });
-  for (std::size_t c = 0; c < n; ++c) full_pattern_.column_start[c + 1] += full_pattern_.column_start[c];
-  const auto entries = static_cast<std::size_t>(full_pattern_.column_start[n]);
-  full_pattern_.row.resize(entries), full_from_.resize(entries), full_values_.resize(entries);
-  std::vector<std::int32_t> next(full_pattern_.column_start.begin(), full_pattern_.column_start.end() - 1);
-  const auto put = [&](std::size_t r, std::size_t c, std::size_t from) {
-    const auto at = static_cast<std::size_t>(next[c]++);
-    full_pattern_.row[at] = static_cast<std::int32_t>(r), full_from_[at] = lower.slot_of(from);
-  };
-  // Upper entries of a column come from earlier columns, in ascending order; so rows come out sorted.
-  for_entries([&](std::size_t r, std::size_t c, std::size_t k) {
-    if (r != c) put(c, r, k);
-  });
-  for_entries([&](std::size_t r, std::size_t c, std::size_t k) { put(r, c, k); });
 }
 
 int StaticProblem::solve(const double* rhs, double* x) {
@@ -386,7 +341,7 @@ netloft_factor StaticProblem::factorise_at(std::span<const double> u, double shi
   place(u.data());
   if (!assembler_.evaluate(x_, {.matrix = MatrixKind::exact, .values = values(MatrixKind::exact).data()}))
     return NETLOFT_FACTOR_FAILED;
-  return factorise_symmetric(shifted(NETLOFT_EXACT, shift));
+  return factorise_as(MatrixClass::positive_definite, shifted(NETLOFT_EXACT, shift));
 }
 
 std::string StaticProblem::factorisation_name() const { return last_ ? last_->description() : "none"; }

@@ -3,6 +3,7 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/problem/books.hpp"
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <limits>
@@ -55,6 +56,8 @@ class StaticProblem {
   bool recompute(std::span<const double> u, std::vector<double>& x, std::vector<double>& residual,
                  double& energy);
   Balance balance(std::span<const double> x, std::span<const double> residual);
+  /// Largest nodal sum of the forces that do not depend on the state [N].
+  double dead_load() const { return dead_load_; }
   /// The exact tangent at u, factorised with `shift` times the metric.
   netloft_factor factorise_at(std::span<const double> u, double shift);
 
@@ -71,9 +74,8 @@ class StaticProblem {
   std::vector<double>& values(MatrixKind kind);
   void need_metric();
   std::span<const double> shifted(int matrix, double shift);
-  netloft_factor factorise_symmetric(std::span<const double> values);
-  netloft_factor factorise_general(std::span<const double> values);
-  void expand_pattern();
+  MatrixClass matrix_class(bool may_be_indefinite) const;
+  netloft_factor factorise_as(MatrixClass kind, std::span<const double> values);
   void find_dead_loads();
   void find_element_size();
 
@@ -91,12 +93,9 @@ class StaticProblem {
 
   std::vector<double> u_, x_, residual_, gradient_;
   std::vector<double> exact_, convex_, metric_, shifted_;
-  std::unique_ptr<Factorisation> symmetric_, general_;
+  std::array<std::unique_ptr<Factorisation>, 3> factorisations_;  // by MatrixClass, made when wanted
   Factorisation* last_ = nullptr;
   FactorResult factor_result_;
-  SparsePattern full_pattern_;  // of a symmetric problem, for LU
-  std::vector<std::size_t> full_from_;
-  std::vector<double> full_values_;
 };
 
 }  // namespace netloft

@@ -43,7 +43,8 @@ int Session::open() {
 }
 
 PlanExtras Session::plan_extras() {
-  const auto factorisation = make_factorisation(plan().symmetric);
+  const auto factorisation =
+      make_factorisation(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   return {loaded().analysis.solver, factorisation->description(), assembler().pattern().entries(),
           threads_for(options_), assembler().threads_used()};
 }

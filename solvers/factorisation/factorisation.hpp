@@ -6,8 +6,8 @@
 
 namespace netloft {
 
-/// The factorisation to use for a pattern: CHOLMOD for symmetric positive definite matrices, UMFPACK for the
-/// others. Fits `MakeFactorisation`.
-std::unique_ptr<Factorisation> make_factorisation(bool symmetric);
+/// The factorisation to use: CHOLMOD for positive definite matrices, MUMPS for the others, or UMFPACK where
+/// there is no MUMPS. Fits `MakeFactorisation`.
+std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
 }  // namespace netloft

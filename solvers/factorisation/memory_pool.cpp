@@ -169,3 +169,25 @@ MemoryPoolScope::MemoryPoolScope(MemoryPool& pool) : outer_(current_pool) {
 MemoryPoolScope::~MemoryPoolScope() { current_pool = outer_; }
 
 }  // namespace netloft
+
+// --- what MUMPS calls, see cmake/FindMumpsSeq.cmake
+// ---------------------------------------------------------------------------------
+
+extern "C" {
+void* netloft_mumps_malloc(std::size_t bytes) { return netloft::pool_malloc(bytes); }
+void* netloft_mumps_calloc(std::size_t count, std::size_t size) { return netloft::pool_calloc(count, size); }
+void* netloft_mumps_realloc(void* block, std::size_t bytes) { return netloft::pool_realloc(block, bytes); }
+void netloft_mumps_free(void* block) { netloft::pool_free(block); }
+
+/// Fortran's TRIM, which MUMPS calls in each factorisation: what is left is the caller's to free, if
+/// anything.
+void netloft_mumps_string_trim(std::size_t* length, char** trimmed, std::size_t source_length,
+                               const char* source) {
+  static char nothing = '\0';
+  *length = source_length;
+  while (*length > 0 && source[*length - 1] == ' ') --*length;
+  *trimmed = *length > 0 ? static_cast<char*>(netloft_mumps_malloc(*length)) : &nothing;
+  if (*trimmed == nullptr) std::abort();  // as Fortran does
+  std::memcpy(*trimmed, source, *length);
+}
+}

@@ -5,8 +5,8 @@
 
 namespace netloft {
 
-/// Keeps the blocks that SuiteSparse frees and hands them out again, so that the second and every later
-/// factorisation of one pattern calls no malloc.
+/// Keeps the blocks that SuiteSparse and MUMPS free and hands them out again, so that the second and every
+/// later factorisation of one pattern calls no malloc.
 ///
 /// Every block is a plain malloc block and its size is what the C library says of it. So a block may be taken
 /// here and freed by free(), or the other way round, and nobody has to know who made it. The pool never keeps
@@ -39,8 +39,8 @@ class MemoryPool {
   std::size_t used_bytes_ = 0, most_used_bytes_ = 0;
 };
 
-/// SuiteSparse takes its memory from `pool` while this object lives, in this thread only.
-/// Does nothing when the program has given SuiteSparse an allocator of its own.
+/// SuiteSparse and MUMPS take their memory from `pool` while this object lives, in this thread only.
+/// Does nothing to SuiteSparse when the program has given it an allocator of its own.
 class MemoryPoolScope {
  public:
   explicit MemoryPoolScope(MemoryPool& pool);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/mumps.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 
 namespace netloft::test {
@@ -101,6 +102,21 @@ TEST(StaticProblem, RefusesAnIndefiniteTangentUnlessAskedForAny) {
   EXPECT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT, 0), NETLOFT_NOT_POSITIVE);
   EXPECT_EQ(c.problem.books().refused_factorisations, 1);
   expect_solve_undoes_multiply(c, NETLOFT_EXACT, NETLOFT_INDEFINITE, 0);
+}
+
+// The last bar pushes, and can turn both ways about its upper end: two directions of negative stiffness.
+TEST(StaticProblem, CountsNegativeEigenvaluesOfAnIndefiniteTangent) {
+  if (!has_mumps()) GTEST_SKIP() << "built without MUMPS";
+  Sketch s;
+  const auto top = s.node(0, 0, 0, kAllAxes), end = s.node(0, 0, -0.9);
+  s.rope("strut", {top, end}, 1);
+  s.scene.parts[0].parameters["rope.EA_compression"] = 1e4;
+  Called c(s.scene);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
+  ASSERT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT | NETLOFT_INDEFINITE, 0), NETLOFT_FACTOR_OK);
+  EXPECT_EQ(c.p.negative_pivots(c.p.host), 2);
+  ASSERT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT | NETLOFT_INDEFINITE, 10), NETLOFT_FACTOR_OK);
+  EXPECT_EQ(c.p.negative_pivots(c.p.host), 0);
 }
 
 TEST(StaticProblem, HasNothingToFactoriseOrMultiplyBeforeAnEvaluation) {

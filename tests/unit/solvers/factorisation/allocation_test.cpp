@@ -60,15 +60,18 @@ long count_allocations(Factorisation& factorisation, const TestMatrix& matrix, i
   return count;
 }
 
-class Allocations : public testing::TestWithParam<bool> {
+class Allocations : public testing::TestWithParam<MatrixClass> {
  protected:
   void SetUp() override {
 #ifndef NETLOFT_COUNTS_MALLOC
     GTEST_SKIP() << "malloc cannot be counted in this build";
 #endif
   }
+  /// Factorisations after which there are no more allocations. MUMPS keeps arrays from one to the next.
+  int warm_up() const { return GetParam() == MatrixClass::positive_definite ? 1 : 3; }
   TestMatrix make_net(int side) const {
-    return make_net_matrix({.rings = side, .nodes_per_ring = side, .symmetric = GetParam()});
+    return make_net_matrix(
+        {.rings = side, .nodes_per_ring = side, .symmetric = GetParam() != MatrixClass::unsymmetric});
   }
 };
 
@@ -79,12 +82,12 @@ TEST_P(Allocations, AreSeenInTheFirstFactorisation) {
   EXPECT_GT(count_allocations(*factorisation, net, 0), 0);
 }
 
-TEST_P(Allocations, AreNoneInTheSecondFactorisation) {
+TEST_P(Allocations, AreNoneOnceItHasFactorised) {
   for (const int side : {5, 20, 60}) {
     const TestMatrix net = make_net(side);
     const auto factorisation = make_factorisation(GetParam());
     factorisation->analyse(net.pattern);
-    EXPECT_EQ(count_allocations(*factorisation, net, 1), 0) << side;
+    EXPECT_EQ(count_allocations(*factorisation, net, warm_up()), 0) << side;
     EXPECT_EQ(count_allocations(*factorisation, net, 5), 0) << side;
   }
 }
@@ -93,7 +96,7 @@ TEST_P(Allocations, AreNoneAfterAFailedFactorisation) {
   const TestMatrix net = make_net(20);
   const auto factorisation = make_factorisation(GetParam());
   factorisation->analyse(net.pattern);
-  count_allocations(*factorisation, net, 1);
+  count_allocations(*factorisation, net, warm_up());
   const std::vector<double> zeros(net.value.size(), 0);
   const long before = allocations;
   EXPECT_NE(factorisation->factorise(zeros).status, FactorStatus::ok);
@@ -106,14 +109,21 @@ TEST_P(Allocations, AreNoneWithTwoFactorisationsSideBySide) {
   const auto first = make_factorisation(GetParam()), second = make_factorisation(GetParam());
   first->analyse(small.pattern);
   second->analyse(large.pattern);
-  count_allocations(*first, small, 0);
-  count_allocations(*second, large, 0);
+  count_allocations(*first, small, warm_up() - 1);
+  count_allocations(*second, large, warm_up() - 1);
   EXPECT_EQ(count_allocations(*first, small, 0), 0);
   EXPECT_EQ(count_allocations(*second, large, 0), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Factorisation, Allocations, testing::Values(true, false),
-                         [](const auto& test) { return std::string(test.param ? "Cholmod" : "Umfpack"); });
+std::string name_of(MatrixClass kind) {
+  const char* const names[] = {"PositiveDefinite", "Symmetric", "Unsymmetric"};
+  return names[static_cast<int>(kind)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Factorisation, Allocations,
+                         testing::Values(MatrixClass::positive_definite, MatrixClass::symmetric,
+                                         MatrixClass::unsymmetric),
+                         [](const auto& test) { return name_of(test.param); });
 
 }  // namespace
 }  // namespace netloft

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/factorisation/factorisation.hpp"
 #include "tests/unit/solvers/factorisation/net_matrix.hpp"
 
 namespace netloft {
@@ -202,28 +201,6 @@ TEST(Cholmod, LeavesTheThreadsOfTheProgramAsTheyWere) {
   const int before = levels();
   error_of_solving(*make_cholmod_factorisation(), make_net_matrix({}));
   EXPECT_EQ(levels(), before);
-}
-
-TEST(MakeFactorisation, TakesCholmodForSymmetricMatricesAndUmfpackForOthers) {
-  EXPECT_EQ(make_factorisation(true)->description().find("CHOLMOD"), 0u);
-  EXPECT_EQ(make_factorisation(false)->description().find("UMFPACK"), 0u);
-}
-
-TEST(MakeFactorisation, GivesOneSolutionByBothMeans) {
-  NetOptions options;
-  std::vector<double> x[2];
-  for (const bool symmetric : {false, true}) {
-    options.symmetric = symmetric;
-    const TestMatrix net = make_net_matrix(options);
-    const auto factorisation = make_factorisation(symmetric);
-    factorisation->analyse(net.pattern);
-    ASSERT_EQ(factorisation->factorise(net.value).status, FactorStatus::ok);
-    x[symmetric].resize(net.pattern.size);
-    factorisation->solve(made_up_vector(net.pattern.size), x[symmetric]);
-  }
-  for (std::size_t i = 0; i < x[0].size(); ++i) {
-    EXPECT_NEAR(x[0][i], x[1][i], 1e-9 * std::abs(x[0][i]) + 1e-9);  // condition number about 1e5
-  }
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/factorisation/lower_triangle.hpp"
+
+#include <cassert>
+#include <numeric>
+
+namespace netloft {
+namespace {
+
+/// Calls visit(row, column, entry) for every entry of a pattern, column by column.
+template <class Visit>
+void for_entries(const SparsePattern& pattern, Visit&& visit) {
+  for (std::int32_t c = 0; c < pattern.size; ++c)
+    for (std::int32_t e = pattern.column_start[c]; e < pattern.column_start[c + 1]; ++e)
+      visit(pattern.row[e], c, e);
+}
+
+/// The whole of a symmetric pattern, and where the value of each entry comes from.
+struct WholePattern {
+  SparsePattern pattern;
+  std::vector<std::size_t> source;
+
+  explicit WholePattern(const SparsePattern& lower);
+
+ private:
+  void count_entries(const SparsePattern& lower);
+};
+
+WholePattern::WholePattern(const SparsePattern& lower) {
+  pattern.size = lower.size, pattern.node = lower.node, pattern.symmetric = false;
+  count_entries(lower);
+  std::vector<std::int32_t> next(pattern.column_start.begin(), pattern.column_start.end() - 1);
+  const auto put = [&](std::int32_t row, std::int32_t column, std::int32_t entry) {
+    pattern.row[next[column]] = row;
+    source[next[column]++] = lower.slot_of(static_cast<std::size_t>(entry));
+  };
+  // Upper entries of a column come from earlier columns, in ascending order; so rows come out sorted.
+  for_entries(lower, [&](auto row, auto column, auto entry) {
+    if (row != column) put(column, row, entry);
+  });
+  for_entries(lower, put);
+}
+
+void WholePattern::count_entries(const SparsePattern& lower) {
+  auto& start = pattern.column_start;
+  start.assign(static_cast<std::size_t>(lower.size) + 1, 0);
+  for_entries(lower, [&](auto row, auto column, auto) {
+    ++start[column + 1];
+    if (row != column) ++start[row + 1];
+  });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  pattern.row.resize(start.back());
+  source.resize(start.back());
+}
+
+class LowerTriangleFactorisation final : public Factorisation {
+ public:
+  explicit LowerTriangleFactorisation(std::unique_ptr<Factorisation> inner) : inner_(std::move(inner)) {}
+
+  std::string description() const override { return inner_->description(); }
+  void analyse(const SparsePattern& pattern) override {
+    assert(pattern.symmetric);
+    whole_ = std::make_unique<WholePattern>(pattern);
+    values_.resize(whole_->source.size());
+    inner_->analyse(whole_->pattern);
+  }
+  FactorResult factorise(std::span<const double> values) override {
+    for (std::size_t e = 0; e < values_.size(); ++e) values_[e] = values[whole_->source[e]];
+    return inner_->factorise(values_);
+  }
+  void solve(std::span<const double> rhs, std::span<double> x) override { inner_->solve(rhs, x); }
+  double factor_entries() const override { return inner_->factor_entries(); }
+  double factor_flops() const override { return inner_->factor_flops(); }
+
+ private:
+  std::unique_ptr<Factorisation> inner_;
+  std::unique_ptr<WholePattern> whole_;
+  std::vector<double> values_;
+};
+
+}  // namespace
+
+std::unique_ptr<Factorisation> make_factorisation_of_lower_triangle(std::unique_ptr<Factorisation> inner) {
+  return std::make_unique<LowerTriangleFactorisation>(std::move(inner));
+}
+
+}  // namespace netloft

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Takes the place of mumps.cpp where MUMPS was not found.
+#include <stdexcept>
+
+#include "solvers/factorisation/mumps.hpp"
+
+namespace netloft {
+
+bool has_mumps() { return false; }
+
+std::unique_ptr<Factorisation> make_mumps_factorisation(MatrixClass, OrderingMethod) {
+  throw std::logic_error("built without MUMPS");
+}
+
+}  // namespace netloft
