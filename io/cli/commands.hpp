@@ -8,11 +8,12 @@ namespace netloft::io {
 /// Folders in the order of search: --plugins, the scene's if asked for, NETLOFT_PLUGINS, the installed one.
 void find_plugins(const Options& options, Registry& registry);
 
-int run_command(const Options& options);       // solve a scene
-int plan_command(const Options& options);      // say what a scene needs
-int list_command(const Options& options);      // components there are
-int describe_command(const Options& options);  // one component
-int schema_command(const Options& options);    // JSON schema of scenes
-int test_command(const Options& options);      // conformance of a plugin
+int run_command(const Options& options);        // solve a scene
+int plan_command(const Options& options);       // say what a scene needs
+int list_command(const Options& options);       // components there are
+int describe_command(const Options& options);   // one component
+int schema_command(const Options& options);     // JSON schema of scenes
+int test_command(const Options& options);       // conformance of a plugin
+int stability_command(const Options& options);  // solvers on hard cases
 
 }  // namespace netloft::io

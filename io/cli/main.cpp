@@ -38,6 +38,30 @@ void add_scene_options(CLI::App& command, Options& o) {
   add_plugin_options(command, o);
 }
 
+void add_stability_command(CLI::App& app, Options& o) {
+  StabilityOptions& s = o.stability;
+  auto* command =
+      app.add_subcommand("stability", "run solvers on the suite of hard cases, and print how they did");
+  command->add_option("SUITE", s.suite, "folder of the suite; else tests/stability");
+  command->add_option("--solver", s.solvers, "solver, as run takes it; may be repeated")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]")
+      ->allow_extra_args(false);
+  command->add_option("--size", s.sizes, "about 200, 800 and 12000 unknowns; else small,medium")
+      ->check(CLI::IsMember({"small", "medium", "large"}))
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--case", s.pattern, "only cases whose name contains this")->type_name("TEXT");
+  command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases");
+  command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
+      ->check(CLI::Range(0.001, 1e6));
+  command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
+  command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
+  command->add_option("--threads", o.threads, "threads of the assembly; else one")
+      ->check(CLI::Range(1, 1024));
+  add_plugin_options(*command, o);
+}
+
 void add_commands(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
   add_scene_options(*run, o);
@@ -55,6 +79,7 @@ void add_commands(CLI::App& app, Options& o) {
       app.add_subcommand("test", "check the elements of a plugin: derivatives, balance, lanes, manners");
   test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
   add_plugin_options(*test, o);
+  add_stability_command(app, o);
   app.require_subcommand(1);
 }
 
@@ -64,6 +89,7 @@ int dispatch(const Options& o) {
   if (o.command == "list") return list_command(o);
   if (o.command == "describe") return describe_command(o);
   if (o.command == "schema") return schema_command(o);
+  if (o.command == "stability") return stability_command(o);
   return test_command(o);
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/cli/stability_options.hpp"
+
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct Options {
   int threads = 0;                   // 0: as many as the machine has
   bool json = false;
   std::string color = "auto";
+  StabilityOptions stability;      // of that command alone
   std::vector<std::string> words;  // the command line as given
 };
 

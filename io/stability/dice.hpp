@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+namespace netloft::io {
+
+/// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood, "Fast splittable
+/// pseudorandom number generators", OOPSLA 2014), seeded by a name and a number.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+  Dice(std::string_view name, std::uint64_t number);
+
+  std::uint64_t next();
+  double uniform(double lo, double hi);                  // [lo, hi)
+  double log_uniform(double lo, double hi);              // both above zero
+  std::int64_t whole(std::int64_t lo, std::int64_t hi);  // both ends included
+  std::size_t index(std::size_t count) { return static_cast<std::size_t>(next() % count); }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/verdict.hpp"
+#include "io/stability/suite.hpp"
+
+#include <array>
+#include <optional>
+
+namespace netloft::io {
+
+/// The best answer known to a case at one size. Positions are of some nodes only, spread over all.
+struct Reference {
+  struct Node {
+    std::uint32_t node;
+    std::array<double, 3> x;  // [m]
+  };
+  std::size_t unknowns = 0;
+  double energy = 0;  // [J]
+  double size = 1;    // diagonal of the box round all nodes [m]
+  double load = 0;    // largest nodal load [N]
+  std::vector<Node> nodes;
+  std::string found_by;  // "newton from the sketch"
+};
+
+/// Where a solver ended, as the host sees it.
+enum class Where {
+  reference,  // at the best answer known
+  lower,      // stable, of less energy than that
+  another,    // stable or of unknown stability, elsewhere, at no more energy
+  higher,     // stable, at more energy: a shape of the gear, but not the best
+  wrong,      // says it has arrived, and is not where the only answer is
+  unstable,   // at a stationary point that is not stable, and says so
+  failed,     // says that it has not arrived
+  honest,     // there is no equilibrium, and it says so
+  late,       // the same, but only because its time was up
+  lied,       // there is no equilibrium, and it says that it has arrived
+  not_run,    // the case could not be set up
+};
+
+struct Verdict {
+  Where where = Where::failed;
+  double distance = 0;  // from the reference, over its size; of the nodes that it knows
+  double gap = 0;       // energy above the reference, over what energies are a part of
+};
+
+/// The same place: this close in position (over size) and in energy.
+inline constexpr double kSamePlace = 1e-8, kSameEnergy = 1e-9;
+
+/// What of a solution there is to judge by; independent of what the solver says of itself.
+struct Ended {
+  const Solution& solution;
+  bool conservative;  // energies tell which of two places is the better one
+  bool out_of_time;
+};
+
+/// `reference` may be missing: then nothing can be said but whether it is balanced.
+Verdict judge(const StabilityCase& c, const std::optional<Reference>& reference, const Ended& ended);
+
+bool is_arrival(Where where);  // at an equilibrium that the case accepts
+bool is_right(Where where);    // arrival, or an honest failure where there is nothing to arrive at
+bool is_lie(Where where);      // success was claimed where there was none
+const char* name_of(Where where);
+
+/// Reference out of a solution.
+Reference make_reference(const Solution& solution, std::size_t unknowns, std::string found_by);
+
+}  // namespace netloft::io

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stability/matrix.hpp"
+
+#include <fmt/format.h>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr const char* kStyle = R"(
+:root { color-scheme: light dark; --page: #fff; --ink: #1b1f24; --faint: #66707c; --line: #d5dae0;
+  --right: #d3efd8; --honest: #dbe7fb; --off: #fdecc8; --failed: #f6d5d0; --lie: #c62828; --lie-ink: #fff; }
+@media (prefers-color-scheme: dark) { :root { --page: #14181d; --ink: #e4e8ec; --faint: #98a2ad; --line: #333b44;
+  --right: #1d4a2a; --honest: #1f3a63; --off: #5a4512; --failed: #5c2620; --lie: #ff5c4d; --lie-ink: #14181d; } }
+body { background: var(--page); color: var(--ink); font: 15px/1.45 system-ui, sans-serif; margin: 2rem; }
+h1 { font-size: 1.4rem; } h2 { font-size: 1.1rem; margin-top: 2rem; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; } th, td { border: 1px solid var(--line); padding: .25rem .6rem; text-align: left; }
+th { font-weight: 600; } td.number { text-align: right; } small { color: var(--faint); } td small { color: inherit; opacity: .75; }
+.right { background: var(--right); } .honest { background: var(--honest); } .off { background: var(--off); }
+.failed { background: var(--failed); } .lie { background: var(--lie); color: var(--lie-ink); font-weight: 600; }
+)";
+
+const char* colour_of(Where where) {
+  if (is_lie(where)) return "lie";
+  if (where == Where::honest) return "honest";
+  if (is_arrival(where)) return "right";
+  return where == Where::higher || where == Where::unstable || where == Where::late ? "off" : "failed";
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string cell_html(const Cell& c) {
+  return fmt::format("<td class=\"{}\" title=\"{}\">{}<br><small>{} / {} / {:.2g} s</small></td>",
+                     colour_of(c.verdict.where), escaped(c.reason), name_of(c.verdict.where), c.iterations,
+                     c.factorisations, c.cpu_seconds);
+}
+
+std::string row_html(const Row& row) {
+  std::size_t unknowns = 0;
+  for (const auto& cell : row.cells) unknowns = std::max(unknowns, cell.unknowns);
+  std::string html =
+      fmt::format("<tr><th scope=\"row\" title=\"{}\">{}{}</th><td>{}</td><td class=\"number\">{}</td>",
+                  escaped(row.about->about), escaped(row.about->name),
+                  row.about->drawn ? " <small>drawn</small>" : "", name_of(row.about->expected), unknowns);
+  for (const auto& cell : row.cells) html += cell_html(cell);
+  return html + fmt::format("<td class=\"number\">{}</td></tr>\n", row.shapes);
+}
+
+std::string table_html(const std::string& size, const std::vector<Row>& rows) {
+  std::string html, head;
+  for (const auto& row : rows) {
+    if (row.size != size) continue;
+    if (head.empty())
+      for (const auto& cell : row.cells) head += "<th scope=\"col\">" + escaped(cell.solver) + "</th>";
+    html += row_html(row);
+  }
+  if (html.empty()) return "";
+  return "<h2>" + size +
+         "</h2>\n<div class=\"wide\"><table>\n<tr><th>case</th><th>expected</th><th>unknowns</th>" + head +
+         "<th title=\"found by the solvers of this row\">stable shapes</th></tr>\n" + html +
+         "</table></div>\n";
+}
+
+std::string tally_html(const std::vector<Row>& rows) {
+  std::string html =
+      "<div class=\"wide\"><table>\n<tr><th>solver</th><th>right</th><th>cases</th>"
+      "<th>false claims of success</th><th>CPU seconds</th></tr>\n";
+  for (const auto& t : tally(rows))
+    html += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td>"
+        "<td class=\"number\">{}</td><td class=\"number\">{:.1f}</td></tr>\n",
+        escaped(t.solver), t.right, t.cases, t.lies, t.cpu_seconds);
+  return html + "</table></div>\n";
+}
+
+constexpr const char* kLegend =
+    "<p>Each cell: where the solver ended, then iterations / factorisations / CPU seconds; what it was told "
+    "stands behind the "
+    "cell. <span class=\"right\">reference, lower, another</span>: at the best answer known, at one of less "
+    "energy, at a "
+    "stable one elsewhere. <span class=\"honest\">honest</span>: there is no equilibrium, and it says so. "
+    "<span class=\"off\">higher, unstable, late</span>: at a stable shape of more energy; at an unstable "
+    "one, saying so; "
+    "no equilibrium, but only the clock ended it. <span class=\"failed\">failed</span>: says that it has not "
+    "arrived. "
+    "<span class=\"lie\">wrong, lied</span>: claims success where there is none.</p>\n";
+
+}  // namespace
+
+std::string matrix_html(const MatrixTitle& title, const std::vector<Row>& rows) {
+  std::string html =
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width\"><title>Netloft: stability</title><style>";
+  html += kStyle;
+  html +=
+      fmt::format("</style></head><body>\n<h1>Stability of solvers on hard cases</h1>\n<p>{}, draw {}</p>\n",
+                  escaped(title.folder), title.draw);
+  html += tally_html(rows) + kLegend;
+  for (const auto& size : kStabilitySizes) html += table_html(size, rows);
+  return html + "</body></html>\n";
+}
+
+}  // namespace netloft::io

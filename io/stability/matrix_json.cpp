@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stability/matrix.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON knows no infinity.
+Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+
+Json history_json(const std::vector<IterationRecord>& history) {
+  Json all = Json::array();
+  for (const auto& r : history)
+    all.push_back({{"iteration", r.iteration},
+                   {"residual", number(r.residual)},
+                   {"load", number(r.scale)},
+                   {"energy", number(r.energy)},
+                   {"note", r.note}});
+  return all;
+}
+
+Json cell_json(const Cell& c, const Row& row) {
+  return {{"name", c.name},
+          {"size", c.size},
+          {"solver", c.solver},
+          {"unknowns", c.unknowns},
+          {"arrived", is_arrival(c.verdict.where)},
+          {"where", name_of(c.verdict.where)},
+          {"right", is_right(c.verdict.where)},
+          {"expected", name_of(c.expected)},
+          {"drawn", row.about->drawn},
+          {"stable_shapes", row.shapes},
+          {"iterations", c.iterations},
+          {"factorisations", c.factorisations},
+          {"cpu_seconds", c.cpu_seconds},
+          {"energy", number(c.energy)},
+          {"energy_gap", number(c.verdict.gap)},
+          {"distance", number(c.verdict.distance)},
+          {"status", c.status},
+          {"stability", c.stability},
+          {"reason", c.reason},
+          {"history", history_json(c.history)}};
+}
+
+}  // namespace
+
+std::string matrix_json(const MatrixTitle& title, const std::vector<Row>& rows) {
+  Json cases = Json::array(), solvers = Json::array();
+  for (const auto& row : rows)
+    for (const auto& cell : row.cells) cases.push_back(cell_json(cell, row));
+  for (const auto& t : tally(rows))
+    solvers.push_back({{"solver", t.solver},
+                       {"cases", t.cases},
+                       {"right", t.right},
+                       {"lies", t.lies},
+                       {"cpu_seconds", t.cpu_seconds}});
+  const Json all = {{"suite", title.folder}, {"draw", title.draw}, {"solvers", solvers}, {"cases", cases}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stability/references.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Reference from_json(const Json& json) {
+  Reference r{json.at("unknowns"), json.at("energy"), json.at("size"), json.at("load"), {},
+              json.at("found_by")};
+  for (const auto& n : json.at("nodes")) r.nodes.push_back({n.at(0), {n.at(1), n.at(2), n.at(3)}});
+  return r;
+}
+
+Json to_json(const Reference& r) {
+  Json nodes = Json::array();
+  for (const auto& n : r.nodes) nodes.push_back({n.node, n.x[0], n.x[1], n.x[2]});
+  return {{"unknowns", r.unknowns}, {"energy", r.energy},     {"size", r.size},
+          {"load", r.load},         {"found_by", r.found_by}, {"nodes", nodes}};
+}
+
+}  // namespace
+
+References::References(const std::filesystem::path& file) : file_(file) {
+  std::ifstream in(file);
+  if (!in) return;
+  try {
+    for (const auto& [name, sizes] : Json::parse(in).items())
+      for (const auto& [size, reference] : sizes.items()) all_[name][size] = from_json(reference);
+  } catch (const Json::exception& e) {
+    throw std::runtime_error(file.string() + ": " + e.what());
+  }
+}
+
+std::optional<Reference> References::find(const std::string& name, const std::string& size) const {
+  const auto sizes = all_.find(name);
+  if (sizes == all_.end()) return {};
+  const auto at = sizes->second.find(size);
+  return at == sizes->second.end() ? std::nullopt : std::optional(at->second);
+}
+
+void References::offer(const std::string& name, const std::string& size, const Reference& reference) {
+  all_[name][size] = reference;
+}
+
+/// One answer a line, so that a change shows what changed.
+void References::save() const {
+  std::ofstream out(file_);
+  out << "{";
+  const char* comma = "\n";
+  for (const auto& [name, sizes] : all_) {
+    out << comma << Json(name) << ": {", comma = ",\n";
+    const char* between = "\n  ";
+    for (const auto& [size, reference] : sizes)
+      out << between << Json(size) << ": " << to_json(reference), between = ",\n  ";
+    out << "}";
+  }
+  out << "\n}\n";
+  if (!out.flush()) throw std::runtime_error(file_.string() + ": cannot be written");
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/stability/judge.hpp"
+
+#include <map>
+
+namespace netloft::io {
+
+/// Answers kept as data beside the suite, by name of the answer and size: references.json.
+class References {
+ public:
+  /// An absent file is an empty book. Throws std::runtime_error, naming the file, if it cannot be read.
+  explicit References(const std::filesystem::path& file);
+
+  std::optional<Reference> find(const std::string& name, const std::string& size) const;
+  /// Keeps the better of two: that of lower energy, or the new one where they agree.
+  void offer(const std::string& name, const std::string& size, const Reference& reference);
+  void save() const;
+
+ private:
+  std::filesystem::path file_;
+  std::map<std::string, std::map<std::string, Reference>> all_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/analysis/case.hpp"
+#include "io/stability/references.hpp"
+
+#include <functional>
+
+namespace netloft::io {
+
+/// One case, one size, one solver: what became of it.
+struct Cell {
+  std::string name, size, solver;
+  Expected expected = Expected::stable;
+  std::size_t unknowns = 0;
+  Verdict verdict;
+  std::string status, stability, reason;
+  int iterations = 0, factorisations = 0;
+  double cpu_seconds = 0, energy = 0;
+  std::vector<IterationRecord> history;  // some of it: the first, the last, and some between
+};
+
+/// All solvers on one case at one size.
+struct Row {
+  const StabilityCase* about = nullptr;
+  std::string size;
+  std::vector<Cell> cells;
+  std::size_t shapes = 0;  // stable shapes that were found, told apart by energy and place
+};
+
+struct RunOptions {
+  std::vector<std::string> sizes;  // of kStabilitySizes
+  std::string pattern;             // only cases whose name contains it
+  double seconds = 0;              // for one case; 0: 10, of large ones 60
+  int threads = 1;
+  bool update = false;  // the book of references
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(const Row&)> on_row;
+};
+
+/// Runs the suite, case by case; an interrupt ends it after the case at hand, which is left out.
+std::vector<Row> run_suite(const StabilitySuite& suite, const std::vector<StabilityColumn>& columns,
+                           References& references, Registry& registry, const RunOptions& options);
+
+}  // namespace netloft::io
