@@ -150,6 +150,23 @@ std::array<double, 3> Assembler::part_of(std::uint32_t node, std::span<const dou
 }
 
 int Assembler::threads_used() const {
+std::vector<double> Assembler::displacements(std::span<const double> positions) const {
+  std::vector<double> u(static_cast<std::size_t>(numbering_.unknowns()));
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const auto place = static_cast<std::int32_t>(i);
+    const std::uint32_t node = numbering_.node(place);
+    if (3 * std::size_t{node} >= positions.size()) continue;  // what elements share is in no place
+    const auto own = static_cast<std::size_t>(numbering_.axis(place));
+    const auto frame = axes_.find(node);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<std::size_t>(numbering_.index(node, static_cast<int>(axis)));
+      const double way = positions[3 * std::size_t{node} + axis] - start_[at];
+      u[i] += frame == axes_.end() ? (axis == own ? way : 0.0) : frame->second[3 * axis + own] * way;
+    }
+  }
+  return u;
+}
+
   for (const auto& tiling : tilings_)
     for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
       if (tiling.colour_begin[c + 1] - tiling.colour_begin[c] >= kSerialBelow)

@@ -60,6 +60,10 @@ class Assembler {
   /// Rates over all dofs from those of the unknowns and of the guides.
   void move(double time, std::span<const double> v, std::span<const double> a, std::span<double> all_v,
             std::span<double> all_a) const;
+  /// Displacements of the unknowns that bring the nodes nearest to `positions`, 3 per node of the scene [m].
+  std::vector<double> displacements(std::span<const double> positions) const;
+  /// Whether some held node is moved.
+  bool is_guided() const { return !guides_.empty(); }
   /// What holds a node (along some of its own axes), and what is left unbalanced at it, out of a residual
   /// [N], in the world frame.
   std::array<double, 3> reaction(std::uint32_t node, std::span<const double> residual,

@@ -20,6 +20,17 @@ struct Books {
   double assembly_seconds = 0, analysis_seconds = 0, factorisation_seconds = 0, solve_seconds = 0;
   double total_seconds = 0, total_cpu_seconds = 0;  // the host's last checks included
   double solver_cpu_seconds = 0;                    // without them
+
+  /// Adds what another solve cost.
+  void add(const Books& other) {
+    iterations += other.iterations, energies += other.energies, residuals += other.residuals;
+    matrices += other.matrices, factorisations += other.factorisations;
+    refused_factorisations += other.refused_factorisations, solves += other.solves;
+    assembly_seconds += other.assembly_seconds, analysis_seconds += other.analysis_seconds;
+    factorisation_seconds += other.factorisation_seconds, solve_seconds += other.solve_seconds;
+    total_seconds += other.total_seconds, total_cpu_seconds += other.total_cpu_seconds;
+    solver_cpu_seconds += other.solver_cpu_seconds;
+  }
 };
 
 /// Adds the wall time of its life to one account.

@@ -123,9 +123,11 @@ void judge(Solution& s, const std::string& ending, StaticProblem& problem, const
 
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
-                      std::function<void(const IterationRecord&)> on_iteration) {
+                      std::function<void(const IterationRecord&)> on_iteration,
+                      std::span<const double> start) {
   const double wall = wall_seconds(), cpu = cpu_seconds();
   StaticProblem problem(assembler, make, limits, std::move(on_iteration));
+  std::copy(start.begin(), start.end(), problem.interface().u);
   const std::uint32_t lacking = solver.solver.needs & ~problem.interface().traits;
   Solution s;
   netloft_outcome outcome = NETLOFT_SOLVER_ERROR;

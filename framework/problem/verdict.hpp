@@ -7,6 +7,16 @@ namespace netloft {
 enum class SolveStatus { converged, unstable, not_converged, interrupted };
 enum class Stability { stable, neutral, unstable, unknown };
 
+/// One solve on the way to an answer: of the scene itself, or of an easier one.
+struct Leg {
+  std::string name;    // "tension only"
+  std::string solver;  // "newton/newton"
+  std::size_t unknowns = 0;
+  SolveStatus status = SolveStatus::not_converged;
+  std::string reason;
+  Books books;
+};
+
 /// Where a solver ended and what the host makes of it.
 struct Solution {
   SolveStatus status = SolveStatus::not_converged;
@@ -22,15 +32,18 @@ struct Solution {
   Books books;
   std::vector<IterationRecord> history;
   std::string factorisation;
+  std::vector<Leg> legs;  // if there were several; `books` is then their sum
 };
 
-/// Lets `solver` find the static equilibrium of the assembled scene, recomputes the residual where it ended
-/// and judges it. How far from the equilibrium a balanced point is estimated to be, says `correction`. A
-/// stationary point whose tangent is not positive definite is called unstable. What elements remember
-/// (friction) stands still while the solver works; where it converged is what they remember next.
+/// Lets `solver` find the static equilibrium of the assembled scene, from displacements `start` of the
+/// unknowns (empty: from the scene's own start), recomputes the residual where it ended and judges it. How
+/// far from the equilibrium a balanced point is estimated to be, says `correction`. A stationary point whose
+/// tangent is not positive definite is called unstable. What elements remember (friction) stands still while
+/// the solver works; where it converged is what they remember next.
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
-                      std::function<void(const IterationRecord&)> on_iteration = {});
+                      std::function<void(const IterationRecord&)> on_iteration = {},
+                      std::span<const double> start = {});
 
 const char* name_of(SolveStatus status);
 const char* name_of(Stability stability);

@@ -1,12 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/analysis/case.hpp"
 
+#include "framework/continuation/journey.hpp"
+#include "io/analysis/coarser.hpp"
 #include "io/scene/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace netloft::io {
+
+namespace {
+
+// Below so many unknowns a coarser mesh costs as much as it saves; it need not be solved better than this.
+constexpr std::size_t kSmall = 200;
+constexpr double kCoarseTolerance = 1e-3;
+
+/// Moves the free nodes; what is held starts where it is held.
+void set_start(Scene& scene, const std::vector<double>& positions) {
+  for (std::size_t d = 0; d < positions.size(); ++d)
+    if (scene.held[d / 3] == 0) scene.positions[d] = positions[d];
+}
+
+}  // namespace
 
 Case::Case(CaseSource source, Registry& registry) : source_(std::move(source)), registry_(registry) {}
 
@@ -38,6 +55,10 @@ Case::State Case::assemble() {
 }
 
 Solution Case::solve(const Watch& watch) {
+  return loaded_.analysis.continuation ? solve_by_journey(watch) : solve_plainly(watch);
+}
+
+Solution Case::solve_plainly(const Watch& watch) {
   const SolverType& solver = registry_.solver(loaded_.analysis.solver);
   std::vector<std::string> faults;
   const ParameterBlock parameters(solver.parameters, solver.solver.parameter_bytes,
@@ -47,6 +68,53 @@ Solution Case::solve(const Watch& watch) {
   limits.interrupt = watch.interrupt;
   return solve_static(loaded_.scene, *assembler_, solver, parameters.data(), limits, make_factorisation,
                       watch.on_iteration);
+}
+
+Solution Case::solve_by_journey(const Watch& watch) {
+  JourneyOptions options;
+  options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
+  options.limits = loaded_.analysis.limits, options.limits.interrupt = watch.interrupt;
+  options.make = make_factorisation, options.tangent = loaded_.analysis.tangent;
+  options.threads = source_.threads, options.on_iteration = watch.on_iteration;
+  Journey journey(loaded_.scene, *assembler_, registry_, options);
+  std::vector<Leg> coarser;
+  const std::vector<double> start = start_from_coarser(watch, coarser);
+  for (const Leg& leg : coarser) journey.book(leg);
+  return journey.arrive(start);
+}
+
+/// Grid sequencing: where the same gear in half as many cells across and along comes to rest, it being solved
+/// likewise. Empty if there is no such gear, or it is small enough to be solved at once, or did not arrive.
+std::vector<double> Case::start_from_coarser(const Watch& watch, std::vector<Leg>& legs) {
+  const auto halved = halved_cells(loaded_);
+  if (halved.empty() || plan_.unknowns < kSmall) return {};
+  CaseSource source = source_;
+  source.overrides.insert(source.overrides.end(), halved.begin(), halved.end());
+  source.overrides.push_back("analysis.tolerance=" +
+                             std::to_string(std::max(kCoarseTolerance, loaded_.analysis.limits.tolerance)));
+  Case coarser(source, registry_);
+  const auto start_likewise = [&](LoadedScene& coarse) {
+    if (const auto start = carried_over(loaded_, loaded_.scene.positions, coarse))
+      set_start(coarse.scene, *start);
+  };
+  if (coarser.open(start_likewise) != State::ready) return {};
+  const Solution s = coarser.solve(watch);
+  if (s.legs.empty())
+    legs.push_back({"coarser mesh", loaded_.analysis.solver, s.u.size(), s.status, s.reason, s.books});
+  else
+    for (Leg leg : s.legs) leg.name += ", coarser mesh", legs.push_back(leg);
+  if (s.status != SolveStatus::converged) return {};
+  const auto carried = carried_over(coarser.loaded_, coarser.positions(s.x), loaded_);
+  return carried ? assembler_->displacements(*carried) : std::vector<double>{};
+}
+
+std::vector<double> Case::positions(std::span<const double> x) const {
+  std::vector<double> all(loaded_.scene.positions.size());
+  for (std::uint32_t node = 0; node < loaded_.scene.node_count(); ++node)
+    for (int axis = 0; axis < 3; ++axis)
+      all[3 * std::size_t{node} + static_cast<std::size_t>(axis)] =
+          x[static_cast<std::size_t>(assembler_->numbering().index(node, axis))];
+  return all;
 }
 
 }  // namespace netloft::io

@@ -45,6 +45,9 @@ class Case {
   /// Solves as the scene's analysis says, from its start.
   Solution solve(const Watch& watch = {});
 
+  /// Positions of all nodes [m], 3 per node of the scene, out of a vector over all dofs.
+  std::vector<double> positions(std::span<const double> x) const;
+
   LoadedScene& loaded() { return loaded_; }
   const LoadedScene& loaded() const { return loaded_; }
   const Plan& plan() const { return plan_; }
@@ -57,6 +60,9 @@ class Case {
  private:
   State read();
   State assemble();
+  Solution solve_plainly(const Watch& watch);
+  Solution solve_by_journey(const Watch& watch);
+  std::vector<double> start_from_coarser(const Watch& watch, std::vector<Leg>& legs);
 
   CaseSource source_;
   Registry& registry_;

@@ -44,6 +44,21 @@ Json seconds_json(const RunResult& r) {
           {"total", r.reading_seconds + r.setup_seconds + b.total_seconds}};
 }
 
+/// What was solved on the way, the scene itself included; empty if it was solved at once.
+Json legs_json(const Solution& s) {
+  Json legs = Json::array();
+  for (const Leg& leg : s.legs)
+    legs.push_back({{"name", leg.name},
+                    {"solver", leg.solver},
+                    {"unknowns", leg.unknowns},
+                    {"status", name_of(leg.status)},
+                    {"reason", leg.reason},
+                    {"iterations", leg.books.iterations},
+                    {"factorisations", leg.books.factorisations},
+                    {"seconds", leg.books.total_seconds}});
+  return legs;
+}
+
 /// One line per nothing; invalid bytes of a file name are replaced, so that the output is always JSON.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
@@ -86,6 +101,8 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"cpu_seconds", s.books.total_cpu_seconds},
                {"unknowns", plan.unknowns},
                {"solver", loaded.analysis.solver},
+               {"automatic", loaded.analysis.automatic},
+               {"legs", legs_json(s)},
                {"factorisation", s.factorisation},
                {"terms", terms_json(loaded.scene, plan)},
                {"results", results},

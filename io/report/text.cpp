@@ -53,6 +53,9 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   fmt::format_to(out, "\n  {}\n", s.reason);
   fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, {:.3g} s\n", plan.unknowns,
                  s.books.iterations, s.books.factorisations, s.books.total_seconds);
+  for (const Leg& leg : s.legs)
+    fmt::format_to(out, "    {:<34} {:>7} unknowns {:>4} iterations {:>4} factorisations  {}\n", leg.name,
+                   leg.unknowns, leg.books.iterations, leg.books.factorisations, name_of(leg.status));
   for (const auto& scalar : result.scalars)
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8} {}\n", scalar.name, scalar.value,
                    scalar.unit == "1" ? "" : scalar.unit, scalar.doc);

@@ -122,6 +122,7 @@ struct Grid {
 };
 
 void name_edges(const Grid& g, PartGeometry& names) {
+  names.cells = {static_cast<int>(g.across), static_cast<int>(g.along)};
   for (std::size_t i = 0; i <= g.across; ++i) {
     names.sets["fore"].push_back(g.node(i, 0));
     names.sets["aft"].push_back(g.node(i, g.along));
@@ -271,6 +272,7 @@ Geometry read_line(TableReader& part) {
   for (std::uint32_t i = 0; i <= n; ++i) append(out.positions, along_line(sketch, double(i) / n));
   for (std::uint32_t i = 0; i < n; ++i) out.elements.insert(out.elements.end(), {i, i + 1});
   out.data["rest_length"].assign(n, length / n);
+  out.names.cells = {static_cast<int>(n)};
   out.names.sets["start"] = {0};
   out.names.sets["end"] = {n};
   if (n % 2 == 0) out.names.sets["middle"] = {n / 2};

@@ -20,8 +20,14 @@ std::span<const netloft_parameter> analysis_keys() {
   static const auto table = [] {
     ParameterTable<AnalysisKeys> t;
     t.choice("kind", &AnalysisKeys::kind, "what is looked for: the static equilibrium", {"static"});
-    t.text("solver", &AnalysisKeys::solver, "solver plugin; its own parameters stand in a table of its name",
-           "newton");
+    t.text("solver", &AnalysisKeys::solver,
+           "solver plugin; its own parameters stand in a table of its name; auto: newton, with continuation",
+           "auto");
+    t.choice(
+        "continuation", &AnalysisKeys::continuation,
+        "over coarser meshes and easier scenes (tension only, stiffness or current raised by steps) where "
+        "that helps; default: with solver auto",
+        {"default", "on", "off"});
     t.real("tolerance", &AnalysisKeys::tolerance, "1", "largest nodal residual over the largest nodal load",
            {.lo = 1e-16, .hi = 1, .fallback = 1e-10});
     t.integer("max_iterations", &AnalysisKeys::max_iterations, "iterations after which the solver gives up",

@@ -12,6 +12,7 @@ namespace netloft::io {
 struct AnalysisKeys {
   std::int64_t kind = 0;
   const char* solver = nullptr;
+  std::int64_t continuation = 0;
   double tolerance = 0;
   std::int64_t max_iterations = 0;
   double max_seconds = 0;

@@ -16,7 +16,8 @@ namespace netloft::io {
 struct PartGeometry {
   std::string name;
   Place place;
-  std::vector<std::uint32_t> nodes;                        // own number -> scene node
+  std::vector<std::uint32_t> nodes;  // own number -> scene node
+  std::vector<int> cells;            // bars of a rope; cells across, along a panel; empty: not divided
   std::vector<std::array<double, 2>> panel;                // own number -> (U, V) [meshes]; empty off a panel
   std::map<std::string, std::vector<std::uint32_t>> sets;  // "fore" -> own numbers, in order along the edge
 };
@@ -43,7 +44,9 @@ struct ResultRequest {
 
 /// How the scene is to be solved.
 struct Analysis {
-  std::string solver;
+  std::string solver;         // the plugin that is to work
+  bool automatic = false;     // the user left the choice to the program: solver = "auto"
+  bool continuation = false;  // over coarser meshes and easier scenes, where that helps
   Values solver_parameters;
   Limits limits;
   TangentChoice tangent = TangentChoice::exact;

@@ -523,6 +523,9 @@ class SceneReader {
     if (!faults.empty()) return;
     const auto& keys = *static_cast<const AnalysisKeys*>(block.data());
     out_.analysis.solver = keys.solver;
+    out_.analysis.automatic = out_.analysis.solver == "auto";
+    if (out_.analysis.automatic) out_.analysis.solver = "newton";
+    out_.analysis.continuation = keys.continuation == 1 || (keys.continuation == 0 && out_.analysis.automatic);
     if (out_.analysis.solver.empty()) {
       analysis.error("solver", "is empty; the name of a solver is wanted, such as newton");
       return;
@@ -530,7 +533,7 @@ class SceneReader {
     out_.analysis.tangent = static_cast<TangentChoice>(keys.tangent);
     out_.analysis.limits = {keys.tolerance, static_cast<int>(keys.max_iterations), keys.max_seconds, nullptr};
     try {
-      const SolverType& solver = registry_.solver(keys.solver);
+      const SolverType& solver = registry_.solver(out_.analysis.solver);
       TableReader own =
           analysis.table(out_.analysis.solver.substr(0, out_.analysis.solver.find('/')), Presence::optional);
       out_.analysis.solver_parameters = read_parameters(solver.parameters, own);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/newton/line_search.hpp"
 #include "solvers/newton/methods.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace netloft::newton {
 
@@ -34,9 +36,10 @@ class Globalised {
   Outcome run() {
     if (problem_.evaluate(problem_.u(), energy_, r_, Matrix::exact) != Evaluation::ok)
       return Outcome::left_domain;
+    bool first = true;
     while (problem_.progress(problem_.u(), energy_, r_, note_)) {
       if (!freeze_drag()) return Outcome::left_domain;
-      if (!find_step()) return Outcome::linear_solve;
+      if (!(std::exchange(first, false) && find_short_step()) && !find_step()) return Outcome::linear_solve;
       if (!search_line()) {
         if (mu_ >= kLargestDamping) return Outcome::step_too_short;
         mu_ = std::clamp(mu_ * 16, 1e-6, kLargestDamping);
@@ -52,6 +55,15 @@ class Globalised {
     double energy = 0;
     if (problem_.evaluate_gradient(problem_.u(), energy, frozen_) != Evaluation::ok) return false;
     for (std::size_t i = 0; i < frozen_.size(); ++i) frozen_[i] = r_[i] - frozen_[i];
+    return true;
+  }
+
+  /// A start that is near needs no damping: then Newton's own step is no longer than an element.
+  bool find_short_step() {
+    if (problem_.factorise(Matrix::exact, 0) != Factor::ok) return false;
+    solve_for_step();
+    if (problem_.step_length(s_) > 1 || dot(r_, s_) >= 0) return false;
+    mu_ = 0;
     return true;
   }
 
@@ -92,35 +104,35 @@ class Globalised {
     for (double& v : s_) v = -v;
   }
 
-  /// Moves u along s as (4) wants it; false when no length will do. Trials ask for the energy alone, unless
-  /// it has no digits left to tell.
+  /// Moves u along s as (4) wants it; false when no length will do.
   bool search_line() {
-    const double slope = dot(r_, s_);
+    const Sample first{0, energy_, dot(r_, s_)};
+    const double noise = kEnergyNoise * (std::abs(energy_) + std::abs(dot(frozen_, s_)));
+    move_trial(1);
+    if (-first.slope <= noise) return accept_blindly(1);
+    if (!frozen_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
+    LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
+    const auto found = search([&](double t) { return merit(t); }, first);
+    if (!found) return false;
+    move_trial(found->t);
+    if (!accept()) return false;  // a force without an energy has no value there
+    adapt_damping(found->t);
+    return true;
+  }
+
+  void move_trial(double t) {
+    for (std::size_t i = 0; i < s_.size(); ++i) trial_[i] = problem_.u()[i] + t * s_[i];
+  }
+
+  /// (3) and its derivative.
+  std::optional<Sample> merit(double t) {
+    move_trial(t);
+    double energy = 0;
+    const auto status = frozen_.empty() ? problem_.evaluate(trial_, energy, r_trial_)
+                                        : problem_.evaluate_gradient(trial_, energy, r_trial_);
+    if (status != Evaluation::ok) return {};
     const double work = dot(frozen_, s_);
-    const double noise = kEnergyNoise * (std::abs(energy_) + std::abs(work));
-    double t = 1;
-    for (int tries = 0; t >= p_.shortest_step; ++tries) {
-      for (std::size_t i = 0; i < s_.size(); ++i) trial_[i] = problem_.u()[i] + t * s_[i];
-      if (-t * slope <= noise) return accept_blindly(1);
-      if (tries == 0 && !frozen_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
-      double energy = 0;
-      if (problem_.evaluate(trial_, energy) != Evaluation::ok) {
-        t *= 0.25;
-        continue;
-      }
-      const double merit = energy + t * work;
-      if (merit <= energy_ + p_.decrease * t * slope) {
-        const double ratio = (energy_ - merit) / (-slope * (t - 0.5 * t * t));
-        if (accept()) {
-          adapt_damping(tries, ratio);
-          return true;
-        }
-        t *= 0.25;  // a force without an energy has no value there
-        continue;
-      }
-      t *= std::clamp(parabola_minimum(t, merit, slope), 0.1, 0.5);
-    }
-    return false;
+    return Sample{t, energy + t * work, dot(r_trial_, s_) + work};
   }
 
   /// Takes the trial if it brings ‖r‖² down to `share` of what it is.
@@ -137,19 +149,14 @@ class Globalised {
     return false;
   }
 
-  /// Where the parabola through E(0), E'(0), E(t) is lowest, as a fraction of t.
-  double parabola_minimum(double t, double energy, double slope) const {
-    return -slope * t / (2 * (energy - energy_ - slope * t));
-  }
-
-  /// (5): s·(K + μM)s = −slope, so the model predicts a decrease of −slope (t − t²/2).
-  void adapt_damping(int tries, double ratio) {
-    if (tries == 0 && ratio > 0.75)
+  /// A whole step means that the model is trusted; a short one that it reaches too far.
+  void adapt_damping(double t) {
+    if (t > 0.9)
       mu_ = lowered(0.1);
-    else if (tries == 0 && ratio > 0.4)
+    else if (t > 0.5)
       mu_ = lowered(0.5);
-    else if (tries > 1 || ratio < 0.1)
-      mu_ = std::clamp(mu_ * 4, 1e-6, kLargestDamping);
+    else if (t < 0.25)
+      mu_ = std::clamp(mu_ * (t < 0.1 ? 4 : 2), 1e-6, kLargestDamping);
   }
   double lowered(double factor) const { return mu_ * factor < kSmallestDamping ? 0 : mu_ * factor; }
 

@@ -19,6 +19,9 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
   newton.real("decrease", &Newton::Parameters::decrease, "1",
               "share of the slope by which a step must lower the energy",
               {.lo = 1e-12, .hi = 0.5, .fallback = 1e-4});
+  newton.real("flatness", &Newton::Parameters::flatness, "1",
+              "share of the slope that may be left where the search along a step ends",
+              {.lo = 1e-3, .hi = 1, .fallback = 0.2});
   newton.real("shortest_step", &Newton::Parameters::shortest_step, "1",
               "shortest part of a step that is tried", {.lo = 1e-16, .hi = 0.5, .fallback = 1e-4});
 }

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/continuation/journey.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft {
+
+namespace {
+
+// An easier scene only gives a start: it need not be exact.
+constexpr double kLegTolerance = 1e-4;
+constexpr int kLegIterations = 200;
+// The scene itself is given up for a detour after so many iterations; after the last one only by the user.
+constexpr int kFirstIterations = 300;
+// Stiffness grows tenfold from stage to stage, from so many times the largest load.
+constexpr double kStiffer = 10, kSoftest = 30;
+constexpr int kMostStages = 9;
+// A ramp of the current gives up at steps of this share.
+constexpr double kShortestRamp = 1.0 / 64;
+
+bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
+
+bool is_near(const Solution& s) { return has_arrived(s) || s.status == SolveStatus::unstable; }
+
+/// Of two that did not arrive the one to tell of: a stationary point before anything else, then the smaller
+/// residual.
+bool is_better(const Solution& a, const Solution& b) {
+  if (is_near(a) != is_near(b)) return is_near(a);
+  return a.balance.residual / a.balance.scale < b.balance.residual / b.balance.scale;
+}
+
+}  // namespace
+
+Journey::Journey(const Scene& scene, Assembler& assembler, Registry& registry, JourneyOptions options)
+    : scene_(scene),
+      assembler_(assembler),
+      registry_(registry),
+      options_(std::move(options)),
+      begun_(wall_seconds()) {}
+
+void Journey::book(const Leg& leg) { legs_.push_back(leg); }
+
+Solution Journey::arrive(Displacements start) {
+  Limits first = options_.limits;
+  first.iterations = std::min(first.iterations, kFirstIterations);
+  Solution best = solve_itself("as it is", start, first);
+  using Detour = std::optional<Displacements> (Journey::*)(const Displacements&);
+  const std::pair<const char*, Detour> detours[] = {{"from tension only", &Journey::over_tension_only},
+                                                    {"from still water", &Journey::over_current},
+                                                    {"from soft to stiff", &Journey::over_stiffness},
+                                                    {"from a relaxed shape", &Journey::over_relaxation}};
+  for (const auto& [name, detour] : detours) {
+    if (has_arrived(best) || out_of_time()) break;
+    const auto nearer = (this->*detour)(start);
+    if (!nearer) continue;
+    Solution next = solve_itself(name, *nearer, first);
+    if (has_arrived(next) || is_better(next, best)) best = std::move(next);
+  }
+  return finish(std::move(best));
+}
+
+std::optional<Journey::Displacements> Journey::over_tension_only(const Displacements& start) {
+  const auto easier = without_compression(scene_, registry_);
+  if (!easier) return {};
+  return solve_leg("tension only", *easier, options_.solver, start, kLegTolerance).u;
+}
+
+std::optional<Journey::Displacements> Journey::over_stiffness(const Displacements& start) {
+  const double stiffest = largest_stiffness(scene_, registry_);
+  const double load = StaticProblem(assembler_, options_.make, options_.limits).dead_load();
+  double cap = std::max(kSoftest * load, stiffest * std::pow(kStiffer, -kMostStages));
+  if (stiffest <= cap) return {};
+  Displacements u = start;
+  for (; cap < stiffest && !out_of_time(); cap *= kStiffer)
+    u = solve_leg("stiffness up to " + std::to_string(std::llround(cap)) + " N",
+                  softened(scene_, registry_, cap), options_.solver, u, kLegTolerance)
+            .u;
+  return u;
+}
+
+std::optional<Journey::Displacements> Journey::over_current(const Displacements& start) {
+  if (!scene_.current.flows()) return {};
+  Displacements u =
+      solve_leg("still water", with_current(scene_, 0), options_.solver, start, kLegTolerance).u;
+  double share = 0, step = 0.25;
+  while (share + step < 1 && !out_of_time()) {
+    const Solution s = solve_leg("current x " + std::to_string(share + step),
+                                 with_current(scene_, share + step), options_.solver, u, kLegTolerance);
+    if (is_near(s))
+      share += step, u = s.u, step *= 2;
+    else if ((step *= 0.5) < kShortestRamp)
+      return {};
+  }
+  return u;
+}
+
+std::optional<Journey::Displacements> Journey::over_relaxation(const Displacements& start) {
+  const auto relaxation = other_solver("relaxation");
+  if (!relaxation) return {};
+  return solve_leg("relaxation", scene_, *relaxation, start, 1e-2).u;
+}
+
+std::optional<SolverUse> Journey::other_solver(const std::string& name) const {
+  try {
+    return SolverUse{&registry_.solver(name), {}};
+  } catch (const PluginRefused&) {
+    return {};
+  }
+}
+
+Solution Journey::solve_itself(const std::string& name, const Displacements& start, const Limits& limits) {
+  std::vector<std::string> faults;
+  const SolverType& type = *options_.solver.type;
+  const ParameterBlock parameters(type.parameters, type.solver.parameter_bytes, options_.solver.parameters,
+                                  faults);
+  Solution s = solve_static(scene_, assembler_, type, parameters.data(), limits, options_.make,
+                            options_.on_iteration, start);
+  legs_.push_back({name, type.type, s.u.size(), s.status, s.reason, s.books});
+  return s;
+}
+
+Solution Journey::solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,
+                            const Displacements& start, double tolerance) {
+  std::vector<std::string> faults;
+  const ParameterBlock parameters(solver.type->parameters, solver.type->solver.parameter_bytes,
+                                  solver.parameters, faults);
+  const Plan plan = make_plan(easier, registry_, options_.tangent);
+  Assembler assembler(easier, plan, options_.threads);
+  Solution s = solve_static(easier, assembler, *solver.type, parameters.data(), limits_of_leg(tolerance),
+                            options_.make, options_.on_iteration, start);
+  legs_.push_back({name, solver.type->type, s.u.size(), s.status, s.reason, s.books});
+  return s;
+}
+
+Limits Journey::limits_of_leg(double tolerance) const {
+  Limits limits = options_.limits;
+  limits.tolerance = std::max(tolerance, limits.tolerance);
+  limits.iterations = std::min(kLegIterations, limits.iterations);
+  limits.seconds = std::max(0.0, limits.seconds - (wall_seconds() - begun_));
+  return limits;
+}
+
+bool Journey::out_of_time() const {
+  return wall_seconds() - begun_ >= options_.limits.seconds ||
+         (options_.limits.interrupt && options_.limits.interrupt->load());
+}
+
+Solution Journey::finish(Solution solution) const {
+  if (legs_.size() < 2) return solution;
+  solution.legs = legs_;
+  solution.books = {};
+  for (const Leg& leg : legs_) solution.books.add(leg.books);
+  return solution;
+}
+
+}  // namespace netloft

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/continuation/easier.hpp"
+#include "framework/problem/verdict.hpp"
+#include "framework/scene/plan.hpp"
+
+#include <optional>
+
+namespace netloft {
+
+/// A solver and the values of its parameters.
+struct SolverUse {
+  const SolverType* type = nullptr;
+  Values parameters;
+};
+
+/// How a journey is made.
+struct JourneyOptions {
+  SolverUse solver;
+  Limits limits;
+  MakeFactorisation make;
+  TangentChoice tangent = TangentChoice::exact;
+  int threads = 1;
+  std::function<void(const IterationRecord&)> on_iteration;
+};
+
+/// Solves a scene from its start, and where that does not arrive, over easier scenes: each is solved in turn
+/// and the next one starts where it ended. Any solver will do; it never knows. What the easier scenes are is
+/// told by the roles of parameters and by the water, so that nothing here knows of nets.
+///   no compression   tension only is a convex problem under dead loads (Priour 2013)
+///   soft to stiff    stiffness capped, the cap raised tenfold
+///   slow to fast     the current from none to all of it, by steps that halve when one fails
+///   relaxed          a matrix-free solver brings it near, if one is there
+/// Only the scene itself, last of all, is judged.
+class Journey {
+ public:
+  Journey(const Scene& scene, Assembler& assembler, Registry& registry, JourneyOptions options);
+
+  /// The scene itself from displacements `start` of its unknowns (empty: from its sketch), then the detours
+  /// that promise something, until one arrives at an equilibrium that is not unstable.
+  Solution arrive(std::vector<double> start);
+
+  /// What was solved before the scene itself, on `leg` for instance a coarser mesh; counts with the rest.
+  void book(const Leg& leg);
+
+ private:
+  using Displacements = std::vector<double>;
+
+  std::optional<Displacements> over_tension_only(const Displacements& start);
+  std::optional<Displacements> over_stiffness(const Displacements& start);
+  std::optional<Displacements> over_current(const Displacements& start);
+  std::optional<Displacements> over_relaxation(const Displacements& start);
+
+  Solution solve_itself(const std::string& name, const Displacements& start, const Limits& limits);
+  Solution solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,
+                     const Displacements& start, double tolerance);
+  std::optional<SolverUse> other_solver(const std::string& name) const;
+  Limits limits_of_leg(double tolerance) const;
+  bool out_of_time() const;
+  Solution finish(Solution solution) const;
+
+  const Scene& scene_;
+  Assembler& assembler_;
+  Registry& registry_;
+  JourneyOptions options_;
+  double begun_;
+  std::vector<Leg> legs_;
+};
+
+}  // namespace netloft

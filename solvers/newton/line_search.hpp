@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace netloft::newton {
+
+/// A merit function along a line: m(t) and m'(t).
+struct Sample {
+  double t = 0, value = 0, slope = 0;
+};
+
+/// What a step along a line must do.
+struct LineSearch {
+  double decrease = 1e-4;          // share of the first slope by which m must fall
+  double flatness = 0.2;           // share of the first slope that m' may keep
+  double shortest = 1e-4;          // t below which none is tried
+  int refinements = 4;             // evaluations spent on flatness once m has fallen
+  double least = 0.1, most = 0.9;  // a new t within its bracket
+
+  /// The best t in (0, 1] found:
+  ///   m(t) ≤ m(0) + c t m'(0), |m'(t)| ≤ η |m'(0)| or t = 1 or refinements spent               (1)
+  /// by secants of m' within a bracket, by parabolas while m is too high (Nocedal & Wright 2006, ch. 3).
+  /// `merit(t)` gives a Sample, or nothing where there are no forces. Empty: no t will do.
+  template <class Merit>
+  std::optional<Sample> operator()(Merit&& merit, const Sample& first) const {
+    std::optional<Sample> best, high;
+    Sample low = first;
+    int spent = 0;
+    for (double t = 1; t >= shortest;) {
+      const std::optional<Sample> here = merit(t);
+      if (!here) {
+        t = low.t + 0.25 * (t - low.t);
+        continue;
+      }
+      const bool falls = here->value <= first.value + decrease * t * first.slope;
+      if (falls && (!best || here->value < best->value)) best = here;
+      if (falls && (is_flat(*here, first) || (here->slope < 0 && t == 1))) return here;
+      if (best && ++spent > refinements) return best;
+      if (falls && here->slope < 0)
+        low = *here;
+      else
+        high = here;
+      if (!high) return best;
+      t = low.t + next_share(low, *high) * (high->t - low.t);
+    }
+    return best;
+  }
+
+ private:
+  bool is_flat(const Sample& s, const Sample& first) const {
+    return std::abs(s.slope) <= flatness * std::abs(first.slope);
+  }
+  double next_share(const Sample& low, const Sample& high) const {
+    const double length = high.t - low.t;
+    if (high.slope > 0 && high.value <= low.value)
+      return std::clamp(-low.slope / (high.slope - low.slope), least, most);
+    const double rise = high.value - low.value - low.slope * length;
+    return std::clamp(rise > 0 ? -low.slope * length / (2 * rise) : 0.5, least, 0.5);
+  }
+};
+
+}  // namespace netloft::newton
