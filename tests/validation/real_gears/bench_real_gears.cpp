@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// bench_real_gears FOLDER [--solver NAME] [--set key=value]… [--gear PART_OF_NAME] [--no-surface] [--history]
+//                  [--shipped-bending] [--from-reference] [--noise METRES] [--seed N] [--tolerance T]
+//                  [--iterations N] [--seconds S]
+//
+// Solves the gears of the folder and prints a table: what it took, and how far from FEMNET's answer it ended.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "tests/validation/real_gears/solving.hpp"
+
+namespace {
+
+using namespace netloft;
+using namespace netloft::real_gears;
+
+struct Wish {
+  std::filesystem::path folder;
+  std::string gear;
+  Modelling modelling;
+  Start start;
+  test::Solving how{{}, {.tolerance = 1e-9}};
+  std::vector<std::string> settings;
+  bool history = false;
+};
+
+/// "key=value" as the solver's table wants it.
+void set(Values& values, const SolverType& solver, const std::string& setting) {
+  const auto equals = setting.find('=');
+  if (equals == std::string::npos) throw std::invalid_argument("--set " + setting + ": write key=value");
+  const std::string key = setting.substr(0, equals), text = setting.substr(equals + 1);
+  for (const auto& p : solver.parameters)
+    if (key == p.name) {
+      if (p.kind == NETLOFT_REAL)
+        values[key] = std::stod(text);
+      else if (p.kind == NETLOFT_INTEGER)
+        values[key] = std::int64_t{std::stoll(text)};
+      else if (p.kind == NETLOFT_BOOLEAN)
+        values[key] = text == "true";
+      else
+        values[key] = text;
+      return;
+    }
+  throw std::invalid_argument("--set " + setting + ": " + solver.type + " has no such parameter");
+}
+
+Wish read_arguments(int count, char** arguments) {
+  Wish wish;
+  const auto is = [&](int i, const char* name) { return std::strcmp(arguments[i], name) == 0; };
+  for (int i = 1; i < count; ++i) {
+    const auto next = [&] {
+      if (i + 1 >= count) throw std::invalid_argument(std::string(arguments[i]) + " wants a value");
+      return std::string(arguments[++i]);
+    };
+    if (is(i, "--solver"))
+      wish.how.solver = next();
+    else if (is(i, "--set"))
+      wish.settings.push_back(next());
+    else if (is(i, "--gear"))
+      wish.gear = next();
+    else if (is(i, "--no-surface"))
+      wish.modelling.surface = false;
+    else if (is(i, "--shipped-bending"))
+      wish.modelling.shipped_bending = true;
+    else if (is(i, "--history"))
+      wish.history = true;
+    else if (is(i, "--from-reference"))
+      wish.start.at_reference = true;
+    else if (is(i, "--noise"))
+      wish.start.noise = std::stod(next());
+    else if (is(i, "--seed"))
+      wish.start.seed = std::stoull(next());
+    else if (is(i, "--tolerance"))
+      wish.how.limits.tolerance = std::stod(next());
+    else if (is(i, "--iterations"))
+      wish.how.limits.iterations = std::stoi(next());
+    else if (is(i, "--seconds"))
+      wish.how.limits.seconds = std::stod(next());
+    else if (arguments[i][0] == '-')
+      throw std::invalid_argument(std::string(arguments[i]) + ": unknown");
+    else
+      wish.folder = arguments[i];
+  }
+  if (wish.folder.empty()) throw std::invalid_argument("name the folder of the gears");
+  for (const auto& setting : wish.settings)
+    set(wish.how.solver_parameters, plugins().solver(wish.how.solver), setting);
+  return wish;
+}
+
+void print_history(const Solution& solution) {
+  std::printf("    iteration  residual N      load N        energy J  factors  seconds\n");
+  for (const auto& i : solution.history)
+    std::printf("    %9d  %10.3e  %10.3e  %14.7e  %7d  %7.3f  %s\n", i.iteration, i.residual, i.scale,
+                i.energy, i.factorisations, i.seconds, i.note);
+}
+
+void print_row(const NeutralCase& gear, const SolvedGear& s) {
+  const Solution& n = s.solved.solution;
+  std::printf("%-18s %5zu %8zu %5d %7d %8.3f %7.1fx %9.2e %9.2e  %s\n", gear.name.c_str(), gear.nodes.size(),
+              s.solved.plan.unknowns, n.books.iterations, n.books.factorisations, s.cpu_seconds,
+              gear.femnet.cpu_seconds / s.cpu_seconds, s.furthest.distance, s.residual_over_tension(),
+              name_of(n.status));
+}
+
+/// Nodes that ended elsewhere than the reference has them, at most ten.
+void print_strays(const NeutralCase& gear, const SolvedGear& s) {
+  int strays = 0;
+  for (std::uint32_t n = 0; n < gear.nodes.size(); ++n) {
+    const Vector &x = s.positions[n], &r = gear.reference.positions[n];
+    if (distance(x, r) <= 1e-3 || ++strays > 10) continue;
+    std::printf("    node %3u at %9.4f %9.4f %9.4f, reference %9.4f %9.4f %9.4f\n", n, x[0], x[1], x[2], r[0],
+                r[1], r[2]);
+  }
+  std::printf("    %d nodes are further than 1 mm from the reference\n", strays);
+}
+
+void print_ending(const NeutralCase& gear, const SolvedGear& s) {
+  const Branches &b = s.branches, r = branches(gear, gear.reference.positions);
+  std::printf("    %s\n    furthest: node %u, out of balance: mean %.2e N, largest component %.2e N\n",
+              s.solved.solution.reason.c_str(), s.furthest.node, s.out_of_balance.mean,
+              s.out_of_balance.largest_component);
+  std::printf("    here (reference): bars slack %d (%d), pressed %d (%d); twines slack %d (%d); ",
+              b.slack_bars, r.slack_bars, b.pressed_bars, r.pressed_bars, b.slack_twines, r.slack_twines);
+  std::printf("nodes dry %d (%d), on the bed %d (%d)\n", b.dry_nodes, r.dry_nodes, b.nodes_on_bed,
+              r.nodes_on_bed);
+  print_strays(gear, s);
+}
+
+int run(const Wish& wish) {
+  std::printf(
+      "gear               nodes unknowns iters factors    CPU s  FEMNET  distance m res/tens  outcome\n");
+  for (const auto& file : neutral_files(wish.folder)) {
+    const NeutralCase gear = read_neutral_case(file);
+    if (gear.name.find(wish.gear) == std::string::npos) continue;
+    const SolvedGear s = solve(gear, wish.modelling, wish.start, wish.how);
+    print_row(gear, s);
+    if (s.solved.solution.status != SolveStatus::converged || s.furthest.distance > 1e-3)
+      print_ending(gear, s);
+    if (wish.history) print_history(s.solved.solution);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return run(read_arguments(count, arguments));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_real_gears: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace netloft::femnet {
+
+/// What FEMNET puts on a node, s of it (one half on a plane of symmetry):
+///   E = −s (F·x − m g z)                                              force and weight        (1)
+///   E = s ρ_w g A Z,  −dZ/dz = clamp(top − z, 0, H)                   buoyant box             (2)
+///   E = s ½ k Σ p²,  p = limit − coordinate where that is violated    penalty on coordinates  (3)
+///   r = −s μ k p_z Ĉ                                                  friction of a bed       (4)
+/// F [N], m [kg]; A = |b_x b_y| [m²] and H = |b_z| [m] of the box, whose middle is at the node, or its upper
+/// face if b_z < 0; k [N/m], μ [1]; Ĉ the direction of the current: friction has a direction of its own, and
+/// does not wait for a node to slip. Source: FEMNET (D. Priour), nodes of its .mdg files.
+struct Node {
+  static constexpr auto stencil = NETLOFT_NODE;
+
+  struct Parameters {
+    double stiffness = 0, friction = 0;  // k, μ
+  };
+  struct Data {
+    std::array<double, 3> force{}, box{}, limit{},
+        sense{};  // sense +1: at least the limit, -1: at most, 0: none
+    double mass = 0, share = 1;
+  };
+
+  /// p of (3) along an axis.
+  static double violation(const Data& d, int axis, double x) {
+    const auto a = static_cast<std::size_t>(axis);
+    return d.sense[a] == 0 ? 0 : d.sense[a] * std::max(0.0, d.sense[a] * (d.limit[a] - x));
+  }
+
+  struct Load {
+    template <class T>
+    static T energy(const Parameters&, const Data& d, const Water& w, const Points<T, 1>& x) {
+      return -d.share *
+             (d.force[0] * x[0].x + d.force[1] * x[0].y + (d.force[2] - d.mass * w.gravity) * x[0].z);
+    }
+  };
+
+  struct Buoyancy {
+    template <class T>
+    static T energy(const Parameters&, const Data& d, const Water& w, const Points<T, 1>& x) {
+      const double H = std::abs(d.box[2]), top = d.box[2] > 0 ? 0.5 * H : 0;
+      const double lift = d.share * w.density * w.gravity * std::abs(d.box[0] * d.box[1]);
+      const T immersed = top - x[0].z;
+      if (!(immersed > T(0))) return T(0);
+      if (immersed < T(H)) return (0.5 * lift) * immersed * immersed;
+      return (lift * H) * (immersed - 0.5 * H);
+    }
+  };
+
+  struct Limit {
+    static Status tile(const Family<Node>& family, netloft_tile& t);
+  };
+  struct Friction {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+};
+
+}  // namespace netloft::femnet

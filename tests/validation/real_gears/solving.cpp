@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/validation/real_gears/solving.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace netloft::real_gears {
+
+Registry& plugins() {
+  Registry& registry = test::shipped_plugins();
+  [[maybe_unused]] static const PluginContent& femnet = registry.add_file(NETLOFT_FEMNET_PLUGIN);
+  return registry;
+}
+
+namespace {
+
+/// Normal deviates by Box and Muller: the same with every library.
+class Noise {
+ public:
+  explicit Noise(std::uint64_t seed) : random_(seed) {}
+  double operator()() {
+    const double r = std::sqrt(-2 * std::log(uniform()));
+    return r * std::cos(2 * std::numbers::pi * uniform());
+  }
+
+ private:
+  double uniform() { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53; }
+  std::mt19937_64 random_;
+};
+
+void add_noise(Scene& scene, const Start& start) {
+  Noise noise(start.seed);
+  for (std::size_t i = 0; i < scene.positions.size(); ++i)
+    if (!(scene.held[i / 3] >> (i % 3) & 1)) scene.positions[i] += start.noise * noise();
+}
+
+}  // namespace
+
+SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                 const test::Solving& how) {
+  plugins();
+  Scene scene = make_scene(gear, modelling);
+  if (start.at_reference) place_nodes(scene, gear.reference.positions);
+  if (start.noise > 0) add_noise(scene, start);
+  const double begun = cpu_seconds();
+  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}, 0, 0};
+  s.cpu_seconds = cpu_seconds() - begun;
+  const Solution& solution = s.solved.solution;
+  s.positions = nodal(gear, *s.solved.assembler, solution.x);
+  s.out_of_balance = out_of_balance(gear, *s.solved.assembler, solution.residual);
+  s.furthest = furthest(s.positions, gear.reference.positions);
+  s.branches = branches(gear, s.positions);
+  s.largest_tension = largest_tension(gear, s.positions);
+  return s;
+}
+
+}  // namespace netloft::real_gears

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tests/validation/real_gears/case_scene.hpp"
+#include "tests/validation/real_gears/comparison.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::real_gears {
+
+/// The shipped plugins, and femnet of the tests.
+Registry& plugins();
+
+/// A gear solved, and held against the reference.
+struct SolvedGear {
+  test::Solved solved;
+  std::vector<Vector> positions;
+  OutOfBalance out_of_balance;
+  Furthest furthest;
+  Branches branches;
+  double largest_tension = 0;  // [N]
+  double cpu_seconds = 0;      // plan, assembler and solve
+
+  double residual_over_tension() const { return solved.solution.balance.residual / largest_tension; }
+};
+
+/// Where the solver starts.
+struct Start {
+  bool at_reference = false;  // else from the flat drawing
+  double noise = 0;           // standard deviation of each free coordinate [m]
+  std::uint64_t seed = 1;
+};
+
+SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                 const test::Solving& how);
+
+}  // namespace netloft::real_gears
