@@ -143,7 +143,21 @@ void StaticProblem::find_element_size() {
   if (largest > 0) element_size_ = largest;
 }
 
-void StaticProblem::place(const double* u) { assembler_.place({u, u_.size()}, x_); }
+void StaticProblem::begin(const StepProblem& step) {
+  step_ = step;
+  stop_ = Stop::none;
+  iterations_before_ = books_.iterations;
+  v_.resize(u_.size()), a_.resize(u_.size());
+}
+
+void StaticProblem::place(const double* u) {
+  if (!step_.state) return assembler_.place({u, u_.size()}, x_);
+  for (std::size_t i = 0; i < u_.size(); ++i)
+    v_[i] = step_.v0[i] + step_.cv * u[i], a_[i] = step_.a0[i] + step_.ca * u[i];
+  step_.state->set(step_.t, {u, u_.size()}, v_, a_);
+  motion_ = step_.state->motion(step_.cv, step_.ca);
+  x_ = step_.state->x();
+}
 
 int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy, double* residual) {
   const MatrixKind kind = kind_of(want);
@@ -161,6 +175,7 @@ int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy,
   request.residual = residual ? all.data() : nullptr;
   request.matrix = kind;
   request.values = kind == MatrixKind::none ? nullptr : values(kind).data();
+  request.motion = motion_;
   if (!assembler_.evaluate(x_, request)) {
     met_error_ = assembler_.fault().status == NETLOFT_ERROR;
     return assembler_.fault().status;
@@ -280,7 +295,7 @@ int StaticProblem::progress(const double* u, double energy, const double* residu
     stop_ = Stop::arrived;
   else if (limits_.interrupt && limits_.interrupt->load())
     stop_ = Stop::interrupted;
-  else if (books_.iterations >= limits_.iterations)
+  else if (books_.iterations - iterations_before_ >= limits_.iterations)
     stop_ = Stop::iterations;
   else if (record.seconds >= limits_.seconds)
     stop_ = Stop::time;
@@ -294,7 +309,7 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
   const Numbering& numbering = assembler_.numbering();
   const SparsePattern& pattern = assembler_.pattern();
   Balance b;
-  b.scale = dead_load_;
+  b.scale = std::max(dead_load_, step_.least_load);
   for_nodes(
       numbering, pattern.size, static_cast<std::int32_t>(residual.size()), residual,
       [&](std::uint32_t, std::int32_t, std::int32_t, double norm) { b.scale = std::max(b.scale, norm); });

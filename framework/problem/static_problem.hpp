@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/assembler/assembler.hpp"
 #include "framework/problem/books.hpp"
+#include "framework/problem/moving_state.hpp"
 
 #include <array>
 #include <atomic>
@@ -29,8 +30,18 @@ struct Balance {
   bool at_round_off = false;  // some node only by the latter
 };
 
-/// r(u) = 0 of a static scene: what a solver sees, with the host's books behind it. Counts and times every
-/// call, decides on convergence, keeps matrices and factors.
+/// A step in time as a problem in u: rates follow u, everything else is known.
+///   F(t, u, v₀ + cv u, a₀ + ca u) = 0                                            (1)
+struct StepProblem {
+  double t;
+  std::span<const double> v0, a0;
+  double cv, ca;
+  MovingState* state;  // where positions and rates of the moment are kept
+  double least_load;   // [N] that tolerances are a part of, at the least
+};
+
+/// r(u) = 0 of a static scene, or of a step in time: what a solver sees, with the host's books behind it.
+/// Counts and times every call, decides on convergence, keeps matrices and factors.
 class StaticProblem {
  public:
   enum class Stop { none, arrived, iterations, time, interrupted };
@@ -58,6 +69,12 @@ class StaticProblem {
   Balance balance(std::span<const double> x, std::span<const double> residual);
   /// Largest nodal sum of the forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }
+  /// From now on this step is the problem, until the next.
+  void begin(const StepProblem& step);
+  /// The next solution starts without a factor, as if nothing had been solved before.
+  void forget_factor() { last_ = nullptr; }
+  /// Longest extent of an element at the start [m].
+  double element_size() const { return element_size_; }
   /// The exact tangent at u, factorised with `shift` times the metric.
   netloft_factor factorise_at(std::span<const double> u, double shift);
 
@@ -87,6 +104,10 @@ class StaticProblem {
   Books books_;
   std::vector<IterationRecord> history_;
   Stop stop_ = Stop::none;
+  StepProblem step_{};
+  Kinematics motion_;
+  std::vector<double> v_, a_;
+  int iterations_before_ = 0;  // of steps that are done
   bool bad_numbers_ = false, met_error_ = false;
   double begun_ = 0, dead_load_ = 0, element_size_ = 1;
   char message_[256] = "";

@@ -133,6 +133,7 @@ std::string describe_traits(std::uint32_t traits) {
       {NETLOFT_READS_VELOCITY, "reads velocity"},
       {NETLOFT_READS_ACCELERATION, "reads acceleration"},
       {NETLOFT_READS_CURRENT, "reads current"},
+      {NETLOFT_READS_TIME, "reads time"},
       {NETLOFT_NEEDS_GRAVITY, "needs gravity"},
       {NETLOFT_NEEDS_FLOW, "needs flow"},
       {NETLOFT_NEEDS_MOTION, "needs motion"}};

@@ -125,6 +125,16 @@ void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3
     for (const auto drift = drift_at(drifts, t); const std::size_t i : {0u, 1u, 2u}) velocity[i] += drift[i];
 }
 
+std::vector<double> Scene::corners_in_time() const {
+  std::vector<double> times;
+  for (const auto& guide : guides)
+    for (const auto& knot : guide.course.knots) times.push_back(knot.t);
+  for (const auto& share : current.shares) times.push_back(share.t);
+  for (const auto& drift : current.drifts) times.push_back(drift.t);
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
 void Scene::add_body(RigidBody body) {
   carried.resize(node_count(), false);
   for (const auto& point : body.points) carried[point.node] = true, held[point.node] = kAllAxes;

@@ -112,6 +112,9 @@ struct Scene {
   /// Adds a body: its points move with it from now on.
   void add_body(RigidBody body);
 
+  /// Times at which a guide or the current changes its law, ascending [s].
+  std::vector<double> corners_in_time() const;
+
   std::size_t node_count() const { return positions.size() / 3; }
   std::string node_name(std::uint32_t node) const {
     return parts[labels[node].part].name + " node " + std::to_string(labels[node].id);

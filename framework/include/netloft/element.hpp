@@ -259,6 +259,7 @@ enum Trait : std::uint32_t {
   needs_flow = NETLOFT_NEEDS_FLOW,
   needs_motion = NETLOFT_NEEDS_MOTION,
   reads_state = NETLOFT_READS_STATE,
+  reads_time = NETLOFT_READS_TIME,
   has_convex = NETLOFT_HAS_CONVEX,
   has_metric = NETLOFT_HAS_METRIC,
   from_outside = NETLOFT_FROM_OUTSIDE,

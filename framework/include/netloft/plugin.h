@@ -108,7 +108,8 @@ enum {
   NETLOFT_HAS_METRIC = 1 << 10,   /* answers WANT_METRIC itself; otherwise the host bounds its tangent */
   NETLOFT_FROM_OUTSIDE = 1 << 11, /* pushes against something that is no node (seabed, wall, pressure): the
                                      forces need not sum to zero, nor be the same in another place */
-  NETLOFT_READS_STATE = 1 << 12   /* wants tile.state and fills tile.state_new */
+  NETLOFT_READS_STATE = 1 << 12,  /* wants tile.state and fills tile.state_new */
+  NETLOFT_READS_TIME = 1 << 13    /* force and energy may change with tile.time where nothing moves */
 };
 
 /* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/energy_budget.hpp"
+
+#include <algorithm>
+
+namespace netloft {
+
+namespace {
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+EnergyBudget::EnergyBudget(Assembler& assembler, double mass_damping)
+    : assembler_(assembler),
+      state_(assembler, 0),
+      mass_damping_(mass_damping),
+      is_guided_(assembler.is_guided()),
+      zero_(static_cast<std::size_t>(assembler.numbering().unknowns()), 0.0),
+      scratch_(assembler.numbering().dofs()) {
+  const auto account = [](std::vector<Account>& all, const std::string& name) -> Account& {
+    for (auto& a : all)
+      if (a.name == name) return a;
+    return all.emplace_back(Account{name, {}, 0, 0});
+  };
+  for (std::size_t f = 0; f < assembler.families().size(); ++f)
+    for (std::size_t t = 0; t < assembler.families()[f]->active_terms().size(); ++t) {
+      const netloft_term& term = assembler.families()[f]->active_terms()[t];
+      reads_time_ |= (term.traits & NETLOFT_READS_TIME) != 0;
+      Account& to = term.traits & NETLOFT_READS_ACCELERATION ? inertia_
+                    : term.traits & NETLOFT_CONSERVATIVE     ? account(stored_, term.name)
+                                                             : account(work_, term.name);
+      to.terms.emplace_back(f, t);
+    }
+  for (Moment* m : {&now_, &next_}) m->works.resize(work_.size());
+}
+
+bool EnergyBudget::begin(double t, std::span<const double> u, std::span<const double> v,
+                         std::span<const double> a) {
+  place(t, u, v, a, now_);
+  double energy = 0;
+  if (!find_forces(now_) || !find_energies(now_.x, t, energy, true)) return false;
+  for (Account& s : stored_) s.first = s.value;
+  first_kinetic_ = kinetic_;
+  return true;
+}
+
+bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const double> v,
+                           std::span<const double> a) {
+  place(t, u, v, a, next_);
+  if (reads_time_) {  // (7), half of it at the old place and half at the new one
+    double early[2], late[2];
+    if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, t, late[0], false) ||
+        !find_energies(next_.x, now_.t, early[1], false) || !find_energies(next_.x, t, late[1], false))
+      return false;
+    winches_ += 0.5 * (late[0] - early[0] + late[1] - early[1]);
+  }
+  double energy = 0;
+  if (!find_forces(next_) || !find_energies(next_.x, t, energy, true)) return false;
+  for (std::size_t k = 0; k < work_.size(); ++k) work_[k].value += done(now_.works[k], next_.works[k]);
+  inertia_work_ += done(now_.inertia, next_.inertia);
+  damped_ += done(now_.damping, next_.damping);
+  holds_ += done(now_.holds, next_.holds);
+  std::swap(now_, next_);
+  return true;
+}
+
+/// q takes unknowns as displacements and held dofs as positions: of those only guided ones ever change.
+void EnergyBudget::place(double t, std::span<const double> u, std::span<const double> v,
+                         std::span<const double> a, Moment& to) {
+  const auto put = [](std::span<const double> own, std::vector<double>& all) {
+    std::copy(own.begin(), own.end(), all.begin());
+  };
+  state_.set(t, zero_, zero_, zero_);
+  to.q = state_.x(), to.rates = state_.v();
+  put(u, to.q), put(v, to.rates);
+  state_.set(t, u, v, a);
+  to.t = t, to.x = state_.x();
+}
+
+/// state_ stands at the moment.
+bool EnergyBudget::find_forces(Moment& m) {
+  const Kinematics motion = state_.motion();
+  for (std::size_t k = 0; k < work_.size(); ++k)
+    if (!sum_force(work_[k], motion, m.works[k])) return false;
+  Kinematics as_rates = motion;
+  as_rates.a = state_.v().data();  // inertia for a = v is M v
+  if (!sum_force(inertia_, as_rates, m.damping)) return false;
+  kinetic_ = 0.5 * dot(m.damping, m.rates);  // (3)
+  for (double& f : m.damping) f *= mass_damping_;
+  if (!sum_force(inertia_, motion, m.inertia)) return false;
+  m.holds.assign(is_guided_ ? m.q.size() : 0, 0.0);
+  if (!is_guided_) return true;
+  if (!assembler_.evaluate(m.x, {.residual = m.holds.data(), .motion = motion})) return false;
+  for (std::size_t i = 0; i < m.holds.size(); ++i)
+    m.holds[i] = i < zero_.size() ? 0 : m.holds[i] + m.damping[i];
+  return true;
+}
+
+bool EnergyBudget::find_energies(const std::vector<double>& x, double t, double& sum, bool keep) {
+  sum = 0;
+  for (Account& account : stored_) {
+    double energy = 0;
+    for (const auto& [family, term] : account.terms) {
+      double part = 0;
+      if (!assembler_.term_energy(x, family, term, part, {.time = t})) return false;
+      energy += part;
+    }
+    if (keep) account.value = energy;
+    sum += energy;
+  }
+  return true;
+}
+
+bool EnergyBudget::sum_force(const Account& account, const Kinematics& motion, std::vector<double>& force) {
+  force.assign(scratch_.size(), 0.0);
+  for (const auto& [family, term] : account.terms) {
+    if (!assembler_.evaluate_term(state_.x(), family, term, scratch_, motion)) return false;
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] += scratch_[i];
+  }
+  return true;
+}
+
+/// Work between now_ and next_, by the trapezoidal rule.
+double EnergyBudget::done(const std::vector<double>& before, const std::vector<double>& after) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < after.size(); ++i)
+    sum += 0.5 * (before[i] + after[i]) * (next_.q[i] - now_.q[i]);
+  return sum;
+}
+
+std::vector<std::string> EnergyBudget::names() const {
+  std::vector<std::string> names = {"kinetic"};
+  for (const auto& s : stored_) names.push_back(s.name);
+  names.push_back("entrained");
+  for (const auto& w : work_) names.push_back(w.name + "_work");
+  names.insert(names.end(), {"mass_damping_work", "work_of_holds", "work_of_winches", "numerical"});
+  return names;
+}
+
+std::vector<double> EnergyBudget::values() const {
+  std::vector<double> values = {kinetic_};
+  double gained = inertia_work_, spent = damped_;
+  for (const auto& s : stored_) values.push_back(s.value), gained += s.value - s.first;
+  values.push_back(inertia_work_ - (kinetic_ - first_kinetic_));  // (4)
+  for (const auto& w : work_) values.push_back(w.value), spent += w.value;
+  values.insert(values.end(), {damped_, holds_, winches_, holds_ + winches_ - gained - spent});
+  return values;
+}
+
+std::vector<double> EnergyBudget::sums() const {
+  std::vector<double> sums = {first_kinetic_, inertia_work_, damped_, holds_, winches_};
+  for (const auto& s : stored_) sums.push_back(s.first);
+  for (const auto& w : work_) sums.push_back(w.value);
+  return sums;
+}
+
+void EnergyBudget::set_sums(std::span<const double> sums) {
+  first_kinetic_ = sums[0], inertia_work_ = sums[1], damped_ = sums[2], holds_ = sums[3], winches_ = sums[4];
+  std::size_t k = 5;
+  for (auto& s : stored_) s.first = sums[k++];
+  for (auto& w : work_) w.value = sums[k++];
+}
+
+}  // namespace netloft

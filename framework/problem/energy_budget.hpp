@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/moving_state.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// Where energy is and where it has gone since the start. With r_k the residual of term k, q the degrees of
+/// freedom, and sums over the steps by the trapezoidal rule,
+///   Σ_k ∫ r_k·dq = ∫ reaction·dq          over all terms, from F = 0                     (1)
+///   stored_k = E_k                        terms with an energy                           (2)
+///   kinetic = ½ v·M v                                                                    (3)
+///   entrained = ∫ r_inertia·dq − Δkinetic energy that added mass takes as it turns       (4)
+///   dissipated_k = ∫ r_k·dq               drag, damping, friction; negative: they push   (5)
+///   work_of_holds = ∫ reaction·dq         of those that are moved                        (6)
+///   work_of_winches = ∫ ∂E/∂t dt          lengths that change in time                    (7)
+///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     what the scheme took: zero if (1) held at all times
+/// For the trapezoidal rule on a linear system (1) holds exactly, and so does the budget.
+class EnergyBudget {
+ public:
+  EnergyBudget(Assembler& assembler, double mass_damping);
+
+  /// Takes a state as the beginning. False: see the assembler's fault().
+  bool begin(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
+  /// A step has led to a new state.
+  bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
+  /// Finds the forces of the last state anew, once elements remember it.
+  bool refresh() { return find_forces(now_); }
+
+  /// Names and values [J], in one order.
+  std::vector<std::string> names() const;
+  std::vector<double> values() const;
+  /// Everything that `begin` at the same state does not find, and back.
+  std::vector<double> sums() const;
+  void set_sums(std::span<const double> sums);
+
+ private:
+  /// All active terms of one name. An energy has a value of the moment, everything else a sum of work.
+  struct Account {
+    std::string name;
+    std::vector<std::pair<std::size_t, std::size_t>> terms;  // (family, term)
+    double value = 0, first = 0;
+  };
+  /// A state, and the forces there over all dofs, as residuals.
+  struct Moment {
+    double t = 0;
+    std::vector<double> x, q, rates;         // q, rates: of unknowns and guided dofs
+    std::vector<std::vector<double>> works;  // per account of work_
+    std::vector<double> inertia, damping, holds;
+  };
+
+  void place(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
+             Moment& to);
+  bool find_forces(Moment& m);
+  bool find_energies(const std::vector<double>& x, double t, double& sum, bool keep);
+  bool sum_force(const Account& account, const Kinematics& motion, std::vector<double>& force);
+  double done(const std::vector<double>& before, const std::vector<double>& after) const;
+
+  Assembler& assembler_;
+  MovingState state_;
+  double mass_damping_;
+  bool is_guided_, reads_time_ = false;
+  std::vector<Account> stored_, work_;
+  Account inertia_;
+  Moment now_, next_;
+  double kinetic_ = 0, first_kinetic_ = 0, inertia_work_ = 0, damped_ = 0, holds_ = 0, winches_ = 0;
+  std::vector<double> zero_, scratch_, damped_rates_;
+};
+
+}  // namespace netloft

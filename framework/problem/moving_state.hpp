@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+
+namespace netloft {
+
+/// Positions and rates of all degrees of freedom at one moment, out of those of the unknowns and the guides.
+/// Mass damping, the force c M v, is what inertia gives for an acceleration c v: it is added to a.
+class MovingState {
+ public:
+  MovingState(const Assembler& assembler, double mass_damping)
+      : assembler_(assembler),
+        mass_damping_(mass_damping),
+        x_(assembler.numbering().dofs()),
+        v_(x_.size()),
+        a_(x_.size()) {}
+
+  /// c [1/s]
+  double mass_damping() const { return mass_damping_; }
+  void set(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a) {
+    t_ = t;
+    assembler_.place(u, x_, t);
+    assembler_.move(t, v, a, v_, a_);
+    for (std::size_t i = 0; i < a_.size(); ++i) a_[i] += mass_damping_ * v_[i];
+  }
+  double t() const { return t_; }
+  const std::vector<double>& x() const { return x_; }
+  const std::vector<double>& v() const { return v_; }
+  /// For evaluations; the matrix is ∂F/∂u where rates follow u by dv/du = cv, da/du = ca.
+  Kinematics motion(double cv = 0, double ca = 0) const {
+    return {t_, v_.data(), a_.data(), 1, cv, ca + mass_damping_ * cv};
+  }
+
+ private:
+  const Assembler& assembler_;
+  double mass_damping_, t_ = 0;
+  std::vector<double> x_, v_, a_;
+};
+
+}  // namespace netloft

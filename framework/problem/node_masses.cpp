@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/node_masses.hpp"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace netloft {
+
+using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 3, 3>;
+
+NodeMasses::NodeMasses(Assembler& assembler) : assembler_(assembler) {
+  const Numbering& numbering = assembler.numbering();
+  for (std::int32_t i = 0; i < numbering.unknowns(); ++i) {
+    if (nodes_.empty() || nodes_.back().node != numbering.node(i))
+      nodes_.push_back({numbering.node(i), static_cast<std::size_t>(i), 0, {}, {}, false});
+    Node& n = nodes_.back();
+    n.axes[n.count++] = static_cast<std::size_t>(numbering.axis(i));
+  }
+  blocks_.resize(3 * numbering.dofs());
+}
+
+bool NodeMasses::update(std::span<const double> x) {
+  if (!assembler_.masses(x, blocks_, coupled_)) return false;
+  for (Node& n : nodes_) invert(n);
+  return true;
+}
+
+void NodeMasses::invert(Node& n) const {
+  const auto size = static_cast<Eigen::Index>(n.count);
+  Block M(size, size);
+  for (std::size_t r = 0; r < n.count; ++r)
+    for (std::size_t c = 0; c < n.count; ++c)
+      M(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = entry(n, r, c);
+  const Eigen::LLT<Block> factor(M);
+  n.has_mass = factor.info() == Eigen::Success && M.trace() > 0;
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> inverse(n.inverse.data(),
+                                                                                             size, size);
+  if (n.has_mass)
+    inverse = factor.solve(Block::Identity(size, size));
+  else
+    inverse.setZero();
+}
+
+bool NodeMasses::accelerate(std::span<const double> residual, std::span<double> a, bool massless_rest) {
+  if (!massless_rest && massless_node()) return false;
+  divide(residual, a);
+  for (double& v : a) v = -v;
+  return true;
+}
+
+void NodeMasses::divide(std::span<const double> x, std::span<double> y) const {
+  for (const Node& n : nodes_) {
+    std::array<double, 3> sum{};
+    for (std::size_t r = 0; r < n.count; ++r)
+      for (std::size_t c = 0; c < n.count; ++c) sum[r] += n.inverse[r * n.count + c] * x[n.first + c];
+    std::copy_n(sum.begin(), n.count, y.begin() + static_cast<std::ptrdiff_t>(n.first));
+  }
+}
+
+void NodeMasses::multiply(std::span<const double> x, std::span<double> y) const {
+  for (const Node& n : nodes_) {
+    std::array<double, 3> sum{};
+    for (std::size_t r = 0; r < n.count; ++r)
+      for (std::size_t c = 0; c < n.count; ++c) sum[r] += entry(n, r, c) * x[n.first + c];
+    std::copy_n(sum.begin(), n.count, y.begin() + static_cast<std::ptrdiff_t>(n.first));
+  }
+}
+
+std::optional<std::uint32_t> NodeMasses::massless_node() const {
+  for (const Node& n : nodes_)
+    if (!n.has_mass) return n.node;
+  return std::nullopt;
+}
+
+namespace {
+
+double dot(const std::vector<double>& x, const std::vector<double>& y) {
+  double sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i];
+  return sum;
+}
+
+/// Numbers in [-1, 1) that look random and are always the same (Knuth's MMIX generator).
+void fill(std::vector<double>& x) {
+  std::uint64_t seed = 1;
+  for (double& v : x) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    v = static_cast<double>(static_cast<std::int64_t>(seed)) * 0x1p-63;
+  }
+}
+
+}  // namespace
+
+double highest_frequency(const NodeMasses& masses, std::size_t unknowns,
+                         const std::function<void(std::span<const double>, std::span<double>)>& stiffness) {
+  constexpr int kSteps = 60;
+  std::vector<double> q(unknowns), before(unknowns, 0.0), w(unknowns), mass_q(unknowns);
+  std::vector<double> alpha, beta;
+  fill(q);
+  for (int k = 0; k < kSteps; ++k) {
+    masses.multiply(q, mass_q);
+    const double length = std::sqrt(dot(q, mass_q));  // in the inner product of M
+    if (!(length > 0) || (k > 0 && length < 1e-12 * std::abs(alpha[0]))) break;
+    if (k > 0) beta.push_back(length);
+    for (std::size_t i = 0; i < unknowns; ++i) q[i] /= length, mass_q[i] /= length;
+    stiffness(q, w);
+    alpha.push_back(dot(q, w));
+    masses.divide(w, w);
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      const double next = w[i] - alpha.back() * q[i] - (k > 0 ? beta.back() * before[i] : 0);
+      before[i] = q[i], q[i] = next;
+    }
+  }
+  if (alpha.empty()) return 0;
+  const Eigen::Map<const Eigen::VectorXd> diagonal(alpha.data(), static_cast<Eigen::Index>(alpha.size()));
+  beta.resize(alpha.size() - 1);
+  const Eigen::Map<const Eigen::VectorXd> beside(beta.data(), static_cast<Eigen::Index>(beta.size()));
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
+  ritz.computeFromTridiagonal(diagonal, beside);
+  const Eigen::Index last = diagonal.size() - 1;
+  masses.multiply(q, mass_q);
+  const double residual =
+      std::sqrt(std::max(0.0, dot(q, mass_q))) * std::abs(ritz.eigenvectors()(last, last));
+  return std::sqrt(std::max(0.0, ritz.eigenvalues()(last) + residual));
+}
+
+}  // namespace netloft

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/settling.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace netloft {
+
+namespace {
+
+/// Residual of the equilibrium at u, told to the host. True: it has seen enough.
+bool look(netloft_problem& problem, std::span<const double> u, std::vector<double>& residual) {
+  double energy = 0;
+  if (problem.evaluate(problem.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE, u.data(), &energy,
+                       residual.data()) != NETLOFT_OK)
+    return false;
+  std::copy(u.begin(), u.end(), problem.u);
+  return problem.progress(problem.host, u.data(), energy, residual.data(), "in motion") != NETLOFT_GO_ON;
+}
+
+int settle(const void* parameters, netloft_problem* problem) {
+  const Settling& s = *static_cast<const Settling*>(parameters);
+  std::vector<double> residual(problem->unknowns);
+  MarchWatch watch;
+  watch.on_step = [&](const StepRecord& step, std::span<const double> u) {
+    return step.steps % s.look_every == 0 && look(*problem, u, residual);
+  };
+  const MarchState from = state_at_rest(*s.assembler, {problem->u, problem->unknowns});
+  const MarchResult r =
+      march(*s.scene, *s.assembler, s.integrator, s.solver, s.make, s.limits, s.march, watch, &from);
+  std::copy(r.u.begin(), r.u.end(), problem->u);
+  if (r.status == MarchStatus::stopped || r.status == MarchStatus::interrupted) return NETLOFT_STOPPED;
+  std::snprintf(problem->message, problem->message_size, "%s", r.reason.c_str());
+  return NETLOFT_SOLVER_ERROR;
+}
+
+}  // namespace
+
+SolverType Settling::as_solver() const {
+  SolverType type;
+  type.type = integrator.type->type;
+  type.origin = integrator.type->origin;
+  type.solver.size = sizeof type.solver;
+  type.solver.name = integrator.type->integrator.name, type.solver.doc = integrator.type->integrator.doc;
+  type.solver.solve = &settle;
+  return type;
+}
+
+}  // namespace netloft

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/time_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace netloft {
+
+namespace {
+
+constexpr double kBelowLimit = 0.9;  // of the stable step that an estimated frequency allows
+
+std::string seconds(double t) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g s", t);
+  return text;
+}
+
+/// One march; members are steps in the order they happen.
+class March {
+ public:
+  March(const Scene& scene, Assembler& assembler, IntegratorChoice integrator, SolverChoice solver,
+        const MakeFactorisation& make, const Limits& limits, const MarchSettings& settings,
+        const MarchWatch& watch, const MarchState* from)
+      : scene_(scene),
+        assembler_(assembler),
+        integrator_(integrator),
+        limits_(limits),
+        settings_(settings),
+        watch_(watch),
+        problem_(assembler, settings.mass_damping, solver, make, limits),
+        budget_(assembler, settings.mass_damping),
+        state_(from ? *from : state_at_rest(assembler)),
+        next_(state_),
+        error_(state_.u.size()),
+        residual_(assembler.numbering().dofs()),
+        corners_(find_corners()) {}
+
+  MarchResult run() {
+    if (begin())
+      while (state_.t < settings_.duration && !has_ended()) {
+        if (!make_step()) break;
+        write_outputs();
+        tell_of_step();
+      }
+    return finish();
+  }
+
+ private:
+  bool begin() {
+    result_.status = MarchStatus::finished;
+    if (!state_.memory.empty()) assembler_.set_memory(state_.memory);
+    problem_.set_least_load(state_.least_load);
+    if (integrator_.type->is_explicit())
+      if (const std::string why = problem_.obstacle_to_explicit(scene_); !why.empty()) return fail(why);
+    if (state_.a.empty()) {
+      state_.a.resize(state_.u.size());
+      if (problem_.start(state_.t, state_.u, state_.v, state_.a) != NETLOFT_OK)
+        return fail("there are no forces at the start: " + assembler_.fault_sentence(scene_));
+    }
+    next_.u.resize(state_.u.size()), next_.v = next_.a = next_.u;
+    if (settings_.budget) {
+      if (!budget_.begin(state_.t, state_.u, state_.v, state_.a)) return fail_at_fault();
+      if (!state_.budget.empty()) budget_.set_sums(state_.budget);
+    }
+    find_limit();
+    if (state_.h == 0) state_.h = first_step();
+    last_ = previous_ = state_.t;
+    if (state_.outputs == 0) write_checkpoint(state_.t);
+    return true;
+  }
+
+  /// Longest step that is stable, whatever happens.
+  void find_limit() {
+    const auto stable = [&](double omega) {
+      return integrator_.type->integrator.stable_step(integrator_.parameters, omega);
+    };
+    limit_ = settings_.longest_step;
+    if (stable(1) > 0 && (settings_.adaptive || settings_.step == 0))
+      limit_ = std::min(limit_, kBelowLimit * stable(problem_.highest_frequency()));
+  }
+
+  /// As given; else the time in which the start's acceleration leads as far as a step's error may be.
+  double first_step() const {
+    if (settings_.step > 0) return std::min(settings_.step, settings_.adaptive ? limit_ : settings_.step);
+    double fastest = 0;
+    for (const double a : state_.a) fastest = std::max(fastest, std::abs(a));
+    const double h = std::sqrt(2 * tolerated() / std::max(fastest, 1e-6));
+    return std::clamp(h, settings_.shortest_step, std::min(limit_, settings_.duration));
+  }
+
+  double tolerated() const { return settings_.accuracy * element_size(); }
+  double element_size() const { return const_cast<TransientProblem&>(problem_).algebra().element_size(); }
+
+  bool has_ended() {
+    if (limits_.interrupt && limits_.interrupt->load())
+      return end(MarchStatus::interrupted, "interrupted at t = " + seconds(state_.t));
+    if (wall_seconds() - begun_ > limits_.seconds)
+      return end(MarchStatus::failed, "the time limit was reached at t = " + seconds(state_.t));
+    return is_over_;
+  }
+
+  /// Tries steps until one is accepted.
+  bool make_step() {
+    for (;;) {
+      const double corner = next_corner(), rest = corner - state_.t;
+      const double parts = std::max(1.0, std::ceil(rest / std::min(state_.h, limit_) - 1e-9));
+      const double h = rest / parts;
+      const int status = try_step(h);
+      const double error = status == NETLOFT_OK && settings_.adaptive ? error_over_tolerated() : 0;
+      if (status == NETLOFT_OK && error <= 1) return accept(parts == 1 ? corner : state_.t + h, h, error);
+      if (status < 0) return fail_in_step();
+      ++state_.rejected;
+      if (!settings_.adaptive) return fail_at("the step " + seconds(h) + " is too long: " + trouble());
+      state_.h = h * (status == NETLOFT_OK ? std::max(0.2, growth(error)) : 0.25);
+      if (state_.h < settings_.shortest_step)
+        return fail_at("no step longer than " + seconds(settings_.shortest_step) + " serves: " + trouble());
+    }
+  }
+
+  int try_step(double h) {
+    std::fill(error_.begin(), error_.end(), 0.0);
+    netloft_motion& m = problem_.interface();
+    m.t = state_.t, m.h = h;
+    m.u = state_.u.data(), m.v = state_.v.data(), m.a = state_.a.data();
+    m.u_new = next_.u.data(), m.v_new = next_.v.data(), m.a_new = next_.a.data(), m.error = error_.data();
+    const int status = integrator_.type->integrator.step(integrator_.parameters, &m);
+    if (status != NETLOFT_OK) return status;
+    double sum = 0;
+    for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
+    return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
+  }
+
+  double error_over_tolerated() const {
+    double largest = 0;
+    for (const double e : error_) largest = std::max(largest, std::abs(e));
+    return largest / tolerated();
+  }
+
+  double growth(double error) const {  // (1)
+    const double order = integrator_.type->integrator.order(integrator_.parameters);
+    return std::min(2.0, 0.9 * std::pow(std::max(error, 1e-12), -1 / order));
+  }
+
+  bool accept(double t, double h, double error) {
+    previous_ = state_.t, last_ = t;
+    state_.t = t;
+    if (settings_.adaptive) state_.h = std::min(h * growth(error), settings_.longest_step);
+    std::swap(state_.u, next_.u), std::swap(state_.v, next_.v), std::swap(state_.a, next_.a);
+    ++state_.steps;
+    result_.shortest = state_.steps == 1 ? h : std::min(result_.shortest, h);
+    result_.longest = std::max(result_.longest, h);
+    if (settings_.budget && !budget_.advance(t, state_.u, state_.v, state_.a)) return fail_at_fault();
+    problem_.state().set(t, state_.u, state_.v, state_.a);
+    if (!assembler_.remember(problem_.state().x(), problem_.state().motion())) return fail_at_fault();
+    return true;
+  }
+
+  /// Ends of steps: outputs, corners of what moves the scene, the end.
+  std::vector<double> find_corners() const {
+    std::vector<double> all = scene_.corners_in_time();
+    if (!settings_.dense)
+      for (std::size_t i = 0; i < output_count(); ++i) all.push_back(output_time(i));
+    all.push_back(settings_.duration);
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  /// The next one, leaving out those that rounding alone has left.
+  double next_corner() const {
+    const double least = state_.t + 1e-12 * std::max(1.0, settings_.duration);
+    const auto next = std::upper_bound(corners_.begin(), corners_.end(), least);
+    return next == corners_.end() ? settings_.duration : std::min(*next, settings_.duration);
+  }
+  std::size_t output_count() const {
+    if (settings_.output_interval <= 0) return 2;
+    return static_cast<std::size_t>(std::ceil(settings_.duration / settings_.output_interval - 1e-9)) + 1;
+  }
+  double output_time(std::size_t i) const {
+    return i + 1 >= output_count() ? settings_.duration : static_cast<double>(i) * settings_.output_interval;
+  }
+
+  void write_outputs() {
+    while (state_.outputs < output_count() && output_time(state_.outputs) <= state_.t) {
+      const double t = output_time(state_.outputs);
+      const bool is_last = state_.outputs + 1 >= output_count() || output_time(state_.outputs + 1) > state_.t;
+      if (is_last)
+        write_checkpoint(t);
+      else
+        write_between(t);
+    }
+  }
+
+  /// From here on nothing depends on how the march has come here but through what is kept.
+  void write_checkpoint(double t) {
+    problem_.algebra().forget_factor();
+    if (settings_.budget) budget_.refresh();
+    state_.memory = assembler_.memory();
+    if (settings_.budget) state_.budget = budget_.sums();
+    place_at(t);
+    problem_.note_loads(residual_);
+    state_.least_load = problem_.least_load();
+    ++state_.outputs;
+    tell(t, &state_);
+  }
+  void write_between(double t) {
+    place_at(t);
+    ++state_.outputs;
+    tell(t, nullptr);
+  }
+
+  /// Where it is at a time within the last step: the cubic through positions and velocities of its ends.
+  void place_at(double t) {
+    if (t == state_.t) {
+      shown_ = state_.u;
+      problem_.state().set(t, state_.u, state_.v, state_.a);
+    } else {
+      Course course;
+      std::vector<double> v(state_.u.size()), a(v);
+      shown_.resize(v.size());
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        course.knots = {{previous_, {next_.u[i]}, {next_.v[i]}}, {last_, {state_.u[i]}, {state_.v[i]}}};
+        const Course::Moment m = course.at(t);
+        shown_[i] = m.d[0], v[i] = m.v[0], a[i] = m.a[0];
+      }
+      problem_.state().set(t, shown_, v, a);
+    }
+    assembler_.evaluate(problem_.state().x(),
+                        {.residual = residual_.data(), .motion = problem_.state().motion()});
+  }
+
+  void tell(double t, const MarchState* state) {
+    if (!watch_.on_output) return;
+    watch_.on_output({t, shown_, problem_.state().x(), residual_, problem_.state().motion(),
+                      settings_.budget ? &budget_ : nullptr, state});
+  }
+  void tell_of_step() {
+    if (is_over_ || !watch_.on_step) return;
+    if (watch_.on_step({state_.t, last_ - previous_, settings_.duration, state_.steps, state_.rejected,
+                        wall_seconds() - begun_},
+                       state_.u))
+      end(MarchStatus::stopped, "stopped at t = " + seconds(state_.t));
+  }
+
+  std::string trouble() const {
+    if (problem_.message()[0]) return problem_.message();
+    if (!problem_.trouble().empty()) return problem_.trouble();
+    return integrator_.type->is_explicit() ? "motions grow without bound" : "the step does not settle";
+  }
+  bool fail_in_step() {
+    if (limits_.interrupt && limits_.interrupt->load()) return !has_ended();
+    if (assembler_.fault().status == NETLOFT_ERROR) return fail_at_fault();
+    return fail_at(trouble());
+  }
+  bool fail_at_fault() { return fail_at(assembler_.fault_sentence(scene_)); }
+  bool fail_at(const std::string& why) { return fail("at t = " + seconds(state_.t) + ": " + why); }
+  bool fail(const std::string& why) { return !end(MarchStatus::failed, why); }
+  bool end(MarchStatus status, const std::string& why) {
+    result_.status = status, result_.reason = why;
+    return is_over_ = true;
+  }
+
+  MarchResult finish() {
+    result_.u = state_.u, result_.t = state_.t;
+    result_.steps = state_.steps, result_.rejected = state_.rejected;
+    result_.books = problem_.books();
+    result_.books.total_seconds = wall_seconds() - begun_;
+    result_.books.total_cpu_seconds = cpu_seconds() - cpu_begun_;
+    if (result_.status == MarchStatus::finished)
+      result_.reason =
+          "t = " + seconds(state_.t) + " was reached in " + std::to_string(state_.steps) + " steps";
+    return std::move(result_);
+  }
+
+  const Scene& scene_;
+  Assembler& assembler_;
+  IntegratorChoice integrator_;
+  const Limits& limits_;
+  const MarchSettings& settings_;
+  const MarchWatch& watch_;
+  TransientProblem problem_;
+  EnergyBudget budget_;
+  MarchState state_, next_;  // next_: the end of the step that is tried; after it, the state before
+  std::vector<double> error_, residual_, shown_, corners_;
+  double limit_ = 0, previous_ = 0, last_ = 0;
+  double begun_ = wall_seconds(), cpu_begun_ = cpu_seconds();
+  bool is_over_ = false;
+  MarchResult result_;
+};
+
+}  // namespace
+
+MarchResult march(const Scene& scene, Assembler& assembler, IntegratorChoice integrator, SolverChoice solver,
+                  const MakeFactorisation& make, const Limits& limits, const MarchSettings& settings,
+                  const MarchWatch& watch, const MarchState* from) {
+  return March(scene, assembler, integrator, solver, make, limits, settings, watch, from).run();
+}
+
+MarchState state_at_rest(const Assembler& assembler, std::span<const double> u) {
+  MarchState state;
+  state.u.assign(static_cast<std::size_t>(assembler.pattern().size), 0.0);
+  std::copy(u.begin(), u.end(), state.u.begin());
+  state.v.assign(state.u.size(), 0.0);
+  return state;
+}
+
+}  // namespace netloft

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/energy_budget.hpp"
+#include "framework/problem/transient_problem.hpp"
+
+namespace netloft {
+
+/// How time is gone through.
+struct MarchSettings {
+  double duration = 0;  // [s]
+  double step = 0;      // first or only one [s]; 0: found
+  bool adaptive = true;
+  double accuracy = 1e-3;  // largest error of a node in one step, over the longest element
+  double longest_step = std::numeric_limits<double>::infinity();  // [s]
+  double shortest_step = 1e-9;                                    // [s]
+  double output_interval = 0;                                     // [s]; 0: the beginning and the end
+  bool dense = false;       // outputs between steps; otherwise steps end at them
+  bool budget = true;       // keep the energy budget
+  double mass_damping = 0;  // c of the force −c M v [1/s]
+};
+
+/// An integrator with its parameters.
+struct IntegratorChoice {
+  const IntegratorType* type = nullptr;
+  const void* parameters = nullptr;
+};
+
+/// All that the rest of a march follows from, to the bit: what is kept to go on later.
+struct MarchState {
+  double t = 0, h = 0;          // reached, and the step that was wanted next [s]
+  std::vector<double> u, v, a;  // of the unknowns [m], [m/s], [m/s²]
+  std::vector<double> memory;   // of the elements
+  std::vector<double> budget;   // sums of it [J]
+  double least_load = 0;        // [N]
+  std::size_t outputs = 0;      // written before
+  std::int64_t steps = 0, rejected = 0;
+};
+
+/// The scene at an output time.
+struct Snapshot {
+  double t;
+  std::span<const double> u;
+  std::span<const double> x, residual;  // over all dofs: positions [m], reactions of held ones [N]
+  Kinematics motion;
+  const EnergyBudget* budget;  // null if it is not kept; of the last step's end if outputs are dense
+  const MarchState* state;     // to go on from; null: go on from that of an earlier snapshot
+};
+
+/// A step that was made.
+struct StepRecord {
+  double t, h, end;  // [s]
+  std::int64_t steps, rejected;
+  double seconds;  // wall time so far
+};
+
+enum class MarchStatus { finished, stopped, failed, interrupted };
+
+struct MarchResult {
+  MarchStatus status = MarchStatus::failed;
+  std::string reason;  // a sentence
+  std::vector<double> u;
+  double t = 0;
+  std::int64_t steps = 0, rejected = 0;
+  double shortest = 0, longest = 0;  // steps that were made [s]
+  Books books;
+};
+
+/// Who looks on. Both may be empty.
+struct MarchWatch {
+  std::function<void(const Snapshot&)> on_output;
+  std::function<bool(const StepRecord&, std::span<const double> u)> on_step;  // true: stop here
+};
+
+/// Goes through time from `from`, or from the start at rest if that is null. Steps end at outputs (unless
+/// they are dense) and where a guide or the current has a corner. With error control, a step is rejected if
+/// its estimate exceeds the accuracy, and the next one is
+///   h ← h · 0.9 (accuracy/error)^(1/order), within [1/5, 2] h                              (1)
+MarchResult march(const Scene& scene, Assembler& assembler, IntegratorChoice integrator, SolverChoice solver,
+                  const MakeFactorisation& make, const Limits& limits, const MarchSettings& settings,
+                  const MarchWatch& watch, const MarchState* from = nullptr);
+
+/// At rest where the scene starts, or with displacements u of its unknowns.
+MarchState state_at_rest(const Assembler& assembler, std::span<const double> u = {});
+
+}  // namespace netloft

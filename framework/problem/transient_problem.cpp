@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/transient_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace netloft {
+
+namespace {
+
+template <class... Args>
+struct Callback {
+  /// A C function that forwards to a member of the TransientProblem behind `host`; no exception passes.
+  template <auto Member>
+  static int call(void* host, Args... args) noexcept {
+    auto& problem = *static_cast<TransientProblem*>(host);
+    try {
+      return (problem.*Member)(args...);
+    } catch (const std::exception& e) {
+      problem.keep_message(e.what());
+      return NETLOFT_ERROR;
+    } catch (...) {
+      return NETLOFT_ERROR;
+    }
+  }
+};
+
+const char* trouble_of(netloft_outcome outcome, StaticProblem::Stop stop) {
+  switch (outcome) {
+    case NETLOFT_STOPPED:
+      return stop == StaticProblem::Stop::interrupted ? "interrupted" : "too many iterations in a step";
+    case NETLOFT_STEP_TOO_SHORT:
+      return "no way to the balance of a step was found";
+    case NETLOFT_LINEAR_SOLVE:
+      return "the matrix of a step could not be factorised";
+    case NETLOFT_LEFT_DOMAIN:
+      return "a step led to a state without forces";
+    default:
+      return "the solver failed in a step";
+  }
+}
+
+}  // namespace
+
+TransientProblem::TransientProblem(Assembler& assembler, double mass_damping, SolverChoice solver,
+                                   const MakeFactorisation& make, Limits limits)
+    : assembler_(assembler),
+      state_(assembler, mass_damping),
+      solver_(solver),
+      algebra_(assembler, make, limits),
+      masses_(assembler),
+      zero_(size(), 0.0),
+      residual_(assembler.numbering().dofs()) {
+  interface_.size = sizeof interface_;
+  interface_.unknowns = static_cast<std::uint32_t>(size()), interface_.host = this;
+  interface_.message = message_, interface_.message_size = sizeof message_;
+  interface_.residual = Callback<double, const double*, const double*, const double*,
+                                 double*>::call<&TransientProblem::residual>;
+  interface_.accelerate =
+      Callback<double, const double*, const double*, double*>::call<&TransientProblem::accelerate>;
+  interface_.solve =
+      Callback<double, const double*, double, const double*, double, double*>::call<&TransientProblem::solve>;
+  interface_.scratch = [](void* host, std::uint32_t index) {
+    auto& self = *static_cast<TransientProblem*>(host);
+    while (self.scratch_.size() <= index) self.scratch_.emplace_back(self.size());
+    return self.scratch_[index].data();
+  };
+}
+
+void TransientProblem::keep_message(const char* text) {
+  std::snprintf(message_, sizeof message_, "%s", text);
+}
+
+Books TransientProblem::books() const {
+  Books all = algebra_.books();
+  all.residuals += books_.residuals, all.matrices += books_.matrices;
+  all.assembly_seconds += books_.assembly_seconds;
+  return all;
+}
+
+int TransientProblem::evaluate() {
+  Timed timed(books_.assembly_seconds);
+  ++books_.residuals;
+  if (!assembler_.evaluate(state_.x(), {.residual = residual_.data(), .motion = state_.motion()}))
+    return assembler_.fault().status;
+  double sum = 0;
+  for (const double r : residual_) sum += r - r;  // zero unless something is infinite or no number
+  return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
+}
+
+int TransientProblem::residual(double t, const double* u, const double* v, const double* a, double* r) {
+  state_.set(t, {u, size()}, {v, size()}, {a, size()});
+  const int status = evaluate();
+  std::copy_n(residual_.begin(), size(), r);
+  return status;
+}
+
+int TransientProblem::accelerate(double t, const double* u, const double* v, double* a) {
+  return accelerate_at(t, {u, size()}, {v, size()}, {a, size()}, false);
+}
+
+int TransientProblem::start(double t, std::span<const double> u, std::span<const double> v,
+                            std::span<double> a) {
+  const int status = accelerate_at(t, u, v, a, true);
+  if (status == NETLOFT_OK) note_loads(residual_);
+  return status;
+}
+
+/// F is linear in a: M a = −F(t, u, v, 0).
+int TransientProblem::accelerate_at(double t, std::span<const double> u, std::span<const double> v,
+                                    std::span<double> a, bool massless_rest) {
+  state_.set(t, u, v, zero_);
+  if (const int status = evaluate(); status != NETLOFT_OK) return status;
+  Timed timed(books_.assembly_seconds);
+  ++books_.matrices;
+  if (!masses_.update(state_.x())) return assembler_.fault().status;
+  return masses_.accelerate({residual_.data(), size()}, a, massless_rest) ? NETLOFT_OK : NETLOFT_ERROR;
+}
+
+int TransientProblem::solve(double t, const double* v0, double cv, const double* a0, double ca, double* u) {
+  algebra_.begin({t, {v0, size()}, {a0, size()}, cv, ca, &state_, least_load_});
+  netloft_problem& problem = algebra_.interface();
+  std::copy_n(u, size(), problem.u);
+  const auto outcome = static_cast<netloft_outcome>(solver_.type->solver.solve(solver_.parameters, &problem));
+  if (outcome == NETLOFT_STOPPED && algebra_.stop() == StaticProblem::Stop::arrived) {
+    std::copy_n(problem.u, size(), u);
+    return NETLOFT_OK;
+  }
+  trouble_ = trouble_of(outcome, algebra_.stop());
+  if (algebra_.stop() == StaticProblem::Stop::interrupted || algebra_.met_error()) return NETLOFT_ERROR;
+  algebra_.forget_factor();
+  return NETLOFT_OUTSIDE_DOMAIN;
+}
+
+double TransientProblem::highest_frequency() {
+  if (!masses_.update(assembler_.start())) return 0;
+  return netloft::highest_frequency(masses_, size(), [&](std::span<const double> x, std::span<double> y) {
+    algebra_.interface().multiply(algebra_.interface().host, NETLOFT_NONE, 1, x.data(), y.data());
+  });
+}
+
+std::string TransientProblem::obstacle_to_explicit(const Scene& scene) {
+  if (!masses_.update(assembler_.start())) return assembler_.fault_sentence(scene);
+  if (masses_.coupled()) return "masses couple nodes, which no explicit scheme can divide by";
+  if (const auto node = masses_.massless_node())
+    return scene.node_name(*node) + " has no mass, which no explicit scheme can divide by";
+  return "";
+}
+
+void TransientProblem::note_loads(std::span<const double> residual) {
+  const Numbering& numbering = assembler_.numbering();
+  for (std::size_t i = 0; i < residual.size();) {
+    const std::uint32_t node = numbering.node(static_cast<std::int32_t>(i));
+    double sum = 0;
+    for (; i < residual.size() && numbering.node(static_cast<std::int32_t>(i)) == node; ++i)
+      sum += residual[i] * residual[i];
+    least_load_ = std::max(least_load_, std::sqrt(sum));
+  }
+}
+
+}  // namespace netloft

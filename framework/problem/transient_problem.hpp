@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/node_masses.hpp"
+#include "framework/problem/static_problem.hpp"
+#include "framework/registry/descriptors.hpp"
+
+#include <deque>
+
+namespace netloft {
+
+/// A solver with its parameters.
+struct SolverChoice {
+  const SolverType* type = nullptr;
+  const void* parameters = nullptr;
+};
+
+/// F(t, u, v, a) = 0 of a scene that moves: what an integrator sees, with the host's books behind it.
+/// Residuals and masses come from the assembler; algebraic problems of steps go to whichever solver was
+/// chosen.
+class TransientProblem {
+ public:
+  /// `limits` are those of one step's problem, and its solver's tolerance.
+  TransientProblem(Assembler& assembler, double mass_damping, SolverChoice solver,
+                   const MakeFactorisation& make, Limits limits);
+
+  netloft_motion& interface() { return interface_; }
+  std::size_t size() const { return static_cast<std::size_t>(assembler_.pattern().size); }
+  MovingState& state() { return state_; }
+  StaticProblem& algebra() { return algebra_; }
+  Books books() const;
+  const char* message() const { return message_; }
+  void keep_message(const char* text);
+  /// Why the last step's problem was not solved, if it was not.
+  const std::string& trouble() const { return trouble_; }
+
+  /// Accelerations at a state; nodes without mass get none. OK, OUTSIDE_DOMAIN or ERROR.
+  int start(double t, std::span<const double> u, std::span<const double> v, std::span<double> a);
+  /// Highest angular frequency that the linear stiffness and the masses at the start allow [rad/s].
+  double highest_frequency();
+  /// What makes explicit schemes impossible here; empty: nothing.
+  std::string obstacle_to_explicit(const Scene& scene);
+  /// Raises what tolerances are a part of to the loads in `residual`, over all dofs [N].
+  void note_loads(std::span<const double> residual);
+  double least_load() const { return least_load_; }
+  void set_least_load(double load) { least_load_ = load; }
+
+ private:
+  int residual(double t, const double* u, const double* v, const double* a, double* r);
+  int accelerate(double t, const double* u, const double* v, double* a);
+  int solve(double t, const double* v0, double cv, const double* a0, double ca, double* u);
+  int accelerate_at(double t, std::span<const double> u, std::span<const double> v, std::span<double> a,
+                    bool massless_rest);
+  int evaluate();
+
+  Assembler& assembler_;
+  MovingState state_;
+  SolverChoice solver_;
+  StaticProblem algebra_;
+  NodeMasses masses_;
+  netloft_motion interface_{};
+  Books books_;
+  double least_load_ = 0;
+  std::string trouble_;
+  char message_[256] = "";
+  std::vector<double> zero_, residual_;
+  std::deque<std::vector<double>> scratch_;
+};
+
+}  // namespace netloft
