@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace netloft::lbfgs {
+
+/// The last pairs of a limited-memory BFGS method, (2) and (3) of Lbfgs.
+class Memory {
+ public:
+  Memory(std::size_t pairs, std::size_t unknowns);
+
+  bool is_empty() const { return count_ == 0; }
+  void clear() { count_ = 0; }
+
+  /// Adds s, y and B y; false, and nothing changes, where (4) leaves the pair out.
+  bool add(std::span<const double> s, std::span<const double> y, std::span<const double> By);
+
+  /// Writes H r to p, given B r: two loops over the pairs, Nocedal and Wright, alg. 7.4. With
+  /// B q = B r − Σ α_i B y_i in place of B q itself, a step costs one application of B, γ included. `q` is
+  /// scratch.
+  void multiply(std::span<const double> r, std::span<const double> Br, std::span<double> q,
+                std::span<double> p);
+
+ private:
+  struct Pair {
+    std::vector<double> s, y, By;
+    double sy = 0, alpha = 0;
+  };
+  /// i = 0 is the newest.
+  Pair& pair(std::size_t i) { return pairs_[(newest_ + pairs_.size() - i) % pairs_.size()]; }
+
+  std::vector<Pair> pairs_;
+  std::size_t newest_ = 0, count_ = 0;
+  double gamma_ = 1;
+};
+
+}  // namespace netloft::lbfgs

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/ptc/ptc.hpp"
+
+using netloft::ptc::PseudoTransient;
+
+NETLOFT_PLUGIN("ptc", "0.1.0", "pseudo-transient continuation") {
+  using P = PseudoTransient::Parameters;
+  auto& ptc = plugin.solver<PseudoTransient>("ptc",
+                                             "pseudo-transient continuation in the metric of the linear "
+                                             "stiffness, with switched evolution relaxation");
+  ptc.real("step", &P::step, "1",
+           "first step of the pseudo-time, over what the linear stiffness needs to relax",
+           {.lo = 1e-6, .hi = 1e12, .fallback = 1000});
+  ptc.real("growth", &P::growth, "1", "most by which a step may exceed the last",
+           {.lo = 1, .hi = 1e6, .fallback = 10});
+  ptc.real("shrink", &P::shrink, "1",
+           "least part of the last step that a step may be when the residual has grown",
+           {.lo = 0, .hi = 1, .fallback = 0.7});
+  ptc.real("reach", &P::reach, "1",
+           "farthest move of a node in one step, over the largest element; a longer step is taken back",
+           {.lo = 1e-3, .hi = 1e12, .fallback = 10});
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/solver.hpp>
+
+namespace netloft::ptc {
+
+/// Pseudo-transient continuation for r(u) = 0: follows M du/dτ = −r(u) to its end in ever longer steps δ, so
+/// that it begins as a descent and ends as Newton's method.
+///   (K + M/δ) s = −r(u),   u ← u + s                                                    (1)
+///   δ_k = δ_{k−1} ‖r_{k−1}‖/‖r_k‖                                                         (2)
+/// (1) is a step of the linearly implicit Euler method; (2) is switched evolution relaxation: C. T. Kelley
+/// and D. E. Keyes, "Convergence analysis of pseudo-transient continuation", SIAM J. Numer. Anal. 35 (1998)
+/// 508-523; (2) after W. A. Mulder and B. van Leer, J. Comput. Phys. 59 (1985) 232-246. K is dr/du. M is the
+/// linear stiffness, not a mass: τ and δ are then pure numbers, and mean the same on any size of cell.
+///
+/// Where it deviates:
+/// - where K + M/δ is symmetric and not positive definite, the convex part K₊ of K takes the place of K;
+/// - a step is taken back, and δ quartered, that moves a node farther than `reach` largest elements, leads to
+///   where there are no forces or, where r has an energy, raises both energy and ‖r‖. Without an energy, ‖r‖
+///   may rise as it likes: on stiff ropes it must, and taking such steps back never arrived;
+/// - one step changes δ by no more than `growth` and no less than `shrink`: where netting falls into shape,
+/// ‖r‖
+///   grows for a while, which says little of how long the next step may be.
+struct PseudoTransient {
+  struct Parameters {
+    double step = 0, growth = 0, shrink = 0, reach = 0;
+  };
+  static Outcome solve(const Parameters& parameters, Problem& problem);
+};
+
+}  // namespace netloft::ptc

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/sample_scenes.hpp"
+#include "tests/unit/solvers/known_answers.hpp"
+#include "tests/verification/reference.hpp"
+#include "tests/verification/scene_file.hpp"
+
+namespace netloft::test {
+namespace {
+
+TEST(Relaxation, PullsASlackTrussToItsClosedForm) {
+  const Solved s = solve_with("relaxation", two_bar_truss());
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_LT(distance(s.position(2), kJointOfTruss), 1e-9);
+}
+
+// Irvine's catenary, whose digits verification/rope_test.cpp has: 40 bars that sag are within 4e-6 m of it.
+TEST(Relaxation, HangsARopeInACatenary) {
+  const SolvedFile s = solve_file("hanging-rope.toml", {"analysis.solver=\"relaxation\"",
+                                                        "parts.rope.rope.sag=1", "parts.rope.cells=40"});
+  ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+  EXPECT_NEAR(s.solved.position(s.node("rope", "middle"))[2], -2.95736530, 5e-6);
+}
+
+TEST(Relaxation, FindsTheSlackPanelThatTheUndampedNewtonDoesNot) {
+  const Scene slack = sample::hanging_panel(8, 34);
+  EXPECT_EQ(solve_with("newton", slack, {{"method", std::string("classic")}}).solution.status,
+            SolveStatus::not_converged);
+  const Level want = read_level("hanging-panel.txt", 8);
+  const Solved s = solve_with("relaxation", slack);
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_NEAR(s.solution.energy, want.values[0], 1e-9 * std::abs(want.values[0]));
+  EXPECT_NEAR(s.lowest_z(), want.values[2], 1e-8);
+}
+
+TEST(Relaxation, NeedsNoMatrixAndNoFactorisation) {
+  const Solved s = solve_with("relaxation", sample::hanging_panel(8, 34));
+  EXPECT_EQ(s.solution.books.matrices, 0);
+  EXPECT_EQ(s.solution.books.factorisations, 0);
+  EXPECT_GT(s.solution.books.residuals, 1000);
+}
+
+TEST(Relaxation, FindsARopeInACurrent) {
+  const Level want = read_level("towed-cable-in-bars.txt", 10);
+  const SolvedFile s =
+      solve_file("verification/towed-rope.toml", {"analysis.solver=\"relaxation\"", "parts.rope.cells=10"});
+  ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+  const auto top = s.solved.reaction(s.node("rope", "start"));
+  EXPECT_NEAR(top[0], want.values[0], 1e-6);
+  EXPECT_NEAR(top[2], want.values[1], 1e-6);
+}
+
+// The push turns with the bar: it drives the bar round and round, and no peak of the kinetic energy ends
+// that.
+TEST(Relaxation, SaysThatItDidNotArriveWhereForcesFeedTheMotion) {
+  Limits limits;
+  limits.iterations = 5;
+  const Solved s = solve_with("relaxation", pushed_bar(5), {}, limits);
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(says(s, "limit of 5 iterations")) << s.solution.reason;
+}
+
+/// A spring of k (l² − l₀²)²/(8 l₀²), l₀ = 1 m, k = 100 N/m: at l = 3 m it pulls with k l (l² − 1)/2 = 1200 N
+/// and its stiffness is k (3 l² − 1)/2 = 1300 N/m, 13 times what it is unstretched.
+Scene stiffening_spring() {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto top = s.node(0, 0, 0, kAllAxes), end = s.node(0, 0, -1);
+  s.part("spring", "test/spring", {{"k", 100.0}}, {top, end}).data["rest_length"] = {1};
+  s.part("load", "test/load", {{"z", -1200.0}}, {end});
+  return s.scene;
+}
+
+TEST(Relaxation, RaisesMassesThatTheStiffnessHasOutgrown) {
+  const Solved s = solve_with("relaxation", stiffening_spring(), {{"steps", std::int64_t{1}}});
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_TRUE(has_note(s, "heavier masses"));
+  EXPECT_NEAR(s.position(1)[2], -3, 1e-9);
+}
+
+/// Between 0 and a limit of 1 m, E = ½ l²: pulled by 0.9 N, it comes to rest at 0.9 m; a first motion goes
+/// too far.
+TEST(Relaxation, ReturnsFromWhereThereAreNoForces) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(-0.9, 0, 0);
+  s.part("picky", "test/picky", {{"limit", 1.0}}, {a, b}).data["rest_length"] = {1};
+  s.part("load", "test/load", {{"x", 0.9}}, {b});
+  const Solved solved = solve_with("relaxation", s.scene, {{"steps", std::int64_t{1}}, {"mass", 0.5}});
+  EXPECT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
+  EXPECT_NEAR(solved.position(1)[0], 0.9, 1e-9);
+}
+
+TEST(Relaxation, NamesTheElementThatHasNoForceAtTheStart) {
+  const Solved s = solve_with("relaxation", bar_without_forces());
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_EQ(s.solution.at_fault, "picky element 0");
+}
+
+TEST(Relaxation, SaysThatItDidNotArriveWhereThereIsNoBalance) {
+  Limits limits;
+  limits.iterations = 5;
+  const Solved s = solve_with("relaxation", loose_load(), {}, limits);
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(says(s, "limit of 5 iterations")) << s.solution.reason;
+}
+
+TEST(Relaxation, CountsSoManyStepsAsOneIteration) {
+  Limits limits;
+  limits.iterations = 3;
+  const Solved s =
+      solve_with("relaxation", sample::hanging_panel(8, 34), {{"steps", std::int64_t{7}}}, limits);
+  EXPECT_EQ(s.solution.books.iterations, 3);
+  EXPECT_GE(s.solution.books.residuals, 1 + 3 * 7);
+  EXPECT_LE(s.solution.books.residuals, 1 + 2 * 3 * 7) << "at most one more evaluation a step, at a peak";
+}
+
+}  // namespace
+}  // namespace netloft::test
