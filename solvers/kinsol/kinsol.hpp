@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/solver.hpp>
+
+namespace netloft::kinsol {
+
+/// Newton's method of SUNDIALS' KINSOL 6 (Hindmarsh et al. 2005, ACM TOMS 31(3), p. 363; users' guide,
+/// chapter "Mathematical considerations") on our residuals and factorisations. K is the exact tangent, M the
+/// linear stiffness.
+///   (K(u) + μ M) s = −r(u)                                                              (1)
+///   u ← u + λ s                                                                         (2)
+/// Strategy "none": λ = 1. "linesearch": λ, within what `longest_step` allows, meets Goldstein's conditions
+///   ½‖r(u + λ s)‖² ≤ ½‖r(u)‖² + 1e-4 λ r·Ks,   and ≥ the same with 0.9 instead of 1e-4    (3)
+/// With μ = 0 and K singular, as at a straight slack rope, it ends at once.
+struct Kinsol {
+  struct Parameters {
+    std::int64_t strategy = 0;
+    double damping = 0;        // μ
+    double longest_step = 0;   // root mean square over the unknowns, in lengths of the largest element
+    double shortest_step = 0;  // largest part of an unknown that the step moves
+  };
+  static Outcome solve(const Parameters& parameters, Problem& problem);
+};
+
+}  // namespace netloft::kinsol
