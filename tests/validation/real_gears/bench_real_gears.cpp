@@ -5,6 +5,7 @@
 //                  [--iterations N] [--seconds S]
 //
 // Solves the gears of the folder and prints a table: what it took, and how far from FEMNET's answer it ended.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -105,16 +106,20 @@ void print_row(const NeutralCase& gear, const SolvedGear& s) {
               name_of(n.status));
 }
 
-/// Nodes that ended elsewhere than the reference has them, at most ten.
+/// Nodes that ended elsewhere than the reference has them, the ten furthest.
 void print_strays(const NeutralCase& gear, const SolvedGear& s) {
-  int strays = 0;
-  for (std::uint32_t n = 0; n < gear.nodes.size(); ++n) {
+  const auto away = [&](std::uint32_t n) { return distance(s.positions[n], gear.reference.positions[n]); };
+  std::vector<std::uint32_t> strays;
+  for (std::uint32_t n = 0; n < gear.nodes.size(); ++n)
+    if (away(n) > 1e-3) strays.push_back(n);
+  std::sort(strays.begin(), strays.end(), [&](auto a, auto b) { return away(a) > away(b); });
+  std::printf("    %zu nodes are further than 1 mm from the reference\n", strays.size());
+  strays.resize(std::min<std::size_t>(strays.size(), 10));
+  for (const auto n : strays) {
     const Vector &x = s.positions[n], &r = gear.reference.positions[n];
-    if (distance(x, r) <= 1e-3 || ++strays > 10) continue;
     std::printf("    node %3u at %9.4f %9.4f %9.4f, reference %9.4f %9.4f %9.4f\n", n, x[0], x[1], x[2], r[0],
                 r[1], r[2]);
   }
-  std::printf("    %d nodes are further than 1 mm from the reference\n", strays);
 }
 
 void print_ending(const NeutralCase& gear, const SolvedGear& s) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The gears solved: from FEMNET's answer shaken a little, and from the flat drawing that FEMNET starts from.
+#include <cstdio>
+
+#include "tests/validation/real_gears/gears.hpp"
+
+namespace netloft::real_gears {
+namespace {
+
+void print(const NeutralCase& gear, const SolvedGear& s) {
+  const Books& b = s.solved.solution.books;
+  std::printf(
+      "%s: %zu unknowns, %d iterations, %d factorisations, %.3f s, %.0f times less than FEMNET; furthest "
+      "%.1e m; "
+      "residual %.1e of the largest tension\n",
+      gear.name.c_str(), s.solved.plan.unknowns, b.iterations, b.factorisations, s.cpu_seconds,
+      gear.femnet.cpu_seconds / s.cpu_seconds, s.furthest.distance, s.residual_over_tension());
+}
+
+test::Solving closely() {
+  test::Solving how;
+  how.limits.tolerance = 1e-9;
+  how.limits.seconds = 60;
+  return how;
+}
+
+/// Everything within a millimetre of the reference, in balance to a billionth of the largest tension.
+void expect_arrival(const NeutralCase& gear, const SolvedGear& s) {
+  print(gear, s);
+  EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+  EXPECT_LT(s.furthest.distance, 1e-3) << "node " << s.furthest.node;
+}
+
+TEST_P(RealGear, ReturnsToFemnetsAnswerWhenShaken) {
+  for (const std::uint64_t seed : {1, 2, 3})
+    expect_arrival(gear_, solve(gear_, {}, {.at_reference = true, .noise = 1e-3, .seed = seed}, closely()));
+}
+
+/// Ropes that bend do so by rope/bending: FEMNET's moments have no energy that would lead to them from afar.
+Modelling from_afar(const NeutralCase& gear) { return {.shipped_bending = !gear.bends.empty()}; }
+
+/// A gear may stand in more than one way: a cod-end of netting that floats in the water, folded or not.
+/// Another answer has to be a gear at rest, too: shaken, it returns; and it is held by the same forces but
+/// for some.
+void expect_another_answer(const NeutralCase& gear, const SolvedGear& s) {
+  NeutralCase found = gear;
+  found.reference.positions = s.positions;
+  for (const std::uint64_t seed : {1, 2, 3})
+    expect_arrival(
+        found, solve(found, from_afar(gear), {.at_reference = true, .noise = 1e-4, .seed = seed}, closely()));
+  for (const auto& reaction : gear.reference.reactions)
+    EXPECT_LT(distance(s.solved.reaction(reaction.node), reaction.force),
+              2e-3 * distance(reaction.force, Vector{}));
+}
+
+TEST_P(RealGear, StandsFromTheFlatDrawing) {
+  const SolvedGear s = solve(gear_, from_afar(gear_), {}, closely());
+  print(gear_, s);
+  EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+  if (!gear_.triangles.empty()) {  // nothing pulls in the ring
+    EXPECT_LT(s.residual_over_tension(), 1e-9);
+  }
+  if (s.furthest.distance > 1e-3) expect_another_answer(gear_, s);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, RealGear,
+                         testing::Values("01_ring_flexion", "02_netting_panel", "05_pelagic_t1",
+                                         "07_bottom_b1", "09_pelagic_s3"),
+                         gear_name);
+
+}  // namespace
+}  // namespace netloft::real_gears
