@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+struct PicturePoint {
+  double x, y;  // from the upper left corner, y downwards
+};
+
+enum class Anchor { start, middle, end };
+
+/// An SVG picture in the making: a list of shapes, drawn in the order they are added.
+class SvgPicture {
+ public:
+  void line(PicturePoint from, PicturePoint to, const char* colour, double width, const char* dashes = "");
+  void frame(PicturePoint corner, PicturePoint opposite, const char* colour);
+  void path(const std::vector<PicturePoint>& points, const char* colour, double width);
+  /// One of eight shapes that differ without their colour; after the eighth they begin again.
+  void marker(PicturePoint at, std::size_t shape, const char* colour);
+  void text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor);
+  /// Read from below; `halo`: with a white rim, so that lines behind do not disturb it.
+  void rotated_text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor,
+                    bool halo = false);
+  /// A tick's number: 10⁻³ as a power of ten, 0.02 as it is written.
+  void number(PicturePoint at, double value, double size, Anchor anchor);
+
+  /// The whole file, on white ground.
+  std::string finish(double width, double height) const;
+
+ private:
+  void words(PicturePoint at, const std::string& markup, double size, const char* colour, Anchor anchor,
+             const std::string& more = "");
+  std::string body_;
+};
+
+/// & < > " as entities; control characters that XML does not allow become spaces.
+std::string escape_markup(const std::string& text);
+
+}  // namespace netloft::io
