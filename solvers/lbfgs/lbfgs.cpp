@@ -35,12 +35,13 @@ class Minimiser {
 
   Outcome run() {
     if (!evaluate_here()) return Outcome::left_domain;
+    if (!report()) return Outcome::stopped;
     if (!make_preconditioner()) return Outcome::linear_solve;
     precondition(r_, Br_);
-    while (report()) {
+    do {
       for (std::int64_t step = 0; step < p_.steps; ++step)
         if (!advance()) return Outcome::step_too_short;
-    }
+    } while (report());
     return Outcome::stopped;
   }
 

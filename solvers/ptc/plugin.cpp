@@ -10,7 +10,7 @@ NETLOFT_PLUGIN("ptc", "0.1.0", "pseudo-transient continuation") {
                                              "stiffness, with switched evolution relaxation");
   ptc.real("step", &P::step, "1",
            "first step of the pseudo-time, over what the linear stiffness needs to relax",
-           {.lo = 1e-6, .hi = 1e12, .fallback = 1000});
+           {.lo = 1e-6, .hi = 1e12, .fallback = 100});
   ptc.real("growth", &P::growth, "1", "most by which a step may exceed the last",
            {.lo = 1, .hi = 1e6, .fallback = 10});
   ptc.real("shrink", &P::shrink, "1",

@@ -51,6 +51,16 @@ inline Scene bar_without_forces() {
   return s.scene;
 }
 
+/// A bar of 1 m and 100 N, 1.1 m long between two supports: nothing is unknown, its ends are pulled with 10
+/// N.
+inline Scene bar_between_supports() {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1.1, 0, 0, kAllAxes);
+  s.rope("bar", {a, b}, 1, 100);
+  return s.scene;
+}
+
 /// A load on a node that nothing holds: there is no balance.
 inline Scene loose_load() {
   Sketch s;

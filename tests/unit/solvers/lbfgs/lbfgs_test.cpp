@@ -71,6 +71,12 @@ TEST(Lbfgs, SaysThatNothingHoldsALoad) {
   EXPECT_TRUE(says(s, "singular")) << s.solution.reason;
 }
 
+TEST(Lbfgs, HasNothingToFindWhereAllIsHeld) {
+  const Solved s = solve_with("lbfgs", bar_between_supports());
+  EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_NEAR(s.reaction(1)[0], 10, 1e-12);
+}
+
 TEST(Lbfgs, NamesTheElementThatHasNoForceAtTheStart) {
   const Solved s = solve_with("lbfgs", bar_without_forces());
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);

@@ -85,6 +85,12 @@ TEST(PseudoTransient, SaysThatNothingHoldsALoad) {
   EXPECT_TRUE(says(s, "singular")) << s.solution.reason;
 }
 
+TEST(PseudoTransient, HasNothingToFindWhereAllIsHeld) {
+  const Solved s = solve_with("ptc", bar_between_supports());
+  EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_NEAR(s.reaction(1)[0], 10, 1e-12);
+}
+
 TEST(PseudoTransient, NamesTheElementThatHasNoForceAtTheStart) {
   const Solved s = solve_with("ptc", bar_without_forces());
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);

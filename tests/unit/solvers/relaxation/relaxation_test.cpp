@@ -94,6 +94,12 @@ TEST(Relaxation, ReturnsFromWhereThereAreNoForces) {
   EXPECT_NEAR(solved.position(1)[0], 0.9, 1e-9);
 }
 
+TEST(Relaxation, HasNothingToFindWhereAllIsHeld) {
+  const Solved s = solve_with("relaxation", bar_between_supports());
+  EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_NEAR(s.reaction(1)[0], 10, 1e-12);
+}
+
 TEST(Relaxation, NamesTheElementThatHasNoForceAtTheStart) {
   const Solved s = solve_with("relaxation", bar_without_forces());
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
