@@ -47,18 +47,40 @@ void collect_balance(RunResult& result) {
   for (const auto& h : result.hold_forces) add_to_balance(h.force, result);
 }
 
+void collect_outputs(Assembler& assembler, const Solution& solution,
+                     std::vector<std::vector<std::vector<double>>>& outputs) {
+  outputs.resize(assembler.families().size());
+  for (std::size_t f = 0; f < outputs.size(); ++f) assembler.outputs(solution.x, f, outputs[f]);
+}
+
+/// What every scalar would be after the step that is left: one evaluation more. No scalar is known better
+/// than to its last digit.
+void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+  Solution after;
+  after.x = result.solution.corrected;
+  after.residual.resize(after.x.size());
+  if (after.x.empty() || !assembler.evaluate(after.x, {.residual = after.residual.data()})) return;
+  std::vector<std::vector<std::vector<double>>> outputs;
+  collect_outputs(assembler, after, outputs);
+  for (std::size_t i = 0; i < result.scalars.size(); ++i) {
+    NamedScalar& scalar = result.scalars[i];
+    const double moved = value_of(loaded.results[i], loaded.scene, assembler, after, outputs);
+    const double last_digit = std::numeric_limits<double>::epsilon() * std::abs(scalar.value);
+    scalar.solver_error = std::max(last_digit, std::abs(moved - scalar.value));
+  }
+}
+
 }  // namespace
 
 void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
-  result.outputs.resize(assembler.families().size());
-  for (std::size_t f = 0; f < result.outputs.size(); ++f)
-    assembler.outputs(result.solution.x, f, result.outputs[f]);
+  collect_outputs(assembler, result.solution, result.outputs);
   collect_part_forces(loaded, assembler, result);
   collect_hold_forces(loaded, assembler, result);
   collect_balance(result);
   for (const auto& request : loaded.results)
     result.scalars.push_back({request.name, request.unit, request.take + " of " + request.of,
                               value_of(request, loaded.scene, assembler, result.solution, result.outputs)});
+  collect_solver_errors(loaded, assembler, result);
 }
 
 }  // namespace netloft::io

@@ -5,6 +5,7 @@
 #include "io/scene/loaded_scene.hpp"
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,8 +25,12 @@ struct HoldForce {
 };
 
 struct NamedScalar {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit, doc;
   double value = 0;
+  double solver_error = kUnknown;  // its change by the step that is left
+  double mesh_error = kUnknown;    // from what finer meshes tend to, if that was asked for
+  double mesh_order = kUnknown;    // observed; unknown: one was assumed, or a difference stands for the error
 };
 
 /// Everything a run tells, whoever it is told to: a terminal, a program, a file.
@@ -36,6 +41,7 @@ struct RunResult {
   std::array<double, 3> balance{};  // sum of all forces on the gear, what holds it included [N]
   double largest_force = 0;         // of those that were summed [N]
   std::vector<NamedScalar> scalars;
+  std::string mesh_note;  // what mesh errors were found from, or why there are none; empty: not asked for
   std::vector<std::vector<std::vector<double>>> outputs;  // [family][output][element]
   double reading_seconds = 0, setup_seconds = 0;
   std::string output_file;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 namespace netloft::io {
@@ -25,6 +26,17 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+std::string plus_minus(double error) {
+  return std::isfinite(error) ? fmt::format("± {:<7.1e}", error) : "±  ?     ";
+}
+
+/// "± 2.1e-12 ± 1.3e-02 (order 1.1)"
+std::string error_text(const NamedScalar& scalar) {
+  const std::string order =
+      std::isfinite(scalar.mesh_order) ? fmt::format("(order {:.1f})", scalar.mesh_order) : "";
+  return fmt::format(" {} {} {:<11}", plus_minus(scalar.solver_error), plus_minus(scalar.mesh_error), order);
 }
 
 }  // namespace
@@ -56,9 +68,11 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   for (const Leg& leg : s.legs)
     fmt::format_to(out, "    {:<34} {:>7} unknowns {:>4} iterations {:>4} factorisations  {}\n", leg.name,
                    leg.unknowns, leg.books.iterations, leg.books.factorisations, name_of(leg.status));
+  const bool with_errors = !result.mesh_note.empty();
   for (const auto& scalar : result.scalars)
-    fmt::format_to(out, "  {:<24} {:>18.10g} {:<8} {}\n", scalar.name, scalar.value,
-                   scalar.unit == "1" ? "" : scalar.unit, scalar.doc);
+    fmt::format_to(out, "  {:<24} {:>18.10g} {:<8}{} {}\n", scalar.name, scalar.value,
+                   scalar.unit == "1" ? "" : scalar.unit, with_errors ? error_text(scalar) : "", scalar.doc);
+  if (with_errors) fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n", result.mesh_note);
   if (!result.hold_forces.empty())
     fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n", "forces on the gear [N]", "x", "y", "z");
   for (const auto& f : result.part_forces)

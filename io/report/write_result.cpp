@@ -4,6 +4,7 @@
 #include "io/report/provenance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -197,6 +198,22 @@ void write_books(Tree& tree, const Books& b) {
   tree.write_real(at + "cpu", b.total_cpu_seconds, "s", "processor time of the same");
 }
 
+/// What is not known is not written.
+void write_errors(Tree& tree, const RunResult& result) {
+  const std::string at = "/netloft/errors/";
+  const auto write = [&](const std::string& name, double error, const std::string& unit, const char* doc) {
+    if (std::isfinite(error)) tree.write_real(at + name, error, unit, doc);
+  };
+  write("nodes", result.solution.correction, "m", "largest nodal move of the step that is left: an estimate");
+  for (const auto& s : result.scalars) {
+    write("solver/" + s.name, s.solver_error, s.unit, "change of the scalar by the step that is left");
+    write("mesh/" + s.name, s.mesh_error, s.unit, "its distance from what finer meshes tend to, an estimate");
+    write("mesh_order/" + s.name, s.mesh_order, "1", "order of convergence that was observed");
+  }
+  if (!result.mesh_note.empty())
+    tree.write_text(at + "mesh_note", result.mesh_note, "what mesh errors were found from");
+}
+
 void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result) {
   std::size_t parts = 0;  // companions come last and count with the part they ride on
   while (parts < loaded.scene.parts.size() && !loaded.scene.parts[parts].companion) ++parts;
@@ -234,6 +251,7 @@ void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& 
   write_forces(tree, loaded, result);
   tree.write_real("/netloft/energy", result.solution.energy, "J",
                   "energy at the end, if all forces have one");
+  write_errors(tree, result);
   for (const auto& s : result.scalars) tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc);
   file.finish();
 }
