@@ -35,6 +35,38 @@ bool is_idle(const Scene& scene, const FamilyPlan& family) {
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
 }
 
+/// The families that act, in the order of the plan; nodes for what they share come behind those of the scene.
+std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const Plan& plan) {
+  std::vector<std::unique_ptr<ElementFamily>> families;
+  std::size_t nodes = scene.node_count();
+  for (const auto& family : plan.families) {
+    if (is_idle(scene, family)) continue;
+    families.push_back(std::make_unique<ElementFamily>(scene, family, static_cast<std::uint32_t>(nodes)));
+    nodes += families.back()->global_nodes().size();
+  }
+  return families;
+}
+
+/// The nodes of the scene, without its parts, and behind them those of what families share.
+Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<ElementFamily>> families) {
+  Scene all;
+  all.positions = scene.positions, all.held = scene.held, all.frames = scene.frames;
+  all.bodies = scene.bodies, all.carried = scene.carried;
+  for (const auto& family : families)
+    for (const auto& shared : family->global_nodes()) {
+      all.positions.insert(all.positions.end(), shared.start.begin(), shared.start.end());
+      all.held.push_back(shared.held);
+      if (!all.carried.empty()) all.carried.push_back(false);
+    }
+  return all;
+}
+
+std::size_t widest_element(std::span<const std::unique_ptr<ElementFamily>> families) {
+  std::size_t dofs = 0;
+  for (const auto& family : families) dofs = std::max(dofs, static_cast<std::size_t>(family->type().dofs()));
+  return dofs;
+}
+
 Memory make_memory(const ElementFamily& family, std::size_t tiles) {
   return {tiles, family.reads(NETLOFT_READS_STATE) ? family.type().element.state_width : 0};
 }
@@ -42,26 +74,30 @@ Memory make_memory(const ElementFamily& family, std::size_t tiles) {
 }  // namespace
 
 Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
+    : Assembler(scene, plan, threads, make_families(scene, plan)) {}
+
+Assembler::Assembler(const Scene& scene, const Plan& plan, int threads,
+                     std::vector<std::unique_ptr<ElementFamily>> families)
+    : Assembler(scene, with_global_nodes(scene, families), plan, threads, std::move(families)) {}
+
+Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
+                     std::vector<std::unique_ptr<ElementFamily>>&& families)
     : water_(scene.water),
       current_(scene.current),
       tangent_(plan.tangent),
-      numbering_(scene),
+      families_(std::move(families)),
+      numbering_(nodes),
       axes_(scene.frames),
       guides_(scene.guides),
       workers_(threads) {
-  std::size_t dofs = 0, tiles = 0;
-  for (const auto& family : plan.families) {
-    if (is_idle(scene, family)) continue;
-    families_.push_back(std::make_unique<ElementFamily>(scene, family));
-    dofs = std::max(dofs, static_cast<std::size_t>(family.type->dofs()));
-  }
-  const NodeBlocks blocks = make_blocks(families_, scene, plan.symmetric);
+  std::size_t tiles = 0;
+  const NodeBlocks blocks = make_blocks(families_, nodes, plan.symmetric);
   pattern_ = make_pattern(blocks, numbering_, plan.symmetric);
-  frames_ = Frames(scene, numbering_, blocks, plan.symmetric);
-  bodies_ = Bodies(scene, numbering_, blocks, plan.symmetric);
+  frames_ = Frames(nodes, numbering_, blocks, plan.symmetric);
+  bodies_ = Bodies(nodes, numbering_, blocks, plan.symmetric);
   for (const auto& family : families_) {
     tilings_.push_back(
-        make_tiling(*family, scene, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles));
+        make_tiling(*family, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles));
     memories_.push_back(make_memory(*family, tilings_.back().tiles));
     first_tile_.push_back(tiles);
     tiles += tilings_.back().tiles;
@@ -69,12 +105,13 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
   value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
   start_.resize(numbering_.dofs());
-  for (std::uint32_t n = 0; n < scene.node_count(); ++n)
+  for (std::uint32_t n = 0; n < nodes.node_count(); ++n)
     for (int axis = 0; axis < 3; ++axis)
       start_[static_cast<std::size_t>(numbering_.index(n, axis))] =
-          scene.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
+          nodes.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
   for (std::size_t w = 0; w < workers_.size(); ++w)
-    workspaces_.push_back(std::make_unique<Workspace>(dofs, plan, scene.current.flows()));
+    workspaces_.push_back(
+        std::make_unique<Workspace>(widest_element(families_), plan, scene.current.flows()));
   remember(start_);
 }
 
@@ -111,6 +148,23 @@ void Assembler::move(double time, std::span<const double> v, std::span<const dou
   visit_guided(time, [&](std::size_t i, std::size_t axis, const Course::Moment& m) {
     all_v[i] = m.v[axis], all_a[i] = m.a[axis];
   });
+}
+
+std::vector<double> Assembler::displacements(std::span<const double> positions) const {
+  std::vector<double> u(static_cast<std::size_t>(numbering_.unknowns()));
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const auto place = static_cast<std::int32_t>(i);
+    const std::uint32_t node = numbering_.node(place);
+    if (3 * std::size_t{node} >= positions.size()) continue;  // what elements share is in no place
+    const auto own = static_cast<std::size_t>(numbering_.axis(place));
+    const auto frame = axes_.find(node);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<std::size_t>(numbering_.index(node, static_cast<int>(axis)));
+      const double way = positions[3 * std::size_t{node} + axis] - start_[at];
+      u[i] += frame == axes_.end() ? (axis == own ? way : 0.0) : frame->second[3 * axis + own] * way;
+    }
+  }
+  return u;
 }
 
 /// The geometric term of a body wants forces: they are evaluated even if nobody else asked.
@@ -150,23 +204,6 @@ std::array<double, 3> Assembler::part_of(std::uint32_t node, std::span<const dou
 }
 
 int Assembler::threads_used() const {
-std::vector<double> Assembler::displacements(std::span<const double> positions) const {
-  std::vector<double> u(static_cast<std::size_t>(numbering_.unknowns()));
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const auto place = static_cast<std::int32_t>(i);
-    const std::uint32_t node = numbering_.node(place);
-    if (3 * std::size_t{node} >= positions.size()) continue;  // what elements share is in no place
-    const auto own = static_cast<std::size_t>(numbering_.axis(place));
-    const auto frame = axes_.find(node);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto at = static_cast<std::size_t>(numbering_.index(node, static_cast<int>(axis)));
-      const double way = positions[3 * std::size_t{node} + axis] - start_[at];
-      u[i] += frame == axes_.end() ? (axis == own ? way : 0.0) : frame->second[3 * axis + own] * way;
-    }
-  }
-  return u;
-}
-
   for (const auto& tiling : tilings_)
     for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
       if (tiling.colour_begin[c + 1] - tiling.colour_begin[c] >= kSerialBelow)
@@ -447,6 +484,15 @@ bool Assembler::collect_faults() {
   for (auto& w : workspaces_)
     w->fault = {}, w->message[0] = 0, w->fault_order = std::numeric_limits<std::size_t>::max();
   return false;
+}
+
+std::string Assembler::node_name(const Scene& scene, std::uint32_t node) const {
+  if (node < scene.node_count()) return scene.node_name(node);
+  for (const auto& family : families_)
+    for (std::size_t p = 0; p < family->global_nodes().size(); ++p)
+      if (family->global_nodes()[p].node == node)
+        return scene.parts[family->parts()[p]].name + " " + family->type().globals[0].name;
+  return "no node";
 }
 
 std::string Assembler::fault_place(const Scene& scene) const {

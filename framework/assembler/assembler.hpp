@@ -76,6 +76,8 @@ class Assembler {
   /// Evaluates at positions x (over all dofs). False: see fault().
   bool evaluate(std::span<const double> x, const Request& request);
   const ElementFault& fault() const { return fault_; }
+  /// "net node 17", or of what the elements of a part share, "catch front"
+  std::string node_name(const Scene& scene, std::uint32_t node) const;
   /// "net element 17"
   std::string fault_place(const Scene& scene) const;
   std::string fault_sentence(const Scene& scene) const;
@@ -106,6 +108,11 @@ class Assembler {
 
  private:
   struct Workspace;
+  Assembler(const Scene& scene, const Plan& plan, int threads,
+            std::vector<std::unique_ptr<ElementFamily>> families);
+  /// `nodes` are those of the scene and of what families share.
+  Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
+            std::vector<std::unique_ptr<ElementFamily>>&& families);
   bool run_family(std::size_t family, std::span<const double> x, const Request& request);
   void run_tile(std::size_t family, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);

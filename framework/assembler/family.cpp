@@ -3,14 +3,16 @@
 
 namespace netloft {
 
-ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan)
+ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node)
     : type_(plan.type), parts_(plan.parts) {
   for (std::size_t i = 0; i < plan.terms.size(); ++i)
     if (plan.terms[i].on) terms_.push_back(type_->terms[i]);
   gather_parameters(scene);
   gather_laws(scene, plan);
   gather_elements(scene);
+  gather_nodes(scene, first_global_node);
   create(scene);
+  gather_globals(scene, first_global_node);
 }
 
 ElementFamily::~ElementFamily() {
@@ -48,9 +50,19 @@ void ElementFamily::gather_elements(const Scene& scene) {
     const auto& nodes = scene.parts[parts_[p]].nodes;
     part_begin_.push_back(part_.size());
     part_.insert(part_.end(), nodes.size() / width, p);
-    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   }
   part_begin_.push_back(part_.size());
+}
+
+void ElementFamily::gather_nodes(const Scene& scene, std::uint32_t first_global_node) {
+  const auto width = static_cast<std::size_t>(type_->nodes());
+  for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+    const auto& nodes = scene.parts[parts_[p]].nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      nodes_.push_back(nodes[i]);
+      if (!type_->globals.empty() && i % width == width - 1) nodes_.push_back(first_global_node + p);
+    }
+  }
 }
 
 std::vector<double> ElementFamily::gather_datum(const Scene& scene, const netloft_datum& datum) const {
@@ -87,12 +99,28 @@ void ElementFamily::create(const Scene& scene) {
   in.parameters = blocks.data(), in.part = part_.data(), in.data = data_pointers.data();
   in.message = message, in.message_size = sizeof message;
   in.law_count = static_cast<std::uint32_t>(laws_.size()), in.laws = laws_.data();
+  global_starts_.assign(parts_.size() * type_->globals.size(), 0.0);
+  in.globals = global_starts_.data();
   if (type_->element.create(&in, &self_) == NETLOFT_OK) return;
   self_ = nullptr;
   const std::size_t e = std::min<std::size_t>(in.at_fault, size() - 1);
   throw SceneError(
       {{scene.parts[part(e)].name,
         type_->type + " element " + std::to_string(e - part_begin_[part_[e]]) + " is refused: " + message}});
+}
+
+/// Coordinates that no number stands in are held, and so are numbers that are given.
+void ElementFamily::gather_globals(const Scene& scene, std::uint32_t first_node) {
+  const auto& globals = type_->globals;
+  for (std::uint32_t p = 0; p < parts_.size() && !globals.empty(); ++p) {
+    GlobalNode shared{first_node + p, {}, kAllAxes};
+    for (std::size_t k = 0; k < globals.size(); ++k) {
+      shared.start[k] = global_starts_[p * globals.size() + k];
+      if (!globals[k].needs || sets(scene.parts[parts_[p]], *type_, globals[k].needs))
+        shared.held = static_cast<std::uint8_t>(shared.held & ~(1 << k));
+    }
+    global_nodes_.push_back(shared);
+  }
 }
 
 }  // namespace netloft

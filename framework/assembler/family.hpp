@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/scene/plan.hpp"
 
+#include <array>
 #include <memory>
 
 namespace netloft {
@@ -10,8 +11,9 @@ namespace netloft {
 /// Elements keep the order of the parts, and within a part the order they were given in.
 class ElementFamily {
  public:
+  /// What the parts share stands on nodes of its own, from `first_global_node` on.
   /// Throws SceneError when parameters or data are wrong or the plugin refuses an element.
-  ElementFamily(const Scene& scene, const FamilyPlan& plan);
+  ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node = 0);
   ~ElementFamily();
   ElementFamily(const ElementFamily&) = delete;
   ElementFamily& operator=(const ElementFamily&) = delete;
@@ -19,8 +21,11 @@ class ElementFamily {
   const ElementType& type() const { return *type_; }
   std::size_t size() const { return part_.size(); }
   int nodes_per_element() const { return type_->nodes(); }
+  /// The same with the node of what the parts share, which comes last.
+  int all_nodes_per_element() const { return type_->dofs() / 3; }
   std::uint32_t node(std::size_t element, int corner) const {
-    return nodes_[element * static_cast<std::size_t>(type_->nodes()) + static_cast<std::size_t>(corner)];
+    return nodes_[element * static_cast<std::size_t>(all_nodes_per_element()) +
+                  static_cast<std::size_t>(corner)];
   }
   /// Scene part of an element.
   std::uint32_t part(std::size_t element) const { return parts_[part_[element]]; }
@@ -28,6 +33,14 @@ class ElementFamily {
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
+
+  /// What the elements of a part share: one node for each part, none if they share nothing.
+  struct GlobalNode {
+    std::uint32_t node;
+    std::array<double, 3> start;
+    std::uint8_t held;  // axes that are no unknowns
+  };
+  const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
   /// Whether some active term wants this of the host.
@@ -41,7 +54,9 @@ class ElementFamily {
   void gather_parameters(const Scene& scene);
   void gather_laws(const Scene& scene, const FamilyPlan& plan);
   void gather_elements(const Scene& scene);
+  void gather_nodes(const Scene& scene, std::uint32_t first_global_node);
   void create(const Scene& scene);
+  void gather_globals(const Scene& scene, std::uint32_t first_node);
   std::vector<double> gather_datum(const Scene& scene, const netloft_datum& datum) const;
 
   const ElementType* type_;
@@ -51,6 +66,8 @@ class ElementFamily {
   std::vector<ParameterBlock> parameters_, law_parameters_;
   std::vector<netloft_bound_law> laws_;
   std::vector<netloft_term> terms_;
+  std::vector<double> global_starts_;  // [part][global]
+  std::vector<GlobalNode> global_nodes_;
   void* self_ = nullptr;
 };
 

@@ -33,8 +33,8 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) add(n, n);
   for (const auto& family : families)
     for (std::size_t e = 0; e < family->size(); ++e)
-      for (int i = 0; i < family->nodes_per_element(); ++i)
-        for (int j = 0; j < family->nodes_per_element(); ++j)
+      for (int i = 0; i < family->all_nodes_per_element(); ++i)
+        for (int j = 0; j < family->all_nodes_per_element(); ++j)
           if (i != j) add(family->node(e, i), family->node(e, j));
   join_bodies(scene, add, near);
   for (auto& rows : near) {

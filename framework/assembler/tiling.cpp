@@ -19,7 +19,7 @@ std::vector<int> colour_tiles(const ElementFamily& family, std::size_t tiles, st
     const std::size_t end = std::min(family.size(), (t + 1) * kLanes);
     const auto for_nodes = [&](auto&& visit) {
       for (std::size_t e = t * kLanes; e < end; ++e)
-        for (int n = 0; n < family.nodes_per_element(); ++n) visit(family.node(e, n));
+        for (int n = 0; n < family.all_nodes_per_element(); ++n) visit(family.node(e, n));
     };
     for_nodes([&](std::uint32_t node) { seen |= taken[node]; });
     if (seen == ~std::uint64_t{0}) {
@@ -65,7 +65,7 @@ std::int32_t find_block(const ElementFamily& family, const Scene& scene, const N
 
 void map_blocks(const Scene& scene, const NodeBlocks& blocks, bool symmetric, Tiling& tiling) {
   const ElementFamily& family = *tiling.family;
-  const int corners = family.nodes_per_element();
+  const int corners = family.all_nodes_per_element();
   tiling.blocks_per_element =
       static_cast<std::size_t>(symmetric ? corners * (corners + 1) / 2 : corners * corners);
   tiling.block_map.assign(tiling.tiles * tiling.blocks_per_element * kLanes, 0);
@@ -82,7 +82,7 @@ void find_twins(const Scene& scene, Tiling& tiling) {
   const ElementFamily& family = *tiling.family;
   tiling.twins.resize(tiling.tiles);
   for (std::size_t e = 0; e < family.size(); ++e)
-    for (int P = 0; P < family.nodes_per_element(); ++P)
+    for (int P = 0; P < family.all_nodes_per_element(); ++P)
       for (int Q = 0; Q < P; ++Q)
         if (family.node(e, P) == family.node(e, Q) && !scene.stands_still(family.node(e, P)))
           tiling.twins[e / kLanes].push_back({static_cast<std::uint32_t>(e % kLanes), P, Q});

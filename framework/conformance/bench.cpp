@@ -36,7 +36,8 @@ void Bench::make_elements() {
       refusal = e.what();
       const std::size_t part = sample.part[e.element];
       sampler.data(sample, e.element);
-      if (tries % 10 == 9) sample.parameters[part] = sampler.parameters(part);
+      // Defaults may be refused together: somebody has to say how much.
+      if (tries % 10 == 9) sample.parameters[part] = sampler.parameters(std::max<std::size_t>(part, 1));
     } catch (const Escaped& e) {
       escape = e.what();
       return;

@@ -44,6 +44,7 @@ class ParameterSampler {
 /// Data: by unit in the same way, lengths from 0.5 m to 2 m, pure numbers from 0.2 to 1.8, one time in four
 /// -1, 0 or 1. A pure datum with one number per node is a coordinate of the corners: from -4 to 4, triangles
 /// drawn again until they cover at least 2 square units. What `create` refuses is drawn again.
+/// Numbers that a part shares are drawn like the coordinates of one more node.
 /// Positions: nodes scattered evenly in a cube as wide as the element's lengths (times the extent of its
 /// corner coordinates) and a factor from 0.1 to 3, so that elements are stretched or slack; one in eight is
 /// 1000 times smaller, nearly collapsed. Velocities, currents [m/s] and accelerations [m/s²] are of size 1,

@@ -52,6 +52,8 @@ Specimen::Specimen(const ElementType& type, const Sample& sample)
   in.parameters = blocks.data(), in.part = sample.part.data(), in.data = data.data();
   in.message = message, in.message_size = kMessage;
   in.law_count = static_cast<std::uint32_t>(laws_.size()), in.laws = laws_.data();
+  std::vector<double> globals(blocks.size() * type.globals.size());
+  in.globals = globals.data();
   const int status = guarded(thrown, [&] { return type.element.create(&in, &self_); });
   if (status == kThrew) throw Escaped("create: " + thrown);
   if (status != NETLOFT_OK) throw Refused(std::min(in.at_fault, in.count - 1), message);

@@ -19,9 +19,9 @@ std::string newtons(double force) {
   return text;
 }
 
-std::string balance_text(const Solution& s, const Scene& scene) {
-  return "largest residual " + newtons(s.balance.residual) + " at " + scene.node_name(s.balance.worst) +
-         ", largest load " + newtons(s.balance.scale);
+std::string balance_text(const Solution& s, const Assembler& assembler, const Scene& scene) {
+  return "largest residual " + newtons(s.balance.residual) + " at " +
+         assembler.node_name(scene, s.balance.worst) + ", largest load " + newtons(s.balance.scale);
 }
 
 std::string outcome_text(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
@@ -39,11 +39,14 @@ std::string outcome_text(netloft_outcome outcome, const StaticProblem& problem, 
           return "the solver stopped by itself";
       }
     case NETLOFT_STEP_TOO_SHORT:
-      return "no step brings it closer to balance";
+      return "no step brings it closer to balance" +
+             (assembler.fault().status == NETLOFT_OUTSIDE_DOMAIN
+                  ? ", and some led to a state without forces: " + assembler.fault_sentence(scene)
+                  : std::string());
     case NETLOFT_LINEAR_SOLVE: {
       const auto column = problem.last_factor().column;
       return "the tangent stiffness is singular" +
-             (column >= 0 ? ", first met at " + scene.node_name(assembler.numbering().node(column))
+             (column >= 0 ? ", first met at " + assembler.node_name(scene, assembler.numbering().node(column))
                           : std::string());
     }
     case NETLOFT_LEFT_DOMAIN:
@@ -88,32 +91,32 @@ void judge_without_forces(Solution& s, const StaticProblem& problem, const Assem
   }
   std::size_t first = 0;
   while (first + 1 < s.residual.size() && std::isfinite(s.residual[first])) ++first;
-  s.at_fault = scene.node_name(assembler.numbering().node(static_cast<std::int32_t>(first)));
+  s.at_fault = assembler.node_name(scene, assembler.numbering().node(static_cast<std::int32_t>(first)));
   s.reason = "the solver ended at a state where forces overflowed, such as at " + s.at_fault;
 }
 
 /// `ending` is why the solver returned.
 void judge(Solution& s, const std::string& ending, StaticProblem& problem, const Assembler& assembler,
            const Scene& scene) {
-  s.at_fault = scene.node_name(s.balance.worst);
+  s.at_fault = assembler.node_name(scene, s.balance.worst);
   if (!s.balance.balanced) {
     s.status = problem.stop() == StaticProblem::Stop::interrupted ? SolveStatus::interrupted
                                                                   : SolveStatus::not_converged;
-    s.reason = ending + "; " + balance_text(s, scene);
+    s.reason = ending + "; " + balance_text(s, assembler, scene);
     if (s.balance.residual <= s.balance.floor)
       s.reason += "; rounding of the positions alone is worth " + newtons(s.balance.floor) +
                   ": its stiffness is too high for what it carries";
     return;
   }
   s.status = SolveStatus::converged;
-  s.reason = balance_text(s, scene);
+  s.reason = balance_text(s, assembler, scene);
   if (s.balance.at_round_off) s.reason += "; at the round-off of the positions, which the tolerance is below";
   if (s.stability == Stability::unstable) {
     s.status = SolveStatus::unstable;
     s.reason =
         "a stationary point, but not a stable one: its tangent is not positive definite, first met at " +
-        scene.node_name(assembler.numbering().node(std::max(0, problem.last_factor().column))) + "; " +
-        s.reason;
+        assembler.node_name(scene, assembler.numbering().node(std::max(0, problem.last_factor().column))) +
+        "; " + s.reason;
   }
   if (s.stability == Stability::neutral)
     s.reason += "; something in it can move without any force (slack netting or rope)";

@@ -134,6 +134,23 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
   }
 }
 
+// As many as one node has coordinates, and no more nodes than the widest stencil.
+constexpr std::size_t kMostGlobals = 3;
+constexpr int kMostDofs = 12;
+
+void check_globals(const ElementType& e, const std::string& owner, Faults& faults) {
+  check_names(e.globals, owner, "global", faults);
+  faults.require(e.globals.size() <= kMostGlobals && e.dofs() <= kMostDofs,
+                 owner + " shares " + std::to_string(e.globals.size()) +
+                     " numbers; three are allowed, on a stencil of three nodes at most");
+  for (const auto& g : e.globals) {
+    const std::string who = owner + ": global \"" + shown(g.name) + "\"";
+    faults.require(named(g.unit), who + " has no unit (\"1\" is the unit of a pure number)");
+    faults.require(!g.needs || has_earlier_real(e.parameters, e.parameters.size(), g.needs),
+                   who + " needs the parameter \"" + shown(g.needs) + "\", which the element does not have");
+  }
+}
+
 ElementType read_element(const netloft_element& raw, const std::string& plugin, Faults& faults) {
   ElementType e;
   e.element = raw;
@@ -150,7 +167,9 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   check_names(e.data, e.type, "datum", faults);
   check_names(e.outputs, e.type, "output", faults);
   e.laws = read_array(raw.laws, raw.law_count);
+  e.globals = read_array(raw.globals, raw.global_count);
   check_laws(e, e.type, faults);
+  check_globals(e, e.type, faults);
   check_terms(e, e.type, faults);
   return e;
 }

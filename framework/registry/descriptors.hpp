@@ -52,10 +52,12 @@ struct ElementType {
   std::vector<netloft_term> terms;
   std::vector<netloft_output> outputs;
   std::vector<netloft_law_slot> laws;
+  std::vector<netloft_global> globals;
   const PluginOrigin* origin = nullptr;
 
+  /// Of the stencil; a tile has one more if the parts share numbers.
   int nodes() const { return static_cast<int>(element.stencil & 0xff); }
-  int dofs() const { return 3 * nodes(); }
+  int dofs() const { return 3 * (nodes() + (globals.empty() ? 0 : 1)); }
 };
 
 /// A solver as the host knows it.

@@ -41,16 +41,25 @@ FamilyPlan& family_of(std::vector<FamilyPlan>& families, const ElementType& type
   return families.back();
 }
 
-/// Whether some part of the family sets `name` to something else than zero.
 bool any_part_sets(const char* name, const FamilyPlan& family, const Scene& scene) {
-  for (const auto part : family.parts) {
-    std::vector<std::string> faults;
-    const ParameterBlock block(family.type->parameters, family.type->element.parameter_bytes,
-                               scene.parts[part].parameters, faults);
-    for (const auto& p : family.type->parameters)
-      if (faults.empty() && std::string_view(p.name) == name && block.number(p) != 0) return true;
-  }
-  return false;
+  return std::any_of(family.parts.begin(), family.parts.end(),
+                     [&](std::uint32_t part) { return sets(scene.parts[part], *family.type, name); });
+}
+
+/// Which numbers the elements of a part share and do not know.
+void find_globals(FamilyPlan& family, const Scene& scene) {
+  for (const auto part : family.parts)
+    for (const auto& g : family.type->globals)
+      if (!g.needs || sets(scene.parts[part], *family.type, g.needs))
+        family.globals.push_back({part, g.name, g.unit, g.doc});
+}
+
+/// Less of the tangent than all of it leaves the equations of shared numbers without an answer.
+void check_globals(const FamilyPlan& family, const Plan& plan, const Scene& scene) {
+  if (family.globals.empty() || plan.tangent == TangentChoice::exact) return;
+  const GlobalPlan& first = family.globals.front();
+  throw SceneError({{scene.parts[first.part].name, "its " + first.name + " is an unknown (" + first.doc +
+                                                       "): that needs the exact tangent"}});
 }
 
 TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene& scene, AnalysisKind kind) {
@@ -114,15 +123,27 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, An
     family.parts.push_back(p);
     family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(type.nodes());
   }
-  for (auto& family : plan.families)
+  for (auto& family : plan.families) {
+    find_globals(family, scene);
+    check_globals(family, plan, scene);
     for (const auto& term : family.type->terms) {
       family.terms.push_back(decide(term, family, scene, kind));
       note_traits(plan, family, family.terms.back());
       plan.conservative &= !family.terms.back().on || (term.traits & NETLOFT_CONSERVATIVE);
     }
+    plan.unknowns += family.globals.size();
+  }
   count_unknowns(plan, scene);
   plan.not_loaded = unused_plugins(plan, registry);
   return plan;
+}
+
+bool sets(const Part& part, const ElementType& type, const char* parameter) {
+  std::vector<std::string> faults;
+  const ParameterBlock block(type.parameters, type.element.parameter_bytes, part.parameters, faults);
+  for (const auto& p : type.parameters)
+    if (faults.empty() && std::string_view(p.name) == parameter && block.number(p) != 0) return true;
+  return false;
 }
 
 std::string describe_traits(std::uint32_t traits) {

@@ -29,6 +29,12 @@ enum class TangentChoice { exact, symmetric, elastic };
 /// Whether everything is at rest, or moves in time.
 enum class AnalysisKind { statics, dynamics };
 
+/// A number that all elements of a part share and that is an unknown.
+struct GlobalPlan {
+  std::uint32_t part = 0;  // of the scene
+  std::string name, unit, doc;
+};
+
 /// All elements of one type that share their laws.
 struct FamilyPlan {
   const ElementType* type = nullptr;
@@ -36,6 +42,7 @@ struct FamilyPlan {
   std::vector<std::uint32_t> parts;  // of the scene
   std::size_t elements = 0;
   std::vector<TermPlan> terms;
+  std::vector<GlobalPlan> globals = {};
 };
 
 /// What a scene needs, decided once and printable: nothing else is loaded, evaluated or factorised.
@@ -53,6 +60,9 @@ struct Plan {
 /// Opens the plugins the scene names. Throws SceneError for parts that are wrong, PluginRefused for plugins.
 Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent = TangentChoice::exact,
                AnalysisKind kind = AnalysisKind::statics);
+
+/// Whether a part has a real parameter that is not zero.
+bool sets(const Part& part, const ElementType& type, const char* parameter);
 
 /// "conservative, symmetric, constant"
 std::string describe_traits(std::uint32_t traits);

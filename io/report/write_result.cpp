@@ -92,10 +92,11 @@ std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler
   return fields;
 }
 
-/// A vector over all dofs, node by node.
-std::vector<double> by_node(const Assembler& assembler, const std::vector<double>& v) {
-  std::vector<double> nodes(v.size());
-  for (std::size_t d = 0; d < v.size(); ++d)
+/// A vector over all dofs, node by node; without what elements share, which is in no place.
+std::vector<double> by_node(const LoadedScene& loaded, const Assembler& assembler,
+                            const std::vector<double>& v) {
+  std::vector<double> nodes(3 * loaded.scene.node_count());
+  for (std::size_t d = 0; d < nodes.size(); ++d)
     nodes[d] = v[static_cast<std::size_t>(
         assembler.numbering().index(static_cast<std::uint32_t>(d / 3), static_cast<int>(d % 3)))];
   return nodes;
@@ -103,7 +104,7 @@ std::vector<double> by_node(const Assembler& assembler, const std::vector<double
 
 void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                    const RunResult& result) {
-  const auto points = by_node(assembler, result.solution.x);
+  const auto points = by_node(loaded, assembler, result.solution.x);
   std::vector<double> displacement(points.size()), residual, reaction;
   for (std::size_t d = 0; d < points.size(); ++d) displacement[d] = points[d] - loaded.scene.positions[d];
   for (std::uint32_t node = 0; node < loaded.scene.node_count(); ++node) {

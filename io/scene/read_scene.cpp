@@ -268,7 +268,7 @@ class SceneReader {
         if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;  // it has no pairs
         companions_.push_back(rider);
         out_.scene.parts.push_back(std::move(companion));
-        out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}});
+        out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}, {}});
       }
       keep_own_parameters(out_.scene.parts[p], *types_[p]);
     }

@@ -2,37 +2,124 @@
 #include "plugins/catch/pressure.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace netloft::catches {
 
-double Pressure::share_behind_front(const std::array<double, 3>& to_aft, double meshes) {
+namespace {
+
+constexpr int kFront = 9;           // degree of freedom of m: x of the last node
+constexpr int kAxes[] = {1, 0, 2};  // y, x, z, as `across` has them
+
+struct Skew {
+  double at[3][3];
+};
+Skew cross_matrix(const Vec3<double>& w) { return {{{0, -w.z, w.y}, {w.z, 0, -w.x}, {-w.y, w.x, 0}}}; }
+
+/// w_j of (4).
+Vec3<double> opposite(const State<4>& s, int j) {
+  return s.x[static_cast<std::size_t>((j + 1) % 3)] - s.x[static_cast<std::size_t>((j + 2) % 3)];
+}
+
+double front(const State<4>& s) { return s.x[3].x; }
+
+/// What (6) to (9) need of one triangle.
+struct Slice {
+  Slice(const Pressure::Parameters& p, const State<4>& s)
+      : axis(kAxes[p.across]),
+        n(cross(s.x[1] - s.x[0], s.x[2] - s.x[0])[axis]),
+        arm((s.x[0][axis] + s.x[1][axis] + s.x[2][axis]) / 3 - p.middle) {}
+  double volume() const { return arm * n / 2; }  // (6)
+  int axis;
+  double n, arm;
+};
+
+void push(double pressure, const Pressure::Share& share, const State<4>& s, Local<4>& out) {
+  const double sixth = share.value * pressure / 6;
+  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);  // (2)
+  for (std::size_t i = 0; i < 3; ++i) out.force[i] = -sixth * n;   // (3)
+  if (!s.wants_tangent) return;
+  for (int j = 0; j < 3; ++j) {
+    const Skew turn = cross_matrix((s.cu * sixth) * opposite(s, j));
+    for (int r = 0; r < 9; ++r)
+      for (int c = 0; c < 3; ++c) out.tangent[r][3 * j + c] = turn.at[r % 3][c];  // (4)
+  }
+  for (int r = 0; r < 9; ++r) out.tangent[r][kFront] = -s.cu * share.slope * pressure / 6 * n[r % 3];  // (8)
+}
+
+void balance_volume(const Pressure::Parameters& p, double pressure, double triangles,
+                    const Pressure::Share& share, const State<4>& s, Local<4>& out) {
+  const Slice slice(p, s);
+  const double k = pressure / std::cbrt(p.volume);
+  out.force[3].x = k * (share.value * slice.volume() - p.volume / triangles);  // (7)
+  if (!s.wants_tangent) return;
+  out.tangent[kFront][kFront] = s.cu * k * share.slope * slice.volume();  // (8)
+  for (int j = 0; j < 3; ++j) {
+    const Skew turn = cross_matrix((0.5 * slice.arm) * opposite(s, j));
+    for (int c = 0; c < 3; ++c)
+      out.tangent[kFront][3 * j + c] =
+          s.cu * k * share.value * ((c == slice.axis ? slice.n / 6 : 0) - turn.at[slice.axis][c]);  // (9)
+  }
+}
+
+}  // namespace
+
+void Pressure::check(const Parameters& p, const Data&) {
+  if (p.pressure == 0 && p.speed * p.drag_coefficient == 0)
+    throw std::invalid_argument(
+        "nothing presses on the netting: give catch.pressure, or catch.speed (and a catch.drag_coefficient "
+        "that is not zero)");
+  if (p.meshes == 0 && p.volume == 0)
+    throw std::invalid_argument(
+        "nothing is caught: give catch.meshes, how many meshes along are filled, or catch.volume");
+  if (p.meshes != 0 && p.volume != 0)
+    throw std::invalid_argument("the front of the catch is given twice: give catch.meshes or catch.volume");
+}
+
+void Pressure::gather(const Parameters&, const Data& d, Whole& whole) {
+  ++whole.triangles;
+  for (const double s : d.to_aft) whole.length = std::max(whole.length, s);
+}
+
+double Pressure::first_front(const Parameters& p, const Whole& whole) {
+  return p.volume > 0 ? 0.25 * whole.length : p.meshes;
+}
+
+Pressure::Share Pressure::share_behind_front(const std::array<double, 3>& to_aft, double meshes) {
   auto [a, b, c] = to_aft;
   if (a > b) std::swap(a, b);
   if (b > c) std::swap(b, c);
   if (a > b) std::swap(a, b);
-  if (meshes >= c) return 1;
-  if (meshes <= a) return 0;
-  if (meshes <= b) return (meshes - a) * (meshes - a) / ((b - a) * (c - a));
-  return 1 - (c - meshes) * (c - meshes) / ((c - b) * (c - a));
-}
-
-double Pressure::on(const Parameters& p, const Data& d, const Water& w) {
-  const double pressure = p.pressure + 0.5 * w.density * p.drag_coefficient * p.speed * p.speed;  // (1)
-  return share_behind_front(d.to_aft, p.meshes) * pressure;
-}
-
-Status Pressure::Push::evaluate(const Parameters& p, const Data& d, const State<3>& s, Local<3>& out) {
-  const double sixth = on(p, d, s.water) / 6;
-  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);  // (2)
-  for (auto& r : out.force) r = -sixth * n;                        // (3)
-  if (!s.wants_tangent) return Status::ok;
-  for (int j = 0; j < 3; ++j) {
-    const auto next = static_cast<std::size_t>((j + 1) % 3), last = static_cast<std::size_t>((j + 2) % 3);
-    const Vec3<double> w = (s.cu * sixth) * (s.x[next] - s.x[last]);
-    const double turn[3][3] = {{0, -w.z, w.y}, {w.z, 0, -w.x}, {-w.y, w.x, 0}};
-    for (int r = 0; r < 9; ++r)
-      for (int c = 0; c < 3; ++c) out.tangent[r][3 * j + c] = turn[r % 3][c];  // (4)
+  if (meshes >= c) return {1, 0};
+  if (meshes <= a) return {0, 0};
+  if (meshes <= b) {
+    const double density = (meshes - a) / ((b - a) * (c - a));
+    return {density * (meshes - a), 2 * density};
   }
+  const double density = (c - meshes) / ((c - b) * (c - a));
+  return {1 - density * (c - meshes), 2 * density};
+}
+
+double Pressure::full(const Parameters& p, const Water& w) {
+  return p.pressure + 0.5 * w.density * p.drag_coefficient * p.speed * p.speed;  // (1)
+}
+
+double Pressure::on(const Parameters& p, const Data& d, const State<4>& s) {
+  return share_behind_front(d.to_aft, front(s)).value * full(p, s.water);
+}
+
+double Pressure::volume(const Parameters& p, const Data& d, const State<4>& s) {
+  return share_behind_front(d.to_aft, front(s)).value * Slice(p, s).volume();
+}
+
+Status Pressure::Push::evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,
+                                Local<4>& out) {
+  if (p.volume > 0 && !(front(s) >= 0 && front(s) <= whole.length))
+    throw OutsideDomain("the front of the catch has left its netting: is that too small for the volume?");
+  const Share share = share_behind_front(d.to_aft, front(s));
+  const double pressure = full(p, s.water);
+  push(pressure, share, s, out);
+  if (p.volume > 0) balance_volume(p, pressure, whole.triangles, share, s, out);
   return Status::ok;
 }
 

@@ -11,32 +11,64 @@ namespace netloft::catches {
 ///   n = (x₂−x₁)×(x₃−x₁) = x₁×x₂ + x₂×x₃ + x₃×x₁     outwards, twice the area              (2)
 ///   r_i = −(φ p/6) n,  i = 1, 2, 3                  a third of the force per corner       (3)
 ///   K_ij = (φ p/6) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v              (4)
-///   φ = share of the triangle with s < m                                                  (5)
+///   φ(m) = share of the triangle with s < m                                               (5)
 /// p₀ [Pa] a pressure that is given, V [m/s] speed of the water through the gear, C_d drag coefficient of the
-/// catch; s meshes from a corner to the aft edge of its panel, m meshes of it that are filled. s is linear in
-/// the triangle, so φ is of the unstretched one and stays what it is. Corners counter-clockwise seen from
-/// outside. Source: the paper's catch, p with C_d = 1.4; (3) after Priour, A Finite Element Method for
-/// Netting (Springer 2013).
+/// catch; s meshes from a corner to the aft edge of its panel, m meshes of it that are filled, the front. s
+/// is linear in the triangle, so φ is of the unstretched one. Corners counter-clockwise seen from outside.
+/// Source: the paper's catch, p with C_d = 1.4; (3) after Priour, A Finite Element Method for Netting
+/// (Springer 2013).
 ///
 /// A follower force without an energy: over a closed surface, or one whose rim is fixed, the sum of (3) is
 /// the gradient of −p × volume and the sum of (4) symmetric, but a catch front that cuts through a cod-end
 /// is a rim that moves. An energy −p Σ x₁·(x₂×x₃)/6 would add forces on that rim that depend on where the
 /// origin is.
+///
+/// The front m is a number that all triangles of a part share, and stands where `meshes` says, or is the
+/// unknown of one more equation, that the catch is as large as it is said to be:
+///   v = (ȳ − y₀) n_y/2,  ȳ = (y₁ + y₂ + y₃)/3         ∮ (y − y₀) dA_y over the triangle      (6)
+///   r_m = k (Σ φ v − V₀) = 0,  k = p/∛V₀                                                  (7)
+///   ∂r_i/∂m = −φ′ (p/6) n,   ∂r_m/∂m = k φ′ v                                             (8)
+///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
+/// V₀ [m³] the volume; y across the cod-end, y₀ its middle. By the theorem of Gauss Σ φ v is the volume
+/// behind the front and any surface across it to which y is tangent: one of straight lines from side to side.
+/// That is exact for every cod-end that is the same on both sides of the plane y = y₀, however it hangs, sags
+/// or pitches, wherever it is, and for the half of one that ends in that plane. Were the cod-end turned by ψ
+/// out of the plane, the volume would change by the area of the front times sin ψ times how far its middle is
+/// from y₀. A triangle that the front cuts counts with its share φ and its own middle. k makes (7) a force
+/// that is to the drag on the front as the volume lacking to V₀.
 struct Pressure {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
+  static constexpr int globals = 1;  // m
 
   struct Parameters {
-    double pressure = 0, speed = 0, drag_coefficient = 0, meshes = 0;
+    double pressure = 0, speed = 0, drag_coefficient = 0, meshes = 0, volume = 0, middle = 0;
+    std::int64_t across = 0;
   };
   struct Data {
     std::array<double, 3> to_aft{};  // s [meshes]
   };
+  /// All triangles of a part.
+  struct Whole {
+    double triangles = 0, length = 0;  // length: largest s [meshes]
+  };
+  /// φ and its derivative with m.
+  struct Share {
+    double value, slope;
+  };
 
-  static double share_behind_front(const std::array<double, 3>& to_aft, double meshes);  // (5)
-  static double on(const Parameters& p, const Data& d, const Water& w);                  // φ p [Pa]
+  /// Throws std::invalid_argument if nothing presses, or the front is not given once.
+  static void check(const Parameters& p, const Data& d);
+  static void gather(const Parameters& p, const Data& d, Whole& whole);
+  static double first_front(const Parameters& p, const Whole& whole);
+
+  static Share share_behind_front(const std::array<double, 3>& to_aft, double meshes);  // (5)
+  static double full(const Parameters& p, const Water& w);                              // p [Pa]
+  static double on(const Parameters& p, const Data& d, const State<4>& s);              // φ p [Pa]
+  static double volume(const Parameters& p, const Data& d, const State<4>& s);          // φ v [m³]
 
   struct Push {
-    static Status evaluate(const Parameters& p, const Data& d, const State<3>& s, Local<3>& out);
+    static Status evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,
+                           Local<4>& out);
   };
 };
 

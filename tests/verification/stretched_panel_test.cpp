@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <random>
 
 #include "tests/verification/reference.hpp"
 #include "tests/verification/scene_file.hpp"
@@ -156,6 +157,74 @@ TEST_P(StretchedPanelWithoutOpening, TakesAShapeOfNoMoreEnergy) {
   EXPECT_GT(e.energy, n < 32 ? -kRelativeTolerance : -5e-9);
   EXPECT_LT(e.worst_node, n < 32 ? kNodeTolerance : 1e-5);
   EXPECT_LT(e.top, n < 32 ? kRelativeTolerance : 1e-6);
+}
+
+/// Positions as the start of a scene without opening stiffness, in its plane; `held` nodes do not move at
+/// all.
+Scene scene_at(int n, const Solved& shape, const Level* held = nullptr) {
+  Scene scene = load_panel(0, n).scene;
+  for (std::uint32_t node = 0; node < scene.node_count(); ++node) {
+    scene.held[node] = static_cast<std::uint8_t>(scene.held[node] | kAxisY);
+    const auto x = shape.position(node);
+    std::copy(x.begin(), x.end(), scene.positions.begin() + 3 * node);
+  }
+  for (std::size_t i = 0; held && i < held->nodes.size(); ++i) {
+    const auto& given = held->nodes[i];
+    const std::uint32_t node = node_at(n, given[0], given[1]);
+    scene.held[node] = kAllAxes;
+    scene.positions[3 * node] = given[2], scene.positions[3 * node + 2] = given[3];
+  }
+  return scene;
+}
+
+/// Largest force that is needed to hold the nodes of the reference which nothing holds in the panel [N].
+double force_to_hold(const Solved& s, const Level& level) {
+  double most = 0;
+  for (const auto& given : level.nodes) {
+    if (given[1] == 0 || given[1] == level.n) continue;  // on an edge that is held
+    const auto f = s.reaction(node_at(level.n, given[0], given[1]));
+    most = std::max(most, std::hypot(f[0], f[2]));
+  }
+  return most;
+}
+
+/// The reference's equilibrium: its nodes, and all others in balance between them.
+Solved reference_shape(int n, const Level& level) {
+  return solve_loaded(load_panel(0, n), scene_at(n, solve_without_opening(n), &level));
+}
+
+// Ten nodes of the reference are known. Held there, with all others in balance, they need no force: the
+// reference is an equilibrium of this model, too, to its own round-off.
+TEST_P(StretchedPanelWithoutOpening, HasTheEquilibriumOfTheIndependentProgram) {
+  const int n = GetParam();
+  const Level level = read_level("stretched-panel-no-opening.txt", n);
+  const Solved s = reference_shape(n, level);
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  const Errors e = compare(s, level);
+  std::printf("%2d cells: %.1e N hold the nodes of the reference, energy %+.1e of its\n", n,
+              force_to_hold(s, level), e.energy);
+  EXPECT_LT(force_to_hold(s, level), (n < 64 ? 1e-9 : 1e-7) * Numbers(level).top);
+  EXPECT_LT(std::abs(e.energy), n < 64 ? 1e-12 : 1e-11);
+}
+
+/// And a stable one: every node moved in the plane by up to a tenth of a millimetre, it comes back.
+TEST_P(StretchedPanelWithoutOpening, ReturnsToTheEquilibriumOfTheIndependentProgram) {
+  const int n = GetParam();
+  const Level level = read_level("stretched-panel-no-opening.txt", n);
+  Scene scene = scene_at(n, reference_shape(n, level));
+  std::mt19937 random(7);
+  for (std::uint32_t node = 0; node < scene.node_count(); ++node)
+    for (const std::size_t axis : {0u, 2u})
+      if (!(scene.held[node] & (1 << axis)))
+        scene.positions[3 * node + axis] += 1e-4 * (2 * (static_cast<double>(random()) / 4294967295.0) - 1);
+  const Solved s = solve_loaded(load_panel(0, n), std::move(scene));
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  const Errors e = compare(s, level);
+  print("returned", n, s, e);
+  EXPECT_EQ(s.solution.stability, Stability::stable);
+  EXPECT_LT(e.worst_node, n < 64 ? kNodeTolerance : 1e-7);
+  EXPECT_LT(std::abs(e.energy), kRelativeTolerance);
+  EXPECT_LT(e.top, kRelativeTolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllCells, StretchedPanelWithoutOpening, testing::Values(4, 8, 16, 32, 64),

@@ -9,6 +9,10 @@
 //   static Status tile(const Family<Element>&, netloft_tile&);
 //
 // `energy` gives force and tangent by differentiation; `evaluate` fills one element; `tile` loops over 64.
+// An element that must know all of its part declares `Whole`, which `gather(parameters, data, whole)` makes
+// of every element of the part in turn; `evaluate` is handed it after the data. One whose part shares numbers
+// that are solved for, too (the front of a catch), says how many: `static constexpr int globals = 1`. They
+// are coordinates of one more node, the last: N is one more.
 #pragma once
 #include <netloft/plugin.h>
 #include <netloft/dual.hpp>
@@ -69,6 +73,7 @@ class Family {
 
   const Parameters& parameters(std::size_t element) const { return *parameters_[part_[element]]; }
   const Data& data(std::size_t element) const { return data_[element]; }
+  const auto& whole(std::size_t element) const { return wholes_[part_[element]]; }
   /// What E::pack made of 64 elements, for terms written as `tile`.
   const auto& lanes(const netloft_tile& tile) const { return lanes_[tile.first / NETLOFT_LANES]; }
   std::size_t size() const { return data_.size(); }
@@ -83,6 +88,15 @@ class Family {
     using type = typename F::Lanes;
   };
   using Lanes = typename LanesOf<E>::type;
+  template <class F, class = void>
+  struct WholeOf {
+    using type = None;
+  };
+  template <class F>
+  struct WholeOf<F, std::void_t<typename F::Whole>> {
+    using type = typename F::Whole;
+  };
+  using Whole = typename WholeOf<E>::type;
 
   /// The law in a slot, in the order the slots were declared. Its arrays are those of netloft_flow.
   const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
@@ -92,12 +106,19 @@ class Family {
   std::vector<std::uint32_t> part_;
   std::vector<Data> data_;
   std::vector<Lanes> lanes_;
+  std::vector<Whole> wholes_;  // per part
 };
 
 namespace detail {
 
 template <class E>
-inline constexpr int nodes_of = E::stencil & 0xff;
+consteval int count_globals() {
+  if constexpr (requires { E::globals; }) return E::globals;
+  return 0;
+}
+/// Those of the stencil, and one for what a part shares.
+template <class E>
+inline constexpr int nodes_of = (E::stencil & 0xff) + (count_globals<E>() > 0);
 
 template <class E, class T>
 concept HasTile = requires(const Family<E>& f, netloft_tile& t) {
@@ -107,6 +128,12 @@ template <class E, class T>
 concept HasEvaluate = requires(const typename E::Parameters& p, const typename E::Data& d,
                                const State<nodes_of<E>>& s, Local<nodes_of<E>>& l) {
   T::evaluate(p, d, s, l);
+};
+template <class E, class T>
+concept HasEvaluateWithWhole = requires(const typename E::Parameters& p, const typename E::Data& d,
+                                        const typename Family<E>::Whole& w, const State<nodes_of<E>>& s,
+                                        Local<nodes_of<E>>& l) {
+  T::evaluate(p, d, w, s, l);
 };
 template <class E, class T>
 concept HasEnergy = requires(const typename E::Parameters& p, const typename E::Data& d, const Water& w,
@@ -192,7 +219,10 @@ void differentiate(const Family<E>& f, std::size_t element, const netloft_tile& 
 template <class E, class T>
 Status evaluate_one(const Family<E>& f, const netloft_tile& t, std::size_t lane, Local<nodes_of<E>>& local) {
   const std::size_t element = t.first + lane;
-  if constexpr (HasEvaluate<E, T>) {
+  if constexpr (HasEvaluateWithWhole<E, T>) {
+    return T::evaluate(f.parameters(element), f.data(element), f.whole(element), gather<nodes_of<E>>(t, lane),
+                       local);
+  } else if constexpr (HasEvaluate<E, T>) {
     return T::evaluate(f.parameters(element), f.data(element), gather<nodes_of<E>>(t, lane), local);
   } else {
     differentiate<E, T>(f, element, t, lane, local);
@@ -203,7 +233,7 @@ Status evaluate_one(const Family<E>& f, const netloft_tile& t, std::size_t lane,
 template <class E, class T, bool Symmetric>
 int evaluate_term(const void* self, netloft_tile* t) {
   static_assert(
-      HasTile<E, T> || HasEvaluate<E, T> || HasEnergy<E, T>,
+      HasTile<E, T> || HasEvaluate<E, T> || HasEvaluateWithWhole<E, T> || HasEnergy<E, T>,
       "A term needs one of these static functions: `T energy(const Parameters&, const Data&, const "
       "Water&, const Points<T, N>&)` (a template over T), `Status evaluate(const Parameters&, const "
       "Data&, const State<N>&, Local<N>&)`, or `Status tile(const Family<Element>&, netloft_tile&)`.");
@@ -232,6 +262,7 @@ void fill_family(Family<E>& f, netloft_create& in, const std::vector<std::size_t
     f.parameters_.push_back(static_cast<const P*>(in.parameters[p]));
   f.part_.assign(in.part, in.part + in.count);
   if (in.laws) f.laws_.assign(in.laws, in.laws + in.law_count);
+  f.wholes_.resize(in.part_count);
   f.data_.resize(in.count);
   if constexpr (requires { typename E::Lanes; }) f.lanes_.resize((in.count + kLanes - 1) / kLanes);
   for (std::uint32_t e = 0; e < in.count; ++e) {
@@ -242,6 +273,8 @@ void fill_family(Family<E>& f, netloft_create& in, const std::vector<std::size_t
     if constexpr (requires { E::check(f.parameters(e), f.data_[e]); }) E::check(f.parameters(e), f.data_[e]);
     if constexpr (requires { typename E::Lanes; })
       E::pack(f.parameters(e), f.data_[e], f.lanes_[e / kLanes], e % kLanes);
+    if constexpr (requires { typename E::Whole; })
+      E::gather(f.parameters(e), f.data_[e], f.wholes_[f.part_[e]]);
   }
 }
 
@@ -273,6 +306,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   using Data = typename E::Data;
   using Output = double (*)(const Parameters&, const Data&, const State<detail::nodes_of<E>>&);
   using LanesOutput = void (*)(const Family<E>&, const netloft_tile&, double* values);
+  using Start = double (*)(const Parameters&, const typename Family<E>::Whole&);
   static_assert(std::is_trivially_copyable_v<Data>, "Data must be plain numbers");
 
   ElementTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
@@ -317,6 +351,14 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   /// This element is made wherever another one of the plugin is used, on pairs of it: bending on a rope's
   /// bars.
   void rides_on(const char* element) { rides_on_ = element; }
+  /// A number that all elements of a part share: an unknown where the parameter `needs` differs from zero (or
+  /// always, if there is none), else it stands where it starts. They are x, y, z of State::x's last node.
+  void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
+    netloft_global g{};
+    g.size = sizeof g, g.name = name, g.unit = unit, g.doc = doc, g.needs = needs;
+    globals_.push_back(g);
+    starts_.push_back(start);
+  }
   /// Numbers that each element remembers from one accepted step to the next.
   void remembers(std::uint32_t width) { state_width_ = width; }
 
@@ -330,6 +372,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     e.output_count = static_cast<std::uint32_t>(outputs_.size()), e.outputs = outputs_.data();
     e.laws = laws_.data(), e.law_count = static_cast<std::uint32_t>(laws_.size());
     e.rides_on = rides_on_, e.state_width = state_width_;
+    e.globals = globals_.data(), e.global_count = static_cast<std::uint32_t>(globals_.size());
     e.create = &create, e.destroy = &destroy, e.output = &evaluate_outputs;
     return e;
   }
@@ -362,9 +405,18 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     return detail::guarded(in->message, in->message_size, [&] {
       auto family = std::make_unique<Family<E>>();
       detail::fill_family(*family, *in, offsets_, data_);
+      place_globals(*family, *in);
       *self = family.release();
       return NETLOFT_OK;
     });
+  }
+  static void place_globals(const Family<E>& f, netloft_create& in) {
+    if (starts_.empty()) return;
+    if (in.size < sizeof in || !in.globals)
+      throw std::runtime_error("this program is older than the element and does not know shared numbers");
+    for (std::size_t p = 0; p < in.part_count; ++p)
+      for (std::size_t k = 0; k < starts_.size(); ++k)
+        in.globals[p * starts_.size() + k] = starts_[k](*f.parameters_[p], f.wholes_[p]);
   }
   static void destroy(void* self) { delete static_cast<Family<E>*>(self); }
   static int evaluate_outputs(const void* self, netloft_tile* t, double* values) {
@@ -388,10 +440,12 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   std::vector<netloft_law_slot> laws_;
   std::vector<netloft_term> terms_;
   std::vector<netloft_output> outputs_;
+  std::vector<netloft_global> globals_;
   // One table per element type, described once, before any family is made.
   static inline std::vector<netloft_datum> data_;
   static inline std::vector<std::size_t> offsets_;
   static inline std::vector<OutputFunction> functions_;
+  static inline std::vector<Start> starts_;
 };
 
 }  // namespace netloft

@@ -93,6 +93,17 @@ typedef struct netloft_datum {
   const char *name, *unit, *doc;
 } netloft_datum;
 
+/* A number that all elements of a part share, solved for together with the positions: where a catch ends. At
+ * most three; they stand as x, y and z of one more node, the last of every element's nodes in a tile. The
+ * host takes them for coordinates, and what stands in their place in the force for forces: choose a unit in
+ * which a step of 1 means as much as one of 1 m, and scale the equation of each to newtons. */
+typedef struct netloft_global {
+  uint32_t size;
+  uint32_t reserved;
+  const char *name, *unit, *doc;
+  const char* needs; /* a real parameter that must differ from zero, or it stands where it starts; or null */
+} netloft_global;
+
 /* Traits of a term. */
 enum {
   NETLOFT_CONSERVATIVE = 1 << 0,   /* force is the gradient of an energy, which it gives */
@@ -234,6 +245,7 @@ typedef struct netloft_create {
   uint32_t message_size;
   uint32_t law_count;
   const netloft_bound_law* laws; /* [slot] */
+  double* globals;               /* [part][global] set by `create`: where each starts; null if none */
 } netloft_create;
 
 typedef struct netloft_element {
@@ -257,6 +269,8 @@ typedef struct netloft_element {
   const netloft_law_slot* laws;
   uint32_t law_count;
   uint32_t state_width; /* numbers an element remembers */
+  const netloft_global* globals;
+  uint32_t global_count, reserved2;
 } netloft_element;
 
 /* ---------------------------------------------------------------- solvers */

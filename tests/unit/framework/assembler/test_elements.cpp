@@ -74,6 +74,28 @@ struct Picky {
   };
 };
 
+/// E = ½ k (‖w‖² − q)², q shared by all bars of a part: an unknown, or 4 m² where it is not free.
+struct Alike {
+  static constexpr auto stencil = NETLOFT_BAR;
+  static constexpr int globals = 1;
+  struct Parameters {
+    double k = 0, free = 0;
+  };
+  using Data = BarData;
+  struct Whole {
+    double bars = 0;
+  };
+  static void gather(const Parameters&, const Data&, Whole& whole) { ++whole.bars; }
+  struct Pull {
+    template <class T>
+    static T energy(const Parameters& p, const Data&, const Water&, const Points<T, 3>& x) {
+      const Vec3<T> w = x[1] - x[0];
+      const T lack = dot(w, w) - x[2].x;
+      return (0.5 * p.k) * lack * lack;
+    }
+  };
+};
+
 /// E = −F·x.
 struct Load {
   static constexpr auto stencil = NETLOFT_NODE;
@@ -125,6 +147,14 @@ void describe(Plugin& plugin) {
   picky.boolean("broken", &Picky::Parameters::broken, "fails whatever its length", false);
   picky.data("rest_length", &BarData::rest_length, "m", "not used");
   picky.term<Picky::Pull>("pull", "pull of the spring");
+
+  auto& alike = plugin.element<Alike>("alike", "Bars that want to be of one length");
+  alike.real("k", &Alike::Parameters::k, "N/m3", "stiffness", {});
+  alike.real("free", &Alike::Parameters::free, "1", "whether the length is an unknown", {.fallback = 0});
+  alike.data("rest_length", &BarData::rest_length, "m", "not used");
+  alike.global("square", "m2", "square of the length", "free",
+               [](const Alike::Parameters&, const Alike::Whole& whole) { return 2 * whole.bars; });
+  alike.term<Alike::Pull>("pull", "pull of the bar");
 
   auto& leash = plugin.element<Leash>("leash", "Pulls back to where it was");
   leash.real("k", &Leash::Parameters::k, "N/m", "stiffness", {});
