@@ -178,7 +178,8 @@ Outcome outcome_of(int status, const Host& host) {
   }
 }
 
-/// Where KINSOL ends by itself, it has not asked for a tangent, so the point has not been reported yet.
+/// Where KINSOL thinks that it has arrived, it has not asked for a tangent, so the point has not been
+/// reported.
 Outcome report_end(Host& host, Outcome outcome) {
   const auto u = host.problem.u();
   if (host.problem.evaluate(u, host.energy, host.residual) != Evaluation::ok) return Outcome::left_domain;
@@ -215,7 +216,8 @@ Outcome Kinsol::solve(const Parameters& parameters, Problem& problem) {
   const int status = run(host);
   if (host.failure) std::rethrow_exception(host.failure);
   if (host.stopped) return Outcome::stopped;
-  return report_end(host, outcome_of(status, host));
+  const Outcome outcome = outcome_of(status, host);
+  return status >= 0 ? report_end(host, outcome) : outcome;
 }
 
 }  // namespace netloft::kinsol
