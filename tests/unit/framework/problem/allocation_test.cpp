@@ -79,13 +79,14 @@ std::vector<long> count_allocations(const Scene& scene, const std::string& metho
   return count_allocations(scene, shipped_plugins().solver("newton"), {{"method", method}}, threads);
 }
 
-void expect_none_after_the_first_iteration(const std::vector<long>& between) {
+/// `factorisations`: how many it takes until all memory is there.
+void expect_none_after_the_first_iteration(const std::vector<long>& between, std::size_t factorisations = 1) {
 #ifndef NETLOFT_COUNTS_MALLOC
   GTEST_SKIP() << "malloc cannot be counted in this build";
 #endif
   ASSERT_GT(between.size(), 4u);
   EXPECT_GT(between[0] + between[1], 0) << "until then matrices and factors are made: nothing was counted";
-  for (std::size_t i = 2; i < between.size(); ++i)
+  for (std::size_t i = 1 + factorisations; i < between.size(); ++i)
     EXPECT_EQ(between[i], 0) << "iteration " << i << " of " << between.size() - 1;
 }
 
@@ -106,8 +107,9 @@ TEST(Allocations, AreOverWithTheFirstIterationOnRopes) {
   expect_none_after_the_first_iteration(count_allocations(sample::hanging_rope(100), "globalised", 1));
 }
 
-TEST(Allocations, AreOverWithTheFirstIterationOfTheClassicMethod) {
-  expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(16, 34), "classic", 1));
+// MUMPS keeps arrays from one factorisation to the next.
+TEST(Allocations, AreOverWithTheThirdIterationOfTheClassicMethod) {
+  expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(16, 34), "classic", 1), 3);
 }
 
 class AllocationsOf : public testing::TestWithParam<const char*> {};
