@@ -14,6 +14,7 @@ int list_command(const Options& options);       // components there are
 int describe_command(const Options& options);   // one component
 int schema_command(const Options& options);     // JSON schema of scenes
 int test_command(const Options& options);       // conformance of a plugin
+int compare_command(const Options& options);    // speed against error of solvers
 int stability_command(const Options& options);  // solvers on hard cases
 
 }  // namespace netloft::io

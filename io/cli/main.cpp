@@ -22,11 +22,8 @@ void add_plugin_options(CLI::App& command, Options& o) {
 
 std::string not_empty(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
 
-void add_scene_options(CLI::App& command, Options& o) {
+void add_input_options(CLI::App& command, Options& o) {
   command.add_option("SCENE", o.target, "scene file (TOML)")->required();
-  command.add_option("--solver", o.solver, "solver plugin, with parameters: newton:method=classic")
-      ->check(CLI::Validator(not_empty, "", "not empty"))
-      ->type_name("NAME[:key=value,…]");
   command.add_option("--set", o.set, "a value of the scene: parts.net.cells=[64,64]")
       ->type_name("path=value")
       ->allow_extra_args(false);
@@ -36,6 +33,35 @@ void add_scene_options(CLI::App& command, Options& o) {
       ->check(CLI::Range(1, 1024));
   command.add_flag("--scene-plugins", o.scene_plugins, "search the scene's folder for plugins, too");
   add_plugin_options(command, o);
+}
+
+void add_scene_options(CLI::App& command, Options& o) {
+  add_input_options(command, o);
+  command.add_option("--solver", o.solver, "solver plugin, with parameters: newton:method=classic")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]");
+}
+
+void add_compare_command(CLI::App& app, Options& o) {
+  CompareOptions& c = o.compare;
+  auto* command = app.add_subcommand("compare", "speed against error of several solvers on one scene");
+  add_input_options(*command, o);
+  command->add_option("--solver", c.methods, "a solver to compare, as run takes it; may be repeated")
+      ->required()
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]")
+      ->allow_extra_args(false);
+  command->add_option("--tolerance", c.tolerance, "tolerances, one per decade; else 1e-10:1e-2")
+      ->type_name("LO:HI");
+  command->add_option("--cells", c.cells, "meshes for the discretisation error: cells across, or of one part")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("[PART=]N,N,…");
+  command->add_option("--reference", c.reference, "solver that errors are measured against; else another one")
+      ->type_name("NAME[:key=value,…]");
+  command->add_option("--repeats", c.repeats, "runs of each, of which the cheapest counts; else 3")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--csv", c.csv, "write the tables as comma-separated values")->type_name("FILE.csv");
+  command->add_option("--plot", c.plot, "draw work over precision")->type_name("FILE.svg|FILE.html");
 }
 
 void add_stability_command(CLI::App& app, Options& o) {
@@ -68,6 +94,8 @@ void add_commands(CLI::App& app, Options& o) {
   run->add_option("-o,--output", o.output, "result file; else the scene's name with .hdf, in this folder")
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("FILE.hdf");
+  run->add_flag("--error", o.error,
+                "print the errors of the results: of the solver and, over other meshes, of the mesh");
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
   add_plugin_options(*app.add_subcommand("list", "list all elements and solvers"), o);
   auto* describe = app.add_subcommand(
@@ -79,6 +107,7 @@ void add_commands(CLI::App& app, Options& o) {
       app.add_subcommand("test", "check the elements of a plugin: derivatives, balance, lanes, manners");
   test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
   add_plugin_options(*test, o);
+  add_compare_command(app, o);
   add_stability_command(app, o);
   app.require_subcommand(1);
 }
@@ -89,6 +118,7 @@ int dispatch(const Options& o) {
   if (o.command == "list") return list_command(o);
   if (o.command == "describe") return describe_command(o);
   if (o.command == "schema") return schema_command(o);
+  if (o.command == "compare") return compare_command(o);
   if (o.command == "stability") return stability_command(o);
   return test_command(o);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/cli/compare_options.hpp"
 #include "io/cli/stability_options.hpp"
 
 #include <string>
@@ -12,6 +13,7 @@ struct Options {
   std::string command;               // run, plan, list, describe, schema, test
   std::string target;                // scene, component or plugin
   std::string output;                // -o
+  bool error = false;                // --error
   std::string solver;                // --solver NAME[:key=value[,key=value]]
   std::vector<std::string> set;      // --set path=value
   std::vector<std::string> plugins;  // --plugins DIR
@@ -19,6 +21,7 @@ struct Options {
   int threads = 0;                   // 0: as many as the machine has
   bool json = false;
   std::string color = "auto";
+  CompareOptions compare;          // of that command alone
   StabilityOptions stability;      // of that command alone
   std::vector<std::string> words;  // the command line as given
 };

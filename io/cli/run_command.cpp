@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/session.hpp"
+#include "io/compare/mesh_error.hpp"
 #include "io/report/provenance.hpp"
 #include "io/report/write_result.hpp"
 
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 
 namespace netloft::io {
 
@@ -32,6 +34,16 @@ std::string output_file(const Options& options, const LoadedScene& loaded) {
   return name;
 }
 
+/// Meshes that the errors of results are found from; none if they are not asked for.
+std::vector<MeshLevel> levels_for_errors(const Options& options, const LoadedScene& loaded) {
+  if (!options.error) return {};
+  try {
+    return levels_around(loaded);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{std::string("--error: ") + e.what()};
+  }
+}
+
 }  // namespace
 
 int run_command(const Options& options) {
@@ -42,6 +54,7 @@ int run_command(const Options& options) {
   context.plugins = session.registry().opened();
   context.plan_text = plan_text(session.plan(), session.plan_extras());
 
+  const auto levels = levels_for_errors(options, session.loaded());
   ResultFile file(output_file(options, session.loaded()));
   RunResult result;
   result.reading_seconds = session.the_case().reading_seconds();
@@ -51,6 +64,9 @@ int run_command(const Options& options) {
                                                 session.terminal().progress(record, tolerance);
                                               }});
   collect(session.loaded(), session.assembler(), result);
+  if (options.error)
+    find_mesh_errors(source_of(options), session.registry(), session.the_case(), levels,
+                     {&interrupt_flag(), {}}, result);
   context.plugins = session.registry().opened();
   write_result(file, session.loaded(), session.assembler(), result, context);
   result.output_file = file.final_path().string();

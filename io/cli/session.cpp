@@ -35,10 +35,16 @@ Session::Session(const Options& options)
 int Session::open() {
   const Case::State state = case_.open();
   const Diagnostics& diagnostics = case_.diagnostics();
-  if (diagnostics.errors() || diagnostics.warnings()) terminal_.say(diagnostics.render(terminal_.color()));
-  if (state == Case::State::ready) return kDone;
+  if (state != Case::State::ready) return tell_why_not(diagnostics, state, options_, terminal_);
+  if (diagnostics.warnings()) terminal_.say(diagnostics.render(terminal_.color()));
+  return kDone;
+}
+
+int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Options& options,
+                 Terminal& terminal) {
+  terminal.say(diagnostics.render(terminal.color()));
   const int code = state == Case::State::refused ? kRefused : kWrongInput;
-  if (options_.json) std::puts(errors_json(diagnostics, code).c_str());
+  if (options.json) std::puts(errors_json(diagnostics, code).c_str());
   return code;
 }
 

@@ -35,4 +35,8 @@ class Session {
 CaseSource source_of(const Options& options);
 int threads_for(const Options& options);
 
+/// Says on the terminal, or as JSON, what is wrong with a scene that is not ready. Returns the exit code.
+int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Options& options,
+                 Terminal& terminal);
+
 }  // namespace netloft::io

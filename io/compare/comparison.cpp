@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/compare/comparison.hpp"
+
+#include "framework/problem/correction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+// Two answers are one equilibrium if, brought to the round-off floor, they are this close for the size of the
+// gear; or within what is known of them.
+constexpr double kSame = 1e-6, kDoubt = 10;
+
+double size_of(const Scene& scene) {
+  double square = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = scene.positions[axis], high = low;
+    for (std::size_t d = axis; d < scene.positions.size(); d += 3)
+      low = std::min(low, scene.positions[d]), high = std::max(high, scene.positions[d]);
+    square += (high - low) * (high - low);
+  }
+  return std::sqrt(square);
+}
+
+std::string mesh_of(const LoadedScene& loaded) {
+  for (const std::size_t directions : {2u, 1u})
+    for (const auto& part : loaded.parts)
+      if (part.cells.size() == directions)
+        return fmt::format("{} cells of {}", fmt::join(part.cells, " x "), part.name);
+  return "no cells";
+}
+
+class Comparing {
+ public:
+  Comparing(const CaseSource& source, Registry& registry, const ComparisonTask& task, const Watch& watch)
+      : source_(source),
+        registry_(registry),
+        task_(task),
+        watch_(watch),
+        own_(source, registry),
+        references_(source, registry, task.reference, watch) {
+    if (own_.open() != Case::State::ready) throw std::runtime_error(own_.diagnostics().render(false));
+  }
+
+  Comparison run() {
+    describe();
+    for (const Method& method : task_.methods) out_.methods.push_back(run_method(method));
+    time_factorisation();
+    if (task_.cells) find_discretisation();
+    return std::move(out_);
+  }
+
+ private:
+  void describe() {
+    out_.scene = own_.loaded().scene.name, out_.mesh = mesh_of(own_.loaded());
+    out_.unknowns = own_.plan().unknowns, out_.repeats = task_.repeats;
+    out_.size = size_of(own_.loaded().scene);
+  }
+
+  MethodResult run_method(const Method& method) {
+    MethodResult result{method,
+                        run_trials(source_, registry_, method, task_.tolerances, task_.repeats, watch_),
+                        references_.find_for(method),
+                        {}};
+    if (result.reference) result.other = find_other_equilibrium(result);
+    if (result.reference && !result.other)
+      for (Trial& t : result.trials)
+        if (!t.x.empty()) t.error = distance(t.x, result.reference->answer.x);
+    return result;
+  }
+
+  /// Where the method's tightest answer leads, against the reference.
+  std::optional<OtherEquilibrium> find_other_equilibrium(const MethodResult& result) {
+    const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),
+                                   [](const Trial& t) { return t.arrived(); });
+    if (last == result.trials.rend()) return {};
+    Case fresh(source_for(source_, result.method, last->tolerance), registry_);
+    fresh.open();
+    const Polished limit = polish(fresh, last->u), &goal = result.reference->answer;
+    const double apart = distance(limit.x, goal.x);
+    const double doubt = kDoubt * (std::max(0.0, limit.uncertainty) + std::max(0.0, goal.uncertainty));
+    if (apart <= std::max(kSame * out_.size, doubt)) return {};
+    return OtherEquilibrium{apart, limit.energy - goal.energy, own_.plan().conservative};
+  }
+
+  double distance(const std::vector<double>& x, const std::vector<double>& y) {
+    return largest_node_distance(own_.loaded().scene, own_.assembler().numbering(), x, y);
+  }
+
+  void time_factorisation() {
+    for (const auto& m : out_.methods)
+      if (m.reference) {
+        out_.factorisation_seconds = factorisation_seconds(own_, m.reference->answer.u);
+        return;
+      }
+  }
+
+  /// By the cheapest method that arrived at the tightest tolerance, so that meshes differ by the mesh alone.
+  void find_discretisation() {
+    const CellList& list = *task_.cells;
+    out_.discretisation =
+        find_discretisation_error(source_, registry_, method_for_meshes(),
+                                  list.part.empty() ? leading_part(own_.loaded()).name : list.part,
+                                  mesh_levels(own_.loaded(), list), watch_);
+  }
+
+  Method method_for_meshes() const {
+    const MethodResult* best = nullptr;
+    const auto price = [](const MethodResult& m) { return m.trials.back().cpu_seconds; };
+    for (const auto& m : out_.methods)
+      if (m.trials.back().arrived() && !m.other && (!best || price(m) < price(*best))) best = &m;
+    if (best) return best->method;
+    const auto& first = out_.methods.front();
+    return first.reference ? first.reference->method : first.method;
+  }
+
+  const CaseSource& source_;
+  Registry& registry_;
+  const ComparisonTask& task_;
+  const Watch& watch_;
+  Case own_;
+  ReferenceAnswers references_;
+  Comparison out_;
+};
+
+}  // namespace
+
+bool Comparison::any_arrived() const {
+  return std::any_of(methods.begin(), methods.end(), [](const MethodResult& m) {
+    return std::any_of(m.trials.begin(), m.trials.end(), [](const Trial& t) { return t.arrived(); });
+  });
+}
+
+Comparison compare(const CaseSource& source, Registry& registry, const ComparisonTask& task,
+                   const Watch& watch) {
+  return Comparing(source, registry, task, watch).run();
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scene/loaded_scene.hpp"
+
+#include <array>
+#include <compare>
+#include <map>
+#include <span>
+
+namespace netloft::io {
+
+/// A spot of a gear, whatever the mesh: a part, and the shares of the way across and along it.
+struct Spot {
+  std::uint32_t part;
+  std::array<std::int64_t, 2> share;  // in units of 1e-9
+  auto operator<=>(const Spot&) const = default;
+};
+
+/// Where the nodes of a gear are, by spot [m]. Two meshes of one gear have spots in common where nodes
+/// coincide in panel coordinates, or along a rope.
+using Places = std::map<Spot, std::array<double, 3>>;
+
+/// `positions` are those of all nodes of the scene, 3 per node [m].
+Places places_of(const LoadedScene& loaded, std::span<const double> positions);
+
+/// Largest distance over the spots that both have [m]; NaN if there are none.
+double largest_distance(const Places& a, const Places& b);
+
+/// √(mean of squared distances) over the spots of `among` that all have.
+double mean_distance(const Places& a, const Places& b, const Places& among);
+
+/// a + w (a − b) at the spots that a, b and `among` have.
+Places extrapolate(const Places& a, const Places& b, double w, const Places& among);
+
+}  // namespace netloft::io

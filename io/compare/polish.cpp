@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/compare/polish.hpp"
+
+#include "framework/problem/correction.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr int kMostSteps = 20, kTimings = 5;
+
+void measure(StaticProblem& problem, Polished& p) {
+  p.evaluated = problem.recompute(p.u, p.x, p.residuals, p.energy);
+  if (!p.evaluated) return;
+  const Balance balance = problem.balance(p.x, p.residuals);
+  p.residual = balance.residual, p.load = balance.scale;
+}
+
+/// Where a Newton step leads; not evaluated when there is none.
+Polished next(StaticProblem& problem, const Polished& from) {
+  Polished to;
+  std::vector<double> step(from.u.size());
+  if (!find_correction(problem, from.u, from.residuals, step)) return to;
+  to.u = from.u;
+  for (std::size_t i = 0; i < step.size(); ++i) to.u[i] += step[i];
+  measure(problem, to);
+  return to;
+}
+
+}  // namespace
+
+Polished polish(Case& fresh, const std::vector<double>& u) {
+  StaticProblem problem(fresh.assembler(), make_factorisation, {});
+  Polished best;
+  best.u = u;
+  measure(problem, best);
+  for (int step = 0; step < kMostSteps && best.evaluated; ++step) {
+    Polished to = next(problem, best);
+    if (!to.evaluated) break;
+    const double way =
+        largest_node_distance(fresh.loaded().scene, fresh.assembler().numbering(), best.x, to.x);
+    if (!(to.residual < best.residual)) {
+      best.uncertainty = way;
+      break;
+    }
+    best = std::move(to);
+    best.uncertainty = way;
+  }
+  return best;
+}
+
+double factorisation_seconds(Case& fresh, const std::vector<double>& u) {
+  StaticProblem problem(fresh.assembler(), make_factorisation, {});
+  netloft_problem& p = problem.interface();
+  if (p.evaluate(p.host, NETLOFT_WANT_TANGENT, u.data(), nullptr, nullptr) != NETLOFT_OK) return 0;
+  const int how = p.factorise(p.host, NETLOFT_EXACT, 0) == NETLOFT_FACTOR_OK
+                      ? NETLOFT_EXACT
+                      : NETLOFT_EXACT | NETLOFT_INDEFINITE;
+  p.factorise(p.host, how, 0);  // what is done once is done
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kTimings; ++i) {
+    const double begun = cpu_seconds();
+    p.factorise(p.host, how, 0);
+    least = std::min(least, cpu_seconds() - begun);
+  }
+  return least;
+}
+
+}  // namespace netloft::io

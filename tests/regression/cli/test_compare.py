@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Speed against error: `compare`, and the errors that `run` prints beside its results."""
+import csv
+import io
+import math
+import unittest
+import xml.etree.ElementTree as xml
+
+import h5py
+
+from program import GOOD, SOURCE, InFreshFolder, changed
+
+SCENES = SOURCE / "gear-library" / "scenes"
+ROPE, PANEL = str(SCENES / "hanging-rope.toml"), str(SCENES / "dead-weight-panel.toml")
+COARSE = ["--set", "parts.net.cells=[8,8]"]
+BARS = ["--set", "parts.rope.cells=40"]
+
+# A bar that stands on its foot, a little askew: the classic method stays where it stands, the other lets it fall.
+STANDING = """\
+[water]
+density = 0
+[parts.bar]
+type = "rope/bar"
+length = "1 m"
+cells = 1
+sketch = [[0, 0, 0], [1e-4, 0, 0.999]]
+rope = { diameter = "20 mm", EA = 1e5, EA_compression = 1e5, density = 2000 }
+[[hold]]
+on = "bar.start"
+[results]
+head_z = { of = "bar.end", take = "z" }
+"""
+
+
+class Comparisons(InFreshFolder):
+    def compare(self, scene, *words):
+        return self.netloft("compare", scene, *words, "--repeats", "1")
+
+    def report(self, scene, *words):
+        ended = self.compare(scene, "--json", *words)
+        self.assertEqual(ended.code, 0, ended.err)
+        return ended.json()
+
+    def test_another_solver_judges_each(self):
+        report = self.report(PANEL, *COARSE, "--solver", "newton", "--solver", "relaxation", "--tolerance", "1e-8:1e-6")
+        for method in report["methods"]:
+            reference = method["reference"]
+            self.assertTrue(reference["independent"])
+            self.assertNotEqual(reference["method"].split(":")[0], method["method"].split(":")[0])
+            self.assertLess(reference["residual"], 1e-9 * reference["largest_load"])
+            self.assertLess(reference["uncertainty"], 1e-10 * report["size"])
+
+    def test_errors_fall_with_the_tolerance_and_estimates_tell_them(self):
+        report = self.report(PANEL, *COARSE, "--solver", "relaxation", "--tolerance", "1e-10:1e-2")
+        trials = report["methods"][0]["trials"]
+        self.assertEqual([round(math.log10(t["tolerance"])) for t in trials], list(range(-2, -11, -1)))
+        self.assertTrue(all(t["status"] == "converged" for t in trials[1:]))
+        self.assertLess(trials[-1]["error"], 1e-4 * trials[0]["error"])
+        for trial in trials[2:]:
+            self.assertGreater(trial["error"], 0.5 * trial["estimate"])
+            self.assertLess(trial["error"], 2 * trial["estimate"])
+
+    def test_work_is_counted_by_the_host(self):
+        report = self.report(ROPE, *BARS, "--solver", "newton", "--tolerance", "1e-8")
+        trial = report["methods"][0]["trials"][0]
+        self.assertGreater(report["factorisation_seconds"], 0)
+        self.assertAlmostEqual(trial["in_factorisations"] * report["factorisation_seconds"], trial["cpu_seconds"])
+        alone = self.netloft("run", ROPE, *BARS, "--json", "--solver", "newton", "--set", "analysis.tolerance=1e-8").json()
+        for count in ("iterations", "factorisations"):
+            self.assertEqual(trial[count], alone[count])
+
+    def test_another_equilibrium_is_no_error(self):
+        self.write("standing.toml", STANDING)
+        ended = self.compare("standing.toml", "--solver", "newton:method=classic", "--reference", "newton",
+                             "--tolerance", "1e-10", "--json")
+        self.assertEqual(ended.code, 0, ended.err)
+        method = ended.json()["methods"][0]
+        # It stands on top of where it hangs: about two lengths away, higher by m g times two lengths.
+        weight = math.pi / 4 * 0.02**2 * 2000 * 9.80665
+        self.assertAlmostEqual(method["other_equilibrium"]["distance"], 2, delta=1e-3)
+        self.assertAlmostEqual(method["other_equilibrium"]["energy_difference"], weight, delta=1e-3 * weight)
+        self.assertIsNone(method["trials"][0]["error"])
+        spoken = self.compare("standing.toml", "--solver", "newton:method=classic", "--reference", "newton",
+                              "--tolerance", "1e-10")
+        self.assertIn("other equilibrium than that of newton", spoken.out)
+
+    def test_discretisation_errors_of_a_rope(self):
+        report = self.report(ROPE, *BARS, "--solver", "newton", "--tolerance", "1e-10", "--cells", "80,20,40")
+        mesh = report["discretisation"]
+        self.assertTrue(mesh["steady"])
+        self.assertAlmostEqual(mesh["order"], 2, delta=0.1)
+        self.assertEqual([level["cells"] for level in mesh["levels"]], [20, 40, 80])
+        # The lowest point of the catenary is a node of all of them, and the farthest from its place: the closed form
+        # in the scene's first lines says where it should be.
+        for level in mesh["levels"]:
+            own = self.netloft("run", ROPE, "--json", "--set", f"parts.rope.cells={level['cells']}").json()
+            true = abs(own["results"]["sag_z"] - -2.95736530)
+            self.assertGreater(level["error"], true / 2)
+            self.assertLess(level["error"], true * 2)
+
+    def test_parts_are_divided_in_proportion_or_alone(self):
+        self.write("scene.toml", GOOD)
+        report = self.report("scene.toml", "--solver", "newton", "--tolerance", "1e-8", "--cells", "2,4,8")
+        self.assertEqual(report["discretisation"]["part"], "net")
+        alone = self.compare("scene.toml", "--solver", "newton", "--cells", "rope=4,8")
+        self.assertEqual(alone.code, 2)
+        self.assertRegex(alone.err, r"scene.toml:20:10: error: .*only as many to as many can be joined")
+
+    def test_files(self):
+        ended = self.compare(ROPE, *BARS, "--solver", "newton", "--solver", "newton:method=classic,damping=0", "--tolerance",
+                             "1e-8:1e-7", "--cells", "10,20", "--csv", "a.csv", "--plot", "a.svg")
+        self.assertEqual(ended.code, 0, ended.err)
+        rows = list(csv.DictReader(io.StringIO((self.folder / "a.csv").read_text())))
+        self.assertEqual([r["kind"] for r in rows].count("discretisation"), 2)
+        self.assertEqual(rows[-3]["method"], "newton:method=classic,damping=0")
+        self.assertTrue(all(None not in r and None not in r.values() for r in rows))
+        root = xml.parse(self.folder / "a.svg").getroot()
+        self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+        self.compare(ROPE, *BARS, "--solver", "newton", "--tolerance", "1e-8", "--plot", "a.html")
+        self.assertIn("<svg", (self.folder / "a.html").read_text())
+
+    def test_who_arrives_nowhere_is_not_converged(self):
+        stuck = self.compare(PANEL, *COARSE, "--solver", "newton", "--set", "analysis.max_iterations=0")
+        self.assertEqual(stuck.code, 3)
+        self.assertIn("no reference", stuck.out)
+
+    def refused(self, *words, code=2):
+        ended = self.netloft("compare", *words)
+        self.assertEqual(ended.code, code, ended.out + ended.err)
+        self.assertEqual(ended.out, "")
+        return ended.err
+
+    def test_wrong_input(self):
+        newton = ["--solver", "newton"]
+        self.assertIn("--solver", self.refused(ROPE))
+        self.assertIn("not empty", self.refused(ROPE, "--solver", "") + " not empty")
+        self.assertIn("given twice", self.refused(ROPE, *newton, *newton))
+        self.assertIn("reversed", self.refused(ROPE, *newton, "--tolerance", "1e-2:1e-8"))
+        for word in ("", "x", "1e-8:", ":1e-2", "0:1", "1e-8:2", "nan", "1e-8:1e-4:1e-2"):
+            self.assertIn("is no tolerance", self.refused(ROPE, *newton, "--tolerance", word), word)
+        for word in ("8", "8,8", "8,x", "8,1.5", "0,8", "8,16,"):
+            self.assertIn("--cells " + word, self.refused(ROPE, *newton, "--cells", word), word)
+        self.assertIn("divided are rope", self.refused(ROPE, *newton, "--cells", "net=8,16"))
+        self.assertIn("no whole number of cells", self.refused(str(SCENES / "dead-weight-panel.toml"), "--set",
+                                                               "parts.net.cells=[32,18]", *newton, "--cells", "8,16,32"))
+        self.assertIn(".svg or .html", self.refused(ROPE, *newton, "--plot", "a.png"))
+        self.assertIn("no folder", self.refused(ROPE, *newton, "--csv", "nowhere/a.csv"))
+        self.assertIn("is no name of a solver", self.refused(ROPE, "--solver", "a b"))
+        self.assertIn("damping", self.refused(ROPE, "--solver", "newton:dampinng=1"))
+        self.assertIn("newton", self.refused(ROPE, "--solver", "newtom", code=4))
+        self.assertEqual(self.files(), {})
+
+    def test_the_scene_is_never_written_over(self):
+        self.write("scene.toml", GOOD)
+        self.assertIn("read from it", self.refused("scene.toml", "--solver", "newton", "--csv", "scene.toml"))
+        self.assertEqual((self.folder / "scene.toml").read_text(), GOOD)
+
+    def test_a_scene_without_cells_has_no_mesh_to_refine(self):
+        self.write("point.toml", '[parts.a]\ntype = "float/float"\nat = [0, 0, 0]\nfloat = { volume = 0.001, mass = 0.1 }\n'
+                                 '[[hold]]\non = "a"\n')
+        self.assertIn("nothing in this scene is divided", self.refused("point.toml", "--solver", "newton", "--cells", "8,16"))
+        ended = self.netloft("run", "point.toml", "--error")
+        self.assertEqual(ended.code, 2)
+        self.assertIn("nothing in this scene is divided", ended.err)
+
+    def test_nodes_by_number_are_other_nodes_on_another_mesh(self):
+        self.write("scene.toml", changed(GOOD, ('of = "net"', 'of = "net.node-3"'), ("min z", "z")))
+        self.assertIn("scene.toml:30:19: ", self.refused("scene.toml", "--solver", "newton", "--cells", "2,4"))
+
+
+class Errors(InFreshFolder):
+    def test_stand_beside_every_result(self):
+        ended = self.netloft("run", ROPE, "--error")
+        self.assertEqual(ended.code, 0, ended.err)
+        line = next(line for line in ended.out.splitlines() if line.strip().startswith("sag_z"))
+        self.assertEqual(line.count("±"), 2)
+        self.assertIn("(order 2.0)", line)
+
+    def test_of_the_mesh_are_true(self):
+        # Closed form, in the scene's first lines.
+        exact = {"horizontal_tension": 2.99708988, "sag_z": -2.95736530, "end_tension": 5.82945518}
+        for bars in ("16", "40", "200"):
+            report = self.netloft("run", ROPE, "--error", "--json", "--set", "parts.rope.cells=" + bars).json()
+            for name, value in exact.items():
+                true, found = abs(report["results"][name] - value), report["errors"][name]
+                self.assertGreater(found["mesh"], true / 2, (bars, name))
+                self.assertLess(found["mesh"], true * 2, (bars, name))
+                self.assertAlmostEqual(found["mesh_order"], 2, delta=0.3)
+
+    def test_of_the_solver_are_true(self):
+        tight = self.netloft("run", PANEL, *COARSE, "--json").json()
+        for tolerance in ("1e-3", "1e-5"):
+            loose = self.netloft("run", PANEL, *COARSE, "--json", "--solver", "relaxation", "--set",
+                                 "analysis.tolerance=" + tolerance).json()
+            for name in ("lowest_z", "largest_tension"):
+                true = abs(loose["results"][name] - tight["results"][name])
+                self.assertGreater(true, 10 * tight["errors"][name]["solver"])
+                self.assertGreater(loose["errors"][name]["solver"], true / 2, (name, tolerance))
+                self.assertLess(loose["errors"][name]["solver"], true * 2, (name, tolerance))
+
+    def test_are_in_the_file(self):
+        report = self.netloft("run", ROPE, *BARS, "--error", "--json").json()
+        with h5py.File(self.folder / report["output"]) as f:
+            self.assertEqual(f["netloft/errors/nodes"][()], report["node_error"])
+            for name, errors in report["errors"].items():
+                self.assertEqual(f["netloft/errors/solver"][name][()], errors["solver"])
+                self.assertEqual(f["netloft/errors/mesh"][name][()], errors["mesh"])
+                self.assertEqual(f["netloft/errors/mesh_order"][name][()], errors["mesh_order"])
+        self.netloft("run", ROPE, *BARS)
+        with h5py.File(self.folder / report["output"]) as f:
+            self.assertIn("solver", f["netloft/errors"])
+            self.assertNotIn("mesh", f["netloft/errors"])
+
+    def test_are_not_claimed_where_nothing_converged(self):
+        report = self.netloft("run", PANEL, *COARSE, "--error", "--json", "--solver", "newton", "--set", "analysis.max_iterations=2").json()
+        self.assertIsNone(report["node_error"])
+        self.assertIn("did not converge", report["mesh_note"])
+        self.assertTrue(all(e["solver"] is None and e["mesh"] is None for e in report["errors"].values()))
+
+
+if __name__ == "__main__":
+    unittest.main()
