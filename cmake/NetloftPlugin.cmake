@@ -1,40 +1,79 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_add_plugin(NAME SOURCES…): one plugin, NAME.so, linked to nothing of ours but headers.
+# netloft_add_plugin(NAME SOURCES… [TESTS sources…] [SCENES files…]): one plugin, NAME.so, linked to nothing of ours
+# but headers. -ffp-contract=off keeps the results of all builds equal.
 #
-# On x86-64 it is built a second time for x86-64-v3 (AVX2, FMA) in a folder of that name beside it; the
-# loader takes the newest build the processor runs. -ffp-contract=off keeps the results of all builds equal.
-# With NETLOFT_STATIC the same sources go into the program under a symbol of their own.
+# In this tree it goes to the folder of plugins, and on x86-64 it is built a second time for x86-64-v3 (AVX2, FMA)
+# in a folder of that name beside it; the loader takes the newest build the processor runs. With NETLOFT_STATIC the
+# same sources go into the program under a symbol of their own.
+#
+# After find_package(netloft) it goes to the folder of the build, for any processor; NETLOFT_X86_64_V3 adds the other
+# build. `ctest` then asks `netloft test` about it, runs each of TESTS, and runs each of SCENES with it.
 include_guard(GLOBAL)
 
-set(NETLOFT_PLUGIN_MAP ${CMAKE_CURRENT_LIST_DIR}/plugin.map CACHE INTERNAL "exports one symbol")
-set(NETLOFT_PLUGIN_DIR ${CMAKE_BINARY_DIR}/lib/netloft CACHE INTERNAL "where plugins are built")
 set_property(GLOBAL PROPERTY NETLOFT_STATIC_PLUGINS "")
 
 function(netloft_add_plugin name)
+  cmake_parse_arguments(arg "" "" "TESTS;SCENES" ${ARGN})
+  if(NOT arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "netloft_add_plugin(${name}): name the sources of the plugin, such as ${name}.cpp")
+  endif()
   if(NETLOFT_STATIC)
-    add_library(netloft_plugin_${name} OBJECT ${ARGN})
-    netloft_plugin_flags(netloft_plugin_${name})
-    target_compile_definitions(netloft_plugin_${name} PRIVATE NETLOFT_PLUGIN_SYMBOL=netloft_plugin_v1_${name})
-    set_property(GLOBAL APPEND PROPERTY NETLOFT_STATIC_PLUGINS ${name})
+    netloft_add_static_plugin(${name} ${arg_UNPARSED_ARGUMENTS})
     return()
   endif()
-  netloft_add_module(${name} ${name} ${NETLOFT_PLUGIN_DIR} ${ARGN})
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    netloft_add_module(${name}_v3 ${name} ${NETLOFT_PLUGIN_DIR}/x86-64-v3 ${ARGN})
+  netloft_plugin_folder(folder)
+  netloft_add_module(${name} ${name} ${folder} ${arg_UNPARSED_ARGUMENTS})
+  if(NETLOFT_X86_64_V3 AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    netloft_add_module(${name}_v3 ${name} ${folder}/x86-64-v3 ${arg_UNPARSED_ARGUMENTS})
     target_compile_options(${name}_v3 PRIVATE -march=x86-64-v3)
     add_dependencies(${name} ${name}_v3)
   endif()
+  if(TARGET netloft::program)
+    netloft_add_plugin_tests(${name})
+  endif()
+endfunction()
+
+function(netloft_add_static_plugin name)
+  add_library(netloft_plugin_${name} OBJECT ${ARGN})
+  netloft_plugin_flags(netloft_plugin_${name})
+  target_compile_definitions(netloft_plugin_${name} PRIVATE NETLOFT_PLUGIN_SYMBOL=netloft_plugin_v1_${name})
+  set_property(GLOBAL APPEND PROPERTY NETLOFT_STATIC_PLUGINS ${name})
+endfunction()
+
+function(netloft_plugin_folder result)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR})
+  if(NETLOFT_PLUGIN_DIR)
+    set(folder ${NETLOFT_PLUGIN_DIR})
+  endif()
+  set(${result} ${folder} PARENT_SCOPE)
 endfunction()
 
 function(netloft_add_module target output folder)
   add_library(${target} MODULE ${ARGN})
   netloft_plugin_flags(${target})
-  target_link_options(${target} PRIVATE -Wl,-z,defs -Wl,--version-script=${NETLOFT_PLUGIN_MAP})
+  target_link_options(${target} PRIVATE -Wl,-z,defs -Wl,--version-script=${CMAKE_CURRENT_FUNCTION_LIST_DIR}/plugin.map)
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${output} LIBRARY_OUTPUT_DIRECTORY ${folder})
 endfunction()
 
+# Who names no build type wants a plugin that is fast.
 function(netloft_plugin_flags target)
   target_link_libraries(${target} PRIVATE netloft::plugin)
-  target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:>:-O2> -ffp-contract=off -fno-math-errno -fno-trapping-math)
   set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
+
+# What netloft_add_plugin was told after TESTS and SCENES stands in the caller's arg_TESTS and arg_SCENES.
+function(netloft_add_plugin_tests name)
+  add_test(NAME ${name}.conforms COMMAND netloft::program test $<TARGET_FILE:${name}>)
+  foreach(source IN LISTS arg_TESTS)
+    get_filename_component(stem ${source} NAME_WE)
+    add_executable(${stem} ${source})
+    target_link_libraries(${stem} PRIVATE netloft::plugin)
+    add_test(NAME ${name}.${stem} COMMAND ${stem})
+  endforeach()
+  foreach(scene IN LISTS arg_SCENES)
+    get_filename_component(stem ${scene} NAME_WE)
+    add_test(NAME ${name}.runs.${stem} COMMAND netloft::program run ${CMAKE_CURRENT_SOURCE_DIR}/${scene}
+             --plugins $<TARGET_FILE_DIR:${name}> -o ${CMAKE_CURRENT_BINARY_DIR}/${stem}.hdf)
+  endforeach()
 endfunction()

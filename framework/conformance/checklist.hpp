@@ -31,6 +31,15 @@ class Doubtful {
   std::vector<std::string> names_;
 };
 
+/// Names the check that is being made, from any thread, as long as it lives.
+class UnderWay {
+ public:
+  explicit UnderWay(const char* name);
+  ~UnderWay();
+  UnderWay(const UnderWay&) = delete;
+  UnderWay& operator=(const UnderWay&) = delete;
+};
+
 template <class Bench>
 CheckResult run(const Check<Bench>& check, Bench& bench, Doubtful& doubtful) {
   CheckResult r;
@@ -40,6 +49,7 @@ CheckResult run(const Check<Bench>& check, Bench& bench, Doubtful& doubtful) {
     r.skipped = true, r.detail = std::string("leans on ") + first;
     return r;
   }
+  const UnderWay under_way(check.name);
   Finding f = check.run(bench);
   r.passed = f.passed && !f.skipped, r.skipped = f.skipped;
   r.figure = f.figure, r.limit = f.limit, r.detail = std::move(f.detail);

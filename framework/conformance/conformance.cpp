@@ -4,6 +4,7 @@
 #include "framework/conformance/checklist.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace netloft {
 
@@ -215,6 +216,13 @@ std::string failures(const ConformanceReport& report) {
 
 namespace conformance {
 
+namespace {
+std::atomic<const char*> under_way = nullptr;
+}
+
+UnderWay::UnderWay(const char* name) { under_way = name; }
+UnderWay::~UnderWay() { under_way = nullptr; }
+
 Finding judged(const Worst& worst, const char* nothing_noted) {
   if (worst.count() == 0) return nothing_to_ask(nothing_noted);
   return {worst.figure() <= worst.limit(), false, worst.figure(), worst.limit(), worst.where()};
@@ -223,4 +231,7 @@ Finding judged(const Worst& worst, const char* nothing_noted) {
 Finding judged(const std::string& fault) { return fault.empty() ? Finding{} : failed(fault); }
 
 }  // namespace conformance
+
+const char* check_under_way() { return conformance::under_way; }
+
 }  // namespace netloft

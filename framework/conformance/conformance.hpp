@@ -3,6 +3,7 @@
 #include "framework/registry/descriptors.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -46,9 +47,19 @@ ConformanceReport check_element(const ElementType& type, const ConformanceOption
 /// The same of a hydrodynamic law. Its elements are 64 flows of each sampled set of parameters.
 ConformanceReport check_law(const LawType& type, const ConformanceOptions& options = {});
 
-/// Names of all checks, in the order they are made: of elements, of laws.
+/// The same of a solver, which is given small problems with known answers; see practice.hpp.
+ConformanceReport check_solver(const SolverType& type, const ConformanceOptions& options = {});
+
+/// The same of the file that a plugin came from.
+ConformanceReport check_file(const std::filesystem::path& file);
+
+/// The check that is being made, for those who must explain a crash; null between checks.
+const char* check_under_way();
+
+/// Names of all checks, in the order they are made: of elements, of laws, of solvers.
 std::vector<std::string> conformance_checks();
 std::vector<std::string> law_checks();
+std::vector<std::string> solver_checks();
 
 /// One line per failed check; empty when all passed.
 std::string failures(const ConformanceReport& report);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/library.hpp"
 
+#include "framework/registry/trial.hpp"
 #include "framework/registry/whole_file.hpp"
 
 #include <dlfcn.h>
@@ -103,6 +104,8 @@ PluginContent open_library(const std::filesystem::path& file) {
   if (!is_whole(file))
     throw PluginRefused(file.string() +
                         ": is not whole; it ends before its own header says. Copy or build it again");
+  if (const std::string fault = fault_on_trial(file); !fault.empty())
+    throw PluginRefused(file.string() + ": " + fault);
   void* handle = open_guarded(file);
   void* symbol = dlsym(handle, "netloft_plugin_v1");
   if (!symbol)

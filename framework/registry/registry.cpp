@@ -73,7 +73,7 @@ const typename Types::value_type& Registry::find(const Types& types, const std::
     names.push_back(t.type);
   }
   throw UnknownComponent("the plugin \"" + name + "\" has no " + what + " \"" + type + "\"" +
-                         suggestion(type, names));
+                         suggestion(type, names) + hidden(name));
 }
 
 const PluginContent& Registry::plugin(const std::string& name) {
@@ -94,6 +94,17 @@ const PluginContent& Registry::keep(PluginContent content) {
   auto& slot = opened_[owned->origin.name];
   if (!slot) slot = std::move(owned);
   return *slot;
+}
+
+/// Files of the same name further down the search path, which the opened one hides.
+std::string Registry::hidden(const std::string& name) const {
+  const auto at = opened_.find(name);
+  const std::string opened = at == opened_.end() ? "" : at->second->origin.file;
+  std::string text;
+  for (const auto& folder : folders_)
+    if (const auto file = best_build(folder, name); !file.empty() && file != opened)
+      text += "; " + opened + " hides " + file.string();
+  return text;
 }
 
 void Registry::not_found(const std::string& name) const {

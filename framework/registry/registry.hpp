@@ -45,6 +45,7 @@ class Registry {
   const typename Types::value_type& find(const Types& types, const std::string& type, const char* what,
                                          const std::string& plugin) const;
   const PluginContent& keep(PluginContent content);
+  std::string hidden(const std::string& name) const;
   [[noreturn]] void not_found(const std::string& name) const;
 
   std::vector<std::filesystem::path> folders_;

@@ -16,5 +16,7 @@ int schema_command(const Options& options);     // JSON schema of scenes
 int test_command(const Options& options);       // conformance of a plugin
 int compare_command(const Options& options);    // speed against error of solvers
 int stability_command(const Options& options);  // solvers on hard cases
+int new_command(const Options& options);        // write a plugin to begin with
+int reference_command(const Options& options);  // write reference pages
 
 }  // namespace netloft::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
+#include "io/cli/prefix.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -88,6 +89,46 @@ void add_stability_command(CLI::App& app, Options& o) {
   add_plugin_options(*command, o);
 }
 
+void add_author_commands(CLI::App& app, Options& o) {
+  auto* make =
+      app.add_subcommand("new", "write a plugin to begin with: it builds, passes its tests and runs");
+  make->add_option("KIND", o.kind, "what the plugin holds")
+      ->required()
+      ->check(CLI::IsMember({"element", "law", "solver"}));
+  make->add_option("NAME", o.target, "its name, such as otter_board; also that of the folder")->required();
+  auto* reference =
+      app.add_subcommand("reference", "write reference pages of all components, and the schema");
+  reference->add_option("FOLDER", o.target, "where to; made if it is not there")->required();
+  add_plugin_options(*reference, o);
+  app.add_flag_callback(
+      "--cflags", [] { throw CLI::CallForVersion(compiler_flags(), 0); },
+      "flags that compile a plugin: c++ $(netloft --cflags) otter.cpp -o otter.so");
+}
+
+void add_stability_command(CLI::App& app, Options& o) {
+  StabilityOptions& s = o.stability;
+  auto* command =
+      app.add_subcommand("stability", "run solvers on the suite of hard cases, and print how they did");
+  command->add_option("SUITE", s.suite, "folder of the suite; else tests/stability");
+  command->add_option("--solver", s.solvers, "solver, as run takes it; may be repeated")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]")
+      ->allow_extra_args(false);
+  command->add_option("--size", s.sizes, "about 200, 800 and 12000 unknowns; else small,medium")
+      ->check(CLI::IsMember({"small", "medium", "large"}))
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--case", s.pattern, "only cases whose name contains this")->type_name("TEXT");
+  command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases");
+  command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
+      ->check(CLI::Range(0.001, 1e6));
+  command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
+  command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
+  command->add_option("--threads", o.threads, "threads of the assembly; else one")
+      ->check(CLI::Range(1, 1024));
+  add_plugin_options(*command, o);
+}
+
 void add_commands(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
   add_scene_options(*run, o);
@@ -109,6 +150,7 @@ void add_commands(CLI::App& app, Options& o) {
   add_plugin_options(*test, o);
   add_compare_command(app, o);
   add_stability_command(app, o);
+  add_author_commands(app, o);
   app.require_subcommand(1);
 }
 
@@ -120,6 +162,8 @@ int dispatch(const Options& o) {
   if (o.command == "schema") return schema_command(o);
   if (o.command == "compare") return compare_command(o);
   if (o.command == "stability") return stability_command(o);
+  if (o.command == "new") return new_command(o);
+  if (o.command == "reference") return reference_command(o);
   return test_command(o);
 }
 

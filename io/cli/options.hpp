@@ -11,6 +11,7 @@ namespace netloft::io {
 /// The command line, taken apart.
 struct Options {
   std::string command;               // run, plan, list, describe, schema, test
+  std::string kind;                  // new: element, law, solver
   std::string target;                // scene, component or plugin
   std::string output;                // -o
   bool error = false;                // --error

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
+#include "io/cli/prefix.hpp"
 
 #include <cstdlib>
 #include <sstream>
@@ -11,11 +12,6 @@
 namespace netloft::io {
 
 namespace {
-
-std::filesystem::path program_folder() {
-  std::error_code none;
-  return std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
-}
 
 void add_from_environment(Registry& registry) {
   const char* folders = std::getenv("NETLOFT_PLUGINS");
@@ -39,7 +35,7 @@ void find_plugins(const Options& options, Registry& registry) {
 #ifdef NETLOFT_STATIC
   for (const auto& [name, describe] : static_plugins()) registry.add_builtin(name, describe);
 #endif
-  registry.add_folder(program_folder().parent_path() / "lib" / "netloft");
+  registry.add_folder(installed_prefix() / "lib" / "netloft");
 }
 
 }  // namespace netloft::io

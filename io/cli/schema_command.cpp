@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/parameters/parameters.hpp"
 #include "io/cli/commands.hpp"
+#include "io/cli/components.hpp"
 #include "io/scene/geometry.hpp"
 #include "io/scene/keys.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +13,6 @@
 namespace netloft::io {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json object() {
   return {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
@@ -246,49 +243,87 @@ Json results_schema() {
   return {{"type", "object"}, {"additionalProperties", entry}, {"description", "named scalars"}};
 }
 
+/// What a part may hold, by its type and by whether it stands on others, for two readers: `allOf` leads a
+/// checker to the one description that holds, so that it can name the wrong key; `anyOf`, which is always
+/// true, offers an editor all of them to complete from.
+class PartSchema {
+ public:
+  void add(const ElementType& e, const PluginContent& plugin) {
+    std::string name = e.type;
+    std::replace(name.begin(), name.end(), '/', '-');
+    definitions[name] = part_schema(e, plugin);
+    definitions[name + "-on"] = rider_schema(e, plugin);
+    types_.push_back(e.type);
+    offers_.push_back(reference(name)), offers_.push_back(reference(name + "-on"));
+    checks_.push_back(
+        {{"if", {{"properties", {{"type", {{"const", e.type}}}}}, {"required", {"type"}}}},
+         {"then",
+          {{"if", {{"required", {"on"}}}}, {"then", reference(name + "-on")}, {"else", reference(name)}}}});
+  }
+  Json schema() const {
+    return {{"type", "object"},
+            {"required", {"type"}},
+            {"properties", {{"type", {{"enum", types_}, {"description", "what the part is made of"}}}}},
+            {"allOf", checks_},
+            {"anyOf", offers_}};
+  }
+  Json definitions = Json::object();
+
+ private:
+  static Json reference(const std::string& name) { return {{"$ref", "#/$defs/" + name}}; }
+  Json types_ = Json::array(), checks_ = Json::array(), offers_ = {{{"type", "object"}}};
+};
+
+Json solver_schema(const SolverType& s) {
+  Json own = object();
+  own["description"] = s.solver.doc;
+  put_table(own, s.parameters);
+  return own;
+}
+
+Json include_schema() {
+  return {{"type", "array"},
+          {"items", {{"type", "string"}}},
+          {"description", "files laid down first, relative to this one"}};
+}
+
 }  // namespace
 
-int schema_command(const Options& options) {
-  Registry registry;
-  find_plugins(options, registry);
-  Json parts = Json::array(), analysis = object(), water = object();
+Json scene_schema(Registry& registry) {
+  PartSchema parts;
+  Json analysis = object(), water = object();
   put_table(water, water_keys());
   put(water, "current", current_schema(), false);
   put_table(analysis, analysis_keys());
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
-    for (const auto& e : plugin.elements) {
-      if (e.element.rides_on) continue;  // it comes with another
-      parts.push_back(part_schema(e, plugin));
-      parts.push_back(rider_schema(e, plugin));
-    }
-    for (const auto& s : plugin.solvers) {
-      Json own = object();
-      own["description"] = s.solver.doc;
-      put_table(own, s.parameters);
-      analysis["properties"][plugin.origin.name] = own;
-    }
+    for (const auto& e : plugin.elements)
+      if (!e.element.rides_on) parts.add(e, plugin);  // else it comes with another
+    for (const auto& s : plugin.solvers) analysis["properties"][plugin.origin.name] = solver_schema(s);
   }
   Json scene = object();
   scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   scene["title"] = "Netloft scene";
-  put(scene, "include",
-      {{"type", "array"},
-       {"items", {{"type", "string"}}},
-       {"description", "files laid down first, relative to this one"}},
-      false);
+  put(scene, "include", include_schema(), false);
   put(scene, "water", water, false);
   put(scene, "parts",
       {{"type", "object"},
        {"minProperties", 1},
-       {"additionalProperties", {{"oneOf", parts}}},
+       {"additionalProperties", parts.schema()},
        {"description", "the pieces of the gear"}},
       false);
   put(scene, "hold", hold_schema(), false);
   put(scene, "join", join_schema(), false);
   put(scene, "analysis", analysis, false);
   put(scene, "results", results_schema(), false);
-  std::puts(scene.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  scene["$defs"] = parts.definitions;
+  return scene;
+}
+
+int schema_command(const Options& options) {
+  Registry registry;
+  find_plugins(options, registry);
+  std::puts(scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
   return kDone;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/conformance/conformance.hpp"
 #include "io/cli/commands.hpp"
+#include "io/cli/last_words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,10 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What PLUGIN.so, "rope", "rope/bar" or "hydro/morison" stands for.
+/// What PLUGIN.so, "rope", "rope/bar", "hydro/morison" or "newton" stands for.
 struct Targets {
   std::vector<const ElementType*> elements;
   std::vector<const LawType*> laws;
+  std::vector<const SolverType*> solvers;
+  std::string file;  // where they came from; empty if compiled in
 };
 
 Targets find_targets(const std::string& target, Registry& registry) {
@@ -26,11 +29,15 @@ Targets find_targets(const std::string& target, Registry& registry) {
   const PluginContent& plugin =
       is_file ? registry.add_file(target) : registry.plugin(one ? target.substr(0, slash) : target);
   Targets found;
+  found.file = plugin.origin.file;
   for (const auto& e : plugin.elements)
     if (!one || e.type == target) found.elements.push_back(&e);
   for (const auto& l : plugin.laws)
     if (!one || l.type == target) found.laws.push_back(&l);
-  if (one && found.elements.empty() && found.laws.empty()) registry.element(target);  // says what there is
+  for (const auto& v : plugin.solvers)
+    if (!one || v.type == target) found.solvers.push_back(&v);
+  if (one && found.elements.empty() && found.laws.empty() && found.solvers.empty())
+    registry.element(target);  // says what there is
   return found;
 }
 
@@ -64,23 +71,33 @@ Json report_json(const ConformanceReport& report) {
   return {{"type", report.type}, {"passed", report.passed()}, {"checks", checks}, {"timings", timings}};
 }
 
+/// Checks all targets, and says what was found as it goes.
+std::vector<ConformanceReport> check_all(const Targets& found, bool aloud) {
+  std::vector<ConformanceReport> reports;
+  const auto check = [&](const std::string& type, auto&& make) {
+    explain_crashes_of(type);
+    reports.push_back(make());
+    if (aloud) print_report(reports.back());
+    std::fflush(stdout);
+  };
+  if (!found.file.empty()) check(found.file, [&] { return check_file(found.file); });
+  for (const auto* e : found.elements) check(e->type, [&] { return check_element(*e); });
+  for (const auto* l : found.laws) check(l->type, [&] { return check_law(*l); });
+  for (const auto* s : found.solvers) check(s->type, [&] { return check_solver(*s); });
+  return reports;
+}
+
 }  // namespace
 
 int test_command(const Options& options) {
   Registry registry;
   find_plugins(options, registry);
-  const Targets found = find_targets(options.target, registry);
-  std::vector<ConformanceReport> reports;
-  for (const auto* element : found.elements) reports.push_back(check_element(*element));
-  for (const auto* law : found.laws) reports.push_back(check_law(*law));
+  const auto reports = check_all(find_targets(options.target, registry), !options.json);
   const bool passed = std::all_of(reports.begin(), reports.end(), [](const auto& r) { return r.passed(); });
   if (options.json) {
     Json lines = Json::array();
     for (const auto& report : reports) lines.push_back(report_json(report));
     std::puts(Json{{"passed", passed}, {"elements", lines}}.dump(2).c_str());
-  } else {
-    for (const auto& report : reports) print_report(report);
-    if (reports.empty()) std::puts("there is no element and no law in this plugin to check");
   }
   return passed ? kDone : kOther;
 }

@@ -5,7 +5,8 @@ A keyword that is not known here is an error, so that the schema cannot outgrow 
 """
 import re
 
-ANNOTATIONS = {"$schema", "title", "description", "default"}
+ANNOTATIONS = {"$schema", "$defs", "title", "description", "default", "then", "else"}
+DEFINITIONS = {}  # of the schema that was asked last
 
 
 def is_type(value, name):
@@ -18,13 +19,15 @@ def faults(value, schema, path="scene"):
     """Sentences about what is wrong; none if the value is valid."""
     if isinstance(schema, bool):
         return [] if schema else [f"{path} is not allowed"]
+    if "$defs" in schema:
+        DEFINITIONS.update({f"#/$defs/{name}": one for name, one in schema["$defs"].items()})
     found = []
     for keyword, rule in schema.items():
         if keyword in ANNOTATIONS or keyword in ("properties", "additionalProperties"):
             continue
-        if keyword not in CHECKS:
+        if keyword not in CHECKS and keyword != "if":
             raise NotImplementedError(f"keyword {keyword}")
-        found += CHECKS[keyword](value, rule, path)
+        found += check_branch(value, rule, schema, path) if keyword == "if" else CHECKS[keyword](value, rule, path)
     return found + check_members(value, schema, path)
 
 
@@ -45,6 +48,12 @@ def applies(kind, rule):
                                              f"{path}: {value!r} against {limit!r}")
 
 
+def check_branch(value, condition, branches, path):
+    """`if` with the `then` and `else` beside it."""
+    chosen = "else" if faults(value, condition, path) else "then"
+    return faults(value, branches.get(chosen, True), path)
+
+
 CHECKS = {
     "type": lambda v, r, p: unless(is_type(v, r), f"{p} is no {r}"),
     "const": lambda v, r, p: unless(v == r, f"{p} is not {r!r}"),
@@ -60,6 +69,8 @@ CHECKS = {
     "minLength": applies(str, lambda v, r: len(v) >= r),
     "pattern": applies(str, lambda v, r: re.search(r, v) is not None),
     "items": lambda v, r, p: [f for i, x in enumerate(v) for f in faults(x, r, f"{p}[{i}]")] if isinstance(v, list) else [],
+    "$ref": lambda v, r, p: faults(v, DEFINITIONS[r], p),
+    "allOf": lambda v, r, p: [f for s in r for f in faults(v, s, p)],
     "anyOf": lambda v, r, p: unless(any(not faults(v, s, p) for s in r), f"{p} fits none"),
     "oneOf": lambda v, r, p: unless(sum(not faults(v, s, p) for s in r) == 1, f"{p} fits not exactly one"),
 }

@@ -30,7 +30,7 @@ def keys_of(schema):
         yield name
         if not of_plugins or name == "panel":
             yield from keys_of(member)
-    for inner in [schema.get("items"), schema.get("additionalProperties"), *schema.get("oneOf", []), *schema.get("anyOf", [])]:
+    for inner in [schema.get("items"), schema.get("additionalProperties"), *schema.get("anyOf", []), *schema.get("$defs", {}).values()]:
         if isinstance(inner, dict):
             yield from keys_of(inner)
 
@@ -67,6 +67,9 @@ class Schema(InFreshFolder):
         self.assertEqual(self.faults_of(rope.replace('"rope"\nr', '["rope"]\nr')), [])
         self.assertNotEqual(self.faults_of(rope + "cells = 3\n"), [])
 
+    def test_a_wrong_key_is_named(self):
+        self.assertEqual(self.faults_of(changed(GOOD, ("diameter", "diametre")))[:1], ["scene.parts.net.twine.diametre is not allowed"])
+
     def test_slips_do_not_fit(self):
         self.assertEqual(self.faults_of(GOOD), [])
         for old, new in (("tolerance", "tolerence"), ("[water]", "[watre]"), ("diameter", "diametre"), ('"10 kN"', "-5"),
@@ -91,8 +94,7 @@ class Schema(InFreshFolder):
                     yield f"{path}.{name}"
                 yield from undescribed(member, f"{path}.{name}")
                 yield from undescribed(member.get("items", {}), f"{path}.{name}")
-            for part in schema.get("additionalProperties", {}).get("oneOf", []) if isinstance(
-                    schema.get("additionalProperties"), dict) else []:
+            for part in schema.get("$defs", {}).values():
                 yield from undescribed(part, part["title"])
         self.assertEqual(list(undescribed(self.schema, "scene")), [])
 

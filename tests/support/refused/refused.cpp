@@ -32,7 +32,8 @@ enum Flaw {
   FLAW_throws,
   FLAW_many,
   FLAW_longer,
-  FLAW_older
+  FLAW_older,
+  FLAW_longer_and_newer
 };
 
 #define JOIN(a, b) a##b
@@ -85,7 +86,7 @@ struct Array {
 
 /// The size of a struct in a newer or older interface; `known` is where the older one ended.
 constexpr std::size_t step_of(std::size_t size, std::size_t known) {
-  return has(FLAW_longer) ? size + 24 : has(FLAW_older) ? known : size;
+  return has(FLAW_longer) || has(FLAW_longer_and_newer) ? size + 24 : has(FLAW_older) ? known : size;
 }
 
 netloft_parameter parameter(const char* name, std::size_t offset) {
@@ -138,7 +139,7 @@ const netloft_element* elements() {
 netloft_plugin plugin() {
   netloft_plugin p{};
   p.abi_major = NETLOFT_ABI_MAJOR + (has(FLAW_other_major) ? 1 : 0);
-  p.abi_minor = NETLOFT_ABI_MINOR + (has(FLAW_newer_minor) ? 1 : 0);
+  p.abi_minor = NETLOFT_ABI_MINOR + (has(FLAW_newer_minor) || has(FLAW_longer_and_newer) ? 1 : 0);
   p.flags = NETLOFT_BUILD_FLAGS;
   p.name = has(FLAW_wrong_name) ? "other" : TEXT_OF(FLAW);
   p.version = "1", p.doc = "a plugin", p.compiler = "";

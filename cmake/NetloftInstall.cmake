@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What `cmake --install` lays down. The folder may be moved: the program finds the rest from where it stands, and the
+# build folder has the same layout, so that find_package(netloft) and `netloft --cflags` work there, too.
+#
+#   bin/netloft   include/netloft/   lib/netloft/ (plugins)   lib/cmake/netloft/
+#   share/netloft/gear-library/   share/doc/netloft/ (guides, reference with the schema of scenes, licence)
+include(GNUInstallDirs)
+set(NETLOFT_CMAKE_DIR lib/cmake/netloft)
+
+set(netloft_UP ../../..)
+configure_file(cmake/netloftConfig.cmake.in ${PROJECT_BINARY_DIR}/${NETLOFT_CMAKE_DIR}/netloftConfig.cmake @ONLY)
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/${NETLOFT_CMAKE_DIR}/netloftConfigVersion.cmake
+                                 COMPATIBILITY SameMajorVersion)
+foreach(file NetloftPlugin.cmake plugin.map)
+  configure_file(cmake/${file} ${PROJECT_BINARY_DIR}/${NETLOFT_CMAKE_DIR}/${file} COPYONLY)
+endforeach()
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/framework/include ${PROJECT_BINARY_DIR}/include SYMBOLIC)
+
+# Reference pages come from the tables of the plugins as built.
+set(netloft_reference ${PROJECT_BINARY_DIR}/share/doc/netloft/reference)
+add_custom_command(OUTPUT ${netloft_reference}/index.md
+  COMMAND netloft reference ${netloft_reference}
+  DEPENDS netloft netloft_plugins VERBATIM)
+add_custom_target(netloft_reference ALL DEPENDS ${netloft_reference}/index.md)
+
+install(TARGETS netloft RUNTIME DESTINATION bin)
+if(NOT NETLOFT_STATIC)
+  install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft FILES_MATCHING PATTERN "*.so")
+endif()
+install(DIRECTORY framework/include/netloft DESTINATION include)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/${NETLOFT_CMAKE_DIR}/ DESTINATION ${NETLOFT_CMAKE_DIR})
+install(DIRECTORY gear-library DESTINATION share/netloft)
+install(DIRECTORY docs/guides DESTINATION share/doc/netloft)
+install(DIRECTORY ${netloft_reference} DESTINATION share/doc/netloft)
+install(FILES LICENSE DESTINATION share/doc/netloft RENAME copyright)
+install(FILES CHANGELOG.md DESTINATION share/doc/netloft)
+install(FILES io/scene/SCENE.md io/hdf5/LAYOUT.md DESTINATION share/doc/netloft)

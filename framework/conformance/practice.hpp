@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/plugin.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace netloft::conformance {
+
+/// What a practice problem is like, beyond a chain of springs.
+struct Practice {
+  double stiffening = 0;       // c [N/m³]
+  double wall = 0;             // where the energy becomes infinite, for every mass [m]; 0: nowhere
+  double swirl = 0;            // a force without an energy, s (u_{i+1} − u_{i−1}) [N/m]
+  bool no_factor = false;      // no matrix can be factorised
+  bool no_number = false;      // every evaluation away from the start overflows
+  int interrupted_after = -1;  // iterations after which the user says stop; -1: never
+  std::uint32_t unknowns = 12;
+};
+
+/// A problem small enough to be known in full, behind the same functions as a scene:
+///   E(u) = Σ k/2 e² + c/4 e⁴ − Σ f u − b Σ log(1 − u/w),  e = u_i − u_{i−1},  u_0 = 0     (1)
+///   r = ∂E/∂u + s (u_{i+1} − u_{i−1})                                                    (2)
+/// k = 100 N/m, f = 1 N, b = 0.1 J; c, w, s of Practice. Its energy is convex: there is one equilibrium. The
+/// metric is the stiffness k of the chain. It keeps books like the host of a scene.
+class PracticeProblem {
+ public:
+  explicit PracticeProblem(const Practice& like);
+
+  netloft_problem& interface() { return interface_; }
+  /// Largest residual over the load at u; infinite outside the wall.
+  double imbalance(const std::vector<double>& u) const;
+  const std::vector<double>& u() const { return u_; }
+  bool told_to_stop() const { return stopped_; }
+
+  int iterations = 0, evaluations = 0, factorisations = 0;
+  int evaluations_after_stop = 0;  // calls of `evaluate` after `progress` said no
+  double worst_report = 0;         // error of a residual given to `progress`, over the load
+  std::vector<double> reported;    // the last point given to `progress`
+
+ private:
+  using Matrix = std::vector<double>;  // n x n, row by row
+  double energy(const double* u) const;
+  std::vector<double> residual(const double* u, bool gradient_only) const;
+  Matrix tangent(const double* u) const;
+  Matrix shifted(int matrix, double shift) const;
+  bool is_inside(const double* u) const;
+  double stretch(const double* u, std::uint32_t i) const { return i ? u[i] - u[i - 1] : u[0]; }
+
+  int evaluate(std::uint32_t want, const double* u, double* energy, double* residual);
+  int factorise(int matrix, double shift);
+  int solve(const double* rhs, double* x) const;
+  int multiply(int matrix, double shift, const double* x, double* y) const;
+  int row_sums(int matrix, double shift, double* y) const;
+  int progress(const double* u, const double* residual);
+
+  template <auto Member, class... Args>
+  static int call(void* host, Args... args) {
+    return (static_cast<PracticeProblem*>(host)->*Member)(args...);
+  }
+
+  Practice like_;
+  std::uint32_t n_;
+  netloft_problem interface_{};
+  std::vector<double> u_;
+  Matrix matrix_, metric_, factor_;  // of the last evaluation, constant, last factorised
+  bool stopped_ = false;
+  char message_[256] = "";
+};
+
+}  // namespace netloft::conformance

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a solver promises: it finds the equilibria of problems that have one, ends when told to, reports what
+// is true, and says so when it cannot.
+#include "framework/conformance/checklist.hpp"
+#include "framework/conformance/practice.hpp"
+
+#include <chrono>
+#include <cstring>
+
+namespace netloft {
+
+namespace conformance {
+namespace {
+
+/// One solver with its defaults.
+struct SolverBench {
+  explicit SolverBench(const SolverType& t, const ConformanceOptions& o)
+      : type(t), threads_before(count_threads()), parameters(make(o)) {}
+
+  /// The outcome of a practice problem; a fault when something came out of the solver that must not.
+  int solve(PracticeProblem& problem) {
+    try {
+      return type.solver.solve(parameters.data(), &problem.interface());
+    } catch (...) {
+      thrown = "an exception came out of `solve`";
+      return NETLOFT_SOLVER_ERROR;
+    }
+  }
+  bool needs(std::uint32_t traits) const { return type.solver.needs & traits; }
+
+  const SolverType& type;
+  std::size_t threads_before;
+  std::vector<std::string> faults;
+  std::string thrown;
+  ParameterBlock parameters;
+
+ private:
+  ParameterBlock make(const ConformanceOptions& o) {
+    const Values sampled = ParameterSampler(type.parameters, o.seed).parameters(0);
+    Values required;
+    for (const auto& p : type.parameters)
+      if (p.flags & NETLOFT_REQUIRED) required[p.name] = sampled.at(p.name);
+    return ParameterBlock(type.parameters, type.solver.parameter_bytes, required, faults);
+  }
+};
+
+const Practice kLinear{};
+const Practice kStiffening{.stiffening = 1e5};
+const Practice kWalled{.wall = 0.3};
+const Practice kSwirling{.swirl = 5};
+const Practice kAll[] = {kLinear, kStiffening, kWalled};
+
+Finding solver_defaults_are_allowed(SolverBench& b) {
+  return judged(b.faults.empty() ? "" : b.faults.front());
+}
+
+Finding solver_lets_no_exception_escape(SolverBench& b) {
+  for (Practice p : kAll)
+    for (const bool hostile : {false, true}) {
+      p.no_factor = p.no_number = hostile;
+      PracticeProblem problem(p);
+      b.solve(problem);
+    }
+  return judged(b.thrown);
+}
+
+constexpr double kBalanced = 1e-9;
+
+Finding solves(SolverBench& b, const Practice& like) {
+  PracticeProblem problem(like);
+  const int outcome = b.solve(problem);
+  Finding f;
+  f.figure = problem.imbalance(problem.u()), f.limit = kBalanced;
+  f.passed = f.figure <= f.limit;
+  f.detail = "outcome " + std::to_string(outcome) + " after " + std::to_string(problem.iterations) +
+             " iterations, " + std::to_string(problem.evaluations) + " evaluations";
+  return f;
+}
+
+Finding solves_a_linear_problem(SolverBench& b) { return solves(b, kLinear); }
+Finding solves_a_stiffening_problem(SolverBench& b) { return solves(b, kStiffening); }
+Finding comes_back_from_outside(SolverBench& b) { return solves(b, kWalled); }
+
+Finding solves_without_an_energy(SolverBench& b) {
+  if (b.needs(NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC))
+    return nothing_to_ask("it says that it needs an energy or a symmetric tangent");
+  return solves(b, kSwirling);
+}
+
+Finding starts_at_the_answer(SolverBench& b) {
+  PracticeProblem first(kLinear), again(kLinear);
+  b.solve(first);
+  std::copy(first.u().begin(), first.u().end(), again.interface().u);
+  b.solve(again);
+  Finding f;
+  f.figure = again.iterations, f.limit = 1, f.passed = f.figure <= f.limit;
+  f.detail = "iterations from a point that is an equilibrium";
+  return f;
+}
+
+Finding stops_when_told(SolverBench& b) {
+  for (const int after : {1, 2}) {
+    Practice p = kStiffening;
+    p.interrupted_after = after;
+    PracticeProblem problem(p);
+    const int outcome = b.solve(problem);
+    if (problem.iterations < after) continue;  // it gave up or arrived by itself
+    if (problem.iterations > after || problem.evaluations_after_stop > 0)
+      return failed("went on for " + std::to_string(problem.iterations - after) + " iterations and " +
+                    std::to_string(problem.evaluations_after_stop) + " evaluations");
+    if (outcome != NETLOFT_STOPPED) return failed("returned outcome " + std::to_string(outcome));
+  }
+  return {};
+}
+
+Finding ends_where_it_reported(SolverBench& b) {
+  for (const auto& p : kAll) {
+    PracticeProblem problem(p);
+    if (b.solve(problem) == NETLOFT_STOPPED && problem.reported != problem.u())
+      return failed("`u` is not the last point that was given to `progress`");
+  }
+  return {};
+}
+
+Finding reports_what_is_true(SolverBench& b) {
+  Worst worst(1e-12);
+  for (const auto& p : kAll) {
+    PracticeProblem problem(p);
+    b.solve(problem);
+    if (problem.iterations > 0)
+      worst.note(problem.worst_report, [] { return "a residual given to `progress`"; });
+  }
+  return judged(worst, "it never says `progress`");
+}
+
+Finding says_progress(SolverBench& b) {
+  PracticeProblem problem(kLinear);
+  b.solve(problem);
+  return problem.iterations > 0 ? Finding{} : failed("ended without a single call of `progress`");
+}
+
+/// It must come back, and with the truth.
+Finding gives_up(SolverBench& b, const Practice& p, const char* where) {
+  PracticeProblem problem(p);
+  const int outcome = b.solve(problem);
+  if (outcome < NETLOFT_STOPPED || outcome > NETLOFT_SOLVER_ERROR)
+    return failed(std::string(where) + ": " + std::to_string(outcome) + " is no outcome");
+  if (outcome == NETLOFT_STOPPED && !problem.told_to_stop())
+    return failed(std::string(where) + ": says that it was stopped, and was not");
+  return {};
+}
+
+Finding gives_up_without_a_factor(SolverBench& b) {
+  return gives_up(b, {.no_factor = true}, "no matrix could be factorised");
+}
+Finding gives_up_when_numbers_overflow(SolverBench& b) {
+  return gives_up(b, {.no_number = true}, "numbers overflowed");
+}
+
+Finding solver_has_no_hidden_state(SolverBench& b) {
+  std::vector<double> first;
+  for (int round = 0; round < 2; ++round) {
+    PracticeProblem problem(kStiffening), other(kWalled);
+    b.solve(problem);
+    b.solve(other);
+    if (round == 0) first = problem.u();
+    if (std::memcmp(first.data(), problem.u().data(), first.size() * sizeof(double)) != 0)
+      return failed("solved twice, answers differ");
+  }
+  return {};
+}
+
+Finding solves_nothing(SolverBench& b) {
+  PracticeProblem problem({.unknowns = 0});
+  const int outcome = b.solve(problem);
+  return outcome == NETLOFT_STOPPED ? Finding{} : failed("returned outcome " + std::to_string(outcome));
+}
+
+Finding solver_starts_no_threads(SolverBench& b) {
+  if (b.threads_before == 0) return nothing_to_ask("this system does not show the threads of a program");
+  const std::size_t now = count_threads();
+  return now <= b.threads_before ? Finding{}
+                                 : failed(std::to_string(now - b.threads_before) + " more threads");
+}
+
+// Order matters: a check stands below those that it leans on.
+const std::vector<Check<SolverBench>>& solver_table() {
+  static const std::vector<Check<SolverBench>> checks = {
+      {"defaults-are-allowed",
+       solver_defaults_are_allowed,
+       {},
+       "a default must lie in the range that its own parameter allows"},
+      {"no-exception-escapes",
+       solver_lets_no_exception_escape,
+       {"defaults-are-allowed"},
+       "catch everything before it crosses the boundary; the layer of solver.hpp does"},
+      {"says-progress",
+       says_progress,
+       {"no-exception-escapes"},
+       "call `progress` once for every point you accept, the first one included"},
+      {"solves-a-linear-problem",
+       solves_a_linear_problem,
+       {"says-progress"},
+       "a chain of springs: is the sign of the step right? r is the gradient of the energy, minus the force"},
+      {"solves-a-stiffening-problem",
+       solves_a_stiffening_problem,
+       {"solves-a-linear-problem"},
+       "the matrix grows along the way: is a step that raises the energy taken back?"},
+      {"comes-back-from-outside",
+       comes_back_from_outside,
+       {"solves-a-linear-problem"},
+       "where `evaluate` says outside_domain there are no forces; try a shorter step"},
+      {"solves-without-an-energy",
+       solves_without_an_energy,
+       {"solves-a-linear-problem"},
+       "drag has no energy; if that is beyond the method, say needs(NETLOFT_CONSERVATIVE)"},
+      {"starts-at-the-answer",
+       starts_at_the_answer,
+       {"solves-a-linear-problem"},
+       "begin at `problem.u()`, and ask `progress` before the first step"},
+      {"stops-when-told",
+       stops_when_told,
+       {"says-progress"},
+       "when `progress` says no, return Outcome::stopped and evaluate nothing more"},
+      {"ends-where-it-reported",
+       ends_where_it_reported,
+       {"stops-when-told"},
+       "leave in `problem.u()` the point that was last given to `progress`"},
+      {"reports-what-is-true",
+       reports_what_is_true,
+       {"says-progress"},
+       "give `progress` the residual of that very point, not of the one before or of a trial"},
+      {"gives-up-without-a-factor",
+       gives_up_without_a_factor,
+       {"says-progress"},
+       "look at what `factorise` returns; Outcome::linear_solve says that it failed"},
+      {"gives-up-when-numbers-overflow",
+       gives_up_when_numbers_overflow,
+       {"says-progress"},
+       "bound the search for a step; Outcome::left_domain or step_too_short says that it failed"},
+      {"no-hidden-state",
+       solver_has_no_hidden_state,
+       {"says-progress"},
+       "no static or mutable variables: the same problem has the same answer, bit for bit"},
+      {"solves-nothing", solves_nothing, {"says-progress"}, "a scene may have no unknowns at all"},
+      {"starts-no-threads",
+       solver_starts_no_threads,
+       {},
+       "the host divides the work; a plugin that starts threads takes the processor from it"},
+  };
+  return checks;
+}
+
+/// The least of several repeats, over unknowns and iterations.
+TermTiming time_solving(SolverBench& b, const Practice& like, const char* name) {
+  using Clock = std::chrono::steady_clock;
+  double least = 1e300;
+  int iterations = 1;
+  for (int repeat = 0; repeat < 15; ++repeat) {
+    PracticeProblem problem(like);
+    const auto start = Clock::now();
+    b.solve(problem);
+    const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
+    iterations = std::max(problem.iterations, 1);
+    least = std::min(least, spent.count() / iterations / like.unknowns);
+  }
+  return {name, std::to_string(iterations) + " iterations, per iteration and unknown", least};
+}
+
+}  // namespace
+}  // namespace conformance
+
+ConformanceReport check_solver(const SolverType& type, const ConformanceOptions& options) {
+  using namespace conformance;
+  ConformanceReport report;
+  report.type = type.type;
+  SolverBench bench(type, options);
+  Doubtful doubtful;
+  for (const auto& check : solver_table()) report.checks.push_back(run(check, bench, doubtful));
+  if (options.timings && !doubtful.among({"says-progress"}))
+    report.timings = {time_solving(bench, kLinear, "linear problem"),
+                      time_solving(bench, kStiffening, "stiffening problem")};
+  return report;
+}
+
+std::vector<std::string> solver_checks() {
+  std::vector<std::string> names;
+  for (const auto& check : conformance::solver_table()) names.push_back(check.name);
+  return names;
+}
+
+}  // namespace netloft

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cli/components.hpp"
+
+#include "framework/parameters/parameters.hpp"
+#include "framework/scene/plan.hpp"
+#include "io/scene/geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace netloft::io {
+
+Json parameter_json(std::span<const netloft_parameter> table) {
+  Json rows = Json::array();
+  for (const auto& p : table)
+    rows.push_back({{"name", p.name},
+                    {"unit", p.unit},
+                    {"allowed", allowed(p)},
+                    {"default", default_of(p)},
+                    {"doc", p.doc}});
+  return rows;
+}
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+const char* stencil_name(std::uint32_t stencil) {
+  switch (stencil) {
+    case NETLOFT_NODE:
+      return "a node";
+    case NETLOFT_BAR:
+      return "two nodes of a line";
+    case NETLOFT_BAR_PAIR:
+      return "two neighbouring bars of a rope";
+    case NETLOFT_TRIANGLE_PAIR:
+      return "two triangles that share an edge";
+    default:
+      return "the three corners of a triangle";
+  }
+}
+
+void append_parameters(std::span<const netloft_parameter> table, Out out) {
+  for (const auto& p : table)
+    fmt::format_to(out, "  {:<24} {}\n  {:<24} {}, default {}\n", p.name, p.doc, "", allowed(p),
+                   p.flags & NETLOFT_REQUIRED ? "none: required" : default_of(p));
+}
+
+std::string element_text(const ElementType& e) {
+  std::string text;
+  const Out out = std::back_inserter(text);
+  fmt::format_to(out, "{}: {}\nan element on {}; plugin {} {} ({})\n\ngeometry\n", e.type, e.element.doc,
+                 stencil_name(e.element.stencil), e.origin->name, e.origin->version,
+                 e.origin->file.empty() ? "compiled in" : e.origin->file);
+  for (const auto& key : geometry_keys(layout_of(e))) fmt::format_to(out, "  {:<24} {}\n", key.name, key.doc);
+  fmt::format_to(out, "\nparameters\n");
+  append_parameters(e.parameters, out);
+  fmt::format_to(out, "\nterms\n");
+  for (const auto& t : e.terms)
+    fmt::format_to(out, "  {:<24} {} ({})\n", t.name, t.doc, describe_traits(t.traits));
+  if (!e.laws.empty()) fmt::format_to(out, "\nlaws\n");
+  for (const auto& l : e.laws) fmt::format_to(out, "  {:<24} {}, default {}\n", l.name, l.doc, l.fallback);
+  if (!e.outputs.empty()) fmt::format_to(out, "\noutputs\n");
+  for (const auto& o : e.outputs) fmt::format_to(out, "  {:<24} {} [{}]\n", o.name, o.doc, o.unit);
+  return text;
+}
+
+Json element_json(const ElementType& e) {
+  Json terms = Json::array(), outputs = Json::array(), data = Json::array(), geometry = Json::array(),
+       laws = Json::array();
+  for (const auto& key : geometry_keys(layout_of(e)))
+    geometry.push_back({{"name", key.name}, {"doc", key.doc}});
+  for (const auto& t : e.terms)
+    terms.push_back({{"name", t.name}, {"traits", describe_traits(t.traits)}, {"doc", t.doc}});
+  for (const auto& o : e.outputs) outputs.push_back({{"name", o.name}, {"unit", o.unit}, {"doc", o.doc}});
+  for (const auto& d : e.data)
+    data.push_back({{"name", d.name}, {"unit", d.unit}, {"width", d.width}, {"doc", d.doc}});
+  for (const auto& l : e.laws)
+    laws.push_back({{"name", l.name}, {"default", l.fallback ? l.fallback : ""}, {"doc", l.doc}});
+  return {{"type", e.type},
+          {"kind", "element"},
+          {"doc", e.element.doc},
+          {"stands_on", stencil_name(e.element.stencil)},
+          {"geometry", geometry},
+          {"parameters", parameter_json(e.parameters)},
+          {"data", data},
+          {"laws", laws},
+          {"terms", terms},
+          {"outputs", outputs},
+          {"plugin", e.origin->file},
+          {"version", e.origin->version}};
+}
+
+std::string solver_text(const SolverType& s) {
+  std::string text;
+  const Out out = std::back_inserter(text);
+  fmt::format_to(out, "{}: {}\na solver; plugin {} {} ({})\n\nparameters (in the table analysis.{})\n",
+                 s.type, s.solver.doc, s.origin->name, s.origin->version,
+                 s.origin->file.empty() ? "compiled in" : s.origin->file, s.origin->name);
+  append_parameters(s.parameters, out);
+  return text;
+}
+
+Json solver_json(const SolverType& s) {
+  return {{"type", s.type},           {"kind", "solver"},
+          {"doc", s.solver.doc},      {"parameters", parameter_json(s.parameters)},
+          {"plugin", s.origin->file}, {"version", s.origin->version}};
+}
+
+std::string law_text(const LawType& l) {
+  std::string text;
+  const Out out = std::back_inserter(text);
+  fmt::format_to(
+      out, "{}: {}\na law for {}; plugin {} {} ({})\n\nparameters (beside `law` in the slot's table)\n",
+      l.type, l.law.doc, l.law.kind == NETLOFT_TWINE_LAW ? "twines and ropes" : "netting as a screen",
+      l.origin->name, l.origin->version, l.origin->file.empty() ? "compiled in" : l.origin->file);
+  append_parameters(l.parameters, out);
+  return text;
+}
+
+Json law_json(const LawType& l) {
+  return {{"type", l.type},
+          {"kind", "law"},
+          {"doc", l.law.doc},
+          {"for", l.law.kind == NETLOFT_TWINE_LAW ? "twine" : "screen"},
+          {"parameters", parameter_json(l.parameters)},
+          {"plugin", l.origin->file},
+          {"version", l.origin->version}};
+}
+
+}  // namespace
+
+std::string parameter_text(std::span<const netloft_parameter> table) {
+  std::string text;
+  append_parameters(table, std::back_inserter(text));
+  return text;
+}
+
+std::vector<Component> components_of(const PluginContent& plugin) {
+  std::vector<Component> all;
+  for (const auto& e : plugin.elements)
+    all.push_back({e.type, "element", e.element.doc, [&e] { return element_text(e); },
+                   [&e] { return element_json(e); }});
+  for (const auto& l : plugin.laws)
+    all.push_back({l.type, "law", l.law.doc, [&l] { return law_text(l); }, [&l] { return law_json(l); }});
+  for (const auto& s : plugin.solvers)
+    all.push_back(
+        {s.type, "solver", s.solver.doc, [&s] { return solver_text(s); }, [&s] { return solver_json(s); }});
+  return all;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/registry.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+using Json = nlohmann::ordered_json;
+
+/// One component, whatever its kind, as a row of `list`, as a page and as JSON.
+struct Component {
+  std::string type, kind, doc;
+  std::function<std::string()> text;
+  std::function<Json()> json;
+};
+
+std::vector<Component> components_of(const PluginContent& plugin);
+
+/// Rows of a parameter table.
+Json parameter_json(std::span<const netloft_parameter> table);
+std::string parameter_text(std::span<const netloft_parameter> table);
+
+/// JSON schema of scene files, from the tables of all plugins that can be found.
+Json scene_schema(Registry& registry);
+
+}  // namespace netloft::io

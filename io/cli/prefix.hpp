@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace netloft::io {
+
+/// The folder that holds bin/netloft, lib/netloft and include/netloft, wherever it was moved. The build
+/// folder is laid out in the same way.
+std::filesystem::path installed_prefix();
+
+/// What to say to a C++ compiler between its name and the sources: `c++ $(netloft --cflags) otter.cpp -o
+/// otter.so`.
+std::string compiler_flags();
+
+}  // namespace netloft::io

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""From nothing to a tested, running plugin, with an installation and nothing else: the promises of the README in numbers."""
+import json
+import resource
+import unittest
+
+from installed import WithInstallation, code_lines
+
+CLOSED_FORMS = {"element": ("end_z", -3.0, 1e-6), "law": ("end_x", 5.0, 1e-3), "solver": ("horizontal_tension", 2.99708988, 5e-4)}
+
+
+def seconds_of_children():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+class Hour(WithInstallation):
+    def answer(self, command, kind):
+        name, value, within = CLOSED_FORMS[kind]
+        result = json.loads(self.sh(command + " --json").out)
+        found = next(r for r in result["results"] if r["name"] == name) if isinstance(result["results"], list) else result["results"][name]
+        self.assertAlmostEqual(found["value"] if isinstance(found, dict) else found, value, delta=within)
+
+    def test_four_commands_with_cmake(self):
+        for kind in CLOSED_FORMS:
+            with self.subTest(kind):
+                begin = seconds_of_children()
+                self.sh(f"netloft new {kind} otter_{kind}")
+                self.sh(f"cmake -S otter_{kind} -B b_{kind}")
+                self.sh(f"cmake --build b_{kind}")
+                tested = self.sh(f"ctest --test-dir b_{kind}")
+                self.assertIn("100% tests passed, 0 tests failed out of 3", tested.out)
+                self.assertLess(seconds_of_children() - begin, 10)
+                self.answer(f"netloft run otter_{kind}/otter_{kind}.toml --plugins b_{kind}", kind)
+
+    def test_four_commands_without_cmake(self):
+        for kind in CLOSED_FORMS:
+            with self.subTest(kind):
+                name = f"board_{kind}"
+                self.sh(f"netloft new {kind} {name}")
+                self.sh(f"c++ $(netloft --cflags) {name}/{name}.cpp -o {name}.so")
+                self.assertIn(f"{name}/{name}: conforms", self.sh(f"netloft test {name}.so").out)
+                self.answer(f"netloft run {name}/{name}.toml --plugins .", kind)
+
+    def test_the_author_writes_little(self):
+        self.sh("netloft new element otter")
+        self.assertLessEqual(len(code_lines(self.folder / "otter" / "otter.cpp")), 30)
+        self.assertLessEqual(len(code_lines(self.folder / "otter" / "CMakeLists.txt")), 4)
+        self.assertEqual(sorted(p.name for p in (self.folder / "otter").iterdir()),
+                         ["CMakeLists.txt", "README.md", "otter.cpp", "otter.toml", "otter_test.cpp"])
+
+    def test_nothing_is_left_of_the_template(self):
+        self.sh("netloft new solver steepest_descent")
+        for file in (self.folder / "steepest_descent").iterdir():
+            for left in ("my_solver", "MySolver", "SPDX", "/work", "~~~"):
+                self.assertNotIn(left, file.name + file.read_text())
+
+    def test_wrong_names_are_refused_with_the_reason(self):
+        self.write("there", "")
+        for name, why in (("rope", "there is a plugin of that name"), ("Otter", "small letters"), ("2nd", "small letters"),
+                          ("a/b", "small letters"), ("", "small letters"), ("x" * 41, "40 at most"), ("test", "has a meaning"),
+                          ("there", "there is something of that name")):
+            with self.subTest(name):
+                ended = self.sh(f"netloft new element '{name}'", expect=2)
+                self.assertIn(why, ended.err)
+        self.assertIn("element", self.sh("netloft new boat otter", expect=2).err)
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["there"])
+
+    def test_a_plugin_for_this_processor_is_built_on_request(self):
+        self.sh("netloft new law otter")
+        self.sh("cmake -S otter -B build -DNETLOFT_X86_64_V3=ON && cmake --build build")
+        self.assertTrue((self.folder / "build" / "otter.so").exists())
+        if "x86_64" in self.sh("uname -m").out:
+            self.assertTrue((self.folder / "build" / "x86-64-v3" / "otter.so").exists())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Debian package: what is in it, what it depends on, and the hour of an author who has unpacked it and nothing else."""
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from installed import BUILD, CMAKE, Installation, WithInstallation, have
+
+CPACK = str(Path(CMAKE).parent / "cpack") if "/" in CMAKE else "cpack"
+HOLDS = ("usr/bin/netloft", "usr/lib/netloft/rope.so", "usr/lib/netloft/newton.so", "usr/include/netloft/plugin.h",
+         "usr/include/netloft/element.hpp", "usr/include/netloft/solver.hpp", "usr/lib/cmake/netloft/netloftConfig.cmake",
+         "usr/lib/cmake/netloft/plugin.map", "usr/share/netloft/gear-library/scenes/hanging-rope.toml",
+         "usr/share/doc/netloft/guides/element.md", "usr/share/doc/netloft/guides/law.md", "usr/share/doc/netloft/guides/solver.md",
+         "usr/share/doc/netloft/reference/rope-bar.md", "usr/share/doc/netloft/reference/rope-bar.html",
+         "usr/share/doc/netloft/reference/scene.schema.json", "usr/share/doc/netloft/copyright")
+
+
+class Unpacked(Installation):
+    """`dpkg -x` into a fresh folder."""
+
+    def __init__(self, folder):
+        subprocess.run([CPACK, "-G", "DEB", "-B", folder], cwd=BUILD, check=True, stdout=subprocess.DEVNULL)
+        self.package = next(folder.glob("*.deb"))
+        subprocess.run(["dpkg", "-x", self.package, folder / "root"], check=True)
+        self.prefix = folder / "root" / "usr"
+
+
+class Package(WithInstallation):
+    @classmethod
+    def lay_down(cls, folder):
+        return Unpacked(folder)
+
+    def field(self, name):
+        return subprocess.run(["dpkg-deb", "-f", self.installed.package, name], check=True, capture_output=True, text=True).stdout.strip()
+
+    def test_holds_what_it_should(self):
+        root = self.installed.prefix.parent
+        self.assertEqual([name for name in HOLDS if not (root / name).is_file()], [])
+        strange = [p for p in root.rglob("*") if p.is_symlink() or "test" in p.name.lower() and "CMake" not in p.name]
+        self.assertEqual(strange, [])
+
+    def test_depends_on_the_libraries_it_is_linked_to(self):
+        depends = self.field("Depends")
+        for library in ("libc6 (>=", "libstdc++6 (>=", "libcholmod", "libumfpack", "libhdf5"):
+            self.assertIn(library, depends)
+        self.assertEqual(self.field("Package"), "netloft")
+
+    def test_names_no_folder_of_the_machine_it_was_built_on(self):
+        for file in self.installed.prefix.rglob("*"):
+            if file.is_file() and file.suffix in (".cmake", ".map", ".md", ".html", ".toml", ".json", ".h", ".hpp"):
+                self.assertNotIn(str(BUILD).encode(), file.read_bytes(), file)
+
+    def test_an_author_needs_nothing_else(self):
+        self.sh("netloft new element otter")
+        self.sh("cmake -S otter -B b && cmake --build b")
+        self.sh("ctest --test-dir b --output-on-failure")
+        self.sh("netloft run otter/otter.toml --plugins b")
+        self.sh("netloft run $(dirname $(dirname $(which netloft)))/share/netloft/gear-library/scenes/hanging-rope.toml")
+
+
+if __name__ == "__main__":
+    if not (have("dpkg-deb") and have("dpkg-shlibdeps")):
+        print("skipped: there is no dpkg-deb or no dpkg-shlibdeps")
+        sys.exit(77)
+    unittest.main(verbosity=2)
