@@ -29,7 +29,10 @@ std::optional<ReferenceAnswer> solve_for_reference(const CaseSource& source, Reg
 
 }  // namespace
 
-std::string plugin_of(const Method& method) { return method.word.substr(0, method.word.find_first_of(":/")); }
+std::string plugin_of(const Method& method) {
+  const std::string name = method.word.substr(0, method.word.find_first_of(":/"));
+  return name == "auto" ? "newton" : name;
+}
 
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted) {

@@ -21,7 +21,8 @@ struct ReferenceAnswer {
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted);
 
-/// The plugin of a method: "newton" of "newton:method=classic".
+/// The plugin of a method: "newton" of "newton:method=classic", and of "auto", which is newton with
+/// continuation.
 std::string plugin_of(const Method& method);
 
 /// The answers of reference solvers to one scene, each found when first asked for.

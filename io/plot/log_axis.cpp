@@ -55,12 +55,13 @@ void LogAxis::find_ticks(int most_labels) {
   const int first = decade_below(low_), last = decade_below(high_);
   const int whole = decade_below(high_) - static_cast<int>(std::ceil(std::log10(low_) - kSlack)) + 1;
   const int stride = label_stride(whole, most_labels);
-  const bool few = whole < 2, subdivided = last - first <= kMostSubdivided;
+  labels_powers_ = whole >= 2;
+  const bool subdivided = last - first <= kMostSubdivided;
   for (int exponent = first; exponent <= last; ++exponent)
     for (int step = 1; step <= (subdivided ? 9 : 1); ++step) {
       const double value = step * power_of_ten(exponent);
       if (value < low_ * (1 - kSlack) || value > high_ * (1 + kSlack)) continue;
-      const bool labelled = step == 1 ? exponent % stride == 0 : few && (step == 2 || step == 5);
+      const bool labelled = step == 1 ? exponent % stride == 0 : !labels_powers_ && (step == 2 || step == 5);
       ticks_.push_back({value, labelled});
     }
 }

@@ -25,12 +25,15 @@ class LogAxis {
   /// 0 at the low end, 1 at the high one; `value` > 0.
   double place(double value) const;
   const std::vector<Tick>& ticks() const { return ticks_; }
+  /// Whether only powers of ten have a label.
+  bool labels_powers() const { return labels_powers_; }
 
  private:
   void find_ends(std::span<const double> values);
   void find_ticks(int most_labels);
 
   double low_ = 1, high_ = 10;
+  bool labels_powers_ = true;
   std::vector<Tick> ticks_;
 };
 

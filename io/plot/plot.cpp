@@ -70,9 +70,12 @@ class Drawing {
           picture_.line({kLeft, y(tick.value)}, {right(), y(tick.value)}, grid, 0.6);
     }
     for (const auto& tick : x_.ticks())
-      if (tick.labelled) picture_.number({x(tick.value), bottom() + 13}, tick.value, kText, Anchor::middle);
+      if (tick.labelled)
+        picture_.number({x(tick.value), bottom() + 13}, tick.value, x_.labels_powers(), kText,
+                        Anchor::middle);
     for (const auto& tick : y_.ticks())
-      if (tick.labelled) picture_.number({kLeft - 5, y(tick.value) + 3.5}, tick.value, kText, Anchor::end);
+      if (tick.labelled)
+        picture_.number({kLeft - 5, y(tick.value) + 3.5}, tick.value, y_.labels_powers(), kText, Anchor::end);
   }
 
   void draw_frame() {

@@ -133,13 +133,12 @@ void SvgPicture::rotated_text(PicturePoint at, const std::string& text, double s
         fmt::format("{} transform=\"rotate(-90 {})\"", rim, pair(at)));
 }
 
-void SvgPicture::number(PicturePoint at, double value, double size, Anchor anchor) {
-  const double exponent = std::log10(value), whole = std::round(exponent);
+void SvgPicture::number(PicturePoint at, double value, bool as_power, double size, Anchor anchor) {
+  const double exponent = std::round(std::log10(value));
   const std::string markup =
-      std::abs(exponent - whole) > 1e-9
-          ? fmt::format("{:g}", value)
-          : fmt::format("10<tspan dy=\"{}\" font-size=\"{}\">{}{}</tspan>", -0.38 * size, 0.72 * size,
-                        whole < 0 ? "\u2212" : "", std::abs(whole));
+      as_power ? fmt::format("10<tspan dy=\"{}\" font-size=\"{}\">{}{}</tspan>", -0.38 * size, 0.72 * size,
+                             exponent < 0 ? "\u2212" : "", std::abs(exponent))
+               : fmt::format("{:g}", value);
   words(at, markup, size, "#222222", anchor);
 }
 

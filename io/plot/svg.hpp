@@ -23,8 +23,8 @@ class SvgPicture {
   /// Read from below; `halo`: with a white rim, so that lines behind do not disturb it.
   void rotated_text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor,
                     bool halo = false);
-  /// A tick's number: 10⁻³ as a power of ten, 0.02 as it is written.
-  void number(PicturePoint at, double value, double size, Anchor anchor);
+  /// A tick's number, as a power of ten (10⁻³) or as it is written (0.02).
+  void number(PicturePoint at, double value, bool as_power, double size, Anchor anchor);
 
   /// The whole file, on white ground.
   std::string finish(double width, double height) const;

@@ -20,6 +20,7 @@ TEST(Reference, ComesFromAnotherSolver) {
   EXPECT_EQ(asked("lbfgs:memory=20", kAll).front(), "newton");
   EXPECT_EQ(asked("newton", kAll).front(), "ptc");
   EXPECT_EQ(asked("newton/newton:method=classic", kAll).front(), "ptc");
+  EXPECT_EQ(asked("auto", kAll).front(), "ptc");  // newton at work, over easier scenes
 }
 
 TEST(Reference, ComesFromTheOwnPluginOnlyWhenThereIsNoOther) {

@@ -106,10 +106,19 @@ TEST(Plot, MakesAPageThatNeedsNoOtherFile) {
   for (const char* link : {"src=", "href=", "@import", "url("}) EXPECT_EQ(count(page, link), 0u) << link;
 }
 
+TEST(Plot, WritesTicksOfOneAxisInOneManner) {
+  LogLogPlot plot;
+  plot.series = {{"s", {{1e-6, 0.03}, {1, 0.4}}}};  // many decades across, little more than one upwards
+  const std::string svg = draw_svg(plot);
+  for (const char* label : {">0.05<", ">0.1<", ">0.2<", ">\u22124<"})
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  EXPECT_EQ(svg.find(">\u22121<"), std::string::npos);
+}
+
 TEST(SvgPicture, WritesPowersOfTenAsSuch) {
   SvgPicture picture;
-  picture.number({0, 0}, 1e-3, 10, Anchor::end);
-  picture.number({0, 0}, 0.2, 10, Anchor::end);
+  picture.number({0, 0}, 1e-3, true, 10, Anchor::end);
+  picture.number({0, 0}, 0.2, false, 10, Anchor::end);
   const std::string svg = picture.finish(10, 10);
   EXPECT_NE(svg.find(">\u22123</tspan>"), std::string::npos) << svg;
   EXPECT_NE(svg.find(">0.2</text>"), std::string::npos) << svg;
