@@ -32,7 +32,8 @@ std::vector<StabilityColumn> wanted_columns(const StabilitySuite& suite, const S
 bool is_there(const StabilityColumn& column, Registry& registry, bool asked_for) {
   try {
     solver_overrides(column.word);
-    registry.solver(column.word.substr(0, column.word.find(':')));
+    const std::string name = column.word.substr(0, column.word.find(':'));
+    if (name != "auto") registry.solver(name);
     return true;
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};

@@ -21,10 +21,15 @@ double distance_from(const Reference& reference, const std::vector<double>& x) {
   return largest / reference.size;
 }
 
-/// Energies are a part of this: their own amount, or the work of the largest load across the gear [J].
-double energy_scale(const Reference& reference) {
-  return std::max(
-      {std::abs(reference.energy), reference.load * reference.size, std::numeric_limits<double>::min()});
+/// Of the box round all nodes; 1 where there is none.
+double diagonal(const std::vector<double>& x) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+    for (std::size_t d = axis; d < x.size(); d += 3) lo = std::min(lo, x[d]), hi = std::max(hi, x[d]);
+    if (hi > lo) sum += (hi - lo) * (hi - lo);
+  }
+  return sum > 0 ? std::sqrt(sum) : 1;
 }
 
 bool claims_success(const Solution& s) { return s.status == SolveStatus::converged; }
@@ -34,31 +39,42 @@ Where judge_failure(const Ended& ended, Expected expected) {
   return ended.solution.status == SolveStatus::unstable ? Where::unstable : Where::failed;
 }
 
+/// A solver that stops at its tolerance is as near as that; a unique answer is wanted closer.
+Where judge_precision(const Verdict& v, Expected expected) {
+  return expected == Expected::unique && v.distance > kSamePlace ? Where::near : Where::reference;
+}
+
 Where judge_place(const StabilityCase& c, const Verdict& v, bool conservative) {
-  const bool same_energy = std::abs(v.gap) <= kSameEnergy;
-  const bool same_place = v.distance <= kSamePlace;
-  if (!conservative)
-    return same_place ? Where::reference : c.expected == Expected::unique ? Where::wrong : Where::another;
-  if (same_energy && (same_place || c.neutral)) return Where::reference;
-  if (v.gap < -kSameEnergy) return Where::lower;
+  const bool same_energy = !conservative || std::abs(v.gap) <= kSameEnergy;
+  if (same_energy && c.neutral) return Where::reference;
+  if (same_energy && v.distance <= kSameShape) return judge_precision(v, c.expected);
+  if (conservative && v.gap < -kSameEnergy) return Where::lower;
   if (c.expected == Expected::unique) return Where::wrong;
   return same_energy ? Where::another : Where::higher;
 }
 
 }  // namespace
 
+double energy_noise(const Reference& r, const Solution& s) {
+  const double rounding = std::max(r.noise, s.balance.floor * r.size);
+  return std::max({kSameEnergy * std::abs(r.energy), kSameEnergy * r.load * r.size, rounding,
+                   std::numeric_limits<double>::min()});
+}
+
 Verdict judge(const StabilityCase& c, const std::optional<Reference>& reference, const Ended& ended) {
   Verdict v;
   const Solution& s = ended.solution;
-  if (reference && !s.x.empty()) {
-    v.distance = distance_from(*reference, s.x);
-    v.gap = (s.energy - reference->energy) / energy_scale(*reference);
+  if (reference && !ended.positions.empty()) {
+    v.distance = distance_from(*reference, ended.positions);
+    v.gap = (s.energy - reference->energy) * kSameEnergy / energy_noise(*reference, s);
   }
-  if (!claims_success(s))
+  if (ended.unfit)
+    v.where = Where::unfit;
+  else if (!claims_success(s))
     v.where = judge_failure(ended, c.expected);
   else if (c.expected == Expected::none)
     v.where = Where::lied;
-  else if (s.stability == Stability::unstable)
+  else if (s.stability == Stability::unstable || ended.grows)
     v.where = Where::wrong;
   else
     v.where = reference ? judge_place(c, v, ended.conservative) : Where::another;
@@ -75,6 +91,8 @@ const char* name_of(Where where) {
   switch (where) {
     case Where::reference:
       return "reference";
+    case Where::near:
+      return "near";
     case Where::lower:
       return "lower";
     case Where::another:
@@ -91,6 +109,8 @@ const char* name_of(Where where) {
       return "late";
     case Where::lied:
       return "lied";
+    case Where::unfit:
+      return "unfit";
     case Where::not_run:
       return "not run";
     default:
@@ -98,19 +118,14 @@ const char* name_of(Where where) {
   }
 }
 
-Reference make_reference(const Solution& s, std::size_t unknowns, std::string found_by) {
-  Reference r{unknowns, s.energy, 1, s.balance.scale, {}, std::move(found_by)};
-  const std::size_t nodes = s.x.size() / 3, step = std::max<std::size_t>(1, nodes / kNodesKept);
-  std::array<double, 3> lo{}, hi{};
-  for (std::size_t n = 0; n < nodes; ++n)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double v = s.x[3 * n + i];
-      lo[i] = n ? std::min(lo[i], v) : v, hi[i] = n ? std::max(hi[i], v) : v;
-    }
-  const double diagonal = std::hypot(hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]);
-  if (diagonal > 0) r.size = diagonal;
+Reference make_reference(const Ended& ended, std::string found_by) {
+  const std::vector<double>& x = ended.positions;
+  const Balance& b = ended.solution.balance;
+  Reference r{ended.unknowns, ended.solution.energy, diagonal(x), b.scale, 0, {}, std::move(found_by)};
+  r.noise = b.floor * r.size;
+  const std::size_t nodes = x.size() / 3, step = std::max<std::size_t>(1, nodes / kNodesKept);
   for (std::size_t n = step / 2; n < nodes; n += step)
-    r.nodes.push_back({static_cast<std::uint32_t>(n), {s.x[3 * n], s.x[3 * n + 1], s.x[3 * n + 2]}});
+    r.nodes.push_back({static_cast<std::uint32_t>(n), {x[3 * n], x[3 * n + 1], x[3 * n + 2]}});
   return r;
 }
 

@@ -18,6 +18,7 @@ struct Reference {
   double energy = 0;  // [J]
   double size = 1;    // diagonal of the box round all nodes [m]
   double load = 0;    // largest nodal load [N]
+  double noise = 0;   // what rounding of the positions is worth in energy [J]
   std::vector<Node> nodes;
   std::string found_by;  // "newton from the sketch"
 };
@@ -26,6 +27,7 @@ struct Reference {
 enum class Where {
   reference,  // at the best answer known
   lower,      // stable, of less energy than that
+  near,       // there, but less closely than a unique answer is wanted
   another,    // stable or of unknown stability, elsewhere, at no more energy
   higher,     // stable, at more energy: a shape of the gear, but not the best
   wrong,      // says it has arrived, and is not where the only answer is
@@ -35,22 +37,31 @@ enum class Where {
   late,       // the same, but only because its time was up
   lied,       // there is no equilibrium, and it says that it has arrived
   not_run,    // the case could not be set up
+  unfit,      // the solver is not made for such a problem: it wants an energy
 };
 
 struct Verdict {
   Where where = Where::failed;
   double distance = 0;  // from the reference, over its size; of the nodes that it knows
-  double gap = 0;       // energy above the reference, over what energies are a part of
+  double gap = 0;       // energy above the reference: kSameEnergy of it is the noise
 };
 
-/// The same place: this close in position (over size) and in energy.
-inline constexpr double kSamePlace = 1e-8, kSameEnergy = 1e-9;
+/// The same energy; the same shape, and a unique answer found: this close in position, over size.
+inline constexpr double kSameEnergy = 1e-9, kSameShape = 1e-5, kSamePlace = 1e-8;
+
+/// Energies that differ by less are the same [J]: a part of their own amount, or of the work of the largest
+/// load across the gear; where there is neither, what rounding of the positions is worth.
+double energy_noise(const Reference& reference, const Solution& solution);
 
 /// What of a solution there is to judge by; independent of what the solver says of itself.
 struct Ended {
-  const Solution& solution;
-  bool conservative;  // energies tell which of two places is the better one
-  bool out_of_time;
+  Solution solution;
+  std::vector<double> positions;  // of all nodes [m]
+  std::size_t unknowns = 0;
+  bool conservative = true;  // energies tell which of two places is the better one
+  bool out_of_time = false;
+  bool unfit = false;  // the solver needs what the problem does not have
+  bool grows = false;  // a small disturbance does, where forces have no energy: growth.hpp
 };
 
 /// `reference` may be missing: then nothing can be said but whether it is balanced.
@@ -62,6 +73,6 @@ bool is_lie(Where where);      // success was claimed where there was none
 const char* name_of(Where where);
 
 /// Reference out of a solution.
-Reference make_reference(const Solution& solution, std::size_t unknowns, std::string found_by);
+Reference make_reference(const Ended& ended, std::string found_by);
 
 }  // namespace netloft::io

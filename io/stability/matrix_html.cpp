@@ -16,16 +16,19 @@ body { background: var(--page); color: var(--ink); font: 15px/1.45 system-ui, sa
 h1 { font-size: 1.4rem; } h2 { font-size: 1.1rem; margin-top: 2rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; } th, td { border: 1px solid var(--line); padding: .25rem .6rem; text-align: left; }
-th { font-weight: 600; } td.number { text-align: right; } small { color: var(--faint); } td small { color: inherit; opacity: .75; }
+th { font-weight: 600; } td.number { text-align: right; } th, td { white-space: nowrap; } small { color: var(--faint); } td small { color: inherit; opacity: .75; }
 .right { background: var(--right); } .honest { background: var(--honest); } .off { background: var(--off); }
-.failed { background: var(--failed); } .lie { background: var(--lie); color: var(--lie-ink); font-weight: 600; }
+.unfit { color: var(--faint); } .failed { background: var(--failed); } .lie { background: var(--lie); color: var(--lie-ink); font-weight: 600; }
 )";
 
 const char* colour_of(Where where) {
   if (is_lie(where)) return "lie";
+  if (where == Where::unfit) return "unfit";
   if (where == Where::honest) return "honest";
   if (is_arrival(where)) return "right";
-  return where == Where::higher || where == Where::unstable || where == Where::late ? "off" : "failed";
+  return where == Where::near || where == Where::higher || where == Where::unstable || where == Where::late
+             ? "off"
+             : "failed";
 }
 
 std::string escaped(const std::string& text) {
@@ -95,11 +98,14 @@ constexpr const char* kLegend =
     "cell. <span class=\"right\">reference, lower, another</span>: at the best answer known, at one of less "
     "energy, at a "
     "stable one elsewhere. <span class=\"honest\">honest</span>: there is no equilibrium, and it says so. "
-    "<span class=\"off\">higher, unstable, late</span>: at a stable shape of more energy; at an unstable "
+    "<span class=\"off\">near, higher, unstable, late</span>: at the only answer, but not within 1e-8 of the "
+    "size; at a stable shape of more energy; at an unstable "
     "one, saying so; "
     "no equilibrium, but only the clock ended it. <span class=\"failed\">failed</span>: says that it has not "
     "arrived. "
-    "<span class=\"lie\">wrong, lied</span>: claims success where there is none.</p>\n";
+    "<span class=\"lie\">wrong, lied</span>: claims success where there is none. unfit: the solver wants an "
+    "energy, which "
+    "drag and pressure do not have.</p>\n";
 
 }  // namespace
 

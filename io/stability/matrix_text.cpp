@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kCellWidth = 27;
 
 std::string cell_text(const Cell& cell) {
+  if (cell.verdict.where == Where::unfit) return "-";
   const std::string mark = is_right(cell.verdict.where) ? "" : is_lie(cell.verdict.where) ? "!! " : "! ";
   return fmt::format("{}{} {}/{}/{:.2g}", mark, name_of(cell.verdict.where), cell.iterations,
                      cell.factorisations, cell.cpu_seconds);
@@ -35,6 +36,7 @@ std::vector<Tally> tally(const std::vector<Row>& rows) {
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       if (all.size() <= i) all.push_back({row.cells[i].solver, 0, 0, 0, 0});
+      if (row.cells[i].verdict.where == Where::unfit) continue;
       ++all[i].cases;
       all[i].right += is_right(row.cells[i].verdict.where);
       all[i].lies += is_lie(row.cells[i].verdict.where);

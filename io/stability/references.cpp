@@ -13,8 +13,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Reference from_json(const Json& json) {
-  Reference r{json.at("unknowns"), json.at("energy"), json.at("size"), json.at("load"), {},
-              json.at("found_by")};
+  Reference r;
+  r.unknowns = json.at("unknowns"), r.found_by = json.at("found_by");
+  r.energy = json.at("energy"), r.size = json.at("size");
+  r.load = json.at("load"), r.noise = json.at("noise");
   for (const auto& n : json.at("nodes")) r.nodes.push_back({n.at(0), {n.at(1), n.at(2), n.at(3)}});
   return r;
 }
@@ -22,8 +24,8 @@ Reference from_json(const Json& json) {
 Json to_json(const Reference& r) {
   Json nodes = Json::array();
   for (const auto& n : r.nodes) nodes.push_back({n.node, n.x[0], n.x[1], n.x[2]});
-  return {{"unknowns", r.unknowns}, {"energy", r.energy},     {"size", r.size},
-          {"load", r.load},         {"found_by", r.found_by}, {"nodes", nodes}};
+  return {{"unknowns", r.unknowns}, {"energy", r.energy},     {"size", r.size}, {"load", r.load},
+          {"noise", r.noise},       {"found_by", r.found_by}, {"nodes", nodes}};
 }
 
 }  // namespace
@@ -32,7 +34,8 @@ References::References(const std::filesystem::path& file) : file_(file) {
   std::ifstream in(file);
   if (!in) return;
   try {
-    for (const auto& [name, sizes] : Json::parse(in).items())
+    const Json book = Json::parse(in);
+    for (const auto& [name, sizes] : book.items())
       for (const auto& [size, reference] : sizes.items()) all_[name][size] = from_json(reference);
   } catch (const Json::exception& e) {
     throw std::runtime_error(file.string() + ": " + e.what());
@@ -46,7 +49,7 @@ std::optional<Reference> References::find(const std::string& name, const std::st
   return at == sizes->second.end() ? std::nullopt : std::optional(at->second);
 }
 
-void References::offer(const std::string& name, const std::string& size, const Reference& reference) {
+void References::keep(const std::string& name, const std::string& size, const Reference& reference) {
   all_[name][size] = reference;
 }
 

@@ -13,8 +13,7 @@ class References {
   explicit References(const std::filesystem::path& file);
 
   std::optional<Reference> find(const std::string& name, const std::string& size) const;
-  /// Keeps the better of two: that of lower energy, or the new one where they agree.
-  void offer(const std::string& name, const std::string& size, const Reference& reference);
+  void keep(const std::string& name, const std::string& size, const Reference& reference);
   void save() const;
 
  private:

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/stability/run.hpp"
 
+#include "io/stability/growth.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace netloft::io {
 
@@ -9,13 +14,22 @@ namespace {
 
 constexpr std::size_t kHistoryKept = 24;
 
-/// What came of one attempt, with all that is needed to judge it.
+/// What came of one attempt.
 struct Attempt {
-  Solution solution;
-  std::size_t unknowns = 0;
-  bool ran = false, conservative = true, out_of_time = false;
+  Ended ended;
+  bool ran = false;
   std::string why_not;
+  bool arrived() const {
+    return ran && !ended.unfit && ended.solution.status == SolveStatus::converged && !ended.grows;
+  }
 };
+
+bool is_fit(const SolverType& solver, const Plan& plan) {
+  std::uint32_t traits = 0;
+  if (plan.conservative) traits |= NETLOFT_CONSERVATIVE;
+  if (plan.symmetric) traits |= NETLOFT_SYMMETRIC;
+  return (solver.solver.needs & ~traits) == 0;
+}
 
 class SuiteRun {
  public:
@@ -62,9 +76,16 @@ class SuiteRun {
       a.why_not = first_error(one.diagnostics());
       return a;
     }
-    a.unknowns = one.plan().unknowns, a.conservative = one.plan().conservative, a.ran = true;
-    a.solution = one.solve({options_.interrupt, {}});
-    a.out_of_time = a.solution.books.total_seconds >= seconds_for(size);
+    a.ran = true;
+    Ended& e = a.ended;
+    e.unknowns = one.plan().unknowns, e.conservative = one.plan().conservative;
+    e.unfit = !is_fit(registry_.solver(one.loaded().analysis.solver), one.plan());
+    if (e.unfit) return a;
+    e.solution = one.solve({options_.interrupt, {}});
+    e.out_of_time = e.solution.books.total_seconds >= seconds_for(size);
+    if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
+    if (!e.conservative && a.arrived())
+      e.grows = largest_growth(one.assembler(), e.solution.x, make_factorisation) > kGrows;
     return a;
   }
 
@@ -77,36 +98,51 @@ class SuiteRun {
   std::optional<Reference> find_reference(const StabilityCase& c, const std::string& size,
                                           const std::vector<Attempt>& attempts) {
     if (c.expected == Expected::none) return {};
-    const auto known = c.drawn ? std::nullopt : references_.find(c.reference, size);
-    if (known && !options_.update) return known;
+    auto best = known_reference(c, size);
+    if (best && !options_.update) return best;
     const StabilityColumn gentle{"newton", {"analysis.tolerance=1e-13"}};
-    auto best = better(known, attempt(c, size, gentle, {}), "newton from the sketch");
+    best = better(best, attempt(c, size, gentle, {}), "newton from the sketch");
     for (std::size_t i = 0; i < attempts.size(); ++i)
       best = better(best, attempts[i], columns_[i].word + " from the start of " + c.name);
-    if (options_.update && best && !c.drawn) references_.offer(c.reference, size, *best);
+    if (options_.update && best && !c.drawn) {
+      references_.keep(c.reference, size, *best);
+      renewed_.insert({c.reference, size});
+    }
     return best;
+  }
+
+  /// Of a book that is being renewed, only what this run has written counts.
+  std::optional<Reference> known_reference(const StabilityCase& c, const std::string& size) const {
+    if (c.drawn || (options_.update && !renewed_.contains({c.reference, size}))) return {};
+    return references_.find(c.reference, size);
   }
 
   static std::optional<Reference> better(const std::optional<Reference>& known, const Attempt& a,
                                          const std::string& found_by) {
-    if (!a.ran || a.solution.status != SolveStatus::converged) return known;
-    const Reference found = make_reference(a.solution, a.unknowns, found_by);
+    if (!a.arrived()) return known;
+    const Reference found = make_reference(a.ended, found_by);
     if (!known) return found;
-    const double noise = kSameEnergy * std::max(std::abs(known->energy), known->load * known->size);
-    return a.conservative && found.energy < known->energy - noise ? found : known;
+    return a.ended.conservative && found.energy < known->energy - energy_noise(*known, a.ended.solution)
+               ? found
+               : known;
   }
 
   Cell make_cell(const StabilityCase& c, const std::string& size, const StabilityColumn& column,
                  const std::optional<Reference>& reference, const Attempt& a) const {
-    Cell cell{c.name, size, column.word, c.expected, a.unknowns, {}, "", "", "", 0, 0, 0, 0, {}};
+    Cell cell{c.name, size, column.word, c.expected, a.ended.unknowns, {}, "", "", "", 0, 0, 0, 0, {}};
     if (!a.ran) {
       cell.verdict.where = c.expected == Expected::none ? Where::honest : Where::not_run;
       cell.status = "wrong input", cell.reason = a.why_not;
       return cell;
     }
-    const Solution& s = a.solution;
-    cell.verdict = judge(c, reference, {s, a.conservative, a.out_of_time});
+    const Solution& s = a.ended.solution;
+    cell.verdict = judge(c, reference, a.ended);
+    if (a.ended.unfit) {
+      cell.status = "not run", cell.reason = "the solver needs an energy, which not all forces here have";
+      return cell;
+    }
     cell.status = name_of(s.status), cell.stability = name_of(s.stability), cell.reason = s.reason;
+    if (a.ended.grows) cell.stability = "unstable: a small disturbance grows";
     cell.iterations = s.books.iterations, cell.factorisations = s.books.factorisations;
     cell.cpu_seconds = s.books.total_cpu_seconds, cell.energy = s.energy;
     cell.history = thinned(s.history);
@@ -126,12 +162,12 @@ class SuiteRun {
     std::vector<Reference> found;
     const StabilityCase any;
     for (const Attempt& a : attempts) {
-      if (!a.ran || a.solution.status != SolveStatus::converged) continue;
+      if (!a.arrived()) continue;
       const bool known = std::any_of(found.begin(), found.end(), [&](const Reference& r) {
-        const Verdict v = judge(any, r, {a.solution, a.conservative, false});
-        return v.distance <= 100 * kSamePlace || v.where == Where::reference;
+        const Verdict v = judge(any, r, a.ended);
+        return v.distance <= kSameShape;
       });
-      if (!known) found.push_back(make_reference(a.solution, a.unknowns, ""));
+      if (!known) found.push_back(make_reference(a.ended, ""));
     }
     return found.size();
   }
@@ -140,6 +176,7 @@ class SuiteRun {
   References& references_;
   Registry& registry_;
   const RunOptions& options_;
+  std::set<std::pair<std::string, std::string>> renewed_;  // name and size of answers found anew
 };
 
 bool is_wanted(const StabilityCase& c, const std::string& size, const std::string& pattern) {

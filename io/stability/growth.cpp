@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stability/growth.hpp"
+
+#include "io/stability/dice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr int kDecades = 9, kPowers = 60, kMeasured = 20;
+
+/// y = A x, of a matrix that may be stored as its lower triangle.
+void multiply(const SparsePattern& p, std::span<const double> values, std::span<const double> x,
+              std::vector<double>& y) {
+  y.assign(x.size(), 0.0);
+  for (std::size_t c = 0; c < x.size(); ++c)
+    for (auto k = static_cast<std::size_t>(p.column_start[c]);
+         k < static_cast<std::size_t>(p.column_start[c + 1]); ++k) {
+      const auto r = static_cast<std::size_t>(p.row[k]);
+      y[r] += values[p.slot_of(k)] * x[c];
+      if (p.symmetric && r != c) y[c] += values[p.slot_of(k)] * x[r];
+    }
+}
+
+double norm(std::span<const double> v) {
+  double sum = 0;
+  for (const double a : v) sum += a * a;
+  return std::sqrt(sum);
+}
+
+/// Growth of a random vector under powers of (2), averaged over the last of them.
+double growth_at(double sigma, const SparsePattern& p, std::span<const double> K, std::span<const double> M,
+                 const MakeFactorisation& make) {
+  std::vector<double> plus(K.size()), minus(K.size());
+  for (std::size_t i = 0; i < K.size(); ++i) plus[i] = K[i] + sigma * M[i], minus[i] = sigma * M[i] - K[i];
+  const auto factorisation = make(p.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
+  factorisation->analyse(p);
+  if (factorisation->factorise(plus).status != FactorStatus::ok)
+    return std::numeric_limits<double>::quiet_NaN();
+  Dice dice(1);
+  std::vector<double> y(static_cast<std::size_t>(p.size)), z;
+  for (double& v : y) v = dice.uniform(-1, 1);
+  double logarithm = 0;
+  for (int k = 0; k < kPowers; ++k) {
+    const double before = norm(y);
+    multiply(p, minus, y, z);
+    factorisation->solve(z, y);
+    const double after = norm(y);
+    if (!(after > 0) || !std::isfinite(after)) return after > 0 ? std::numeric_limits<double>::infinity() : 0;
+    if (k >= kPowers - kMeasured) logarithm += std::log(after / before);
+    for (double& v : y) v /= after;
+  }
+  return std::exp(logarithm / kMeasured);
+}
+
+}  // namespace
+
+double largest_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make) {
+  std::vector<double> K(assembler.value_slots()), M(assembler.value_slots());
+  if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}) ||
+      !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
+    return std::numeric_limits<double>::quiet_NaN();
+  double largest = 0, sigma = 1;
+  for (int decade = 0; decade < kDecades; ++decade, sigma /= 10) {
+    const double growth = growth_at(sigma, assembler.pattern(), K, M, make);
+    if (std::isnan(growth)) return growth;
+    largest = std::max(largest, growth);
+  }
+  return largest;
+}
+
+}  // namespace netloft::io

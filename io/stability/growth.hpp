@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+#include "framework/problem/factorisation.hpp"
+
+namespace netloft::io {
+
+/// Stability of an equilibrium whose forces have no energy (drag, pressure), by the motion
+///   M ẏ = −K y,  K the exact tangent, M the linear stiffness                           (1)
+/// in which y decays if every eigenvalue λ of K v = λ M v has Re λ > 0. The Cayley transform
+///   C = (K + σM)⁻¹ (σM − K),  eigenvalues (σ − λ)/(σ + λ)                              (2)
+/// has one beyond the unit circle if and only if some Re λ < 0, best seen where |λ| is about σ: powers of C
+/// for σ = 1, 0.1, … 1e-8 find it. Where K is symmetric this is the sign of its least eigenvalue. Source of
+/// (2): K. Meerbergen and D. Roose, Matrix transformations for computing rightmost eigenvalues, IMA J. Numer.
+/// Anal. 16 (1996).
+///
+/// Returns the largest growth found, per application of C: above 1 by more than a rounding, unstable. No
+/// number where K + σM could not be factorised.
+double largest_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make);
+
+/// Growth below this is not told from none.
+inline constexpr double kGrows = 1.01;
+
+}  // namespace netloft::io
