@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// bench_real_gears FOLDER [--solver NAME] [--set key=value]… [--gear PART_OF_NAME] [--no-surface] [--history]
-//                  [--shipped-bending] [--from-reference] [--noise METRES] [--seed N] [--tolerance T]
-//                  [--iterations N] [--seconds S]
-//
-// Solves the gears of the folder and prints a table: what it took, and how far from FEMNET's answer it ended.
+// bench_real_gears FOLDER: solves the gears of the folder and prints a table: what it took, and how far from
+// FEMNET's answer it ended. --help names what can be changed.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <stdexcept>
 
 #include "tests/validation/real_gears/solving.hpp"
@@ -28,67 +24,41 @@ struct Wish {
   bool history = false;
 };
 
+Value value_of(const netloft_parameter& p, const std::string& text) {
+  if (p.kind == NETLOFT_REAL) return std::stod(text);
+  if (p.kind == NETLOFT_INTEGER) return std::int64_t{std::stoll(text)};
+  if (p.kind == NETLOFT_BOOLEAN) return text == "true";
+  return text;
+}
+
 /// "key=value" as the solver's table wants it.
 void set(Values& values, const SolverType& solver, const std::string& setting) {
   const auto equals = setting.find('=');
-  if (equals == std::string::npos) throw std::invalid_argument("--set " + setting + ": write key=value");
-  const std::string key = setting.substr(0, equals), text = setting.substr(equals + 1);
+  const std::string key = setting.substr(0, equals);
   for (const auto& p : solver.parameters)
-    if (key == p.name) {
-      if (p.kind == NETLOFT_REAL)
-        values[key] = std::stod(text);
-      else if (p.kind == NETLOFT_INTEGER)
-        values[key] = std::int64_t{std::stoll(text)};
-      else if (p.kind == NETLOFT_BOOLEAN)
-        values[key] = text == "true";
-      else
-        values[key] = text;
+    if (key == p.name && equals != std::string::npos) {
+      values[key] = value_of(p, setting.substr(equals + 1));
       return;
     }
-  throw std::invalid_argument("--set " + setting + ": " + solver.type + " has no such parameter");
+  throw std::invalid_argument("--set " + setting + ": write key=value, key a parameter of " + solver.type);
 }
 
-Wish read_arguments(int count, char** arguments) {
-  Wish wish;
-  const auto is = [&](int i, const char* name) { return std::strcmp(arguments[i], name) == 0; };
-  for (int i = 1; i < count; ++i) {
-    const auto next = [&] {
-      if (i + 1 >= count) throw std::invalid_argument(std::string(arguments[i]) + " wants a value");
-      return std::string(arguments[++i]);
-    };
-    if (is(i, "--solver"))
-      wish.how.solver = next();
-    else if (is(i, "--set"))
-      wish.settings.push_back(next());
-    else if (is(i, "--gear"))
-      wish.gear = next();
-    else if (is(i, "--no-surface"))
-      wish.modelling.surface = false;
-    else if (is(i, "--shipped-bending"))
-      wish.modelling.shipped_bending = true;
-    else if (is(i, "--history"))
-      wish.history = true;
-    else if (is(i, "--from-reference"))
-      wish.start.at_reference = true;
-    else if (is(i, "--noise"))
-      wish.start.noise = std::stod(next());
-    else if (is(i, "--seed"))
-      wish.start.seed = std::stoull(next());
-    else if (is(i, "--tolerance"))
-      wish.how.limits.tolerance = std::stod(next());
-    else if (is(i, "--iterations"))
-      wish.how.limits.iterations = std::stoi(next());
-    else if (is(i, "--seconds"))
-      wish.how.limits.seconds = std::stod(next());
-    else if (arguments[i][0] == '-')
-      throw std::invalid_argument(std::string(arguments[i]) + ": unknown");
-    else
-      wish.folder = arguments[i];
-  }
-  if (wish.folder.empty()) throw std::invalid_argument("name the folder of the gears");
-  for (const auto& setting : wish.settings)
-    set(wish.how.solver_parameters, plugins().solver(wish.how.solver), setting);
-  return wish;
+void describe(CLI::App& app, Wish& wish) {
+  app.add_option("folder", wish.folder, "where the files of the gears are")->required();
+  app.add_option("--gear", wish.gear, "part of the name of those that are wanted");
+  app.add_option("--solver", wish.how.solver, "plugin, or plugin/name")->capture_default_str();
+  app.add_option("--set", wish.settings, "key=value of the solver")->take_all()->allow_extra_args(false);
+  app.add_option("--tolerance", wish.how.limits.tolerance, "largest residual over largest load")
+      ->capture_default_str();
+  app.add_option("--iterations", wish.how.limits.iterations, "limit")->capture_default_str();
+  app.add_option("--seconds", wish.how.limits.seconds, "limit, per gear");
+  app.add_flag("!--no-surface", wish.modelling.surface, "water everywhere, above z = 0, too");
+  app.add_flag("--shipped-bending", wish.modelling.shipped_bending, "rope/bending instead of FEMNET's");
+  app.add_flag("--from-reference", wish.start.at_reference,
+               "start from FEMNET's answer, not from the drawing");
+  app.add_option("--noise", wish.start.noise, "shake the start by so much [m]");
+  app.add_option("--seed", wish.start.seed, "of the noise");
+  app.add_flag("--history", wish.history, "print every iteration");
 }
 
 void print_history(const Solution& solution) {
@@ -131,6 +101,7 @@ void print_ending(const NeutralCase& gear, const SolvedGear& s) {
               b.slack_bars, r.slack_bars, b.pressed_bars, r.pressed_bars, b.slack_twines, r.slack_twines);
   std::printf("nodes dry %d (%d), on the bed %d (%d)\n", b.dry_nodes, r.dry_nodes, b.nodes_on_bed,
               r.nodes_on_bed);
+  std::printf("    energy %.6g J above that of the reference\n", s.energy_above_reference);
   print_strays(gear, s);
 }
 
@@ -152,8 +123,15 @@ int run(const Wish& wish) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  Wish wish;
+  CLI::App app(
+      "Solves gears that FEMNET has solved, and prints what it took and how far from there it ended");
+  describe(app, wish);
+  CLI11_PARSE(app, count, arguments);
   try {
-    return run(read_arguments(count, arguments));
+    for (const auto& setting : wish.settings)
+      set(wish.how.solver_parameters, plugins().solver(wish.how.solver), setting);
+    return run(wish);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_real_gears: %s\n", error.what());
     return 2;

@@ -40,22 +40,32 @@ TEST_P(RealGear, ReturnsToFemnetsAnswerWhenShaken) {
 /// Ropes that bend do so by rope/bending: FEMNET's moments have no energy that would lead to them from afar.
 Modelling from_afar(const NeutralCase& gear) { return {.shipped_bending = !gear.bends.empty()}; }
 
+/// A full first step from the square in which the ring is drawn folds the rope for good, at a higher energy.
+test::Solving closely_from_afar(const NeutralCase& gear) {
+  test::Solving how = closely();
+  if (!gear.bends.empty()) how.solver_parameters["damping"] = 1.0;
+  return how;
+}
+
 /// A gear may stand in more than one way: a cod-end of netting that floats in the water, folded or not.
-/// Another answer has to be a gear at rest, too: shaken, it returns; and it is held by the same forces but
-/// for some.
+/// Another answer has to be a gear at rest, too: shaken, it returns; it is held by nearly the same forces;
+/// and where every force has an energy, it lies no higher.
 void expect_another_answer(const NeutralCase& gear, const SolvedGear& s) {
   NeutralCase found = gear;
   found.reference.positions = s.positions;
   for (const std::uint64_t seed : {1, 2, 3})
     expect_arrival(
         found, solve(found, from_afar(gear), {.at_reference = true, .noise = 1e-4, .seed = seed}, closely()));
+  if (s.solved.plan.conservative) {
+    EXPECT_LE(s.energy_above_reference, 0);
+  }
   for (const auto& reaction : gear.reference.reactions)
     EXPECT_LT(distance(s.solved.reaction(reaction.node), reaction.force),
               2e-3 * distance(reaction.force, Vector{}));
 }
 
 TEST_P(RealGear, StandsFromTheFlatDrawing) {
-  const SolvedGear s = solve(gear_, from_afar(gear_), {}, closely());
+  const SolvedGear s = solve(gear_, from_afar(gear_), {}, closely_from_afar(gear_));
   print(gear_, s);
   EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
   if (!gear_.triangles.empty()) {  // nothing pulls in the ring

@@ -35,6 +35,12 @@ void add_noise(Scene& scene, const Start& start) {
     if (!(scene.held[i / 3] >> (i % 3) & 1)) scene.positions[i] += start.noise * noise();
 }
 
+double energy_at(Assembler& assembler, const std::vector<Vector>& positions) {
+  double energy = 0;
+  const bool found = assembler.evaluate(over_dofs(assembler, positions), {.energy = &energy});
+  return found ? energy : std::nan("");
+}
+
 }  // namespace
 
 SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
@@ -44,13 +50,15 @@ SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Star
   if (start.at_reference) place_nodes(scene, gear.reference.positions);
   if (start.noise > 0) add_noise(scene, start);
   const double begun = cpu_seconds();
-  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}, 0, 0};
+  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}};
   s.cpu_seconds = cpu_seconds() - begun;
   const Solution& solution = s.solved.solution;
   s.positions = nodal(gear, *s.solved.assembler, solution.x);
   s.out_of_balance = out_of_balance(gear, *s.solved.assembler, solution.residual);
   s.furthest = furthest(s.positions, gear.reference.positions);
   s.branches = branches(gear, s.positions);
+  s.energy_above_reference =
+      energy_at(*s.solved.assembler, s.positions) - energy_at(*s.solved.assembler, gear.reference.positions);
   s.largest_tension = largest_tension(gear, s.positions);
   return s;
 }

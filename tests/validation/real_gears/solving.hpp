@@ -18,6 +18,8 @@ struct SolvedGear {
   Branches branches;
   double largest_tension = 0;  // [N]
   double cpu_seconds = 0;      // plan, assembler and solve
+  double energy_above_reference =
+      0;  // of all that has an energy: not of the water, nor of FEMNET's bending [J]
 
   double residual_over_tension() const { return solved.solution.balance.residual / largest_tension; }
 };
