@@ -374,11 +374,24 @@ void place_centres(const Panel& p, Geometry& out) {
     }
 }
 
+/// The four triangles of a cell, outer face counter-clockwise.
+void add_faces(const Panel& p, std::uint32_t centre, const std::array<std::uint32_t, 4>& corners,
+               Geometry& out) {
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const auto node : {corners[k], corners[(k + 1) % 4], centre}) {
+      out.faces.nodes.push_back(node);
+      out.faces.data["to_aft"].push_back(p.along - out.names.panel[node][1]);
+    }
+}
+
 void add_star(const Panel& p, std::size_t i, std::size_t j, Geometry& out) {
   const Grid& g = p.cells;
   const auto centre = static_cast<std::uint32_t>(g.columns() * (g.along + 1) + j * g.across + i);
   const double meshes = p.across / double(g.across);
-  for (const auto corner : {g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1), g.node(i, j + 1)}) {
+  const std::array<std::uint32_t, 4> corners{g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1),
+                                             g.node(i, j + 1)};
+  add_faces(p, centre, corners, out);
+  for (const auto corner : corners) {
     out.elements.insert(out.elements.end(), {centre, corner});
     out.data["rest_length"].push_back(meshes * p.bar);  // (1)
     out.data["parallel"].push_back(meshes);

@@ -12,6 +12,12 @@ struct Geometry {
   std::vector<double> positions;                    // 3 per own node [m]
   std::vector<std::uint32_t> elements;              // own nodes, as many each as the stencil has
   std::map<std::string, std::vector<double>> data;  // per element, by datum name
+  /// Triangles between the bars of a panel, for what presses on netting: own nodes, outer face
+  /// counter-clockwise; data per triangle.
+  struct Faces {
+    std::vector<std::uint32_t> nodes;
+    std::map<std::string, std::vector<double>> data;
+  } faces = {};
 
   std::size_t node_count() const { return positions.size() / 3; }
 };
@@ -72,7 +78,8 @@ Geometry read_panel(TableReader& part);
 /// special there. With m = 1 nodes are the knots and bars the bars of the net. Cells that are not square in
 /// meshes are refused: their bars would run across twines.
 /// Nodes: corners as in read_panel, then centres row by row, (across+1)(along+1) + j across + i. Sets as in
-/// read_panel, of corners. Data: rest_length [m], parallel.
+/// read_panel, of corners. Data: rest_length [m], parallel. Faces: four triangles a cell, from its centre to
+/// each side, with to_aft as in read_panel.
 Geometry read_panel_in_bars(TableReader& part);
 
 }  // namespace netloft::io

@@ -242,11 +242,14 @@ class SceneReader {
         const auto lengths = carried_length(out_.scene, ground, *types_[set->part]);
         for (std::size_t i = 0; i < carried.size(); ++i) carried[i] += lengths[i];
         for (const auto own : set->own) nodes.push_back(out_.parts[set->part].nodes[own]);
-      } else if (name.find('.') != std::string::npos ||
-                 types_[set->part]->element.stencil != type.element.stencil) {
-        table.error("on", in_quotes(name) + " is no whole part that " + type.type + " can stand on");
-      } else {
+      } else if (name.find('.') == std::string::npos &&
+                 types_[set->part]->element.stencil == type.element.stencil) {
         ride_on_elements(ground, rider);
+      } else if (name.find('.') == std::string::npos && type.element.stencil == NETLOFT_TRIANGLE &&
+                 !geometries_[set->part].faces.nodes.empty()) {
+        ride_on_elements(faces_of(set->part), rider);
+      } else {
+        table.error("on", in_quotes(name) + " is no whole part that " + type.type + " can stand on");
       }
     }
     drop_repeats(nodes);
@@ -258,6 +261,14 @@ class SceneReader {
         for (std::size_t e = 0; e < rider.nodes.size() / static_cast<std::size_t>(type.nodes()); ++e)
           rider.data[datum.name].insert(rider.data[datum.name].end(), values.begin(), values.end());
       }
+  }
+
+  /// The triangles between the bars of a panel, as if they were its elements.
+  Part faces_of(std::size_t part) const {
+    Part faces;
+    for (const auto own : geometries_[part].faces.nodes) faces.nodes.push_back(out_.parts[part].nodes[own]);
+    faces.data = geometries_[part].faces.data;
+    return faces;
   }
 
   void add_companions() {
@@ -525,7 +536,8 @@ class SceneReader {
     out_.analysis.solver = keys.solver;
     out_.analysis.automatic = out_.analysis.solver == "auto";
     if (out_.analysis.automatic) out_.analysis.solver = "newton";
-    out_.analysis.continuation = keys.continuation == 1 || (keys.continuation == 0 && out_.analysis.automatic);
+    out_.analysis.continuation =
+        keys.continuation == 1 || (keys.continuation == 0 && out_.analysis.automatic);
     if (out_.analysis.solver.empty()) {
       analysis.error("solver", "is empty; the name of a solver is wanted, such as newton");
       return;

@@ -3,7 +3,8 @@
 // Triangles and lumped-mass net on one panel: error against CPU time. The hanging panel of the paper's fig.
 // 6a, 40 x 40 meshes, against the same net twine by twine (independent program); and the same panel in a
 // current across it, against itself twine by twine (lumped/net with one mesh a cell, the row that has no
-// error). Best of three, one thread; run with OMP_THREAD_LIMIT=1, and compare rows of one run only.
+// error); and the cod-end with a catch, against the axisymmetric membrane. Best of three, one thread; run
+// with OMP_THREAD_LIMIT=1, and compare rows of one run only.
 #include "tests/verification/scene_file.hpp"
 
 #include <cmath>
@@ -65,6 +66,46 @@ void compare(const char* what, const Shape& want, const std::vector<std::string>
       print_row(type, cells, run(type, cells, more), want);
 }
 
+/// A cod-end of the library, from a crude cylinder: length, largest radius and drag against the axisymmetric
+/// membrane.
+struct Codend {
+  double EA, length, radius, drag;  // [N], [m], [m], [N]
+};
+
+void print_codend(const std::string& type, const std::string& cells, const Codend& want) {
+  double seconds = 1e300;
+  SolvedFile s;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const std::clock_t begin = std::clock();
+    s = test::solve_file("verification/codend-with-catch.toml",
+                         {"parts.codend.type=" + type, "parts.codend.cells=" + cells,
+                          "parts.codend.twine.EA=" + std::to_string(want.EA)});
+    seconds = std::min(seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  double radius = 0;
+  for (const auto node : s.part("codend").nodes) {
+    const auto x = s.solved.position(node);
+    radius = std::max(radius, std::hypot(x[1], x[2]));
+  }
+  const auto error = [](double found, double exact) { return 100 * (found / exact - 1); };
+  std::printf("%-16s %9s %9zu %11d %9.3f %10.3f %10.3f %10.3f  %s\n", type.c_str(), cells.c_str(),
+              s.solved.plan.unknowns, s.solved.solution.books.iterations, seconds,
+              error(s.solved.position(s.node("codend", "aft"))[0], want.length), error(radius, want.radius),
+              error(-s.solved.total_reaction()[0], want.drag), name_of(s.solved.solution.status));
+}
+
+void compare_codends(const Codend& want) {
+  std::printf(
+      "\ncod-end with a catch, EA %g N, against the axisymmetric membrane\ntype                 cells  "
+      "unknowns"
+      "  iterations     CPU s  length [%%] radius [%%]   drag [%%]\n",
+      want.EA);
+  for (const char* cells : {"[24,24]", "[24,48]", "[48,48]", "[100,100]"})
+    print_codend("priour/triangle", cells, want);
+  for (const char* cells : {"[20,20]", "[25,25]", "[50,50]", "[100,100]"})
+    print_codend("lumped/net", cells, want);
+}
+
 }  // namespace
 
 int main() {
@@ -72,4 +113,6 @@ int main() {
   const std::vector<std::string> current{"water.current=[0,0.5,0]"};
   compare("the same in a current of 0.5 m/s across it", shape_of(run("lumped/net", 40, current).result),
           current);
+  compare_codends({1e4, 8.897802, 1.536439, 7275.728});
+  compare_codends({1e3, 9.366688, 1.687495, 8415.734});
 }

@@ -268,6 +268,22 @@ TEST_P(CodendWithCatch, HasTheNeckAndTheTensionOfTheMembrane) {
   EXPECT_LT(relative(bar, want), c.tension_error);
 }
 
+/// Its bars start from the same crude cylinder; 50 cells round, as many along.
+TEST(LumpedCodend, SwellsAsTheAxisymmetricMembraneDoes) {
+  for (const std::size_t which : {1u, 3u}) {
+    const Codend& c = kCodends[which];
+    const SolvedFile s = solve_codend(c, {"parts.codend.type=lumped/net", "parts.codend.cells=[50,50]"});
+    ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+    const Measured m = measure(s);
+    std::printf("lumped, EA %g N, %d iterations: length %.2e, largest radius %.2e, drag %.2e\n", c.EA,
+                s.solved.solution.books.iterations, relative(m.length, c.length),
+                relative(m.largest_radius, c.largest_radius), relative(m.drag, c.drag));
+    EXPECT_LT(relative(m.length, c.length), 5e-4);
+    EXPECT_LT(relative(m.largest_radius, c.largest_radius), 1e-3);
+    EXPECT_LT(relative(m.drag, c.drag), 2e-3);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AllTwines, CodendWithCatch, testing::ValuesIn(kCodends),
                          [](const auto& c) { return c.param.name; });
 

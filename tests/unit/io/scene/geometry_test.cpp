@@ -269,6 +269,17 @@ TEST(PanelInBars, HasABarFromEveryCentreToItsFourCorners) {
   EXPECT_EQ(last, (Nodes{17, 7, 17, 8, 17, 11, 17, 10}));
 }
 
+TEST(PanelInBars, SpansTrianglesBetweenItsBarsThatFaceAsThoseOfAPanelDo) {
+  const Geometry g = panel_in_bars();
+  ASSERT_EQ(g.faces.nodes.size(), 3u * 4u * 6u);
+  const Nodes first(g.faces.nodes.begin(), g.faces.nodes.begin() + 12);
+  EXPECT_EQ(first, (Nodes{0, 1, 12, 1, 4, 12, 4, 3, 12, 3, 0, 12}));
+  const auto& to_aft = g.faces.data.at("to_aft");
+  ASSERT_EQ(to_aft.size(), g.faces.nodes.size());
+  for (std::size_t i = 0; i < to_aft.size(); ++i)
+    EXPECT_DOUBLE_EQ(to_aft[i], 6 - g.names.panel[g.faces.nodes[i]][1]);
+}
+
 /// All twines of a panel [m].
 double twine_in_bars(const Geometry& g) {
   double sum = 0;
