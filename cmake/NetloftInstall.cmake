@@ -4,7 +4,7 @@
 #
 #   bin/netloft   include/netloft/   lib/netloft/ (plugins)   lib/cmake/netloft/
 #   share/netloft/gear-library/   share/doc/netloft/ (guides, reference with the schema of scenes, licence)
-include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME netloft)
 set(NETLOFT_CMAKE_DIR lib/cmake/netloft)
 
 set(netloft_UP ../../..)
@@ -26,7 +26,13 @@ add_custom_target(netloft_reference ALL DEPENDS ${netloft_reference}/index.md)
 
 install(TARGETS netloft RUNTIME DESTINATION bin)
 if(NOT NETLOFT_STATIC)
-  install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft FILES_MATCHING PATTERN "*.so")
+  # Adapters to large libraries are a component of their own, which not everybody has to have.
+  set(adapters "(kinsol|snes)\\.so$")
+  install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft FILES_MATCHING PATTERN "*.so"
+          REGEX ${adapters} EXCLUDE)
+  if(TARGET kinsol OR TARGET snes)
+    install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft COMPONENT adapters FILES_MATCHING REGEX ${adapters})
+  endif()
 endif()
 install(DIRECTORY framework/include/netloft DESTINATION include)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/${NETLOFT_CMAKE_DIR}/ DESTINATION ${NETLOFT_CMAKE_DIR})

@@ -30,7 +30,8 @@ struct CheckResult {
 struct TermTiming {
   std::string term;
   std::string want;        // "force", "force + tangent"
-  double nanoseconds = 0;  // per element, in full tiles that stay in the cache
+  double nanoseconds = 0;  // in full tiles that stay in the cache
+  std::string per = "element";
 };
 
 struct ConformanceReport {

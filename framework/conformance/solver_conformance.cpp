@@ -265,7 +265,7 @@ TermTiming time_solving(SolverBench& b, const Practice& like, const char* name) 
     iterations = std::max(problem.iterations, 1);
     least = std::min(least, spent.count() / iterations / like.unknowns);
   }
-  return {name, std::to_string(iterations) + " iterations, per iteration and unknown", least};
+  return {name, std::to_string(iterations) + " iterations", least, "iteration and unknown"};
 }
 
 }  // namespace

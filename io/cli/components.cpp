@@ -92,20 +92,41 @@ Json element_json(const ElementType& e) {
           {"version", e.origin->version}};
 }
 
-std::string solver_text(const SolverType& s) {
+const char* file_of(const PluginOrigin& origin) {
+  return origin.file.empty() ? "compiled in" : origin.file.c_str();
+}
+
+/// A solver or an integrator: a component of the analysis, with a table of its plugin's name.
+std::string analysis_text(const std::string& type, const char* doc, const char* kind,
+                          const PluginOrigin& origin, std::span<const netloft_parameter> parameters) {
   std::string text;
   const Out out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {}\na solver; plugin {} {} ({})\n\nparameters (in the table analysis.{})\n",
-                 s.type, s.solver.doc, s.origin->name, s.origin->version,
-                 s.origin->file.empty() ? "compiled in" : s.origin->file, s.origin->name);
-  append_parameters(s.parameters, out);
+  fmt::format_to(out, "{}: {}\n{}; plugin {} {} ({})\n\nparameters (in the table analysis.{})\n", type, doc,
+                 kind, origin.name, origin.version, file_of(origin), origin.name);
+  append_parameters(parameters, out);
   return text;
 }
 
-Json solver_json(const SolverType& s) {
-  return {{"type", s.type},           {"kind", "solver"},
-          {"doc", s.solver.doc},      {"parameters", parameter_json(s.parameters)},
-          {"plugin", s.origin->file}, {"version", s.origin->version}};
+Json analysis_json(const std::string& type, const char* doc, const char* kind, const PluginOrigin& origin,
+                   std::span<const netloft_parameter> parameters) {
+  return {{"type", type},
+          {"kind", kind},
+          {"doc", doc},
+          {"parameters", parameter_json(parameters)},
+          {"plugin", origin.file},
+          {"version", origin.version}};
+}
+
+Component component_of(const SolverType& s) {
+  return {s.type, "solver", s.solver.doc,
+          [&s] { return analysis_text(s.type, s.solver.doc, "a solver", *s.origin, s.parameters); },
+          [&s] { return analysis_json(s.type, s.solver.doc, "solver", *s.origin, s.parameters); }};
+}
+
+Component component_of(const IntegratorType& i) {
+  return {i.type, "integrator", i.integrator.doc,
+          [&i] { return analysis_text(i.type, i.integrator.doc, "an integrator", *i.origin, i.parameters); },
+          [&i] { return analysis_json(i.type, i.integrator.doc, "integrator", *i.origin, i.parameters); }};
 }
 
 std::string law_text(const LawType& l) {
@@ -144,9 +165,8 @@ std::vector<Component> components_of(const PluginContent& plugin) {
                    [&e] { return element_json(e); }});
   for (const auto& l : plugin.laws)
     all.push_back({l.type, "law", l.law.doc, [&l] { return law_text(l); }, [&l] { return law_json(l); }});
-  for (const auto& s : plugin.solvers)
-    all.push_back(
-        {s.type, "solver", s.solver.doc, [&s] { return solver_text(s); }, [&s] { return solver_json(s); }});
+  for (const auto& s : plugin.solvers) all.push_back(component_of(s));
+  for (const auto& i : plugin.integrators) all.push_back(component_of(i));
   return all;
 }
 

@@ -54,7 +54,7 @@ void print_report(const ConformanceReport& report) {
       std::puts(fmt::format("           usually: {}", c.hint).c_str());
   }
   for (const auto& t : report.timings)
-    std::puts(fmt::format("  {:>8.1f} ns per element: {}, {}", t.nanoseconds, t.term, t.want).c_str());
+    std::puts(fmt::format("  {:>8.1f} ns per {}: {}, {}", t.nanoseconds, t.per, t.term, t.want).c_str());
 }
 
 Json report_json(const ConformanceReport& report) {
@@ -67,7 +67,7 @@ Json report_json(const ConformanceReport& report) {
                       {"detail", c.detail},
                       {"hint", c.hint}});
   for (const auto& t : report.timings)
-    timings.push_back({{"term", t.term}, {"want", t.want}, {"nanoseconds", t.nanoseconds}});
+    timings.push_back({{"term", t.term}, {"want", t.want}, {"nanoseconds", t.nanoseconds}, {"per", t.per}});
   return {{"type", report.type}, {"passed", report.passed()}, {"checks", checks}, {"timings", timings}};
 }
 

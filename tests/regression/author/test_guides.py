@@ -47,6 +47,9 @@ class Guides(WithInstallation):
         self.follow("solver.md")
         self.assertLessEqual(len(code_lines(self.folder / "descent.cpp")), 30)
 
+    def test_integrator(self):
+        self.follow("integrator.md")
+
     def test_a_page_that_is_wrong_is_noticed(self):
         with self.assertRaises(AssertionError):
             self.compare("otter/board: conforms\n", "otter/board: does not conform\n")

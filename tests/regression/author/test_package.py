@@ -22,7 +22,7 @@ class Unpacked(Installation):
 
     def __init__(self, folder):
         subprocess.run([CPACK, "-G", "DEB", "-B", folder], cwd=BUILD, check=True, stdout=subprocess.DEVNULL)
-        self.package = next(folder.glob("*.deb"))
+        self.package = next(folder.glob("netloft_*.deb"))
         subprocess.run(["dpkg", "-x", self.package, folder / "root"], check=True)
         self.prefix = folder / "root" / "usr"
 
@@ -46,6 +46,8 @@ class Package(WithInstallation):
         for library in ("libc6 (>=", "libstdc++6 (>=", "libcholmod", "libumfpack", "libhdf5"):
             self.assertIn(library, depends)
         self.assertEqual(self.field("Package"), "netloft")
+        for library in ("petsc", "sundials", "gtest"):
+            self.assertNotIn(library, depends)
 
     def test_names_no_folder_of_the_machine_it_was_built_on(self):
         for file in self.installed.prefix.rglob("*"):
