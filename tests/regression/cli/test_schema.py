@@ -68,7 +68,7 @@ class Schema(InFreshFolder):
         self.assertNotEqual(self.faults_of(rope + "cells = 3\n"), [])
 
     def test_a_wrong_key_is_named(self):
-        self.assertEqual(self.faults_of(changed(GOOD, ("diameter", "diametre")))[:1], ["scene.parts.net.twine.diametre is not allowed"])
+        self.assertIn("scene.parts.net.twine.diametre is not allowed", self.faults_of(changed(GOOD, ("diameter", "diametre"))))
 
     def test_slips_do_not_fit(self):
         self.assertEqual(self.faults_of(GOOD), [])
