@@ -40,6 +40,14 @@ class Guides(WithInstallation):
         self.follow("element.md")
         self.assertLessEqual(len(code_lines(self.folder / "CMakeLists.txt")), 4)
 
+    def test_the_mistake_that_the_page_proposes(self):
+        self.follow("element.md")
+        text = (self.folder / "otter.cpp").read_text()
+        self.assertIn(" + BW * W[c] / speed", text)
+        self.write("otter.cpp", text.replace(" + BW * W[c] / speed", ""))
+        self.sh("c++ $(netloft --cflags) otter.cpp -o otter.so")
+        self.assertRegex(self.sh("netloft test otter.so", expect=1).out, "FAILED +tangent-is-derivative")
+
     def test_law(self):
         self.follow("law.md")
 
