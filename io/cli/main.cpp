@@ -65,30 +65,6 @@ void add_compare_command(CLI::App& app, Options& o) {
   command->add_option("--plot", c.plot, "draw work over precision")->type_name("FILE.svg|FILE.html");
 }
 
-void add_stability_command(CLI::App& app, Options& o) {
-  StabilityOptions& s = o.stability;
-  auto* command =
-      app.add_subcommand("stability", "run solvers on the suite of hard cases, and print how they did");
-  command->add_option("SUITE", s.suite, "folder of the suite; else tests/stability");
-  command->add_option("--solver", s.solvers, "solver, as run takes it; may be repeated")
-      ->check(CLI::Validator(not_empty, "", "not empty"))
-      ->type_name("NAME[:key=value,…]")
-      ->allow_extra_args(false);
-  command->add_option("--size", s.sizes, "about 200, 800 and 12000 unknowns; else small,medium")
-      ->check(CLI::IsMember({"small", "medium", "large"}))
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--case", s.pattern, "only cases whose name contains this")->type_name("TEXT");
-  command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases");
-  command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
-      ->check(CLI::Range(0.001, 1e6));
-  command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
-  command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
-  command->add_option("--threads", o.threads, "threads of the assembly; else one")
-      ->check(CLI::Range(1, 1024));
-  add_plugin_options(*command, o);
-}
-
 void add_author_commands(CLI::App& app, Options& o) {
   auto* make =
       app.add_subcommand("new", "write a plugin to begin with: it builds, passes its tests and runs");
