@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #if defined(__x86_64__)
 #include <xmmintrin.h>
@@ -33,7 +34,9 @@ enum Flaw {
   FLAW_many,
   FLAW_longer,
   FLAW_older,
-  FLAW_longer_and_newer
+  FLAW_longer_and_newer,
+  FLAW_crashes,
+  FLAW_exits
 };
 
 #define JOIN(a, b) a##b
@@ -52,6 +55,11 @@ __attribute__((constructor)) void flush_to_zero() {
   if (has(FLAW_flushes_to_zero)) _mm_setcsr(_mm_getcsr() | 0x8040);
 }
 #endif
+
+__attribute__((constructor)) void start_up() {
+  if (has(FLAW_crashes)) std::abort();
+  if (has(FLAW_exits)) std::exit(0);
+}
 
 struct Parameters {
   double stiffness;

@@ -66,6 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"missing_symbol", "is no Netloft plugin, or one for another major version"},
         Case{"other_major", "build the plugin again with this program's headers"},
         Case{"newer_minor", "built for the newer plugin interface"},
+        Case{"crashes", "crashed while it was opened (Aborted)"},
+        Case{"exits", "ended the program while it was opened"},
         Case{"longer_and_newer", "built for the newer plugin interface"},
         Case{"fast_math_compiled", "compiled with -ffast-math"},
         Case{"two_elements", "two elements are called \"bar\"; names must be unique"},
