@@ -30,6 +30,7 @@ struct JourneyOptions {
 ///   no compression   tension only is a convex problem under dead loads (Priour 2013)
 ///   soft to stiff    stiffness capped, the cap raised tenfold
 ///   slow to fast     the current from none to all of it, by steps that halve when one fails
+///   shaken           off a point that is not stable, or that has no forces
 ///   relaxed          a matrix-free solver brings it near, if one is there
 /// Only the scene itself, last of all, is judged.
 class Journey {
@@ -46,10 +47,13 @@ class Journey {
  private:
   using Displacements = std::vector<double>;
 
-  std::optional<Displacements> over_tension_only(const Displacements& start);
-  std::optional<Displacements> over_stiffness(const Displacements& start);
-  std::optional<Displacements> over_current(const Displacements& start);
-  std::optional<Displacements> over_relaxation(const Displacements& start);
+  using Detour = std::optional<Displacements> (Journey::*)(const Displacements& start, const Solution& best);
+
+  std::optional<Displacements> over_shaking(const Displacements& start, const Solution& best);
+  std::optional<Displacements> over_tension_only(const Displacements& start, const Solution& best);
+  std::optional<Displacements> over_stiffness(const Displacements& start, const Solution& best);
+  std::optional<Displacements> over_current(const Displacements& start, const Solution& best);
+  std::optional<Displacements> over_relaxation(const Displacements& start, const Solution& best);
 
   Solution solve_itself(const std::string& name, const Displacements& start, const Limits& limits);
   Solution solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,

@@ -60,7 +60,7 @@ void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end,
 }
 
 // Rounding is no excuse for a residual that matters: this much of the largest load.
-constexpr double kMostExcused = 1e-6;
+constexpr double kMostExcused = 1e-3;
 
 bool all_finite(std::span<const double> v) {
   double sum = 0;
@@ -141,6 +141,7 @@ void StaticProblem::find_element_size() {
               largest, std::abs(x_[static_cast<std::size_t>(numbering.index(family->node(e, corner), axis))] -
                                 x_[static_cast<std::size_t>(numbering.index(family->node(e, 0), axis))]));
   if (largest > 0) element_size_ = largest;
+  for (std::size_t i = 0; i < x_.size(); ++i) gear_size_ = std::max(gear_size_, std::abs(x_[i] - x_[0]));
 }
 
 void StaticProblem::begin(const StepProblem& step) {
@@ -299,6 +300,8 @@ int StaticProblem::progress(const double* u, double energy, const double* residu
     stop_ = Stop::iterations;
   else if (record.seconds >= limits_.seconds)
     stop_ = Stop::time;
+  else if (has_run_away(u))
+    stop_ = Stop::ran_away;
   if (stop_ != Stop::none) return stop_ == Stop::arrived ? NETLOFT_ARRIVED : NETLOFT_GIVE_UP;
   ++books_.iterations;
   return NETLOFT_GO_ON;
@@ -327,7 +330,8 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
                                             std::abs(x[static_cast<std::size_t>(i)]));
               }
               b.floor = std::max(b.floor, floor);
-              if (norm <= floor && (b.scale == 0 || floor <= kMostExcused * b.scale))
+              const bool unloaded = b.scale <= floor;
+              if (norm <= floor && (unloaded || floor <= kMostExcused * b.scale))
                 b.at_round_off = true;
               else
                 b.balanced = false;
@@ -336,6 +340,14 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
 }
 
 double StaticProblem::step_length(const double* du) const {
+/// Further from the start than any gear can be long: nothing holds what drives it.
+bool StaticProblem::has_run_away(const double* u) const {
+  constexpr double kFar = 1000;
+  double largest = 0;
+  for (std::size_t i = 0; i < u_.size(); ++i) largest = std::max(largest, std::abs(u[i]));
+  return largest > kFar * gear_size_;
+}
+
   double largest = 0;
   for (std::size_t i = 0; i < u_.size(); ++i) largest = std::max(largest, std::abs(du[i]));
   return largest / element_size_;

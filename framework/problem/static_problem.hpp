@@ -17,6 +17,7 @@ struct Limits {
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* interrupt = nullptr;
+  bool ask_growth = false;  // whether a small disturbance grows, where forces have no energy: dear
 };
 
 /// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
@@ -44,7 +45,7 @@ struct StepProblem {
 /// Counts and times every call, decides on convergence, keeps matrices and factors.
 class StaticProblem {
  public:
-  enum class Stop { none, arrived, iterations, time, interrupted };
+  enum class Stop { none, arrived, iterations, time, interrupted, ran_away };
 
   StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
@@ -76,6 +77,7 @@ class StaticProblem {
   /// Longest extent of an element at the start [m].
   double element_size() const { return element_size_; }
   /// The exact tangent at u, factorised with `shift` times the metric.
+  bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
   netloft_factor factorise_at(std::span<const double> u, double shift);
 
  private:
@@ -87,6 +89,7 @@ class StaticProblem {
   int progress(const double* u, double energy, const double* residual, const char* note);
   double step_length(const double* du) const;
 
+  bool has_run_away(const double* u) const;
   void place(const double* u);
   std::vector<double>& values(MatrixKind kind);
   void need_metric();
@@ -109,7 +112,7 @@ class StaticProblem {
   std::vector<double> v_, a_;
   int iterations_before_ = 0;  // of steps that are done
   bool bad_numbers_ = false, met_error_ = false;
-  double begun_ = 0, dead_load_ = 0, element_size_ = 1;
+  double begun_ = 0, dead_load_ = 0, element_size_ = 1, gear_size_ = 1;
   char message_[256] = "";
 
   std::vector<double> u_, x_, residual_, gradient_;

@@ -2,6 +2,7 @@
 #include "framework/problem/verdict.hpp"
 
 #include "framework/problem/correction.hpp"
+#include "framework/problem/growth.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -35,6 +36,8 @@ std::string outcome_text(netloft_outcome outcome, const StaticProblem& problem, 
           return "the time limit was reached";
         case StaticProblem::Stop::interrupted:
           return "interrupted";
+        case StaticProblem::Stop::ran_away:
+          return "it runs away: nothing holds what drives it";
         default:
           return "the solver stopped by itself";
       }
@@ -81,6 +84,12 @@ void find_correction(Solution& s, StaticProblem& problem, const Assembler& assem
   s.correction = largest_node_distance(scene, assembler.numbering(), s.x, s.corrected);
 }
 
+std::string why_unstable(const StaticProblem& problem, const Assembler& assembler, const Scene& scene) {
+  if (!problem.conservative()) return "a small disturbance grows";
+  return "its tangent is not positive definite, first met at " +
+         assembler.node_name(scene, assembler.numbering().node(std::max(0, problem.last_factor().column)));
+}
+
 /// Where the solver ended there are no forces, or none that are numbers.
 void judge_without_forces(Solution& s, const StaticProblem& problem, const Assembler& assembler,
                           const Scene& scene) {
@@ -113,10 +122,8 @@ void judge(Solution& s, const std::string& ending, StaticProblem& problem, const
   if (s.balance.at_round_off) s.reason += "; at the round-off of the positions, which the tolerance is below";
   if (s.stability == Stability::unstable) {
     s.status = SolveStatus::unstable;
-    s.reason =
-        "a stationary point, but not a stable one: its tangent is not positive definite, first met at " +
-        assembler.node_name(scene, assembler.numbering().node(std::max(0, problem.last_factor().column))) +
-        "; " + s.reason;
+    s.reason = "a stationary point, but not a stable one: " + why_unstable(problem, assembler, scene) + "; " +
+               s.reason;
   }
   if (s.stability == Stability::neutral)
     s.reason += "; something in it can move without any force (slack netting or rope)";
@@ -150,6 +157,8 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   s.factorisation = problem.factorisation_name();
   if (s.balance.balanced && (problem.interface().traits & NETLOFT_CONSERVATIVE))
     s.stability = find_stability(problem, u);
+  else if (s.balance.balanced && limits.ask_growth && largest_growth(assembler, s.x, make) > kGrows)
+    s.stability = Stability::unstable;
   if (s.balance.balanced) find_correction(s, problem, assembler, scene);
   if (evaluated)
     judge(s, ending, problem, assembler, scene);

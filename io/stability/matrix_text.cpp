@@ -47,7 +47,10 @@ std::vector<Tally> tally(const std::vector<Row>& rows) {
 
 std::string row_text(const Row& row) {
   std::string line = row.size + " " + label(row) + ":";
-  for (const auto& cell : row.cells) line += "  " + cell.solver + " " + cell_text(cell);
+  for (const auto& cell : row.cells) {
+    line += "  " + cell.solver + " " + cell_text(cell);
+    if (cell.verdict.where == Where::not_run) line += " (" + cell.reason + ")";
+  }
   return line;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/stability/run.hpp"
 
-#include "io/stability/growth.hpp"
+#include "framework/problem/growth.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 
 #include <algorithm>

@@ -112,12 +112,21 @@ class Globalised {
     if (-first.slope <= noise) return accept_blindly(1);
     if (!frozen_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
     LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
-    const auto found = search([&](double t) { return merit(t); }, first);
+    auto found = whole_step_uphill(first);
+    if (!found) found = search([&](double t) { return merit(t); }, first);
     if (!found) return false;
     move_trial(found->t);
     if (!accept()) return false;  // a force without an energy has no value there
     adapt_damping(found->t);
     return true;
+  }
+
+  /// (5): a whole step, if m falls or the last step did not go uphill.
+  std::optional<Sample> whole_step_uphill(const Sample& first) {
+    const auto whole = was_uphill_ ? std::nullopt : merit(1);
+    was_uphill_ =
+        whole && whole->value > first.value && whole->value <= first.value - p_.uphill * first.slope;
+    return whole && (was_uphill_ || whole->value <= first.value) ? whole : std::nullopt;
   }
 
   void move_trial(double t) {
@@ -179,6 +188,7 @@ class Globalised {
   const Newton::Parameters& p_;
   Problem& problem_;
   double mu_, energy_ = 0;
+  bool was_uphill_ = false;
   const char* note_ = "";
   std::vector<double> r_, s_, trial_, r_trial_;
   std::vector<double> frozen_;  // drag at u; empty if every force has an energy

@@ -3,7 +3,7 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/problem/factorisation.hpp"
 
-namespace netloft::io {
+namespace netloft {
 
 /// Stability of an equilibrium whose forces have no energy (drag, pressure), by the motion
 ///   M ẏ = −K y,  K the exact tangent, M the linear stiffness                           (1)
@@ -21,4 +21,4 @@ double largest_growth(Assembler& assembler, std::span<const double> x, const Mak
 /// Growth below this is not told from none.
 inline constexpr double kGrows = 1.01;
 
-}  // namespace netloft::io
+}  // namespace netloft

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/stability/growth.hpp"
-
-#include "io/stability/dice.hpp"
+#include "framework/problem/growth.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft {
 
 namespace {
 
@@ -32,7 +30,19 @@ double norm(std::span<const double> v) {
   return std::sqrt(sum);
 }
 
-/// Growth of a random vector under powers of (2), averaged over the last of them.
+/// A vector with a share in every direction, the same on every machine: fractions of multiples of the golden
+/// ratio.
+std::vector<double> scattered(std::size_t size) {
+  constexpr double kGolden = 0.61803398874989485;
+  std::vector<double> v(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const double multiple = kGolden * static_cast<double>(i + 1);
+    v[i] = 2 * (multiple - std::floor(multiple)) - 1;
+  }
+  return v;
+}
+
+/// Growth of a scattered vector under powers of (2), averaged over the last of them.
 double growth_at(double sigma, const SparsePattern& p, std::span<const double> K, std::span<const double> M,
                  const MakeFactorisation& make) {
   std::vector<double> plus(K.size()), minus(K.size());
@@ -41,9 +51,7 @@ double growth_at(double sigma, const SparsePattern& p, std::span<const double> K
   factorisation->analyse(p);
   if (factorisation->factorise(plus).status != FactorStatus::ok)
     return std::numeric_limits<double>::quiet_NaN();
-  Dice dice(1);
-  std::vector<double> y(static_cast<std::size_t>(p.size)), z;
-  for (double& v : y) v = dice.uniform(-1, 1);
+  std::vector<double> y = scattered(static_cast<std::size_t>(p.size)), z;
   double logarithm = 0;
   for (int k = 0; k < kPowers; ++k) {
     const double before = norm(y);
@@ -73,4 +81,4 @@ double largest_growth(Assembler& assembler, std::span<const double> x, const Mak
   return largest;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft

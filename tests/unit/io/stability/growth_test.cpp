@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/growth.hpp"
+
+#include "io/analysis/case.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/verification/solving.hpp"
+
+#include <gtest/gtest.h>
+
+namespace netloft::io {
+namespace {
+
+/// Growth where a scene of the suite comes to rest. It need not be in a stable place.
+double growth_of(const std::string& scene, const std::vector<std::string>& overrides, bool turned_over) {
+  Case one({NETLOFT_SOURCE_DIR "/" + scene, overrides, 1}, test::shipped_plugins());
+  const auto turn_over = [&](LoadedScene& loaded) {
+    for (std::size_t d = 2; turned_over && d < loaded.scene.positions.size(); d += 3)
+      loaded.scene.positions[d] = -400 - loaded.scene.positions[d];
+  };
+  EXPECT_EQ(one.open(turn_over), Case::State::ready);
+  const Solution s = one.solve();
+  EXPECT_TRUE(s.balance.balanced) << s.reason;
+  return largest_growth(one.assembler(), s.x, make_factorisation);
+}
+
+constexpr const char* kFloat = "tests/stability/scenes/float-on-rope.toml";
+
+// Straight up from what holds it a float is stable; straight down, with a rope that bears compression, it is
+// in balance and topples: the pendulum and the inverted pendulum.
+const std::vector<std::string> kRod{"analysis.solver=newton", "analysis.newton.method=classic",
+                                    "parts.rope.cells=10", "parts.rope.rope.EA_compression=1e5"};
+
+TEST(Growth, NothingGrowsInAFloatThatStandsUp) { EXPECT_LE(growth_of(kFloat, kRod, false), kGrows); }
+
+TEST(Growth, AFloatThatHangsDownTopples) { EXPECT_GT(growth_of(kFloat, kRod, true), kGrows); }
+
+// With an unsymmetric tangent: the same, in a current along the rope, which drags at nothing but the float
+// and leaves both in balance.
+TEST(Growth, IsFoundWhereTheTangentIsUnsymmetric) {
+  auto rod = kRod;
+  rod.push_back("water.current=[0,0,0.2]");
+  EXPECT_LE(growth_of(kFloat, rod, false), kGrows);
+  EXPECT_GT(growth_of(kFloat, rod, true), kGrows);
+}
+
+TEST(Growth, NothingGrowsInATowedRope) {
+  EXPECT_LE(growth_of("gear-library/scenes/verification/towed-rope.toml", {"analysis.solver=newton"}, false),
+            kGrows);
+}
+
+}  // namespace
+}  // namespace netloft::io

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stability/judge.hpp"
+
+#include <gtest/gtest.h>
+
+namespace netloft::io {
+namespace {
+
+/// A gear of three nodes in a box of 3 x 4 x 12 m: 13 m across. Its best answer has -100 J.
+Ended ended_at(double energy, double aside = 0) {
+  Ended e;
+  e.solution.status = SolveStatus::converged, e.solution.stability = Stability::stable;
+  e.solution.energy = energy, e.solution.balance.scale = 5;
+  e.positions = {0, 0, 0, 3, 4, 0, 0 + aside, 0, 12};
+  e.unknowns = 9;
+  return e;
+}
+
+Where where(const Ended& e, Expected expected = Expected::stable, bool neutral = false) {
+  StabilityCase c;
+  c.expected = expected, c.neutral = neutral;
+  return judge(c, make_reference(ended_at(-100), "hand"), e).where;
+}
+
+TEST(Judge, AReferenceKnowsTheSizeOfTheGear) {
+  const Reference r = make_reference(ended_at(-100), "hand");
+  EXPECT_DOUBLE_EQ(r.size, 13);
+  EXPECT_EQ(r.energy, -100);
+  EXPECT_EQ(r.load, 5);
+  ASSERT_EQ(r.nodes.size(), 3u);
+  EXPECT_EQ(r.nodes[1].x, (std::array<double, 3>{3, 4, 0}));
+}
+
+TEST(Judge, AUniqueAnswerIsWantedWithinOneInAHundredMillionOfTheSize) {
+  EXPECT_EQ(where(ended_at(-100, 1.2e-7), Expected::unique), Where::reference);
+  EXPECT_EQ(where(ended_at(-100, 1.4e-7), Expected::unique), Where::near);
+  EXPECT_EQ(where(ended_at(-100, 1.4e-4), Expected::unique), Where::wrong);
+  EXPECT_FALSE(is_right(Where::near) || is_lie(Where::near));
+}
+
+TEST(Judge, OtherwiseTheSameShapeIsEnough) {
+  EXPECT_EQ(where(ended_at(-100, 1.2e-4)), Where::reference);
+  EXPECT_EQ(where(ended_at(-100, 1.4e-4)), Where::another);
+}
+
+TEST(Judge, EnergyTellsBetterFromWorse) {
+  EXPECT_EQ(where(ended_at(-101, 1)), Where::lower);
+  EXPECT_EQ(where(ended_at(-99, 1)), Where::higher);
+  EXPECT_EQ(where(ended_at(-100 + 0.5e-7, 1)), Where::another);  // 1e-9 of 100 J
+  EXPECT_EQ(where(ended_at(-99, 1), Expected::unique), Where::wrong);
+  EXPECT_EQ(where(ended_at(-99), Expected::unique), Where::wrong);
+}
+
+TEST(Judge, WhereSomethingMayMoveFreelyOnlyEnergyCounts) {
+  EXPECT_EQ(where(ended_at(-100, 1), Expected::unique, true), Where::reference);
+  EXPECT_EQ(where(ended_at(-99, 1), Expected::unique, true), Where::wrong);
+}
+
+TEST(Judge, WithoutAnEnergyOnlyThePlaceCounts) {
+  Ended e = ended_at(-50, 1);
+  e.conservative = false;
+  EXPECT_EQ(where(e), Where::another);
+  EXPECT_EQ(where(e, Expected::unique), Where::wrong);
+  e.positions[6] = 0;
+  EXPECT_EQ(where(e, Expected::unique), Where::reference);
+}
+
+TEST(Judge, SuccessAtAnUnstablePlaceIsALie) {
+  Ended e = ended_at(-100);
+  e.solution.stability = Stability::unstable;
+  EXPECT_EQ(where(e), Where::wrong);
+  e = ended_at(-100), e.grows = true;
+  EXPECT_EQ(where(e), Where::wrong);
+}
+
+TEST(Judge, AnUnstablePlaceThatIsCalledSoIsNoLieAndNoArrival) {
+  Ended e = ended_at(-100);
+  e.solution.status = SolveStatus::unstable, e.solution.stability = Stability::unstable;
+  EXPECT_EQ(where(e), Where::unstable);
+  EXPECT_FALSE(is_right(Where::unstable) || is_lie(Where::unstable));
+}
+
+TEST(Judge, FailureIsRightOnlyWhereThereIsNoEquilibriumAndInTime) {
+  Ended e = ended_at(-100);
+  e.solution.status = SolveStatus::not_converged;
+  EXPECT_EQ(where(e), Where::failed);
+  EXPECT_EQ(where(e, Expected::none), Where::honest);
+  e.out_of_time = true;
+  EXPECT_EQ(where(e, Expected::none), Where::late);
+  EXPECT_EQ(where(ended_at(-100), Expected::none), Where::lied);
+  EXPECT_TRUE(is_right(Where::honest) && !is_right(Where::failed) && !is_right(Where::late));
+  EXPECT_TRUE(is_lie(Where::lied) && is_lie(Where::wrong) && !is_lie(Where::failed));
+}
+
+TEST(Judge, WhereNothingIsStoredRoundingIsTheSameEnergy) {
+  Ended nothing = ended_at(0), almost = ended_at(1e-9, 1);
+  nothing.solution.balance.scale = almost.solution.balance.scale = 0;
+  nothing.solution.balance.floor = 1e-9;  // x 13 m
+  StabilityCase c;
+  EXPECT_EQ(judge(c, make_reference(nothing, ""), almost).where, Where::another);
+  almost.solution.energy = 1e-6;
+  EXPECT_EQ(judge(c, make_reference(nothing, ""), almost).where, Where::higher);
+}
+
+TEST(Judge, WithoutAReferenceBalanceIsAllThatCanBeSaid) {
+  StabilityCase c;
+  EXPECT_EQ(judge(c, std::nullopt, ended_at(1)).where, Where::another);
+}
+
+TEST(Judge, ASolverThatWantsAnEnergyIsNotBlamedForHavingNone) {
+  Ended e;
+  e.unfit = true;
+  EXPECT_EQ(where(e), Where::unfit);
+  EXPECT_EQ(where(e, Expected::none), Where::unfit);
+}
+
+}  // namespace
+}  // namespace netloft::io

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stability/matrix.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace netloft::io {
+namespace {
+
+/// Two cases, of which one has no equilibrium, and two solvers, of which the second lies about that one.
+class Matrix : public ::testing::Test {
+ protected:
+  Matrix() {
+    panel.name = "panel/<slack>", panel.about = "slack & \"cold\"";
+    none.name = "rope/loose", none.expected = Expected::none, none.drawn = true;
+    rows = {{&panel, "small", {cell(panel, "auto", Where::reference), cell(panel, "lbfgs", Where::unfit)}, 1},
+            {&none, "small", {cell(none, "auto", Where::honest), cell(none, "lbfgs", Where::lied)}, 0}};
+  }
+  static Cell cell(const StabilityCase& c, const std::string& solver, Where where) {
+    Cell cell;
+    cell.name = c.name, cell.size = "small", cell.solver = solver, cell.expected = c.expected;
+    cell.verdict.where = where, cell.unknowns = 216, cell.iterations = 12, cell.factorisations = 13;
+    cell.cpu_seconds = 0.25, cell.reason = "1 < 2", cell.energy = -5;
+    return cell;
+  }
+  StabilityCase panel, none;
+  std::vector<Row> rows;
+};
+
+TEST_F(Matrix, CountsWhatIsRightAndWhatIsALie) {
+  const auto all = tally(rows);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].cases, 2u);
+  EXPECT_EQ(all[0].right, 2u);
+  EXPECT_EQ(all[0].lies, 0u);
+  EXPECT_EQ(all[1].cases, 1u);  // unfit is no case of its
+  EXPECT_EQ(all[1].right, 0u);
+  EXPECT_EQ(all[1].lies, 1u);
+}
+
+TEST_F(Matrix, TheTableNamesCasesAndMarksLies) {
+  const std::string text = matrix_text({"suite", 3}, rows);
+  EXPECT_NE(text.find("draw 3"), std::string::npos);
+  EXPECT_NE(text.find("reference 12/13/0.25"), std::string::npos);
+  EXPECT_NE(text.find("rope/loose * (none)"), std::string::npos);
+  EXPECT_NE(text.find("!! lied 12/13/0.25"), std::string::npos);
+}
+
+TEST_F(Matrix, JsonHasEveryCaseWithItsFigures) {
+  rows[0].cells[0].energy = std::numeric_limits<double>::quiet_NaN();
+  const auto json = nlohmann::json::parse(matrix_json({"suite", 3}, rows));
+  ASSERT_EQ(json["cases"].size(), 4u);
+  const auto& c = json["cases"][3];
+  EXPECT_EQ(c["name"], "rope/loose");
+  EXPECT_EQ(c["solver"], "lbfgs");
+  EXPECT_EQ(c["unknowns"], 216);
+  EXPECT_EQ(c["arrived"], false);
+  EXPECT_EQ(c["where"], "lied");
+  EXPECT_EQ(c["expected"], "none");
+  EXPECT_EQ(c["iterations"], 12);
+  EXPECT_EQ(c["factorisations"], 13);
+  EXPECT_EQ(c["cpu_seconds"], 0.25);
+  EXPECT_EQ(c["energy"], -5);
+  EXPECT_EQ(c["reason"], "1 < 2");
+  EXPECT_EQ(json["cases"][0]["arrived"], true);
+  EXPECT_TRUE(json["cases"][0]["energy"].is_null());
+}
+
+TEST_F(Matrix, ThePageStandsAloneAndEscapesWhatItQuotes) {
+  const std::string page = matrix_html({"suite", 3}, rows);
+  EXPECT_EQ(page.find("http"), std::string::npos);
+  EXPECT_NE(page.find("panel/&lt;slack&gt;"), std::string::npos);
+  EXPECT_NE(page.find("slack &amp; &quot;cold&quot;"), std::string::npos);
+  EXPECT_NE(page.find("class=\"lie\" title=\"1 &lt; 2\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace netloft::io
