@@ -18,5 +18,6 @@ int compare_command(const Options& options);    // speed against error of solver
 int stability_command(const Options& options);  // solvers on hard cases
 int new_command(const Options& options);        // write a plugin to begin with
 int reference_command(const Options& options);  // write reference pages
+int catalogue_command(const Options& options);  // parts of the catalogue
 
 }  // namespace netloft::io

@@ -81,6 +81,12 @@ void add_author_commands(CLI::App& app, Options& o) {
       "flags that compile a plugin: c++ $(netloft --cflags) otter.cpp -o otter.so");
 }
 
+void add_gear_commands(CLI::App& app, Options& o) {
+  auto* catalogue = app.add_subcommand("catalogue", "list the parts that scenes and gears name");
+  catalogue->add_option("NAME", o.target, "a part, for all that is known of it, or a kind, such as twine");
+  add_plugin_options(*catalogue, o);
+}
+
 void add_stability_command(CLI::App& app, Options& o) {
   StabilityOptions& s = o.stability;
   auto* command =
@@ -127,6 +133,7 @@ void add_commands(CLI::App& app, Options& o) {
   add_compare_command(app, o);
   add_stability_command(app, o);
   add_author_commands(app, o);
+  add_gear_commands(app, o);
   app.require_subcommand(1);
 }
 
@@ -140,6 +147,7 @@ int dispatch(const Options& o) {
   if (o.command == "stability") return stability_command(o);
   if (o.command == "new") return new_command(o);
   if (o.command == "reference") return reference_command(o);
+  if (o.command == "catalogue") return catalogue_command(o);
   return test_command(o);
 }
 

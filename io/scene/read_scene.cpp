@@ -4,6 +4,7 @@
 #include "framework/scene/pairs.hpp"
 
 #include "framework/registry/nearest.hpp"
+#include "io/scene/catalogue_parts.hpp"
 #include "io/scene/current.hpp"
 #include "io/scene/geometry.hpp"
 #include "io/scene/holder.hpp"
@@ -56,14 +57,11 @@ void drop_repeats(std::vector<std::uint32_t>& nodes) {
 /// Reads one scene; members are steps in the order they happen.
 class SceneReader {
  public:
-  SceneReader(const Document& document, std::string name, Registry& registry, Diagnostics& diagnostics,
+  SceneReader(const Value& root, std::string name, Registry& registry, Diagnostics& diagnostics,
               bool& refused)
-      : root_(document.root(), diagnostics),
-        registry_(registry),
-        diagnostics_(diagnostics),
-        refused_(refused) {
+      : root_(root, diagnostics), registry_(registry), diagnostics_(diagnostics), refused_(refused) {
     out_.scene.name = std::move(name);
-    out_.files = document.files();
+    root_.has("catalogue");  // read with the parts that are named
   }
 
   LoadedScene read() {
@@ -625,7 +623,12 @@ LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std:
                        Registry& registry, Diagnostics& diagnostics, bool& refused) {
   const Document document = Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
-  return SceneReader(document, file.stem().string(), registry, diagnostics, refused).read();
+  Value root = document.root();
+  const auto catalogues = put_catalogue_parts(root, file.parent_path(), registry, diagnostics);
+  LoadedScene loaded = SceneReader(root, file.stem().string(), registry, diagnostics, refused).read();
+  loaded.files = document.files();
+  loaded.files.insert(loaded.files.end(), catalogues.begin(), catalogues.end());
+  return loaded;
 }
 
 }  // namespace netloft::io

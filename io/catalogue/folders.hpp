@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <vector>
+
+namespace netloft::io {
+
+/// Where catalogues are looked for: `own` (those a file names, in order), those in the variable
+/// NETLOFT_CATALOGUE (divided by colons), then the gear library: share/netloft/gear-library/catalogue beside
+/// the program or above it, so that the folder may be moved.
+std::vector<std::filesystem::path> catalogue_folders(std::vector<std::filesystem::path> own = {});
+
+}  // namespace netloft::io

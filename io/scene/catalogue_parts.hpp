@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/registry.hpp"
+#include "io/toml/document.hpp"
+
+namespace netloft::io {
+
+/// Replaces the names of catalogue parts in a scene, `twine = "pe-braided-4mm"`, by what they stand for. No
+/// catalogue is read for a scene without such names. `catalogue` of the scene names folders of its own,
+/// relative to `folder`. Returns the catalogue files that were read, for the record of a run.
+std::vector<SourceFile> put_catalogue_parts(Value& scene, const std::filesystem::path& folder,
+                                            Registry& registry, Diagnostics& diagnostics);
+
+}  // namespace netloft::io
