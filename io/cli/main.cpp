@@ -126,8 +126,8 @@ void add_commands(CLI::App& app, Options& o) {
   describe->add_option("TYPE", o.target, "such as rope/bar, newton, water")->required();
   add_plugin_options(*describe, o);
   add_plugin_options(*app.add_subcommand("schema", "JSON schema of scene files, for editors"), o);
-  auto* test =
-      app.add_subcommand("test", "check the elements of a plugin: derivatives, balance, lanes, manners");
+  auto* test = app.add_subcommand(
+      "test", "check the elements, laws and solvers of a plugin: derivatives, balance, lanes, manners");
   test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
   add_plugin_options(*test, o);
   add_compare_command(app, o);
