@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace netloft {
 
@@ -18,6 +19,9 @@ constexpr double kStiffer = 10, kSoftest = 30;
 constexpr int kMostStages = 9;
 // A ramp of the current gives up at steps of this share.
 constexpr double kShortestRamp = 1.0 / 64;
+// Detours may cost so many times the first attempt, and at least so many seconds: what has no equilibrium
+// should hear of it soon.
+constexpr double kPatience = 30, kLeastPatience = 2;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
 
@@ -37,7 +41,8 @@ Journey::Journey(const Scene& scene, Assembler& assembler, Registry& registry, J
       assembler_(assembler),
       registry_(registry),
       options_(std::move(options)),
-      begun_(wall_seconds()) {}
+      begun_(wall_seconds()),
+      patience_(std::numeric_limits<double>::infinity()) {}
 
 void Journey::book(const Leg& leg) { legs_.push_back(leg); }
 
@@ -46,6 +51,7 @@ Solution Journey::arrive(Displacements start) {
   Limits first = options_.limits;
   first.iterations = std::min(first.iterations, kFirstIterations);
   Solution best = solve_itself("as it is", start, first);
+  patience_ = std::max(kLeastPatience, kPatience * (wall_seconds() - begun_));
   const std::pair<const char*, Detour> detours[] = {{"shaken", &Journey::over_shaking},
                                                     {"from tension only", &Journey::over_tension_only},
                                                     {"from still water", &Journey::over_current},
@@ -53,28 +59,32 @@ Solution Journey::arrive(Displacements start) {
                                                     {"from a relaxed shape", &Journey::over_relaxation},
                                                     {"shaken again", &Journey::over_shaking}};
   for (const auto& [name, detour] : detours) {
-    if (has_arrived(best) || out_of_time()) break;
+    if (has_arrived(best) || out_of_time() || !options_.detours) break;
     const auto nearer = (this->*detour)(start, best);
     if (!nearer) continue;
     Solution next = solve_itself(name, *nearer, first);
     if (has_arrived(next) || is_better(next, best)) best = std::move(next);
   }
-  if (!is_near(best) && !out_of_time() && options_.limits.iterations > first.iterations) {
+  if (options_.detours && !is_near(best) && !out_of_time() && options_.limits.iterations > first.iterations) {
     Solution last = solve_itself("once more", best.u, options_.limits);
     if (has_arrived(last) || is_better(last, best)) best = std::move(last);
   }
   return finish(std::move(best));
 }
 
-/// Every unknown a little aside, by fractions of multiples of the golden ratio: no symmetry survives it.
 std::optional<Journey::Displacements> Journey::over_shaking(const Displacements& start,
                                                             const Solution& best) {
-  constexpr double kGolden = 0.61803398874989485, kShare = 0.02;
   const bool has_forces = best.balance.scale > 0;
   if (has_forces && best.status != SolveStatus::unstable) return {};
-  const double size = StaticProblem(assembler_, options_.make, options_.limits).element_size();
   Displacements u = has_forces ? best.u : start;
   u.resize(best.u.size());
+  return shaken(std::move(u));
+}
+
+/// Every unknown a little aside, by fractions of multiples of the golden ratio: no symmetry survives it.
+Journey::Displacements Journey::shaken(Displacements u) const {
+  constexpr double kGolden = 0.61803398874989485, kShare = 0.02;
+  const double size = StaticProblem(assembler_, options_.make, options_.limits).element_size();
   for (std::size_t i = 0; i < u.size(); ++i) {
     const double multiple = kGolden * static_cast<double>(i + 1);
     u[i] += kShare * size * (2 * (multiple - std::floor(multiple)) - 1);
@@ -95,10 +105,14 @@ std::optional<Journey::Displacements> Journey::over_stiffness(const Displacement
   double cap = std::max(kSoftest * load, stiffest * std::pow(kStiffer, -kMostStages));
   if (stiffest <= cap) return {};
   Displacements u = start;
-  for (; cap < stiffest && !out_of_time(); cap *= kStiffer)
-    u = solve_leg("stiffness up to " + std::to_string(std::llround(cap)) + " N",
-                  softened(scene_, registry_, cap), options_.solver, u, kLegTolerance)
-            .u;
+  for (; cap < stiffest && !out_of_time(); cap *= kStiffer) {
+    const std::string name = "stiffness up to " + std::to_string(std::llround(cap)) + " N";
+    const Scene softer = softened(scene_, registry_, cap);
+    Solution s = solve_leg(name, softer, options_.solver, u, kLegTolerance);
+    if (s.status == SolveStatus::unstable)  // what is pressed gives way while it is soft
+      s = solve_leg(name + ", shaken", softer, options_.solver, shaken(s.u), kLegTolerance);
+    u = s.u;
+  }
   return u;
 }
 
@@ -168,7 +182,7 @@ Limits Journey::limits_of_leg(double tolerance) const {
 }
 
 bool Journey::out_of_time() const {
-  return wall_seconds() - begun_ >= options_.limits.seconds ||
+  return wall_seconds() - begun_ >= std::min(options_.limits.seconds, patience_) ||
          (options_.limits.interrupt && options_.limits.interrupt->load());
 }
 

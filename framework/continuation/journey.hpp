@@ -21,6 +21,7 @@ struct JourneyOptions {
   MakeFactorisation make;
   TangentChoice tangent = TangentChoice::exact;
   int threads = 1;
+  bool detours = true;  // else the scene itself only
   std::function<void(const IterationRecord&)> on_iteration;
 };
 
@@ -55,6 +56,7 @@ class Journey {
   std::optional<Displacements> over_current(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_relaxation(const Displacements& start, const Solution& best);
 
+  Displacements shaken(Displacements u) const;
   Solution solve_itself(const std::string& name, const Displacements& start, const Limits& limits);
   Solution solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,
                      const Displacements& start, double tolerance);
@@ -67,7 +69,7 @@ class Journey {
   Assembler& assembler_;
   Registry& registry_;
   JourneyOptions options_;
-  double begun_;
+  double begun_, patience_;  // [s]
   std::vector<Leg> legs_;
 };
 

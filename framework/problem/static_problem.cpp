@@ -300,7 +300,7 @@ int StaticProblem::progress(const double* u, double energy, const double* residu
     stop_ = Stop::iterations;
   else if (record.seconds >= limits_.seconds)
     stop_ = Stop::time;
-  else if (has_run_away(u))
+  else if (has_run_away(x_))
     stop_ = Stop::ran_away;
   if (stop_ != Stop::none) return stop_ == Stop::arrived ? NETLOFT_ARRIVED : NETLOFT_GIVE_UP;
   ++books_.iterations;
@@ -320,33 +320,34 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
   for_nodes(numbering, 0, pattern.size, residual,
             [&](std::uint32_t node, std::int32_t first, std::int32_t last, double norm) {
               if (!(norm <= b.residual)) b.residual = norm, b.worst = node;
-              if (norm <= limits_.tolerance * b.scale) return;
-              // Forces come from differences of coordinates: stiffness x rounding of the position is what
-              // they are worth.
-              double floor = 0;
-              for (std::int32_t i = first; i < last; ++i) {
-                const double stiffness = metric_[find_slot(pattern, i, i)];
-                floor = std::max(floor, 4 * std::numeric_limits<double>::epsilon() * stiffness *
-                                            std::abs(x[static_cast<std::size_t>(i)]));
-              }
-              b.floor = std::max(b.floor, floor);
-              const bool unloaded = b.scale <= floor;
-              if (norm <= floor && (unloaded || floor <= kMostExcused * b.scale))
-                b.at_round_off = true;
-              else
-                b.balanced = false;
+              for (std::int32_t i = first; i < last; ++i) b.floor = std::max(b.floor, rounding_at(i, x));
+  const bool within = b.residual <= limits_.tolerance * b.scale;
+  // Where nothing but rounding loads it, rounding is all there is to see.
+  const bool excused = b.residual <= b.floor && (b.scale <= b.floor || b.residual <= kMostExcused * b.scale);
+  b.at_round_off = !within && excused;
+  // An infinite load would excuse any residual, and so would positions beyond all measure.
+  b.balanced = (within || excused) && std::isfinite(b.scale) && !has_run_away(x);
             });
   return b;
 }
 
-double StaticProblem::step_length(const double* du) const {
+/// Forces come from differences of coordinates: stiffness x rounding of the position is what they are worth.
+double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> x) const {
+  const auto i = static_cast<std::size_t>(unknown);
+  double stiffness = metric_[find_slot(assembler_.pattern(), unknown, unknown)];
+  if (step_.state) stiffness += step_.ca * step_.mass[i];
+  return 4 * std::numeric_limits<double>::epsilon() * stiffness * std::abs(x[i]);
+}
+
 /// Further from the start than any gear can be long: nothing holds what drives it.
-bool StaticProblem::has_run_away(const double* u) const {
+bool StaticProblem::has_run_away(std::span<const double> x) const {
   constexpr double kFar = 1000;
   double largest = 0;
-  for (std::size_t i = 0; i < u_.size(); ++i) largest = std::max(largest, std::abs(u[i]));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    largest = std::max(largest, std::abs(x[i] - assembler_.start()[i]));
   return largest > kFar * gear_size_;
 }
+double StaticProblem::step_length(const double* du) const {
 
   double largest = 0;
   for (std::size_t i = 0; i < u_.size(); ++i) largest = std::max(largest, std::abs(du[i]));

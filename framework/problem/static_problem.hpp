@@ -89,7 +89,8 @@ class StaticProblem {
   int progress(const double* u, double energy, const double* residual, const char* note);
   double step_length(const double* du) const;
 
-  bool has_run_away(const double* u) const;
+  bool has_run_away(std::span<const double> x) const;
+  double rounding_at(std::int32_t unknown, std::span<const double> x) const;
   void place(const double* u);
   std::vector<double>& values(MatrixKind kind);
   void need_metric();

@@ -98,7 +98,9 @@ std::vector<double> Case::start_from_coarser(const Watch& watch, std::vector<Leg
       set_start(coarse.scene, *start);
   };
   if (coarser.open(start_likewise) != State::ready) return {};
-  const Solution s = coarser.solve(watch);
+  Watch direct = watch;
+  direct.detours = watch.detours;
+  const Solution s = coarser.solve(direct);
   if (s.legs.empty())
     legs.push_back({"coarser mesh", loaded_.analysis.solver, s.u.size(), s.status, s.reason, s.books});
   else
@@ -118,3 +120,4 @@ std::vector<double> Case::positions(std::span<const double> x) const {
 }
 
 }  // namespace netloft::io
+  options.detours = watch.detours;

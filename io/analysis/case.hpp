@@ -26,6 +26,7 @@ struct Watch {
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const IterationRecord&)> on_iteration;
 };
+  bool detours = true;  // over easier scenes, where the analysis allows continuation
 
 /// A scene on its way from a file to an answer: read, planned, assembled, solved. What `run`, `plan`,
 /// `compare` and `stability` share. Not movable: the assembler stands on the scene.

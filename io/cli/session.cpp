@@ -48,11 +48,22 @@ int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Option
   return code;
 }
 
+namespace {
+
+/// What the program does around the solver.
+std::string way_of(const Analysis& analysis) {
+  if (!analysis.continuation) return "";
+  return std::string(analysis.automatic ? "chosen by auto, " : "") +
+         "from coarser meshes where cells can be halved, over easier scenes where it does not arrive";
+}
+
+}  // namespace
+
 PlanExtras Session::plan_extras() {
   const auto factorisation =
       make_factorisation(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   return {loaded().analysis.solver, factorisation->description(), assembler().pattern().entries(),
-          threads_for(options_), assembler().threads_used()};
+          threads_for(options_),    assembler().threads_used(),   way_of(loaded().analysis)};
 }
 
 }  // namespace netloft::io

@@ -84,6 +84,7 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
                {"unsymmetric_because", plan.unsymmetric_because},
                {"conservative", plan.conservative},
                {"solver", extras.solver},
+               {"way", extras.way},
                {"factorisation", extras.factorisation},
                {"threads", {{"given", extras.threads_given}, {"used", extras.threads_used}}}});
 }

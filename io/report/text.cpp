@@ -51,8 +51,9 @@ std::string plan_text(const Plan& plan, const PlanExtras& extras) {
                  plan.nodes, plan.held_nodes, plan.unknowns, extras.matrix_entries,
                  plan.symmetric ? "symmetric" : "unsymmetric because of " + plan.unsymmetric_because,
                  plan.conservative ? ", every force has an energy" : "");
-  fmt::format_to(out, "solver: {}\nfactorisation: {}\nthreads: {} given, {} used by the assembly\n",
-                 extras.solver, extras.factorisation, extras.threads_given, extras.threads_used);
+  fmt::format_to(out, "solver: {}{}{}\nfactorisation: {}\nthreads: {} given, {} used by the assembly\n",
+                 extras.solver, extras.way.empty() ? "" : "; ", extras.way, extras.factorisation,
+                 extras.threads_given, extras.threads_used);
   return text;
 }
 

@@ -9,6 +9,7 @@ struct PlanExtras {
   std::string solver, factorisation;
   std::size_t matrix_entries = 0;
   int threads_given = 1, threads_used = 1;
+  std::string way;  // what is done around the solver; empty: nothing
 };
 
 /// What the scene needs, term by term, and why not the rest.

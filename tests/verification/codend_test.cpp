@@ -347,6 +347,22 @@ TEST_P(Tractrix, IsWhatATubeBetweenTwoRingsTendsTo) {
   EXPECT_LT(relative(rings.back().z, kRings[5].z), t.shape_error);
 }
 
+// Both rings held where they belong, twenty cells along. Distances are counted in the radius of the wide
+// ring.
+TEST(TractrixBetweenHeldRings, LiesWithinHalfAPercentOfTheWideRingWithTwentyCellsAlong) {
+  const SolvedFile s = solve_file("verification/tractrix-between-rings.toml");
+  ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+  const std::vector<Ring> rings = rings_of(s, 20);
+  for (std::size_t k = 0; k + 1 < std::size(kRings); ++k) {
+    const Ring& exact = kRings[k];
+    const double error = std::abs(radius_at(rings, &Ring::V, exact.V) - exact.r);
+    std::printf("  radius after %2.0f meshes: %.2e of the wide ring's, %.2e of its own\n", exact.V,
+                error / 1.5, error / exact.r);
+    EXPECT_LT(error / 1.5, 5e-3);
+    EXPECT_LT(std::abs(radius_at(rings, &Ring::z, exact.z) - exact.r) / 1.5, 5.5e-3);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(FinerAndFiner, Tractrix,
                          testing::Values(Tube{100, 20, 1.1e-2, 1.5e-2}, Tube{100, 30, 5e-3, 5e-3},
                                          Tube{200, 60, 5e-3 / 4, 5e-3 / 4}),
