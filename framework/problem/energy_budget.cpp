@@ -62,7 +62,7 @@ bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const 
   double energy = 0;
   if (!find_forces(next_) || !find_energies(next_.x, t, energy, true)) return false;
   for (std::size_t k = 0; k < work_.size(); ++k) work_[k].value += done(now_.works[k], next_.works[k]);
-  inertia_work_ += done(now_.inertia, next_.inertia);
+  if (!find_entrained()) return false;
   damped_ += done(now_.damping, next_.damping);
   holds_ += done(now_.holds, next_.holds);
   std::swap(now_, next_);
@@ -79,20 +79,34 @@ void EnergyBudget::place(double t, std::span<const double> u, std::span<const do
   to.q = state_.x(), to.rates = state_.v();
   put(u, to.q), put(v, to.rates);
   state_.set(t, u, v, a);
-  to.t = t, to.x = state_.x();
+  to.t = t, to.x = state_.x(), to.v = state_.v();
+}
+
+/// (4), with the velocity in the middle of the step: M v there, by the masses of its end and of its start.
+bool EnergyBudget::find_entrained() {
+  mean_rates_.resize(now_.v.size()), mean_own_rates_.resize(now_.v.size());
+  for (std::size_t i = 0; i < now_.v.size(); ++i) {
+    mean_rates_[i] = 0.5 * (now_.v[i] + next_.v[i]);
+    mean_own_rates_[i] = 0.5 * (now_.rates[i] + next_.rates[i]);
+  }
+  Kinematics as_rates;
+  as_rates.a = mean_rates_.data();
+  if (!sum_force(inertia_, now_.x, as_rates, momentum_) || !sum_force(inertia_, next_.x, as_rates, turned_))
+    return false;
+  entrained_ -= 0.5 * (dot(turned_, mean_own_rates_) - dot(momentum_, mean_own_rates_));
+  return true;
 }
 
 /// state_ stands at the moment.
 bool EnergyBudget::find_forces(Moment& m) {
   const Kinematics motion = state_.motion();
   for (std::size_t k = 0; k < work_.size(); ++k)
-    if (!sum_force(work_[k], motion, m.works[k])) return false;
+    if (!sum_force(work_[k], m.x, motion, m.works[k])) return false;
   Kinematics as_rates = motion;
   as_rates.a = state_.v().data();  // inertia for a = v is M v
-  if (!sum_force(inertia_, as_rates, m.damping)) return false;
+  if (!sum_force(inertia_, m.x, as_rates, m.damping)) return false;
   kinetic_ = 0.5 * dot(m.damping, m.rates);  // (3)
   for (double& f : m.damping) f *= mass_damping_;
-  if (!sum_force(inertia_, motion, m.inertia)) return false;
   m.holds.assign(is_guided_ ? m.q.size() : 0, 0.0);
   if (!is_guided_) return true;
   if (!assembler_.evaluate(m.x, {.residual = m.holds.data(), .motion = motion})) return false;
@@ -116,10 +130,11 @@ bool EnergyBudget::find_energies(const std::vector<double>& x, double t, double&
   return true;
 }
 
-bool EnergyBudget::sum_force(const Account& account, const Kinematics& motion, std::vector<double>& force) {
+bool EnergyBudget::sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
+                             std::vector<double>& force) {
   force.assign(scratch_.size(), 0.0);
   for (const auto& [family, term] : account.terms) {
-    if (!assembler_.evaluate_term(state_.x(), family, term, scratch_, motion)) return false;
+    if (!assembler_.evaluate_term(x, family, term, scratch_, motion)) return false;
     for (std::size_t i = 0; i < force.size(); ++i) force[i] += scratch_[i];
   }
   return true;
@@ -144,23 +159,23 @@ std::vector<std::string> EnergyBudget::names() const {
 
 std::vector<double> EnergyBudget::values() const {
   std::vector<double> values = {kinetic_};
-  double gained = inertia_work_, spent = damped_;
+  double gained = kinetic_ - first_kinetic_ + entrained_, spent = damped_;
   for (const auto& s : stored_) values.push_back(s.value), gained += s.value - s.first;
-  values.push_back(inertia_work_ - (kinetic_ - first_kinetic_));  // (4)
+  values.push_back(entrained_);
   for (const auto& w : work_) values.push_back(w.value), spent += w.value;
   values.insert(values.end(), {damped_, holds_, winches_, holds_ + winches_ - gained - spent});
   return values;
 }
 
 std::vector<double> EnergyBudget::sums() const {
-  std::vector<double> sums = {first_kinetic_, inertia_work_, damped_, holds_, winches_};
+  std::vector<double> sums = {first_kinetic_, entrained_, damped_, holds_, winches_};
   for (const auto& s : stored_) sums.push_back(s.first);
   for (const auto& w : work_) sums.push_back(w.value);
   return sums;
 }
 
 void EnergyBudget::set_sums(std::span<const double> sums) {
-  first_kinetic_ = sums[0], inertia_work_ = sums[1], damped_ = sums[2], holds_ = sums[3], winches_ = sums[4];
+  first_kinetic_ = sums[0], entrained_ = sums[1], damped_ = sums[2], holds_ = sums[3], winches_ = sums[4];
   std::size_t k = 5;
   for (auto& s : stored_) s.first = sums[k++];
   for (auto& w : work_) w.value = sums[k++];

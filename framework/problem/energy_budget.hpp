@@ -13,7 +13,7 @@ namespace netloft {
 ///   Σ_k ∫ r_k·dq = ∫ reaction·dq          over all terms, from F = 0                     (1)
 ///   stored_k = E_k                        terms with an energy                           (2)
 ///   kinetic = ½ v·M v                                                                    (3)
-///   entrained = ∫ r_inertia·dq − Δkinetic energy that added mass takes as it turns       (4)
+///   entrained = −½ ∫ v·(dM/dt) v dt       what added mass takes from the gear as it turns (4)
 ///   dissipated_k = ∫ r_k·dq               drag, damping, friction; negative: they push   (5)
 ///   work_of_holds = ∫ reaction·dq         of those that are moved                        (6)
 ///   work_of_winches = ∫ ∂E/∂t dt          lengths that change in time                    (7)
@@ -47,16 +47,18 @@ class EnergyBudget {
   /// A state, and the forces there over all dofs, as residuals.
   struct Moment {
     double t = 0;
-    std::vector<double> x, q, rates;         // q, rates: of unknowns and guided dofs
+    std::vector<double> x, v, q, rates;      // q, rates: of unknowns and guided dofs
     std::vector<std::vector<double>> works;  // per account of work_
-    std::vector<double> inertia, damping, holds;
+    std::vector<double> damping, holds;
   };
 
   void place(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
              Moment& to);
   bool find_forces(Moment& m);
   bool find_energies(const std::vector<double>& x, double t, double& sum, bool keep);
-  bool sum_force(const Account& account, const Kinematics& motion, std::vector<double>& force);
+  bool sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
+                 std::vector<double>& force);
+  bool find_entrained();
   double done(const std::vector<double>& before, const std::vector<double>& after) const;
 
   Assembler& assembler_;
@@ -66,8 +68,8 @@ class EnergyBudget {
   std::vector<Account> stored_, work_;
   Account inertia_;
   Moment now_, next_;
-  double kinetic_ = 0, first_kinetic_ = 0, inertia_work_ = 0, damped_ = 0, holds_ = 0, winches_ = 0;
-  std::vector<double> zero_, scratch_, damped_rates_;
+  double kinetic_ = 0, first_kinetic_ = 0, entrained_ = 0, damped_ = 0, holds_ = 0, winches_ = 0;
+  std::vector<double> zero_, scratch_, mean_rates_, mean_own_rates_, momentum_, turned_;
 };
 
 }  // namespace netloft

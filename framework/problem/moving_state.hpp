@@ -11,7 +11,7 @@ class MovingState {
   MovingState(const Assembler& assembler, double mass_damping)
       : assembler_(assembler),
         mass_damping_(mass_damping),
-        x_(assembler.numbering().dofs()),
+        x_(assembler.start()),
         v_(x_.size()),
         a_(x_.size()) {}
 

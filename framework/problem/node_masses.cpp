@@ -67,6 +67,13 @@ void NodeMasses::multiply(std::span<const double> x, std::span<double> y) const 
   }
 }
 
+std::vector<double> NodeMasses::diagonal() const {
+  std::vector<double> all;
+  for (const Node& n : nodes_)
+    for (std::size_t r = 0; r < n.count; ++r) all.push_back(entry(n, r, r));
+  return all;
+}
+
 std::optional<std::uint32_t> NodeMasses::massless_node() const {
   for (const Node& n : nodes_)
     if (!n.has_mass) return n.node;

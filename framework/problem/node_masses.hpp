@@ -20,6 +20,8 @@ class NodeMasses {
   void divide(std::span<const double> x, std::span<double> y) const;
   void multiply(std::span<const double> x, std::span<double> y) const;
 
+  /// The diagonal of M, over the unknowns [kg].
+  std::vector<double> diagonal() const;
   /// Whether masses couple nodes: then no block is the truth.
   bool coupled() const { return coupled_ > 0; }
   /// A node with an unknown and no mass.

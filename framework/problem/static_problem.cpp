@@ -316,18 +316,17 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
   for_nodes(
       numbering, pattern.size, static_cast<std::int32_t>(residual.size()), residual,
       [&](std::uint32_t, std::int32_t, std::int32_t, double norm) { b.scale = std::max(b.scale, norm); });
-  b.balanced = std::isfinite(b.scale);  // an infinite load would excuse any residual
   for_nodes(numbering, 0, pattern.size, residual,
             [&](std::uint32_t node, std::int32_t first, std::int32_t last, double norm) {
               if (!(norm <= b.residual)) b.residual = norm, b.worst = node;
               for (std::int32_t i = first; i < last; ++i) b.floor = std::max(b.floor, rounding_at(i, x));
+            });
   const bool within = b.residual <= limits_.tolerance * b.scale;
   // Where nothing but rounding loads it, rounding is all there is to see.
   const bool excused = b.residual <= b.floor && (b.scale <= b.floor || b.residual <= kMostExcused * b.scale);
   b.at_round_off = !within && excused;
   // An infinite load would excuse any residual, and so would positions beyond all measure.
   b.balanced = (within || excused) && std::isfinite(b.scale) && !has_run_away(x);
-            });
   return b;
 }
 
@@ -347,8 +346,8 @@ bool StaticProblem::has_run_away(std::span<const double> x) const {
     largest = std::max(largest, std::abs(x[i] - assembler_.start()[i]));
   return largest > kFar * gear_size_;
 }
-double StaticProblem::step_length(const double* du) const {
 
+double StaticProblem::step_length(const double* du) const {
   double largest = 0;
   for (std::size_t i = 0; i < u_.size(); ++i) largest = std::max(largest, std::abs(du[i]));
   return largest / element_size_;

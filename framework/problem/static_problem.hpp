@@ -37,8 +37,9 @@ struct StepProblem {
   double t;
   std::span<const double> v0, a0;
   double cv, ca;
-  MovingState* state;  // where positions and rates of the moment are kept
-  double least_load;   // [N] that tolerances are a part of, at the least
+  std::span<const double> mass;  // of each unknown [kg]: ca times it is a stiffness that rounding meets
+  MovingState* state;            // where positions and rates of the moment are kept
+  double least_load;             // [N] that tolerances are a part of, at the least
 };
 
 /// r(u) = 0 of a static scene, or of a step in time: what a solver sees, with the host's books behind it.
@@ -76,8 +77,8 @@ class StaticProblem {
   void forget_factor() { last_ = nullptr; }
   /// Longest extent of an element at the start [m].
   double element_size() const { return element_size_; }
-  /// The exact tangent at u, factorised with `shift` times the metric.
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
+  /// The exact tangent at u, factorised with `shift` times the metric.
   netloft_factor factorise_at(std::span<const double> u, double shift);
 
  private:
@@ -88,9 +89,9 @@ class StaticProblem {
   int row_sums(int matrix, double shift, double* y);
   int progress(const double* u, double energy, const double* residual, const char* note);
   double step_length(const double* du) const;
-
   bool has_run_away(std::span<const double> x) const;
   double rounding_at(std::int32_t unknown, std::span<const double> x) const;
+
   void place(const double* u);
   std::vector<double>& values(MatrixKind kind);
   void need_metric();

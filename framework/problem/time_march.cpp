@@ -77,6 +77,7 @@ class March {
       return integrator_.type->integrator.stable_step(integrator_.parameters, omega);
     };
     limit_ = settings_.longest_step;
+    if (stable(1) > 0) result_.stable_step = stable(problem_.highest_frequency_at(state_.u));
     if (stable(1) > 0 && (settings_.adaptive || settings_.step == 0))
       limit_ = std::min(limit_, kBelowLimit * stable(problem_.highest_frequency()));
   }

@@ -119,7 +119,8 @@ int TransientProblem::accelerate_at(double t, std::span<const double> u, std::sp
 }
 
 int TransientProblem::solve(double t, const double* v0, double cv, const double* a0, double ca, double* u) {
-  algebra_.begin({t, {v0, size()}, {a0, size()}, cv, ca, &state_, least_load_});
+  if (mass_.empty() && masses_.update(assembler_.start())) mass_ = masses_.diagonal();
+  algebra_.begin({t, {v0, size()}, {a0, size()}, cv, ca, mass_, &state_, least_load_});
   netloft_problem& problem = algebra_.interface();
   std::copy_n(u, size(), problem.u);
   const auto outcome = static_cast<netloft_outcome>(solver_.type->solver.solve(solver_.parameters, &problem));
@@ -137,6 +138,18 @@ double TransientProblem::highest_frequency() {
   if (!masses_.update(assembler_.start())) return 0;
   return netloft::highest_frequency(masses_, size(), [&](std::span<const double> x, std::span<double> y) {
     algebra_.interface().multiply(algebra_.interface().host, NETLOFT_NONE, 1, x.data(), y.data());
+  });
+}
+
+double TransientProblem::highest_frequency_at(std::span<const double> u) {
+  std::vector<double> x(residual_.size());
+  assembler_.place(u, x);
+  netloft_problem& p = algebra_.interface();
+  if (!masses_.update(x) ||
+      p.evaluate(p.host, NETLOFT_WANT_TANGENT, u.data(), nullptr, nullptr) != NETLOFT_OK)
+    return 0;
+  return netloft::highest_frequency(masses_, size(), [&](std::span<const double> in, std::span<double> out) {
+    p.multiply(p.host, NETLOFT_EXACT, 0, in.data(), out.data());
   });
 }
 

@@ -37,6 +37,8 @@ class TransientProblem {
   int start(double t, std::span<const double> u, std::span<const double> v, std::span<double> a);
   /// Highest angular frequency that the linear stiffness and the masses at the start allow [rad/s].
   double highest_frequency();
+  /// The same of the tangent where it rests at displacements u, which need not bound other states.
+  double highest_frequency_at(std::span<const double> u);
   /// What makes explicit schemes impossible here; empty: nothing.
   std::string obstacle_to_explicit(const Scene& scene);
   /// Raises what tolerances are a part of to the loads in `residual`, over all dofs [N].
@@ -62,7 +64,7 @@ class TransientProblem {
   double least_load_ = 0;
   std::string trouble_;
   char message_[256] = "";
-  std::vector<double> zero_, residual_;
+  std::vector<double> zero_, residual_, mass_;
   std::deque<std::vector<double>> scratch_;
 };
 

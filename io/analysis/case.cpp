@@ -2,11 +2,14 @@
 #include "io/analysis/case.hpp"
 
 #include "framework/continuation/journey.hpp"
+#include "framework/problem/settling.hpp"
 #include "io/analysis/coarser.hpp"
 #include "io/scene/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -44,8 +47,12 @@ Case::State Case::read() {
 Case::State Case::assemble() {
   Timed timed(setup_seconds_);
   try {
-    plan_ = make_plan(loaded_.scene, registry_, loaded_.analysis.tangent);
-    std::erase(plan_.not_loaded, registry_.solver(loaded_.analysis.solver).origin->name);
+    const Analysis& analysis = loaded_.analysis;
+    const bool moves = analysis.kind == AnalysisKind::dynamics || analysis.settles;
+    plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
+                      moves ? AnalysisKind::dynamics : AnalysisKind::statics);
+    if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);
+    if (moves) std::erase(plan_.not_loaded, registry_.integrator(analysis.dynamics.integrator).origin->name);
     assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
   } catch (const SceneError& error) {
     for (const auto& fault : error.faults) diagnostics_.error(loaded_.place_of(fault.part), fault.message);
@@ -55,6 +62,7 @@ Case::State Case::assemble() {
 }
 
 Solution Case::solve(const Watch& watch) {
+  if (loaded_.analysis.settles) return settle(watch);
   return loaded_.analysis.continuation ? solve_by_journey(watch) : solve_plainly(watch);
 }
 
@@ -70,12 +78,84 @@ Solution Case::solve_plainly(const Watch& watch) {
                       watch.on_iteration);
 }
 
+namespace {
+
+/// A table of parameters as a plugin wants it. What a scene was read with is right; else
+/// std::invalid_argument.
+ParameterBlock block_of(std::span<const netloft_parameter> table, std::size_t bytes, const Values& values) {
+  std::vector<std::string> faults;
+  ParameterBlock block(table, bytes, values, faults);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  return block;
+}
+
+constexpr const char* kStepSolver =
+    "chord";  // of the implicit steps of an integrator that is itself a solver
+constexpr Limits kStepLimits{1e-8, 25, std::numeric_limits<double>::infinity(), nullptr};
+
+}  // namespace
+
+Solution Case::settle(const Watch& watch) {
+  const Dynamics& d = loaded_.analysis.dynamics;
+  const IntegratorType& integrator = registry_.integrator(d.integrator);
+  const SolverType& solver = registry_.solver(kStepSolver);
+  const auto scheme =
+      block_of(integrator.parameters, integrator.integrator.parameter_bytes, d.integrator_parameters);
+  const auto steps = block_of(solver.parameters, solver.solver.parameter_bytes, {});
+  Settling settling{assembler_.get(),
+                    &loaded_.scene,
+                    {&integrator, scheme.data()},
+                    {&solver, steps.data()},
+                    make_factorisation,
+                    kStepLimits,
+                    d.march};
+  settling.limits.interrupt = watch.interrupt;
+  Limits limits = loaded_.analysis.limits;
+  limits.interrupt = watch.interrupt;
+  settling.limits.seconds = limits.seconds;
+  return solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_factorisation,
+                      watch.on_iteration);
+}
+
+MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interrupt, const MarchState* from) {
+  const Analysis& a = loaded_.analysis;
+  const IntegratorType& integrator = registry_.integrator(a.dynamics.integrator);
+  const SolverType& solver = registry_.solver(a.solver);
+  const auto scheme = block_of(integrator.parameters, integrator.integrator.parameter_bytes,
+                               a.dynamics.integrator_parameters);
+  const auto steps = block_of(solver.parameters, solver.solver.parameter_bytes, a.solver_parameters);
+  Limits limits = a.limits;
+  limits.interrupt = interrupt;
+  std::optional<MarchState> at_rest;
+  if (!from && a.dynamics.from_equilibrium) {
+    const Solution s = find_equilibrium(interrupt);
+    if (s.status != SolveStatus::converged) {
+      MarchResult none;
+      none.reason = "there is no equilibrium to start from: " + s.reason, none.u = s.u;
+      return none;
+    }
+    from = &at_rest.emplace(state_at_rest(*assembler_, s.u));
+  }
+  return netloft::march(loaded_.scene, *assembler_, {&integrator, scheme.data()}, {&solver, steps.data()},
+                        make_factorisation, limits, a.dynamics.march, watch, from);
+}
+
+/// Where everything is at rest at t = 0, as a start.
+Solution Case::find_equilibrium(const std::atomic<bool>* interrupt) {
+  const SolverType& newton = registry_.solver("newton");
+  const auto parameters = block_of(newton.parameters, newton.solver.parameter_bytes, {});
+  Limits limits;
+  limits.interrupt = interrupt, limits.seconds = loaded_.analysis.limits.seconds;
+  return solve_static(loaded_.scene, *assembler_, newton, parameters.data(), limits, make_factorisation);
+}
+
 Solution Case::solve_by_journey(const Watch& watch) {
   JourneyOptions options;
   options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
   options.limits = loaded_.analysis.limits, options.limits.interrupt = watch.interrupt;
   options.make = make_factorisation, options.tangent = loaded_.analysis.tangent;
   options.threads = source_.threads, options.on_iteration = watch.on_iteration;
+  options.detours = watch.detours;
   Journey journey(loaded_.scene, *assembler_, registry_, options);
   std::vector<Leg> coarser;
   const std::vector<double> start = start_from_coarser(watch, coarser);
@@ -120,4 +200,3 @@ std::vector<double> Case::positions(std::span<const double> x) const {
 }
 
 }  // namespace netloft::io
-  options.detours = watch.detours;

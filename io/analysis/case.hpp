@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/problem/time_march.hpp"
 #include "framework/problem/verdict.hpp"
 #include "framework/scene/plan.hpp"
 #include "io/scene/loaded_scene.hpp"
@@ -25,8 +26,8 @@ struct CaseSource {
 struct Watch {
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const IterationRecord&)> on_iteration;
-};
   bool detours = true;  // over easier scenes, where the analysis allows continuation
+};
 
 /// A scene on its way from a file to an answer: read, planned, assembled, solved. What `run`, `plan`,
 /// `compare` and `stability` share. Not movable: the assembler stands on the scene.
@@ -46,6 +47,10 @@ class Case {
   /// Solves as the scene's analysis says, from its start.
   Solution solve(const Watch& watch = {});
 
+  /// Goes through time as the scene's analysis says, from its start or from what was kept.
+  MarchResult march(const MarchWatch& watch, const std::atomic<bool>* interrupt = nullptr,
+                    const MarchState* from = nullptr);
+
   /// Positions of all nodes [m], 3 per node of the scene, out of a vector over all dofs.
   std::vector<double> positions(std::span<const double> x) const;
 
@@ -63,6 +68,8 @@ class Case {
   State assemble();
   Solution solve_plainly(const Watch& watch);
   Solution solve_by_journey(const Watch& watch);
+  Solution settle(const Watch& watch);
+  Solution find_equilibrium(const std::atomic<bool>* interrupt);
   std::vector<double> start_from_coarser(const Watch& watch, std::vector<Leg>& legs);
 
   CaseSource source_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
 #include "io/cli/components.hpp"
+#include "io/scene/dynamics.hpp"
 #include "io/scene/keys.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,13 @@ int describe_keys(const std::string& name, std::span<const netloft_parameter> ta
   }
   std::puts(("[" + name + "]: a table of the scene\n" + parameter_text(table)).c_str());
   return kDone;
+}
+
+/// Those of time included.
+std::vector<netloft_parameter> all_analysis_keys() {
+  std::vector<netloft_parameter> all(analysis_keys().begin(), analysis_keys().end());
+  all.insert(all.end(), dynamics_keys().begin(), dynamics_keys().end());
+  return all;
 }
 
 }  // namespace
@@ -45,7 +53,7 @@ int list_command(const Options& options) {
 
 int describe_command(const Options& options) {
   if (options.target == "water") return describe_keys("water", water_keys(), options.json);
-  if (options.target == "analysis") return describe_keys("analysis", analysis_keys(), options.json);
+  if (options.target == "analysis") return describe_keys("analysis", all_analysis_keys(), options.json);
   Registry registry;
   find_plugins(options, registry);
   const bool whole = options.target.find('/') == std::string::npos;

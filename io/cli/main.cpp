@@ -117,6 +117,8 @@ void add_commands(CLI::App& app, Options& o) {
   run->add_option("-o,--output", o.output, "result file; else the scene's name with .hdf, in this folder")
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("FILE.hdf");
+  run->add_flag("--resume", o.resume,
+                "go on with a motion from the .part that a killed or interrupted run left");
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);

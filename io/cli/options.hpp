@@ -14,6 +14,7 @@ struct Options {
   std::string kind;                  // new: element, law, solver
   std::string target;                // scene, component or plugin
   std::string output;                // -o
+  bool resume = false;               // --resume
   bool error = false;                // --error
   std::string solver;                // --solver NAME[:key=value[,key=value]]
   std::vector<std::string> set;      // --set path=value

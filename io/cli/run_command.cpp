@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/session.hpp"
 #include "io/compare/mesh_error.hpp"
+#include "io/dynamics/motion_report.hpp"
 #include "io/report/provenance.hpp"
 #include "io/report/write_result.hpp"
 
@@ -46,6 +47,39 @@ std::vector<MeshLevel> levels_for_errors(const Options& options, const LoadedSce
 
 }  // namespace
 
+namespace {
+
+/// The scene as it was read and changed: a motion goes on only as the same.
+std::string identity_of(const Options& options, const LoadedScene& loaded) {
+  std::string identity = options.solver;
+  for (const auto& file : loaded.files) identity += "\n" + file.hash;
+  for (const auto& word : options.set) identity += "\n" + word;
+  return identity;
+}
+
+int exit_code(MarchStatus status) {
+  return status == MarchStatus::finished      ? kDone
+         : status == MarchStatus::interrupted ? kInterrupted
+                                              : kNotConverged;
+}
+
+int run_in_time(const Options& options, Session& session, const RunContext& context) {
+  const std::string part = output_file(options, session.loaded()) + ".part";
+  if (options.resume && !std::filesystem::exists(part))
+    throw UsageError{"--resume: there is no " + part + " to go on from"};
+  const MotionOptions how{
+      output_file(options, session.loaded()), options.resume, identity_of(options, session.loaded()),
+      &interrupt_flag(),
+      [&](const StepRecord& step) { session.terminal().progress_in_time(step.t, step.end, step.seconds); }};
+  const MotionResult result = run_motion(session.the_case(), context, how);
+  session.terminal().clear();
+  std::puts(options.json ? motion_json(session.loaded(), session.plan(), result).c_str()
+                         : motion_text(session.loaded(), session.plan(), result).c_str());
+  return exit_code(result.march.status);
+}
+
+}  // namespace
+
 int run_command(const Options& options) {
   RunContext context{options.words, utc_now(), {}, ""};
   catch_interrupts();
@@ -53,6 +87,9 @@ int run_command(const Options& options) {
   if (const int code = session.open(); code != kDone) return code;
   context.plugins = session.registry().opened();
   context.plan_text = plan_text(session.plan(), session.plan_extras());
+  if (session.loaded().analysis.kind == AnalysisKind::dynamics) return run_in_time(options, session, context);
+  if (options.resume)
+    throw UsageError{"--resume goes on with motions; an equilibrium is found from its start"};
 
   const auto levels = levels_for_errors(options, session.loaded());
   ResultFile file(output_file(options, session.loaded()));

@@ -2,6 +2,7 @@
 #include "framework/parameters/parameters.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/components.hpp"
+#include "io/scene/dynamics.hpp"
 #include "io/scene/geometry.hpp"
 #include "io/scene/keys.hpp"
 
@@ -27,8 +28,34 @@ Json quantity(const std::string& unit, double lo, double hi, const std::string& 
           {"anyOf", {number, {{"type", "string"}}}}};
 }
 
+/// Columns of numbers, each an SI number or a text with a unit.
+Json column_schema(const char* unit, const std::string& doc) {
+  const double inf = std::numeric_limits<double>::infinity();
+  return {
+      {"type", "array"}, {"items", quantity(unit, -inf, inf, doc)}, {"minItems", 1}, {"description", doc}};
+}
+
+/// A table of columns by name; the first is what the others are over.
+Json columns_schema(const std::string& doc,
+                    std::initializer_list<std::pair<const char*, const char*>> columns) {
+  Json table = object();
+  table["description"] = doc;
+  for (const auto& [name, unit] : columns) table["properties"][name] = column_schema(unit, doc);
+  table["required"] = {columns.begin()->first};
+  return table;
+}
+
 Json parameter_schema(const netloft_parameter& p) {
   switch (p.kind) {
+    case NETLOFT_TABLE: {
+      Json table = object();
+      table["description"] = p.doc;
+      for (std::size_t k = 0; p.columns[k]; ++k) {
+        table["properties"][p.columns[k]] = column_schema(p.column_units[k], p.doc);
+        table["required"].push_back(p.columns[k]);
+      }
+      return table;
+    }
     case NETLOFT_INTEGER:
       return {{"type", "integer"},
               {"minimum", p.lo},
@@ -199,6 +226,14 @@ Json hold_schema() {
   }
   put(hold, "at", {{"description", "\"sketch\", a point, or points of a line"}}, false);
   put(hold, "name", text("name of the reaction"), false);
+  put(hold, "displacement",
+      columns_schema("way from where it is held, over time",
+                     {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"z", "m"}}),
+      false);
+  put(hold, "velocity",
+      columns_schema("velocity of what is held, over time",
+                     {{"t", "s"}, {"x", "m/s"}, {"y", "m/s"}, {"z", "m/s"}}),
+      false);
   return {{"type", "array"}, {"items", hold}};
 }
 
@@ -228,10 +263,14 @@ Json current_schema() {
   put(profile, "x", column("m/s", 50, "velocity along x at each z"), false);
   put(profile, "y", column("m/s", 50, "velocity along y at each z"), false);
   put(profile, "up", column("m/s", 50, "velocity upwards at each z"), false);
+  put(profile, "t", column("s", 1e9, "times of the shares"), false);
+  put(profile, "share", column("1", 1e3, "share of the profile at each t"), false);
+  Json drift = columns_schema("velocity everywhere, over time",
+                              {{"t", "s"}, {"x", "m/s"}, {"y", "m/s"}, {"up", "m/s"}});
   Json velocity = column("m/s", 50, "velocity [vx, vy, vz]");
   velocity["minItems"] = velocity["maxItems"] = 3;
-  return {{"description", "velocity of the water: the same everywhere, or a profile over height"},
-          {"anyOf", {velocity, profile}}};
+  return {{"description", "velocity of the water: the same everywhere, or over height and time"},
+          {"anyOf", {velocity, profile, drift}}};
 }
 
 Json results_schema() {
@@ -296,6 +335,7 @@ Json scene_schema(Registry& registry) {
   put_table(water, water_keys());
   put(water, "current", current_schema(), false);
   put_table(analysis, analysis_keys());
+  put_table(analysis, dynamics_keys());
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements)

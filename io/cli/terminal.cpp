@@ -42,11 +42,32 @@ void Terminal::say(const std::string& text) {
   if (!text.empty() && text.back() != '\n') std::fputc('\n', stderr);
 }
 
-void Terminal::progress(const IterationRecord& r, double tolerance) {
-  const double now = wall_seconds();
+/// Whether it is time for another line.
+bool Terminal::is_due(double now) {
   const double pause = is_terminal_ ? 0.1 : 5;
-  if (now - begun_ < 1 || now - last_ < pause) return;
+  if (now - begun_ < 1 || now - last_ < pause) return false;
   last_ = now;
+  return true;
+}
+
+void Terminal::progress_in_time(double t, double end, double seconds) {
+  if (!is_due(wall_seconds())) return;
+  if (is_terminal_) {
+    const auto bar = static_cast<std::size_t>(20 * std::clamp(t / end, 0.0, 1.0));
+    std::fputs(fmt::format("\r\033[K[{:<20}] {:.3g} s of {:.3g} s, {:.1f} s gone", std::string(bar, '='), t,
+                           end, seconds)
+                   .c_str(),
+               stderr);
+    drawn_ = true;
+  } else {
+    std::fputs(fmt::format("progress time={:.6g} of={:.6g} seconds={:.1f}\n", t, end, seconds).c_str(),
+               stderr);
+  }
+  std::fflush(stderr);
+}
+
+void Terminal::progress(const IterationRecord& r, double tolerance) {
+  if (!is_due(wall_seconds())) return;
   if (is_terminal_) {
     const int bar = static_cast<int>(20 * share_done(r, tolerance));
     const auto line = fmt::format("\r\033[K[{:<20}] iteration {}, residual {:.2e} N of {:.2e} N, {:.1f} s",

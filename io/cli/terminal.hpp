@@ -22,9 +22,12 @@ class Terminal {
   /// A redrawn line on a terminal; in a pipe a line of key=value every five seconds. Silent for the first
   /// second.
   void progress(const IterationRecord& record, double tolerance);
+  /// The same for a motion that has come to t [s] of `end`.
+  void progress_in_time(double t, double end, double seconds);
   void clear();
 
  private:
+  bool is_due(double now);
   bool is_terminal_, color_, drawn_ = false;
   double begun_, last_ = 0;
 };

@@ -107,11 +107,26 @@ void Descriptor::close() {
   if (fd_ >= 0) ::close(std::exchange(fd_, -1));
 }
 
-PartFile::PartFile(fs::path final_path) : final_(std::move(final_path)), part_(with_suffix(final_, ".part")) {
+PartFile::PartFile(fs::path final_path) : PartFile(final_path, with_suffix(final_path, ".part")) {}
+
+PartFile::PartFile(fs::path final_path, fs::path part_path)
+    : final_(std::move(final_path)), part_(std::move(part_path)) {
   silence_hdf5();
   require_usable(final_);
   lock_ = take(part_);
   file_ = create_hdf5(part_, lock_);
+}
+
+bool PartFile::exchange_names(PartFile& other) {
+  if (!exchange_name_with(other.part_)) return false;
+  other.part_.swap(former_part_);
+  return true;
+}
+
+bool PartFile::exchange_name_with(const fs::path& part) {
+  if (renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, part.c_str(), RENAME_EXCHANGE) != 0) return false;
+  former_part_ = std::exchange(part_, part);
+  return true;
 }
 
 void PartFile::flush() {

@@ -36,6 +36,13 @@ class Descriptor {
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path final_path);
+  /// The same under another name while it grows.
+  PartFile(std::filesystem::path final_path, std::filesystem::path part_path);
+
+  /// Two files that grow change names, on the disk and here, in one instant. False: the file system cannot.
+  bool exchange_names(PartFile& other);
+  /// Takes the name of a file that nobody writes, which gets this one's instead.
+  bool exchange_name_with(const std::filesystem::path& part);
 
   hid_t id() const { return file_; }
   const std::filesystem::path& part_path() const { return part_; }
@@ -47,7 +54,7 @@ class PartFile {
 
  private:
   std::filesystem::path final_;
-  std::filesystem::path part_;
+  std::filesystem::path part_, former_part_;
   Descriptor lock_;  // outlives file_: nobody may take the .part while HDF5 still closes it
   Handle file_;
   bool finished_ = false;

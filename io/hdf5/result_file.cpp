@@ -9,7 +9,10 @@ constexpr int kSchema = 1;  // raised when a reader of /netloft has to change
 }  // namespace
 
 ResultFile::ResultFile(std::filesystem::path final_path)
-    : part_(std::move(final_path)), tree_(part_.id(), part_.part_path().string()) {
+    : ResultFile(final_path, final_path.string() + ".part") {}
+
+ResultFile::ResultFile(std::filesystem::path final_path, std::filesystem::path part_path)
+    : part_(std::move(final_path), std::move(part_path)), tree_(part_.id(), part_.part_path().string()) {
   tree_.set_attribute("/netloft", "schema", kSchema);
 }
 

@@ -24,6 +24,8 @@ namespace netloft::io {
 class ResultFile {
  public:
   explicit ResultFile(std::filesystem::path final_path);
+  /// The same under another name while it grows.
+  ResultFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
   /// Once, before the first state.
   void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed = {});
@@ -47,6 +49,8 @@ class ResultFile {
   /// Flushes, closes, and gives the file its name; nothing can be written afterwards.
   void finish();
 
+  /// Of a twin and its names, see PartFile.
+  PartFile& part() { return part_; }
   const std::filesystem::path& part_path() const { return part_.part_path(); }
   const std::filesystem::path& final_path() const { return part_.final_path(); }
 

@@ -30,6 +30,8 @@ class Tree {
                    std::string_view doc = {});
   void write_ints(const std::string& path, std::span<const std::int64_t> values, std::string_view unit,
                   std::string_view doc = {});
+  /// One more number at the end of a series, which the first one makes.
+  void append_real(const std::string& path, double value, std::string_view unit, std::string_view doc = {});
   /// `values` row by row, a multiple of `columns` of them.
   void write_matrix(const std::string& path, std::span<const double> values, std::size_t columns,
                     std::string_view unit, std::string_view doc = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/write_result.hpp"
 
+#include "io/report/picture.hpp"
 #include "io/report/provenance.hpp"
 
 #include <algorithm>
@@ -11,96 +12,6 @@
 namespace netloft::io {
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-/// What makes a cell of the picture: elements on nodes of their own, and whatever sits on single nodes.
-/// Pairs, and what rides on elements that are drawn already, would hide those.
-bool is_drawn(const LoadedScene& loaded, const ElementFamily& family) {
-  if (family.type().element.stencil == NETLOFT_NODE) return true;
-  return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
-}
-
-Mesh make_mesh(const LoadedScene& loaded, const Assembler& assembler) {
-  Mesh mesh;
-  mesh.n_points = loaded.scene.node_count();
-  for (const auto& family : assembler.families()) {
-    if (!is_drawn(loaded, *family)) continue;
-    const int corners = family->nodes_per_element();
-    const auto cell = corners == 1 ? kVertex : corners == 2 ? kLine : kTriangle;
-    for (std::size_t e = 0; e < family->size(); ++e) {
-      for (int c = 0; c < corners; ++c) mesh.connectivity.push_back(family->node(e, c));
-      mesh.offsets.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
-      mesh.types.push_back(cell);
-    }
-  }
-  return mesh;
-}
-
-std::vector<StaticField> label_points(const LoadedScene& loaded) {
-  const std::size_t n = loaded.scene.node_count();
-  std::vector<double> part(n), node(n), panel(2 * n, kNone);
-  for (std::size_t i = 0; i < n; ++i) {
-    const NodeLabel label = loaded.scene.labels[i];
-    part[i] = label.part, node[i] = label.id;
-    const auto& coordinates = loaded.parts[label.part].panel;
-    if (!coordinates.empty())
-      panel[2 * i] = coordinates[label.id][0], panel[2 * i + 1] = coordinates[label.id][1];
-  }
-  return {
-      {{"part", "1", "part the node was made for, index into /netloft/parts/name", Location::kPoint, 1, true},
-       part},
-      {{"node", "1", "number of the node within its part", Location::kPoint, 1, true}, node},
-      {{"panel_uv", "1", "panel coordinates U, V in meshes", Location::kPoint, 2, false}, panel}};
-}
-
-StaticField label_cells(const LoadedScene& loaded, const Assembler& assembler) {
-  std::vector<double> part;
-  for (const auto& family : assembler.families())
-    for (std::size_t e = 0; e < family->size() && is_drawn(loaded, *family); ++e)
-      part.push_back(family->part(e));
-  return {{"part", "1", "part of the element, index into /netloft/parts/name", Location::kCell, 1, true},
-          part};
-}
-
-/// Outputs of all families under one name each; elements without it have none.
-struct CellField {
-  FieldSpec spec;
-  std::vector<double> values;
-};
-
-std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler& assembler,
-                                      const RunResult& result) {
-  std::size_t cells = 0, first = 0;
-  for (const auto& family : assembler.families())
-    if (is_drawn(loaded, *family)) cells += family->size();
-  std::vector<CellField> fields;
-  for (std::size_t f = 0; f < assembler.families().size(); ++f) {
-    if (!is_drawn(loaded, *assembler.families()[f])) continue;
-    const auto& outputs = assembler.families()[f]->type().outputs;
-    for (std::size_t k = 0; k < outputs.size(); ++k) {
-      auto at = std::find_if(fields.begin(), fields.end(),
-                             [&](const CellField& c) { return c.spec.name == outputs[k].name; });
-      if (at == fields.end())
-        at = fields.insert(at, {{outputs[k].name, outputs[k].unit, outputs[k].doc, Location::kCell, 1, false},
-                                std::vector<double>(cells, kNone)});
-      std::copy(result.outputs[f][k].begin(), result.outputs[f][k].end(),
-                at->values.begin() + static_cast<std::ptrdiff_t>(first));
-    }
-    first += assembler.families()[f]->size();
-  }
-  return fields;
-}
-
-/// A vector over all dofs, node by node; without what elements share, which is in no place.
-std::vector<double> by_node(const LoadedScene& loaded, const Assembler& assembler,
-                            const std::vector<double>& v) {
-  std::vector<double> nodes(3 * loaded.scene.node_count());
-  for (std::size_t d = 0; d < nodes.size(); ++d)
-    nodes[d] = v[static_cast<std::size_t>(
-        assembler.numbering().index(static_cast<std::uint32_t>(d / 3), static_cast<int>(d % 3)))];
-  return nodes;
-}
 
 void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                    const RunResult& result) {
@@ -113,7 +24,7 @@ void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler&
     residual.insert(residual.end(), left.begin(), left.end());
     reaction.insert(reaction.end(), held.begin(), held.end());
   }
-  const auto cells = gather_outputs(loaded, assembler, result);
+  const auto cells = gather_outputs(loaded, assembler, result.outputs);
   std::vector<FieldSpec> changing = {
       {"displacement", "m", "movement from the start", Location::kPoint, 3, false},
       {"residual", "N", "force out of balance: what the solver left", Location::kPoint, 3, false},
@@ -151,12 +62,15 @@ void write_provenance(Tree& tree, const LoadedScene& loaded, const RunContext& c
   tree.write_strings(at + "plugins/hash", fingerprint);
 }
 
-void write_status(Tree& tree, const LoadedScene& loaded, const Solution& s) {
+void write_status(Tree& tree, const Solution& s) {
   tree.set_attribute("/netloft/status", "outcome", std::string_view(name_of(s.status)));
   tree.set_attribute("/netloft/status", "sentence", std::string_view(s.reason));
   tree.set_attribute("/netloft/status", "stability", std::string_view(name_of(s.stability)));
   tree.set_attribute("/netloft/status", "at_fault",
                      std::string_view(s.status == SolveStatus::converged ? "" : s.at_fault));
+}
+
+void write_parts(Tree& tree, const LoadedScene& loaded) {
   std::vector<std::string> names, types;
   for (const auto& p : loaded.scene.parts)
     if (!p.companion) names.push_back(p.name), types.push_back(p.type);
@@ -240,15 +154,20 @@ void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result
 
 }  // namespace
 
+void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context, const Books& books) {
+  write_provenance(tree, loaded, context);
+  write_parts(tree, loaded);
+  tree.write_text("/netloft/plan", context.plan_text, "what the scene needs, and why not the rest");
+  write_books(tree, books);
+}
+
 void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                   const RunResult& result, const RunContext& context) {
   write_picture(file, loaded, assembler, result);
   Tree& tree = file.tree();
-  write_provenance(tree, loaded, context);
-  write_status(tree, loaded, result.solution);
-  tree.write_text("/netloft/plan", context.plan_text, "what the scene needs, and why not the rest");
+  write_status(tree, result.solution);
+  write_origins(tree, loaded, context, result.solution.books);
   write_convergence(tree, result.solution);
-  write_books(tree, result.solution.books);
   write_forces(tree, loaded, result);
   tree.write_real("/netloft/energy", result.solution.energy, "J",
                   "energy at the end, if all forces have one");

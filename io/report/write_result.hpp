@@ -13,6 +13,9 @@ struct RunContext {
   std::string plan_text;
 };
 
+/// Where a result comes from and what it cost: what every kind of run writes.
+void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context, const Books& books);
+
 /// Writes all of a run into `file`, as io/hdf5/LAYOUT.md says, and finishes it.
 void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                   const RunResult& result, const RunContext& context);

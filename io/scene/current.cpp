@@ -18,8 +18,45 @@ std::vector<double> read_column(TableReader& profile, const char* key, std::size
   return column;
 }
 
-Current read_profile(TableReader profile) {
+const RealsSpec kTimes{
+    .unit = "s", .doc = "times, ascending", .range = between(-1e9, 1e9), .count = {.least = 1}};
+
+bool ascend(const std::vector<double>& t, TableReader& table) {
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (!(t[i] > t[i - 1])) {
+      table.error("t", "does not ascend: each time must be later than the one before");
+      return false;
+    }
+  return true;
+}
+
+/// Columns over time instead of height: the same current everywhere.
+Current read_drift(TableReader table) {
   Current current;
+  const auto t = table.reals("t", kTimes);
+  if (!ascend(t, table)) return current;
+  const auto x = read_column(table, "x", t.size()), y = read_column(table, "y", t.size()),
+             up = read_column(table, "up", t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) current.drifts.push_back({t[i], {x[i], y[i], up[i]}});
+  return current;
+}
+
+/// `share` of the profile over the times `t`.
+void read_shares(TableReader& profile, Current& current) {
+  if (!profile.has("t") && !profile.has("share")) return;
+  const auto t = profile.reals("t", kTimes);
+  const auto share = profile.reals(
+      "share",
+      {.doc = "share of the profile at each t", .range = between(-1e3, 1e3), .count = exactly(t.size())});
+  if (!ascend(t, profile)) return;
+  for (std::size_t i = 0; i < std::min(t.size(), share.size()); ++i)
+    current.shares.push_back({t[i], share[i]});
+}
+
+Current read_profile(TableReader profile) {
+  if (!profile.has("z") && profile.has("t")) return read_drift(profile);
+  Current current;
+  read_shares(profile, current);
   const auto z = profile.reals("z", {.unit = "m",
                                      .doc = "heights of the samples, 0 at the surface",
                                      .range = between(-2e4, 1e3),

@@ -19,7 +19,8 @@ std::span<const netloft_parameter> water_keys() {
 std::span<const netloft_parameter> analysis_keys() {
   static const auto table = [] {
     ParameterTable<AnalysisKeys> t;
-    t.choice("kind", &AnalysisKeys::kind, "what is looked for: the static equilibrium", {"static"});
+    t.choice("kind", &AnalysisKeys::kind, "what is looked for: the static equilibrium, or the motion in time",
+             {"static", "dynamic"});
     t.text("solver", &AnalysisKeys::solver,
            "solver plugin; its own parameters stand in a table of its name; auto: newton, with continuation",
            "auto");

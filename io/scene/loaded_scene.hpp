@@ -3,6 +3,7 @@
 #include "framework/problem/static_problem.hpp"
 #include "framework/scene/plan.hpp"
 #include "framework/scene/scene.hpp"
+#include "io/scene/dynamics.hpp"
 #include "io/toml/document.hpp"
 
 #include <array>
@@ -44,6 +45,9 @@ struct ResultRequest {
 
 /// How the scene is to be solved.
 struct Analysis {
+  AnalysisKind kind = AnalysisKind::statics;
+  bool settles = false;  // `solver` is an integrator, which goes through time until all is at rest
+  Dynamics dynamics = {};
   std::string solver;         // the plugin that is to work
   bool automatic = false;     // the user left the choice to the program: solver = "auto"
   bool continuation = false;  // over coarser meshes and easier scenes, where that helps

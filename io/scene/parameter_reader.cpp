@@ -13,6 +13,24 @@ std::vector<std::string> words_of(const netloft_parameter& p) {
   return words;
 }
 
+/// A table of columns, as many numbers in each; row by row, the first column ascending.
+Samples read_samples(const netloft_parameter& p, TableReader table) {
+  Samples rows;
+  for (std::size_t k = 0; p.columns[k]; ++k) {
+    const auto column = table.reals(
+        p.columns[k],
+        {.unit = p.column_units[k], .doc = p.doc, .count = k ? exactly(rows.size()) : Count{.least = 1}});
+    if (k == 0) rows.resize(column.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(i < column.size() ? column[i] : 0.0);
+  }
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (!(rows[i][0] > rows[i - 1][0])) {
+      table.error(p.columns[0], "does not ascend: each number must be greater than the one before");
+      return {rows[0]};
+    }
+  return rows;
+}
+
 netloft::Value read_value(const netloft_parameter& p, TableReader& from, const std::string& key) {
   switch (p.kind) {
     case NETLOFT_INTEGER:
@@ -24,6 +42,8 @@ netloft::Value read_value(const netloft_parameter& p, TableReader& from, const s
       return from.choice(key, {.allowed = words_of(p), .doc = p.doc});
     case NETLOFT_TEXT:
       return from.text(key, {.doc = p.doc});
+    case NETLOFT_TABLE:
+      return read_samples(p, from.table(key));
     default:
       return from.real(key, {.unit = p.unit, .doc = p.doc, .range = between(p.lo, p.hi)});
   }

@@ -509,7 +509,19 @@ class SceneReader {
       std::vector<std::uint32_t> nodes;
       for (const auto own : set->own) nodes.push_back(out_.parts[set->part].nodes[own]);
       out_.holds.push_back(holder.hold(entry, nodes, table));
+      guide(read_course(table), entry, out_.holds.back(), table);
     }
+  }
+
+  /// Lets what a hold holds go along a course.
+  void guide(Course course, const HoldEntry& entry, const Hold& hold, TableReader& table) {
+    if (course.knots.empty()) return;
+    const char* key = table.has("velocity") ? "velocity" : "displacement";
+    const bool is_turned = entry.frame || std::any_of(hold.nodes.begin(), hold.nodes.end(), [&](auto node) {
+                             return out_.scene.frames.contains(node);
+                           });
+    if (is_turned) table.error(key, "does not go with along and plane", "hold it by axes to move it");
+    out_.scene.guides.push_back({hold.nodes, hold.axes, std::move(course)});
   }
 
   void check_hold_name(const HoldEntry& entry, TableReader& table) {
@@ -542,15 +554,51 @@ class SceneReader {
     }
     out_.analysis.tangent = static_cast<TangentChoice>(keys.tangent);
     out_.analysis.limits = {keys.tolerance, static_cast<int>(keys.max_iterations), keys.max_seconds, nullptr};
+    out_.analysis.kind = static_cast<AnalysisKind>(keys.kind);
     try {
+      if (read_time(analysis)) return;
       const SolverType& solver = registry_.solver(out_.analysis.solver);
       TableReader own =
           analysis.table(out_.analysis.solver.substr(0, out_.analysis.solver.find('/')), Presence::optional);
       out_.analysis.solver_parameters = read_parameters(solver.parameters, own);
+      // A step begins so near its end that Newton's method wants no damping.
+      if (out_.analysis.kind == AnalysisKind::dynamics && out_.analysis.solver == "newton")
+        out_.analysis.solver_parameters.try_emplace("damping", 0.0);
     } catch (const PluginRefused& e) {
       refused_ = true;
       report_refusal(analysis, "solver", e.what());
     }
+  }
+
+  /// What speaks of time. True: no solver of an equilibrium is wanted.
+  bool read_time(TableReader& analysis) {
+    Analysis& a = out_.analysis;
+    const bool moves = a.kind == AnalysisKind::dynamics;
+    a.settles = !moves && is_integrator(registry_, a.solver);
+    if (!moves && !a.settles) {
+      for (const auto& key : dynamics_keys()) analysis.has(key.name);  // may stay for another day
+      return false;
+    }
+    a.dynamics = read_dynamics(analysis, registry_);
+    if (!analysis.has("tangent")) a.tangent = TangentChoice::symmetric;
+    if (moves && !analysis.has("tolerance")) a.limits.tolerance = 1e-5;
+    if (moves && !analysis.has("max_iterations")) a.limits.iterations = 25;
+    a.continuation = a.continuation && !moves && !a.settles;
+    if (a.settles) read_settling(analysis);
+    return a.settles;
+  }
+
+  /// An integrator as a solver: `solver` is its name, and motion has to die.
+  void read_settling(TableReader& analysis) {
+    Analysis& a = out_.analysis;
+    a.dynamics.integrator = a.solver;
+    const IntegratorType& type = registry_.integrator(a.solver);
+    TableReader own = analysis.table(a.solver.substr(0, a.solver.find('/')), Presence::optional);
+    a.dynamics.integrator_parameters = read_parameters(type.parameters, own);
+    if (!analysis.has("mass_damping")) a.dynamics.march.mass_damping = 1;
+    if (!analysis.has("duration")) a.dynamics.march.duration = 1e6;
+    if (!analysis.has("max_iterations")) a.limits.iterations = 1000000;
+    a.dynamics.march.output_interval = 0, a.dynamics.march.budget = false;
   }
 
   void read_results() {

@@ -3,19 +3,46 @@
 
 namespace netloft::rope {
 
-void Bar::check(const Parameters&, const Data& d) {
+void Bar::check(const Parameters& p, const Data& d) {
+  for (std::uint32_t i = 0; i < p.length_share.rows; ++i)
+    if (!(p.length_share.values[2 * i + 1] > 0))
+      throw std::invalid_argument("a share of its length that is not above zero leaves no rope");
   if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no stiffness");
 }
 
 void Bar::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
   bars::pack(p, d.rest_length, 1, lanes, lane);
   lanes.constant_tension[lane] = p.constant_tension;
+  lanes.length_share[lane] = p.length_share;
+  lanes.changes |= p.length_share.rows > 0;
   if (p.constant_tension > 0) lanes.EA[lane] = lanes.EA_compression[lane] = 0;
+}
+
+double Bar::share_at(const netloft_table& table, double time) {
+  if (table.rows == 0) return 1;
+  const auto t = [&](std::uint32_t i) { return table.values[2 * i]; };
+  const auto share = [&](std::uint32_t i) { return table.values[2 * i + 1]; };
+  std::uint32_t after = 0;
+  while (after < table.rows && t(after) < time) ++after;
+  if (after == 0 || after == table.rows) return share(after ? after - 1 : 0);
+  return share(after - 1) +
+         (share(after) - share(after - 1)) * (time - t(after - 1)) / (t(after) - t(after - 1));
+}
+
+const Bar::Lanes& Bar::now(const Lanes& lanes, const netloft_tile& t, Lanes& room) {
+  if (!lanes.changes) return lanes;
+  room = lanes;
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double share = share_at(lanes.length_share[i], t.time);  // (2)
+    room.l0[i] *= share, room.twine[i] *= share, room.volume[i] *= share;
+  }
+  return room;
 }
 
 axial::Bar Bar::stretch(const Parameters& p, const Data& d, const State<2>& s) {
   const Vec3<double> w = s.x[1] - s.x[0];
-  auto bar = axial::stretch(w.x, w.y, w.z, d.rest_length, p.EA, p.EA_compression);
+  const double rest_length = d.rest_length * share_at(p.length_share, s.time);
+  auto bar = axial::stretch(w.x, w.y, w.z, rest_length, p.EA, p.EA_compression);
   if (p.constant_tension > 0) bar.T = p.constant_tension;
   return bar;
 }

@@ -7,27 +7,41 @@ namespace netloft::rope {
 /// Straight two-node bar of a rope; the spring of the paper's section 2.3 with a slack branch. The model is
 /// that of bars (1)–(5), plugins/common/bars.hpp, with N = 1; and besides
 ///   E = T_c l                      at constant tension, no spring    (1)
-/// T_c [N] tension that a winch or a weight over a pulley holds whatever the length.
+///   l₀(t) = σ(t) l₀                as rope is paid out or hauled     (2)
+/// T_c [N] tension that a winch or a weight over a pulley holds whatever the length; σ [1] straight between
+/// the times of a table, the same for all bars of a rope: with its length, weight, drag and mass grow. The
+/// sag within a bar takes no part in (2).
 struct Bar {
   static constexpr auto stencil = NETLOFT_BAR;
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
     double constant_tension = 0, damping = 0, added_mass = 0, sag = 0;
+    netloft_table length_share{};  // t [s], σ
   };
   struct Data {
     double rest_length = 0;  // l₀ [m]
   };
   struct Lanes : bars::Lanes {
     double constant_tension[kLanes];
+    netloft_table length_share[kLanes];
+    bool changes;  // some lane has a table
   };
 
-  static void check(const Parameters&, const Data& d);
+  /// σ of (2).
+  static double share_at(const netloft_table& table, double time);
+  /// The lanes as they are at a time: themselves, or `room` filled by (2).
+  static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
+
+  static void check(const Parameters& p, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
 
   struct Elastic {
-    static Status tile(const Family<Bar>& f, netloft_tile& t) { return bars::add_elastic(f.lanes(t), t); }
+    static Status tile(const Family<Bar>& f, netloft_tile& t) {
+      Lanes room;
+      return bars::add_elastic(now(f.lanes(t), t, room), t);
+    }
     template <class T>
     static T oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 2>& x) {
       if (p.constant_tension > 0) return T(0);
@@ -45,7 +59,10 @@ struct Bar {
   };
 
   struct Weight {
-    static Status tile(const Family<Bar>& f, netloft_tile& t) { return bars::add_weight(f.lanes(t), t); }
+    static Status tile(const Family<Bar>& f, netloft_tile& t) {
+      Lanes room;
+      return bars::add_weight(now(f.lanes(t), t, room), t);
+    }
     template <class T>
     static T oracle(const Parameters& p, const Data& d, const Water& w, const Points<T, 2>& x) {
       return bars::weight_energy(p, d.rest_length, 1, w, x);
@@ -54,18 +71,26 @@ struct Bar {
 
   struct Drag {
     static Status tile(const Family<Bar>& f, netloft_tile& t) {
-      return bars::add_drag(f.lanes(t), f.law(0), t);
+      Lanes room;
+      return bars::add_drag(now(f.lanes(t), t, room), f.law(0), t);
     }
   };
   struct Damping {
-    static Status tile(const Family<Bar>& f, netloft_tile& t) { return bars::add_damping(f.lanes(t), t); }
+    static Status tile(const Family<Bar>& f, netloft_tile& t) {
+      Lanes room;
+      return bars::add_damping(now(f.lanes(t), t, room), t);
+    }
   };
   struct Inertia {
-    static Status tile(const Family<Bar>& f, netloft_tile& t) { return bars::add_inertia(f.lanes(t), t); }
+    static Status tile(const Family<Bar>& f, netloft_tile& t) {
+      Lanes room;
+      return bars::add_inertia(now(f.lanes(t), t, room), t);
+    }
   };
 
   static void drag_of(const Family<Bar>& f, const netloft_tile& t, double* values) {
-    bars::drag_of(f.lanes(t), f.law(0), t, values);
+    Lanes room;
+    bars::drag_of(now(f.lanes(t), t, room), f.law(0), t, values);
   }
   static void angle_of(const Family<Bar>& f, const netloft_tile& t, double* values) {
     bars::angle_of(f.lanes(t), t, values);

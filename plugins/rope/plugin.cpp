@@ -30,13 +30,17 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
            "how much of the sag within a bar counts: 0 straight bars, 1 all of it, for fewer bars at the "
            "same error",
            {.lo = 0, .hi = 1, .fallback = 0});
+  bar.table("rope.length_share", &Bar::Parameters::length_share,
+            "unstretched length over that at the start, as rope is paid out or hauled",
+            {{"t", "s"}, {"share", "1"}});
   bar.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the rope");
   bar.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
-  bar.term<Bar::Elastic,
-           netloft::conservative | netloft::symmetric | netloft::has_convex | netloft::has_metric>(
+  bar.term<Bar::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
+                             netloft::has_metric | netloft::reads_time>(
       "elastic", "tension of the rope, and its small resistance when slack");
   bar.term<Bar::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
-                            netloft::needs_gravity>("weight", "weight in water of the unstretched rope");
+                            netloft::needs_gravity | netloft::reads_time>(
+      "weight", "weight in water of the unstretched rope");
   bar.term<Bar::Tension, netloft::conservative | netloft::symmetric | netloft::has_convex>(
       "tension", "constant tension instead of the spring", "rope.constant_tension");
   bar.term<netloft::rope::Sag, netloft::needs_gravity>(

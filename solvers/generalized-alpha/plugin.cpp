@@ -55,5 +55,5 @@ NETLOFT_PLUGIN("generalized-alpha", "0.1.0", "The generalized-alpha time scheme"
                                                 "Chung and Hulbert's scheme, with the damping one asks for");
   g.real("spectral_radius", &GeneralizedAlpha::Parameters::spectral_radius, "1",
          "what is left after a step of motions far too fast for it: 1 all, 0 nothing",
-         {.lo = 0, .hi = 1, .fallback = 0.5});
+         {.lo = 0, .hi = 1, .fallback = 0});
 }

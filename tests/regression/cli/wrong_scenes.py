@@ -260,7 +260,16 @@ CURRENTS = [
         ("no heights", "{ x = [1] }", "3:11", 'missing key "z" in water.current'),
         ("a column too short", "{ z = [0, -5], x = [1] }", "3:30", "water.current.x has 1 value; 2 are wanted"),
         ("a height twice", "{ z = [0, 0], x = [1, 2] }", "3:17", "has the same height twice"),
+        ("times that go back", "{ t = [1, 0], x = [1, 2] }", "3:17", "does not ascend"),
     )
+]
+
+GUIDES = [
+    edit("velocity: times that go back", HOLD, HOLD + "\nvelocity = { t = [1, 0], x = [1, 2] }", "23:18", "does not ascend"),
+    edit("velocity: a column too short", HOLD, HOLD + "\nvelocity = { t = [0, 1], x = [1] }", "23:30",
+         "has 1 value; 2 are wanted"),
+    edit("velocity and displacement", HOLD, HOLD + "\nvelocity = { t = [0] }\ndisplacement = { t = [0] }", "23:12",
+         "is one way to say how it moves"),
 ]
 
 SEVERAL = [
@@ -273,4 +282,4 @@ SEVERAL = [
                 ("scene.toml:29:33", '"q" is nothing')]),
 ]
 
-ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + TUBES + RESULTS + FILES + PLUGINS + OPTIONS + RIDERS + CURRENTS + SEVERAL
+ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + TUBES + RESULTS + FILES + PLUGINS + OPTIONS + RIDERS + CURRENTS + GUIDES + SEVERAL

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/dynamics/motion_report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <iterator>
+
+namespace netloft::io {
+
+namespace {
+
+const char* name_of(MarchStatus status) {
+  switch (status) {
+    case MarchStatus::finished:
+      return "finished";
+    case MarchStatus::interrupted:
+      return "interrupted";
+    default:
+      return "not finished";
+  }
+}
+
+}  // namespace
+
+double real_time_factor(const MotionResult& result) {
+  const double wall = result.march.books.total_seconds;
+  return wall > 0 ? (result.march.t - result.resumed_from) / wall : 0;
+}
+
+std::string motion_text(const LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  const Books& b = r.march.books;
+  fmt::format_to(out, "{}: {}\n  {}\n", loaded.scene.name, name_of(r.march.status), r.march.reason);
+  fmt::format_to(out, "  {} unknowns, {}, {} steps of {:.3g} to {:.3g} s, {} rejected, {} outputs\n",
+                 plan.unknowns, loaded.analysis.dynamics.integrator, r.march.steps, r.march.shortest,
+                 r.march.longest, r.march.rejected, r.outputs);
+  fmt::format_to(out, "  {} iterations, {} factorisations, {:.3g} s, {:.3g} CPU s; real-time factor {:.3g}\n",
+                 b.iterations, b.factorisations, b.total_seconds, b.total_cpu_seconds, real_time_factor(r));
+  if (r.march.stable_step > 0)
+    fmt::format_to(out, "  stable up to {:.3g} s by the tangent of the start\n", r.march.stable_step);
+  for (const auto& s : r.scalars)
+    fmt::format_to(out, "  {:<24} {:>18.10g} {:<8} {}\n", s.name, s.value, s.unit == "1" ? "" : s.unit,
+                   s.doc + ", at the end");
+  for (const auto& [name, joules] : r.energies) fmt::format_to(out, "  {:<24} {:>18.6g} J\n", name, joules);
+  if (!r.output_file.empty())
+    fmt::format_to(out, "  written to {}{}\n", r.output_file,
+                   r.march.status == MarchStatus::interrupted ? "; --resume goes on from there" : "");
+  return text;
+}
+
+std::string motion_json(const LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
+  using Json = nlohmann::ordered_json;
+  const Books& b = r.march.books;
+  Json results = Json::object(), units = Json::object(), energies = Json::object();
+  for (const auto& s : r.scalars) results[s.name] = s.value, units[s.name] = s.unit;
+  for (const auto& [name, joules] : r.energies) energies[name] = joules;
+  const Json json = {{"scene", loaded.scene.name},
+                     {"status", name_of(r.march.status)},
+                     {"reason", r.march.reason},
+                     {"time", r.march.t},
+                     {"resumed_from", r.resumed_from},
+                     {"integrator", loaded.analysis.dynamics.integrator},
+                     {"solver", loaded.analysis.solver},
+                     {"unknowns", plan.unknowns},
+                     {"steps", r.march.steps},
+                     {"rejected_steps", r.march.rejected},
+                     {"shortest_step", r.march.shortest},
+                     {"longest_step", r.march.longest},
+                     {"stable_step", r.march.stable_step},
+                     {"outputs", r.outputs},
+                     {"iterations", b.iterations},
+                     {"residuals", b.residuals},
+                     {"factorisations", b.factorisations},
+                     {"wall_seconds", b.total_seconds},
+                     {"cpu_seconds", b.total_cpu_seconds},
+                     {"real_time_factor", real_time_factor(r)},
+                     {"results", results},
+                     {"units", units},
+                     {"energies", energies},
+                     {"output", r.output_file.empty() ? Json(nullptr) : Json(r.output_file)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/dynamics/motion_run.hpp"
+
+#include "io/dynamics/checkpoint.hpp"
+#include "io/dynamics/xdmf.hpp"
+#include "io/report/picture.hpp"
+#include "io/scene/result_request.hpp"
+
+#include <optional>
+
+namespace netloft::io {
+
+namespace {
+
+const std::string kEnergy = "energy/";
+
+const char* name_of(MarchStatus status) {
+  switch (status) {
+    case MarchStatus::finished:
+      return "finished";
+    case MarchStatus::interrupted:
+      return "interrupted";
+    default:
+      return "not finished";
+  }
+}
+
+/// One run; the file is made at the first output, when it is known what an output holds.
+class MotionRun {
+ public:
+  MotionRun(Case& the_case, const RunContext& context, const MotionOptions& options)
+      : case_(the_case), loaded_(the_case.loaded()), context_(context), options_(options) {}
+
+  MotionResult run() {
+    std::optional<MarchState> from;
+    if (options_.resume) from = read_killed();
+    const MarchWatch watch{[&](const Snapshot& at) { write(at); },
+                           [&](const StepRecord& step, std::span<const double>) {
+                             if (options_.on_step) options_.on_step(step);
+                             return false;
+                           }};
+    result_.march = case_.march(watch, options_.interrupt, from ? &*from : nullptr);
+    if (!file_ && killed_) finish_killed(*from);
+    if (file_) finish();
+    return std::move(result_);
+  }
+
+ private:
+  MarchState read_killed() {
+    const std::filesystem::path part = options_.output.string() + ".part";
+    if (!std::filesystem::exists(part)) throw FileError("there is no " + part.string() + " to go on from");
+    killed_.emplace(part);
+    const MarchState state =
+        with_context(part.string(), [&] { return read_checkpoint(*killed_, options_.identity); });
+    result_.resumed_from = state.t;
+    return state;
+  }
+
+  void write(const Snapshot& at) {
+    const SeriesState state = describe(at);
+    if (!file_) {
+      const std::size_t before = killed_ && at.state ? at.state->outputs - 1 : killed_states(at);
+      file_.emplace(options_.output, layout_, killed_ ? &*killed_ : nullptr, before);
+      result_.outputs = before;
+    }
+    file_->write(state, [&](Tree& tree) {
+      if (at.state) write_checkpoint(tree, *at.state, options_.identity);
+    });
+    ++result_.outputs;
+    last_ = state.time;
+  }
+  std::size_t killed_states(const Snapshot&) const {
+    return killed_ ? read_checkpoint(*killed_, options_.identity).outputs : 0;
+  }
+
+  /// It was killed after its last output: nothing is left to do but to finish it.
+  void finish_killed(const MarchState& from) {
+    describe_layout_of_killed();
+    file_.emplace(options_.output, layout_, &*killed_, from.outputs);
+    result_.outputs = from.outputs;
+  }
+
+  /// What an output holds, by making one of the place where it would go on.
+  void describe_layout_of_killed() {
+    Assembler& assembler = case_.assembler();
+    const MarchState from = read_checkpoint(*killed_, options_.identity);
+    MovingState state(assembler, 0);
+    state.set(from.t, from.u, from.v, from.a);
+    std::vector<double> residual(assembler.numbering().dofs());
+    EnergyBudget budget(assembler, loaded_.analysis.dynamics.march.mass_damping);
+    const bool keeps = loaded_.analysis.dynamics.march.budget;
+    describe({from.t, from.u, state.x(), residual, state.motion(), keeps ? &budget : nullptr, nullptr});
+  }
+
+  SeriesState describe(const Snapshot& at) {
+    Assembler& assembler = case_.assembler();
+    Solution solution;
+    solution.x.assign(at.x.begin(), at.x.end()),
+        solution.residual.assign(at.residual.begin(), at.residual.end());
+    FamilyOutputs outputs(assembler.families().size());
+    for (std::size_t f = 0; f < outputs.size(); ++f) assembler.outputs(solution.x, f, outputs[f], at.motion);
+    SeriesState state;
+    layout_.changing.clear(), layout_.columns.clear();
+    state.time = at.t;
+    state.points = by_node(loaded_, assembler, solution.x);
+    add_point_fields(at, solution, state);
+    for (auto& cell : gather_outputs(loaded_, assembler, outputs))
+      layout_.changing.push_back(cell.spec), state.fields.push_back(std::move(cell.values));
+    add_row(at, solution, outputs, state);
+    if (layout_.mesh.n_points == 0) {
+      layout_.mesh = make_mesh(loaded_, assembler), layout_.fixed = label_points(loaded_);
+      layout_.fixed.push_back(label_cells(loaded_, assembler));
+    }
+    return state;
+  }
+
+  void add_point_fields(const Snapshot& at, const Solution& solution, SeriesState& state) {
+    const Assembler& assembler = case_.assembler();
+    std::vector<double> displacement = state.points, reaction;
+    for (std::size_t d = 0; d < displacement.size(); ++d) displacement[d] -= loaded_.scene.positions[d];
+    for (std::uint32_t node = 0; node < loaded_.scene.node_count(); ++node) {
+      const auto held = assembler.reaction(node, solution.residual);
+      reaction.insert(reaction.end(), held.begin(), held.end());
+    }
+    const std::vector<double> rates(at.motion.v, at.motion.v + solution.x.size());
+    layout_.changing = {{"displacement", "m", "movement from the sketch", Location::kPoint, 3, false},
+                        {"velocity", "m/s", "velocity", Location::kPoint, 3, false},
+                        {"reaction", "N", "force of what holds the node", Location::kPoint, 3, false}};
+    state.fields = {displacement, by_node(loaded_, assembler, rates), reaction};
+  }
+
+  void add_row(const Snapshot& at, const Solution& solution, const FamilyOutputs& outputs,
+               SeriesState& state) {
+    result_.scalars.clear(), result_.energies.clear();
+    for (const auto& request : loaded_.results) {
+      NamedScalar scalar{};
+      scalar.name = request.name, scalar.unit = request.unit, scalar.doc = request.take + " of " + request.of;
+      scalar.value = value_of(request, loaded_.scene, case_.assembler(), solution, outputs);
+      layout_.columns.push_back({scalar.name, scalar.unit, scalar.doc});
+      state.row.push_back(scalar.value);
+      result_.scalars.push_back(scalar);
+    }
+    if (!at.budget) return;
+    const auto names = at.budget->names();
+    const auto values = at.budget->values();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      layout_.columns.push_back({kEnergy + names[k], "J", "of the energy budget"});
+      state.row.push_back(values[k]);
+      result_.energies.emplace_back(names[k], values[k]);
+    }
+  }
+
+  void finish() {
+    result_.output_file = file_->final_path().string();
+    if (result_.march.status == MarchStatus::interrupted) {
+      result_.output_file += ".part";
+      return;
+    }
+    file_->finish([&](Tree& tree) {
+      tree.set_attribute("/netloft/status", "outcome", std::string_view(name_of(result_.march.status)));
+      tree.set_attribute("/netloft/status", "sentence", std::string_view(result_.march.reason));
+      write_origins(tree, loaded_, context_, result_.march.books);
+      tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "steps in time");
+      tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1",
+                     "steps that were tried again");
+      for (const auto& s : result_.scalars)
+        tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
+    });
+    write_xdmf(file_->final_path());
+  }
+
+  Case& case_;
+  const LoadedScene& loaded_;
+  const RunContext& context_;
+  const MotionOptions& options_;
+  SeriesFile::Layout layout_;
+  std::optional<Reader> killed_;
+  std::optional<SeriesFile> file_;
+  double last_ = 0;
+  MotionResult result_;
+};
+
+}  // namespace
+
+MotionResult run_motion(Case& the_case, const RunContext& context, const MotionOptions& options) {
+  return MotionRun(the_case, context, options).run();
+}
+
+}  // namespace netloft::io

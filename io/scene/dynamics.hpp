@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/time_march.hpp"
+#include "framework/registry/registry.hpp"
+#include "io/toml/table_reader.hpp"
+
+#include <netloft/parameters.hpp>
+
+#include <span>
+
+namespace netloft::io {
+
+/// How a scene goes through time.
+struct Dynamics {
+  std::string integrator = {};
+  Values integrator_parameters = {};
+  MarchSettings march = {};
+  bool from_equilibrium = false;  // otherwise from the sketch; at rest in both cases
+};
+
+/// Keys of `[analysis]` that speak of time.
+std::span<const netloft_parameter> dynamics_keys();
+
+/// Reads them, and the table of the integrator. Throws PluginRefused if there is no such integrator.
+Dynamics read_dynamics(TableReader& analysis, Registry& registry);
+
+/// A solver's name that is an integrator's: it goes through time until everything is at rest.
+bool is_integrator(Registry& registry, const std::string& name);
+
+/// `displacement` or `velocity` of a `[[hold]]`: columns over `t`. A way is a smooth curve through its points
+/// that begins and ends at rest; a velocity is straight between them, and goes on as it ends.
+Course read_course(TableReader& hold);
+
+}  // namespace netloft::io

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/unit/framework/problem/oscillator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace netloft {
+namespace {
+
+using test::Moving;
+using test::Oscillator;
+
+MarchState pulled(const Moving& m, double u, double v = 0) {
+  MarchState from = state_at_rest(m.assembler);
+  from.u[0] = u, from.v[0] = v;
+  return from;
+}
+
+MarchSettings steps_of(double h, double duration) {
+  MarchSettings s;
+  s.duration = duration, s.step = h, s.adaptive = false, s.output_interval = h;
+  return s;
+}
+
+/// Displacements at all outputs.
+std::vector<double> path(Moving& m, const std::string& integrator, const Values& values,
+                         const MarchSettings& settings, const MarchState& from) {
+  std::vector<double> u;
+  m.watch.on_output = [&](const Snapshot& s) { u.push_back(s.u[0]); };
+  const MarchResult r = m.run(integrator, values, settings, &from);
+  EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
+  return u;
+}
+
+/// (2) and (3) of newmark.hpp with a = −ω² u, by hand.
+std::vector<double> newmark_by_hand(double omega, double h, double chi, int n, double u, double v) {
+  const double beta = (1 - chi) * (1 - chi) / 4, gamma = (1 - 2 * chi) / 2, w2 = omega * omega;
+  std::vector<double> all = {u};
+  double a = -w2 * u;
+  for (int i = 0; i < n; ++i) {
+    const double next = (u + h * v + h * h * (0.5 - beta) * a) / (1 + beta * h * h * w2);
+    const double next_a = -w2 * next;
+    v += h * ((1 - gamma) * a + gamma * next_a);
+    u = next, a = next_a;
+    all.push_back(u);
+  }
+  return all;
+}
+
+void expect_same(const std::vector<double>& found, const std::vector<double>& wanted, double tolerance) {
+  ASSERT_EQ(found.size(), wanted.size());
+  for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], wanted[i], tolerance) << "step " << i;
+}
+
+TEST(Newmark, FollowsItsRecurrenceOnALinearSpring) {
+  const Oscillator o;
+  for (const double chi : {0.0, -0.3}) {
+    Moving m(o.scene());
+    const double h = 0.7 / o.omega();
+    const auto found = path(m, "newmark", {{"chi", chi}}, steps_of(h, 100 * h), pulled(m, 0.1, 0.4));
+    expect_same(found, newmark_by_hand(o.omega(), h, chi, 100, 0.1, 0.4), 1e-10);
+  }
+}
+
+TEST(Newmark, FindsTheSameStepsByTheFixedPointOfThePaper) {
+  const Oscillator o;
+  Moving m(o.scene());
+  const double h = 0.5 / o.omega();
+  const auto found = path(m, "newmark", {{"corrector", std::string("fixed-point")}, {"settled", 1e-14}},
+                          steps_of(h, 50 * h), pulled(m, 0.1));
+  expect_same(found, newmark_by_hand(o.omega(), h, -0.3, 50, 0.1, 0), 1e-10);
+}
+
+/// Whether the paper's scheme goes through 20 steps of c/ω.
+bool settles(double c) {
+  const Oscillator o;
+  Moving m(o.scene());
+  const MarchState from = pulled(m, 0.1);
+  return m.run("newmark", {{"corrector", std::string("fixed-point")}, {"corrections", std::int64_t{500}}},
+               steps_of(c / o.omega(), 20 * c / o.omega()), &from)
+             .status == MarchStatus::finished;
+}
+
+TEST(Newmark, SettlesByTheFixedPointBelowItsLimitAndNotAbove) {
+  const double limit = 1 / std::sqrt(1.3 * 1.3 / 4);  // 1/√β
+  EXPECT_TRUE(settles(0.97 * limit));
+  EXPECT_FALSE(settles(1.03 * limit));
+}
+
+/// Where the exact motion is.
+double exact(const Oscillator& o, double t, double u0) { return u0 * std::cos(o.omega() * t); }
+
+double error_at_end(const std::string& integrator, const Values& values, int n) {
+  const Oscillator o;
+  Moving m(o.scene());
+  const double T = 2.3 * 2 * std::numbers::pi / o.omega();
+  const auto u = path(m, integrator, values, steps_of(T / n, T), pulled(m, 0.1));
+  return std::abs(u.back() - exact(o, T, 0.1));
+}
+
+struct Scheme {
+  const char* name;
+  Values values;
+  double order;
+};
+
+class Order : public testing::TestWithParam<Scheme> {};
+
+TEST_P(Order, IsSeenByHalvingTheStep) {
+  const auto [name, values, order] = GetParam();
+  const double coarse = error_at_end(name, values, 200), fine = error_at_end(name, values, 400);
+  EXPECT_NEAR(std::log2(coarse / fine), order, 0.1) << coarse << " " << fine;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Schemes, Order,
+    testing::Values(Scheme{"newmark", {}, 2}, Scheme{"newmark", {{"chi", -0.3}}, 1},
+                    Scheme{"newmark", {{"corrector", std::string("fixed-point")}, {"settled", 1e-12}}, 1},
+                    Scheme{"generalized-alpha", {{"spectral_radius", 0.5}}, 2},
+                    Scheme{"generalized-alpha", {{"spectral_radius", 0.0}}, 2},
+                    Scheme{"central-difference", {}, 2}));
+
+class SpectralRadius : public testing::TestWithParam<double> {};
+
+using Matrix3 = std::array<double, 9>;
+
+/// What one step makes of (u, h v, h² a), column by column.
+Matrix3 amplification(double rho, double Omega) {
+  const Oscillator o;
+  const double h = Omega / o.omega(), scale[3] = {1, 1 / h, 1 / (h * h)};
+  constexpr double kSmall = 1e-6;  // [m]
+  Matrix3 A{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    Moving m(o.scene());
+    MarchState from = state_at_rest(m.assembler), to;
+    from.a = {0.0};
+    (c == 0 ? from.u : c == 1 ? from.v : from.a)[0] = kSmall * scale[c];
+    from.least_load = o.EA / o.length * kSmall;
+    m.watch.on_output = [&](const Snapshot& s) { to = *s.state; };
+    m.run("generalized-alpha", {{"spectral_radius", rho}}, steps_of(h, h), &from);
+    const double end[3] = {to.u[0], to.v[0], to.a[0]};
+    for (std::size_t r = 0; r < 3; ++r) A[3 * r + c] = end[r] / scale[r] / kSmall;
+  }
+  return A;
+}
+
+/// ‖Aⁿ‖^(1/n) for n = 2^16, by squaring: what tends to the spectral radius.
+double spectral_radius(Matrix3 A) {
+  double log_size = 0, n = 1;
+  for (int k = 0; k < 16; ++k, n *= 2) {
+    Matrix3 square{};
+    for (std::size_t i = 0; i < 9; ++i)
+      for (std::size_t l = 0; l < 3; ++l) square[i] += A[3 * (i / 3) + l] * A[3 * l + i % 3];
+    const double size = std::abs(*std::max_element(
+        square.begin(), square.end(), [](double x, double y) { return std::abs(x) < std::abs(y); }));
+    for (double& v : square) v /= size;
+    A = square, log_size = 2 * log_size + std::log(size);
+  }
+  return std::exp(log_size / n);
+}
+
+TEST_P(SpectralRadius, IsAsAskedFarAboveTheStep) {
+  EXPECT_NEAR(spectral_radius(amplification(GetParam(), 1e3)), GetParam(), 0.02);
+}
+
+TEST_P(SpectralRadius, IsOneFarBelowTheStep) {
+  EXPECT_NEAR(spectral_radius(amplification(GetParam(), 1e-2)), 1, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Asked, SpectralRadius, testing::Values(0.5, 0.8, 1.0));
+
+TEST(CentralDifference, IsStableBelowItsLimitAndNotAbove) {
+  const Oscillator o;
+  for (const double c : {1.98, 2.02}) {
+    Moving m(o.scene());
+    const double h = c / o.omega();
+    const auto u = path(m, "central-difference", {}, steps_of(h, 200 * h), pulled(m, 1e-3));
+    const double largest = *std::max_element(u.begin(), u.end());
+    EXPECT_EQ(largest < 0.02, c < 2) << largest;
+  }
+}
+
+/// Sum of an account at every output.
+struct Budget {
+  std::vector<double> kinetic, elastic, numerical;
+  void note(const EnergyBudget& b) {
+    const auto names = b.names();
+    const auto values = b.values();
+    const auto of = [&](const char* name) {
+      return values[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
+    };
+    kinetic.push_back(of("kinetic")), elastic.push_back(of("elastic")), numerical.push_back(of("numerical"));
+  }
+};
+
+Budget budget_of(Moving& m, const Values& values, double h, int n, const MarchState& from) {
+  Budget b;
+  m.watch.on_output = [&](const Snapshot& s) { b.note(*s.budget); };
+  m.run("newmark", values, steps_of(h, n * h), &from);
+  return b;
+}
+
+TEST(EnergyBudget, ClosesOnALinearSpringUnderTheTrapezoidalRule) {
+  const Oscillator o;
+  Moving m(o.scene());
+  const Budget b = budget_of(m, {}, 0.3 / o.omega(), 200, pulled(m, 0.1));
+  const double whole = 0.5 * o.EA / o.length * 0.1 * 0.1;
+  for (std::size_t i = 0; i < b.kinetic.size(); ++i) {
+    ASSERT_NEAR(b.kinetic[i] + b.elastic[i], whole, 1e-9 * whole);
+    ASSERT_NEAR(b.numerical[i], 0, 1e-9 * whole);
+  }
+}
+
+TEST(EnergyBudget, NeverGainsUnderASchemeThatDamps) {
+  const Oscillator o;
+  Moving m(o.scene());
+  const Budget b = budget_of(m, {{"chi", -0.3}}, 0.1 / o.omega(), 200, pulled(m, 0.1));
+  for (std::size_t i = 10; i < b.kinetic.size(); ++i)
+    ASSERT_LT(b.kinetic[i] + b.elastic[i], b.kinetic[i - 10] + b.elastic[i - 10]);
+  EXPECT_GT(b.numerical.back(), 0.1 * b.elastic[0]);
+}
+
+TEST(EnergyBudget, KnowsWhatMassDampingTakes) {
+  const Oscillator o;
+  Moving m(o.scene());
+  MarchSettings s = steps_of(0.01 / o.omega(), 12 / o.omega());
+  s.mass_damping = 0.2 * o.omega();
+  std::vector<double> last;
+  std::vector<std::string> names;
+  m.watch.on_output = [&](const Snapshot& at) { last = at.budget->values(), names = at.budget->names(); };
+  const MarchState from = pulled(m, 0.1);
+  m.run("newmark", {}, s, &from);
+  double kept = 0;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k] == "kinetic" || names[k] == "elastic" || names[k] == "mass_damping_work") kept += last[k];
+  EXPECT_NEAR(kept, 0.5 * o.EA / o.length * 0.01, 1e-4 * kept);
+}
+
+/// ü + c u̇ + ω² u = 0 from rest.
+TEST(March, DampsByMassAsTheClosedFormSays) {
+  const Oscillator o;
+  Moving m(o.scene());
+  MarchSettings s = steps_of(0.005 / o.omega(), 6 / o.omega());
+  s.mass_damping = 0.3 * o.omega();
+  const double delta = s.mass_damping / 2, w = std::sqrt(o.omega() * o.omega() - delta * delta);
+  const auto u = path(m, "newmark", {}, s, pulled(m, 0.1));
+  const double t = s.duration;
+  EXPECT_NEAR(u.back(), 0.1 * std::exp(-delta * t) * (std::cos(w * t) + delta / w * std::sin(w * t)), 1e-6);
+}
+
+TEST(March, KeepsTheErrorOfAStepBelowTheAccuracy) {
+  const Oscillator o;
+  double before = 1;
+  for (const double accuracy : {1e-4, 1e-5, 1e-6}) {
+    Moving m(o.scene());
+    MarchSettings s;
+    s.duration = 20 / o.omega(), s.accuracy = accuracy;
+    const MarchState from = pulled(m, 0.1);
+    const MarchResult r = m.run("newmark", {}, s, &from);
+    ASSERT_EQ(r.status, MarchStatus::finished) << r.reason;
+    const double error = std::abs(r.u[0] - exact(o, s.duration, 0.1));
+    EXPECT_LT(error, 0.5 * before);
+    before = error;
+  }
+  EXPECT_LT(before, 0.01 * 0.1);
+}
+
+TEST(March, GivesTheSameOutputsBetweenStepsAsAtTheirEnds) {
+  const Oscillator o;
+  std::vector<double> u[2];
+  for (const bool dense : {false, true}) {
+    Moving m(o.scene());
+    MarchSettings s;
+    s.duration = 10 / o.omega(), s.accuracy = 1e-6, s.output_interval = 0.37 / o.omega(), s.dense = dense;
+    u[dense] = path(m, "newmark", {}, s, pulled(m, 0.1));
+  }
+  expect_same(u[1], u[0], 1e-4);
+}
+
+TEST(March, GoesOnFromAnyOutputToTheSameBits) {
+  const Oscillator o;
+  for (const bool dense : {false, true}) {
+    MarchSettings s;
+    s.duration = 10 / o.omega(), s.accuracy = 1e-5, s.output_interval = 0.37 / o.omega(), s.dense = dense;
+    Moving whole(o.scene());
+    std::vector<MarchState> kept;
+    std::vector<double> u;
+    whole.watch.on_output = [&](const Snapshot& at) {
+      u.push_back(at.u[0]);
+      if (at.state) kept.push_back(*at.state);
+    };
+    const MarchState from = pulled(whole, 0.1);
+    whole.run("generalized-alpha", {}, s, &from);
+    ASSERT_GT(kept.size(), 8u);
+    Moving rest(o.scene());
+    std::vector<double> again;
+    rest.watch.on_output = [&](const Snapshot& at) { again.push_back(at.u[0]); };
+    rest.run("generalized-alpha", {}, s, &kept[7]);
+    ASSERT_EQ(again, std::vector<double>(u.begin() + static_cast<std::ptrdiff_t>(kept[7].outputs), u.end()));
+  }
+}
+
+TEST(March, SaysWhyItStopsAtANodeWithoutMass) {
+  Scene scene = Oscillator().scene();
+  scene.parts[0].parameters["rope.density"] = 0.0;
+  Moving m(scene);
+  const MarchResult r = m.run("central-difference", {}, steps_of(0.01, 0.1));
+  EXPECT_EQ(r.status, MarchStatus::failed);
+  EXPECT_NE(r.reason.find("bar node 1 has no mass"), std::string::npos) << r.reason;
+}
+
+/// A spring pulled at its other end along d(t) = ½ b t²: ü + ω² u = ω² d, so that from rest
+/// u = d − b (1 − cos ωt)/ω².
+TEST(March, MovesWhatAGuideHolds) {
+  const Oscillator o;
+  Scene scene = o.scene();
+  constexpr double b = 0.8;
+  const double T = 7 / o.omega();
+  scene.guides.push_back({{0}, {kAllAxes}, {{{0, {}, {}}, {T, {b * T * T / 2}, {b * T}}}}});
+  Moving m(scene);
+  const auto u = path(m, "newmark", {}, steps_of(T / 2000, T), state_at_rest(m.assembler));
+  const double w = o.omega();
+  EXPECT_NEAR(u.back(), b * T * T / 2 - b * (1 - std::cos(w * T)) / (w * w), 1e-6);
+}
+
+TEST(HighestFrequency, IsThatOfTheSpring) {
+  const Oscillator o;
+  Moving m(o.scene());
+  TransientProblem p(m.assembler, 0, {&m.solver_type, m.solver_block.data()}, make_factorisation, m.limits);
+  EXPECT_NEAR(p.highest_frequency(), o.omega(), 1e-6 * o.omega());
+}
+
+}  // namespace
+}  // namespace netloft

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Time schemes on scenes of the gear library: orders by halving the step, energies, equilibria by dynamics.
+#include "io/analysis/case.hpp"
+#include "tests/verification/solving.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+namespace netloft {
+namespace {
+
+const std::string kScenes = NETLOFT_SOURCE_DIR "/gear-library/scenes/";
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Where a scene is at its end.
+std::vector<double> end_of(const std::string& scene, const std::vector<std::string>& overrides,
+                           const MarchWatch& watch = {}) {
+  io::Case c({kScenes + scene, overrides, 1}, test::shipped_plugins());
+  if (c.open() != io::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
+  const MarchResult r = c.march(watch);
+  EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
+  return r.u;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+std::string step(double h) {
+  char text[48];
+  std::snprintf(text, sizeof text, "analysis.step=%.17g", h);
+  return text;
+}
+
+struct Motion {
+  const char* name;
+  std::string scene;
+  std::vector<std::string> overrides;
+  double h;  // coarsest [s]
+};
+
+// Bars as stiff in compression as in tension, so that there is no corner for an order to stumble over.
+const Motion kPendulum{"Pendulum",
+                       "dynamics/elastic-pendulum.toml",
+                       {"parts.rope.cells=4", "parts.rope.rope.EA=2000",
+                        "parts.rope.rope.EA_compression=2000", "analysis.duration=0.2"},
+                       4e-4};
+const Motion kRope{"SwingingRope",
+                   "dynamics/released-rope.toml",
+                   {"parts.rope.cells=8", "parts.rope.rope.EA=500", "parts.rope.rope.EA_compression=500",
+                    "analysis.duration=1"},
+                   5e-3};
+const Motion kPanel{"PanelInACurrent",
+                    "dynamics/panel-in-current.toml",
+                    {"parts.net.cells=[4,4]", "parts.weights.number=5", "parts.net.twine.EA=20",
+                     "parts.net.twine.EA_compression=20", "analysis.duration=0.2"},
+                    1e-3};
+
+struct Scheme {
+  const char* name;
+  std::vector<std::string> overrides;
+  double order;
+};
+const Scheme kTrapezoid{"Newmark", {"analysis.integrator=newmark"}, 2};
+const Scheme kDamped{"NewmarkOfThePaper", {"analysis.integrator=newmark", "analysis.newmark.chi=-0.3"}, 1};
+const Scheme kAlpha{"GeneralizedAlpha", {"analysis.integrator=generalized-alpha"}, 2};
+
+class Order : public testing::TestWithParam<std::tuple<Motion, Scheme>> {};
+
+TEST_P(Order, IsSeenByHalvingTheStep) {
+  const auto& [motion, scheme] = GetParam();
+  const auto overrides =
+      joined(joined(motion.overrides, scheme.overrides),
+             {"analysis.adaptive=false", "analysis.output_interval=0", "analysis.solver=chord",
+              "analysis.tolerance=1e-11", "analysis.energy_budget=false"});
+  std::vector<std::vector<double>> ends;
+  for (const double h : {motion.h, motion.h / 2, motion.h / 4})
+    ends.push_back(end_of(motion.scene, joined(overrides, {step(h)})));
+  const double order = std::log2(distance(ends[0], ends[1]) / distance(ends[1], ends[2]));
+  EXPECT_NEAR(order, scheme.order, 0.25) << distance(ends[0], ends[1]) << " " << distance(ends[1], ends[2]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Order,
+                         testing::Combine(testing::Values(kPendulum, kRope, kPanel),
+                                          testing::Values(kTrapezoid, kDamped, kAlpha)),
+                         [](const auto& tested) {
+                           return std::string(std::get<0>(tested.param).name) +
+                                  std::get<1>(tested.param).name;
+                         });
+
+/// Accounts of the last output.
+std::map<std::string, double> budget_of(const Motion& motion, const std::vector<std::string>& overrides) {
+  std::map<std::string, double> last;
+  MarchWatch watch;
+  watch.on_output = [&](const Snapshot& s) {
+    const auto names = s.budget->names();
+    const auto values = s.budget->values();
+    for (std::size_t k = 0; k < names.size(); ++k) last[names[k]] = values[k];
+  };
+  end_of(motion.scene,
+         joined(joined(motion.overrides, overrides), {"analysis.adaptive=false", "analysis.solver=chord"}),
+         watch);
+  return last;
+}
+
+TEST(EnergyBudget, ClosesWithTheSquareOfTheStepOnAPanelInACurrent) {
+  double error[2];
+  for (const int k : {0, 1}) {
+    const auto b = budget_of(
+        kPanel, {"analysis.integrator=newmark", step(kPanel.h / (k ? 2 : 1)), "analysis.tolerance=1e-11"});
+    error[k] = std::abs(b.at("numerical"));
+    EXPECT_GT(std::abs(b.at("drag_work")), 1e-3);
+    EXPECT_LT(error[k], 0.01 * std::abs(b.at("drag_work")));
+  }
+  EXPECT_GT(std::log2(error[0] / error[1]), 1.7) << error[0] << " " << error[1];
+}
+
+TEST(EnergyBudget, CountsWhatAWinchDoes) {
+  const Motion hauled{"Hauled",
+                      "dynamics/elastic-pendulum.toml",
+                      {"parts.rope.rope.length_share={t=[0,1],share=[1,0.5]}",
+                       "parts.rope.sketch=[[0,0,0],[0,0,-1]]", "analysis.start=equilibrium",
+                       "analysis.tolerance=1e-8", "analysis.duration=1", "analysis.output_interval=0.1"},
+                      0};
+  const auto b = budget_of(hauled, {step(1e-4), "analysis.integrator=generalized-alpha"});
+  // 5 kg half a metre up, at half a metre a second: 5 (9.81 / 2 + 0.5^2 / 2) = 25.15 J, and the rope.
+  EXPECT_NEAR(b.at("work_of_winches"), 25.3, 1.0);
+  EXPECT_LT(std::abs(b.at("numerical")), 0.05 * b.at("work_of_winches"));
+}
+
+/// The answer of `solver` to the dead-weight panel.
+Solution equilibrium_by(const std::string& solver, const std::vector<std::string>& overrides) {
+  io::Case c({kScenes + "dead-weight-panel.toml",
+              joined({"analysis.solver=\"" + solver + "\"", "parts.net.cells=[4,4]"}, overrides), 1},
+             test::shipped_plugins());
+  if (c.open() != io::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
+  return c.solve();
+}
+
+TEST(Settling, FindsByThePapersSchemeWhereNewtonArrives) {
+  const Solution newton = equilibrium_by("newton", {});
+  const Solution settled = equilibrium_by("newmark", {"analysis.newmark.corrector=fixed-point",
+                                                      "analysis.mass_damping=1", "analysis.tolerance=1e-5"});
+  ASSERT_EQ(settled.status, SolveStatus::converged) << settled.reason;
+  EXPECT_LT(distance(newton.u, settled.u), 2e-3 * std::sqrt(double(newton.u.size())));
+}
+
+TEST(Settling, FindsItByGeneralizedAlphaToo) {
+  const Solution newton = equilibrium_by("newton", {});
+  const Solution settled = equilibrium_by("generalized-alpha", {"analysis.tolerance=1e-6"});
+  ASSERT_EQ(settled.status, SolveStatus::converged) << settled.reason;
+  EXPECT_LT(distance(newton.u, settled.u), 1e-3 * std::sqrt(double(newton.u.size())));
+}
+
+}  // namespace
+}  // namespace netloft
