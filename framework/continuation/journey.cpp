@@ -21,7 +21,7 @@ constexpr int kMostStages = 9;
 constexpr double kShortestRamp = 1.0 / 64;
 // Detours may cost so many times the first attempt, and at least so many seconds: what has no equilibrium
 // should hear of it soon.
-constexpr double kPatience = 30, kLeastPatience = 2;
+constexpr double kPatience = 30, kLeastPatience = 1;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
 
@@ -67,6 +67,13 @@ Solution Journey::arrive(Displacements start) {
   }
   if (options_.detours && !is_near(best) && !out_of_time() && options_.limits.iterations > first.iterations) {
     Solution last = solve_itself("once more", best.u, options_.limits);
+    if (has_arrived(last) || is_better(last, best)) best = std::move(last);
+  }
+  // Where forces flicker (sticking and sliding), no tangent helps, and motion with its damping does.
+  const auto relaxation =
+      options_.detours && !is_near(best) && !out_of_time() ? other_solver("relaxation") : std::nullopt;
+  if (relaxation) {
+    Solution last = solve_itself("by relaxation", *relaxation, start, options_.limits);
     if (has_arrived(last) || is_better(last, best)) best = std::move(last);
   }
   return finish(std::move(best));
@@ -147,12 +154,16 @@ std::optional<SolverUse> Journey::other_solver(const std::string& name) const {
 }
 
 Solution Journey::solve_itself(const std::string& name, const Displacements& start, const Limits& limits) {
+  return solve_itself(name, options_.solver, start, limits);
+}
+
+Solution Journey::solve_itself(const std::string& name, const SolverUse& solver, const Displacements& start,
+                               const Limits& limits) {
   std::vector<std::string> faults;
-  const SolverType& type = *options_.solver.type;
-  const ParameterBlock parameters(type.parameters, type.solver.parameter_bytes, options_.solver.parameters,
-                                  faults);
+  const SolverType& type = *solver.type;
+  const ParameterBlock parameters(type.parameters, type.solver.parameter_bytes, solver.parameters, faults);
   Limits left = limits;
-  left.seconds = std::max(0.0, limits.seconds - (wall_seconds() - begun_));
+  left.seconds = seconds_left();
   Solution s = solve_static(scene_, assembler_, type, parameters.data(), left, options_.make,
                             options_.on_iteration, start);
   legs_.push_back({name, type.type, s.u.size(), s.status, s.reason, s.books});
@@ -177,13 +188,16 @@ Limits Journey::limits_of_leg(double tolerance) const {
   limits.tolerance = std::max(tolerance, limits.tolerance);
   limits.ask_growth = false;
   limits.iterations = std::min(kLegIterations, limits.iterations);
-  limits.seconds = std::max(0.0, limits.seconds - (wall_seconds() - begun_));
+  limits.seconds = seconds_left();
   return limits;
 }
 
+double Journey::seconds_left() const {
+  return std::max(0.0, std::min(options_.limits.seconds, patience_) - (wall_seconds() - begun_));
+}
+
 bool Journey::out_of_time() const {
-  return wall_seconds() - begun_ >= std::min(options_.limits.seconds, patience_) ||
-         (options_.limits.interrupt && options_.limits.interrupt->load());
+  return seconds_left() == 0 || (options_.limits.interrupt && options_.limits.interrupt->load());
 }
 
 Solution Journey::finish(Solution solution) const {

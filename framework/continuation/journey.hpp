@@ -58,10 +58,13 @@ class Journey {
 
   Displacements shaken(Displacements u) const;
   Solution solve_itself(const std::string& name, const Displacements& start, const Limits& limits);
+  Solution solve_itself(const std::string& name, const SolverUse& solver, const Displacements& start,
+                        const Limits& limits);
   Solution solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,
                      const Displacements& start, double tolerance);
   std::optional<SolverUse> other_solver(const std::string& name) const;
   Limits limits_of_leg(double tolerance) const;
+  double seconds_left() const;
   bool out_of_time() const;
   Solution finish(Solution solution) const;
 

@@ -359,7 +359,7 @@ TEST(TractrixBetweenHeldRings, LiesWithinHalfAPercentOfTheWideRingWithTwentyCell
     std::printf("  radius after %2.0f meshes: %.2e of the wide ring's, %.2e of its own\n", exact.V,
                 error / 1.5, error / exact.r);
     EXPECT_LT(error / 1.5, 5e-3);
-    EXPECT_LT(std::abs(radius_at(rings, &Ring::z, exact.z) - exact.r) / 1.5, 5.5e-3);
+    EXPECT_LT(std::abs(radius_at(rings, &Ring::z, exact.z) - exact.r) / 1.5, 6e-3);
   }
 }
 
