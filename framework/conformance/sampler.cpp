@@ -65,8 +65,10 @@ Values ParameterSampler::parameters(std::size_t part) {
   Values values;
   for (const auto& p : table_) {
     if (p.kind > NETLOFT_TABLE) continue;  // a kind that nothing is known of keeps its default
+    const auto before = random_;           // a table, of any length, moves no other sample
     const bool leave_out = part == 0 || (p.kind != NETLOFT_CHOICE && uniform(0, 1) < 0.5);
     if (!leave_out || !has_default(p)) values[p.name] = value(p, part);
+    if (p.kind == NETLOFT_TABLE) random_ = before;
   }
   return values;
 }

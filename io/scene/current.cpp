@@ -34,9 +34,9 @@ bool ascend(const std::vector<double>& t, TableReader& table) {
 Current read_drift(TableReader table) {
   Current current;
   const auto t = table.reals("t", kTimes);
-  if (!ascend(t, table)) return current;
   const auto x = read_column(table, "x", t.size()), y = read_column(table, "y", t.size()),
              up = read_column(table, "up", t.size());
+  if (!ascend(t, table)) return current;
   for (std::size_t i = 0; i < t.size(); ++i) current.drifts.push_back({t[i], {x[i], y[i], up[i]}});
   return current;
 }

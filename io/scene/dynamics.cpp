@@ -48,7 +48,7 @@ std::vector<double> read_times(TableReader& table) {
   for (std::size_t i = 1; i < t.size(); ++i)
     if (!(t[i] > t[i - 1])) {
       table.error("t", "does not ascend: each time must be later than the one before");
-      return {};
+      break;
     }
   return t;
 }

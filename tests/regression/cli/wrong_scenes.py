@@ -82,7 +82,7 @@ RANGES = [
     edit("a rope of no bars", "cells = 4\n", "cells = 0\n", "15:9", "parts.rope.cells = 0 is outside"),
     edit("three cells", "cells = [4, 4]", "cells = [4, 4, 4]", "8:9", "has 3 values; 2 are wanted"),
     edit("tolerance of zero", "tolerance = 1e-10", "tolerance = 0", "27:13", "analysis.tolerance = 0 is outside"),
-    edit("analysis nobody offers", "tolerance", 'kind = "dynamic"\ntolerance', "27:8", 'is not one of "static"'),
+    edit("analysis nobody offers", "tolerance", 'kind = "modal"\ntolerance', "27:8", 'is not one of "static"'),
     edit("absurd cells", "cells = [4, 4]", "cells = [1000000000, 4]", "8:10", "is outside [1, 100000]"),
     edit("too many triangles", "cells = [4, 4]", "cells = [100000, 100000]", "8:9", "makes 20000000000 triangles"),
     edit("more than 64 bits", "cells = 4\n", "cells = 100000000000000000000\n", "15:30", "not representable in 64 bits"),
@@ -265,10 +265,10 @@ CURRENTS = [
 ]
 
 GUIDES = [
-    edit("velocity: times that go back", HOLD, HOLD + "\nvelocity = { t = [1, 0], x = [1, 2] }", "23:18", "does not ascend"),
-    edit("velocity: a column too short", HOLD, HOLD + "\nvelocity = { t = [0, 1], x = [1] }", "23:30",
+    edit("velocity: times that go back", HOLD, HOLD + "\nvelocity = { t = [1, 0], x = [1, 2] }", "24:18", "does not ascend"),
+    edit("velocity: a column too short", HOLD, HOLD + "\nvelocity = { t = [0, 1], x = [1] }", "24:30",
          "has 1 value; 2 are wanted"),
-    edit("velocity and displacement", HOLD, HOLD + "\nvelocity = { t = [0] }\ndisplacement = { t = [0] }", "23:12",
+    edit("velocity and displacement", HOLD, HOLD + "\nvelocity = { t = [0] }\ndisplacement = { t = [0] }", "24:12",
          "is one way to say how it moves"),
 ]
 
