@@ -19,5 +19,7 @@ int stability_command(const Options& options);  // solvers on hard cases
 int new_command(const Options& options);        // write a plugin to begin with
 int reference_command(const Options& options);  // write reference pages
 int catalogue_command(const Options& options);  // parts of the catalogue
+int check_command(const Options& options);      // whether a net plan can be sewn
+int draw_command(const Options& options);       // a net plan as a picture
 
 }  // namespace netloft::io

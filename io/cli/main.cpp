@@ -81,10 +81,25 @@ void add_author_commands(CLI::App& app, Options& o) {
       "flags that compile a plugin: c++ $(netloft --cflags) otter.cpp -o otter.so");
 }
 
+void add_plan_options(CLI::App& command, Options& o) {
+  command.add_option("GEAR", o.target, "net plan (TOML)")->required();
+  command.add_option("--set", o.set, "a value of the plan: panels.top-wing.aft=130")
+      ->type_name("path=value")
+      ->allow_extra_args(false);
+  add_plugin_options(command, o);
+}
+
 void add_gear_commands(CLI::App& app, Options& o) {
   auto* catalogue = app.add_subcommand("catalogue", "list the parts that scenes and gears name");
   catalogue->add_option("NAME", o.target, "a part, for all that is known of it, or a kind, such as twine");
   add_plugin_options(*catalogue, o);
+  add_plan_options(
+      *app.add_subcommand("check", "say whether a net plan can be sewn, and what to change if not"), o);
+  auto* draw = app.add_subcommand("draw", "draw a net plan to scale");
+  add_plan_options(*draw, o);
+  draw->add_option("-o,--output", o.output, "picture; else the gear's name with .svg, in this folder")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("FILE.svg");
 }
 
 void add_stability_command(CLI::App& app, Options& o) {
@@ -150,6 +165,8 @@ int dispatch(const Options& o) {
   if (o.command == "new") return new_command(o);
   if (o.command == "reference") return reference_command(o);
   if (o.command == "catalogue") return catalogue_command(o);
+  if (o.command == "check") return check_command(o);
+  if (o.command == "draw") return draw_command(o);
   return test_command(o);
 }
 

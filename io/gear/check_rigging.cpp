@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gear/check.hpp"
+#include "io/gear/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+/// Edges in a row that one side of a join names, counted over the whole gear.
+struct Row {
+  std::string name;      // "bottom-wing.side + bottom-body.side"
+  double meshes = 0;     // to port and to starboard
+  double stretched = 0;  // [m]
+  int times = 1;
+  double mesh = 0;  // [m]
+  bool is_side = false, is_one_mesh_size = true, is_sound = true;
+};
+
+Row read_row(const Plan& plan, const std::vector<std::string>& names, const Place& place,
+             const std::string& path, Diagnostics& diagnostics) {
+  Row row;
+  for (const auto& name : names) {
+    const EdgeSet set = find_edge(plan, name, place, path, diagnostics);
+    if (set.edges.empty()) {
+      row.is_sound = false;
+      continue;
+    }
+    if (row.name.empty()) row.times = set.times(), row.mesh = set.panel->mesh, row.is_side = set.is_side();
+    row.name += (row.name.empty() ? "" : " + ") + name;
+    row.meshes += set.times() * set.meshes(), row.stretched += set.times() * set.stretched();
+    row.is_one_mesh_size = row.is_one_mesh_size && set.panel->mesh == row.mesh;
+  }
+  row.is_sound = row.is_sound && !names.empty();
+  return row;
+}
+
+/// Meshes are counted where they can be; a side on a fore edge, or sides of other meshes, are measured.
+bool is_counted(const Row& a, const Row& b) {
+  if (a.is_side != b.is_side) return false;
+  return !a.is_side || (a.is_one_mesh_size && b.is_one_mesh_size && a.mesh == b.mesh);
+}
+
+void say_mismatch(const Join& join, const std::string& path, const Row& a, const Row& b, double ratio,
+                  const CheckLimits& limits, Diagnostics& diagnostics) {
+  const int times = a.times == b.times ? a.times : 1;
+  const bool counted = is_counted(a, b);
+  const auto measure = [&](const Row& row) {
+    return counted ? in_meshes(row.meshes / times) + " meshes"
+                   : in_metres(row.stretched / times) + " m of twine";
+  };
+  const double expected = join.take_up > 0 ? join.take_up : 1, off = ratio / expected - 1;
+  const std::string message = fmt::format(
+      "{}: {} has {}, {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b), in_percent(off),
+      join.take_up > 0 ? fmt::format(" of the take-up {:.3g}", join.take_up) : "");
+  const std::string cure = fmt::format(
+      "take_up = {:.4g}, if that many meshes of the second are meant to go to one of the first", ratio);
+  if (std::abs(off) > limits.joining_error)
+    diagnostics.error(join.places[1], message, cure);
+  else
+    diagnostics.warning(join.places[1], message, cure);
+}
+
+void check_match(const Join& join, const std::string& path, const Row& a, const Row& b,
+                 const CheckLimits& limits, Diagnostics& diagnostics) {
+  const bool counted = is_counted(a, b);
+  const double first = counted ? a.meshes : a.stretched, second = counted ? b.meshes : b.stretched;
+  if (first <= 0 || second <= 0) return;
+  const double expected = join.take_up > 0 ? join.take_up : 1;
+  const double excess = std::abs(second - expected * first);
+  const double few = limits.joining_meshes * std::max(a.times, b.times) * (counted ? 1 : a.mesh);
+  if (excess <= few || excess <= limits.joining * expected * first) return;
+  say_mismatch(join, path, a, b, second / first, limits, diagnostics);
+}
+
+/// Things that may be done to an edge once only.
+class Ledger {
+ public:
+  explicit Ledger(const char* deed) : deed_(deed) {}
+  void enter(const std::string& name, const Place& place, const std::string& path, Diagnostics& diagnostics) {
+    const auto [earlier, is_new] = done_.emplace(name, place);
+    if (!is_new)
+      diagnostics.error(place, fmt::format("{}: \"{}\" is {} twice, also at {}", path, name, deed_,
+                                           diagnostics.where(earlier->second)));
+  }
+
+ private:
+  const char* deed_;
+  std::map<std::string, Place> done_;
+};
+
+/// Length of rope that a hanging takes on the whole gear, of a rope in the middle; on one side of a pair [m].
+double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rope) {
+  const double once = hanging.length > 0 ? hanging.length : hanging.ratio * edge.stretched();
+  return rope.stands == Standing::middle ? edge.times() * once : once;
+}
+
+void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::string& path,
+                   const CheckLimits& limits, Diagnostics& diagnostics) {
+  const double stretched = edge.stretched();
+  const double length = hanging.length > 0 ? hanging.length : hanging.ratio * stretched;
+  const double ratio = length / stretched;
+  const std::string said =
+      fmt::format("{}: {} is {} m long when its meshes are stretched, {} m of {} are given to it", path,
+                  hanging.edge, in_metres(stretched), in_metres(length), hanging.rope);
+  if (ratio > 1 + limits.stretching)
+    diagnostics.error(hanging.place,
+                      said + ": the netting would have to be stretched, " + in_percent(ratio - 1),
+                      fmt::format("at most length = \"{} m\"", in_metres(stretched)));
+  else if (ratio < limits.bunching)
+    diagnostics.warning(
+        hanging.place, said + fmt::format(": its meshes would be bunched, ratio {:.2g}", ratio),
+        "a hanging ratio is rarely below 0.3; is the length that of one stretch of the edge?");
+}
+
+const Rope* find_rope_or_say(const Plan& plan, const std::string& name, const Place& place,
+                             const std::string& path, Diagnostics& diagnostics) {
+  const Rope* rope = plan.find_rope(name);
+  std::vector<std::string> names;
+  for (const auto& r : plan.ropes) names.push_back(r.name);
+  if (!rope)
+    diagnostics.error(place, path + ": there is no rope \"" + name + "\"",
+                      plan.find_panel(name) ? "\"" + name + "\" is a panel" : near_names(name, names));
+  return rope;
+}
+
+std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]", key, i); }
+
+double hung_on(const Plan& plan, const Rope& rope) {
+  double sum = 0;
+  Diagnostics silent;
+  for (const auto& h : plan.hangings) {
+    if (h.rope != rope.name) continue;
+    const EdgeSet edge = find_edge(plan, h.edge, {}, "", silent);
+    if (!edge.edges.empty()) sum += length_taken(h, edge, rope);
+  }
+  return sum;
+}
+
+void check_rope_length(const Plan& plan, const Rope& rope, const CheckLimits& limits,
+                       Diagnostics& diagnostics) {
+  const double hung = hung_on(plan, rope), missing = hung - rope.length;
+  if (missing <= limits.rounding * rope.length) return;
+  const std::string message =
+      fmt::format("{}: {} m long, {} m of it are given to edges: {} m too short", rope.name,
+                  in_metres(rope.length), in_metres(hung), in_metres(missing));
+  const std::string cure = fmt::format("length = \"{} m\", or less for its edges", in_metres(hung));
+  if (missing > limits.short_rope * rope.length)
+    diagnostics.error(rope.place, message, cure);
+  else
+    diagnostics.warning(rope.place, message, cure);
+}
+
+void check_span(const Plan& plan, const Rope& rope, const CheckLimits& limits, Diagnostics& diagnostics) {
+  const Point *a = plan.find_point(rope.between[0]), *b = plan.find_point(rope.between[1]);
+  if (!a || !b || !a->at || !b->at) return;
+  double squares = 0;
+  for (std::size_t k = 0; k < 3; ++k) squares += std::pow((*b->at)[k] - (*a->at)[k], 2);
+  const double apart = std::sqrt(squares);
+  if (apart > rope.length * (1 + limits.short_rope))
+    diagnostics.error(rope.place, fmt::format("{}: {} m long, its ends are {} m apart", rope.name,
+                                              in_metres(rope.length), in_metres(apart)));
+}
+
+/// Panels, ropes and points that hang together, as sets that grow into one another.
+class Connections {
+ public:
+  void add(const std::string& name, const Place& place) {
+    parent_.push_back(parent_.size());
+    index_.emplace(name, parent_.size() - 1);
+    names_.push_back(name), places_.push_back(place);
+  }
+  void connect(const std::string& a, const std::string& b) {
+    const auto i = index_.find(a), j = index_.find(b);
+    if (i != index_.end() && j != index_.end()) parent_[root(i->second)] = root(j->second);
+  }
+  void report(Diagnostics& diagnostics) {
+    std::map<std::size_t, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < parent_.size(); ++i) groups[root(i)].push_back(i);
+    std::size_t most = 0;
+    for (const auto& [r, group] : groups) most = std::max(most, group.size());
+    bool main_seen = false;
+    for (const auto& [r, group] : groups)
+      if (group.size() == most && !main_seen)
+        main_seen = true;
+      else
+        say(group, diagnostics);
+  }
+
+ private:
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void say(const std::vector<std::size_t>& group, Diagnostics& diagnostics) const {
+    const std::string others =
+        group.size() > 1 ? fmt::format(" and {} more are joined to one another only", group.size() - 1)
+                         : " is joined to nothing";
+    diagnostics.error(
+        places_[group[0]], names_[group[0]] + others,
+        "sew an edge with [[join]], hang one on a rope with [[hang]], or tie a rope to it with between");
+  }
+  std::vector<std::size_t> parent_;
+  std::vector<std::string> names_;
+  std::vector<Place> places_;
+  std::map<std::string, std::size_t> index_;
+};
+
+std::string owner(const std::string& name) { return name.substr(0, name.find('.')); }
+
+void connect_join(Connections& all, const Join& join) {
+  const std::string first = join.edges[0].empty() ? "" : owner(join.edges[0][0]);
+  for (const auto& row : join.edges)
+    for (const auto& edge : row) all.connect(first, owner(edge));
+}
+
+}  // namespace
+
+void check_joins(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  Ledger sewn("sewn");
+  for (std::size_t i = 0; i < plan.joins.size(); ++i) {
+    const Join& join = plan.joins[i];
+    const std::string path = indexed("join", i);
+    const Row a = read_row(plan, join.edges[0], join.places[0], path, diagnostics);
+    const Row b = read_row(plan, join.edges[1], join.places[1], path, diagnostics);
+    for (std::size_t k = 0; k < 2; ++k)
+      for (const auto& edge : join.edges[k]) sewn.enter(edge, join.places[k], path, diagnostics);
+    if (a.is_sound && b.is_sound) check_match(join, path, a, b, limits, diagnostics);
+  }
+}
+
+void check_hangings(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  Ledger hung("hung");
+  for (std::size_t i = 0; i < plan.hangings.size(); ++i) {
+    const Hanging& h = plan.hangings[i];
+    const std::string path = indexed("hang", i);
+    const EdgeSet edge = find_edge(plan, h.edge, h.edge_place, path, diagnostics);
+    find_rope_or_say(plan, h.rope, h.rope_place, path, diagnostics);
+    hung.enter(h.edge, h.edge_place, path, diagnostics);
+    if (!edge.edges.empty()) check_hanging(h, edge, path, limits, diagnostics);
+  }
+}
+
+void check_ropes(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  for (const auto& rope : plan.ropes) {
+    check_rope_length(plan, rope, limits, diagnostics);
+    check_span(plan, rope, limits, diagnostics);
+    for (const auto& end : rope.between)
+      if (!end.empty())
+        find_point_owner(plan, end, rope.between_place, "ropes." + rope.name + ".between", diagnostics);
+  }
+}
+
+void check_pieces(const Plan& plan, Diagnostics& diagnostics) {
+  for (const auto& pieces : plan.pieces)
+    if (!pieces.along.empty())
+      find_rope_or_say(plan, pieces.along, pieces.along_place, pieces.name, diagnostics);
+}
+
+void check_connections(const Plan& plan, Diagnostics& diagnostics) {
+  Connections all;
+  for (const auto& panel : plan.panels) all.add(panel.name, panel.place);
+  for (const auto& rope : plan.ropes) all.add(rope.name, rope.place);
+  for (const auto& point : plan.points) all.add(point.name, point.place);
+  for (const auto& join : plan.joins) connect_join(all, join);
+  for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);
+  for (const auto& rope : plan.ropes)
+    for (const auto& end : rope.between) all.connect(rope.name, owner(end));
+  all.report(diagnostics);
+}
+
+}  // namespace netloft::io

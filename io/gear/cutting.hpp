@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace netloft::io {
+
+/// A cutting rate: the knots and bars that are cut in turn along a slanting side of netting (ISO 1532; FAO,
+/// Fisherman's Workbook, 1990, "cutting rates"). One cycle of b bars (B), n points (N or P) and t meshes
+/// (M or T) goes
+///   across   a = b/2 + t   meshes      (1)
+///   deep     d = b/2 + n   meshes      (2)
+/// for a bar goes half a mesh across and half a mesh deep, a point one mesh deep, a mesh one across. 5B1P is
+/// 2.5 across in 3.5 deep, 3B1M is 2.5 in 1.5. Halves are counted as integers, so that cycles add up exactly.
+struct CuttingRate {
+  int bars = 0, points = 0, meshes = 0;
+
+  int half_meshes_across() const { return bars + 2 * meshes; }  // (1)
+  int half_meshes_deep() const { return bars + 2 * points; }    // (2)
+  bool is_straight() const { return half_meshes_across() == 0; }
+  /// Meshes across in `deep` meshes; a rate that goes across only (AM) has no such number.
+  double across(double deep) const { return deep * half_meshes_across() / half_meshes_deep(); }
+  double deep(double across) const { return across * half_meshes_deep() / half_meshes_across(); }
+  /// Length of the twines along a cycle when pulled straight, in stretched meshes.
+  ///   s = b/2 + n + t                  (3)
+  double stretched_per_cycle() const { return 0.5 * bars + points + meshes; }
+
+  bool operator==(const CuttingRate&) const = default;
+};
+
+/// "5B1P", "1N2B", "AB", "AN", "AM"; N and P, M and T mean the same. None: it is no rate.
+std::optional<CuttingRate> parse_rate(std::string_view text);
+
+/// Rates that differ from `text` in one letter: what a blurred plan may have said.
+std::vector<std::string> rates_near(const std::string& text);
+
+}  // namespace netloft::io

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gear/drawing.hpp"
+
+#include "io/gear/check.hpp"
+#include "io/gear/layout.hpp"
+#include "io/gear/names.hpp"
+#include "io/plot/svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kWidth = 1100, kTallest = 1500, kMargin = 60, kLeftMargin = 130, kLineHeight = 16;
+constexpr double kWordsWidth = 100;  // of a panel that its words fit into
+constexpr double kSmall = 10, kNormal = 12, kTitle = 16;
+constexpr const char *kInk = "#222", *kPale = "#777", *kRope = "#0b5fa5";
+
+/// Metres on the net to places on the sheet.
+struct Scale {
+  double per_metre = 1, left = 0, top = 0;
+  PicturePoint operator()(PanelPoint p) const {
+    return {kLeftMargin + per_metre * (p.x - left), kMargin + kLineHeight + per_metre * (p.y - top)};
+  }
+};
+
+struct Box {
+  double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
+  void take(PanelPoint p) {
+    left = std::min(left, p.x), right = std::max(right, p.x);
+    top = std::min(top, p.y), bottom = std::max(bottom, p.y);
+  }
+};
+
+Box box_of(const std::vector<PlacedPanel>& panels) {
+  Box box;
+  for (const auto& placed : panels)
+    for (const auto& corner : placed.outline.corners()) box.take(placed.on_sheet(corner));
+  if (panels.empty()) box.take({0, 0});
+  return box;
+}
+
+Scale scale_for(const Box& box) {
+  const double across = std::max(1e-9, box.right - box.left), down = std::max(1e-9, box.bottom - box.top);
+  return {std::min((kWidth - kLeftMargin - kMargin) / across, kTallest / down), box.left, box.top};
+}
+
+std::string cutting_of(const Panel& panel, const std::string& edge) {
+  for (const auto* side : {&panel.outer, &panel.inner})
+    for (const auto& cut : *side)
+      if (cut.name == edge) return cut.written;
+  return "";
+}
+
+std::string netting_of(const Panel& panel) {
+  std::string text = fmt::format("{:.4g} mm", 1e3 * panel.mesh);
+  if (panel.orientation != "diamond") text += " " + panel.orientation;
+  return text;
+}
+
+std::string twine_of(const Panel& panel) {
+  const std::string name =
+      panel.twine_name.empty() ? fmt::format("{:.3g} mm", 1e3 * panel.twine_diameter) : panel.twine_name;
+  return panel.twines > 1 ? fmt::format("{} x {}", panel.twines, name) : name;
+}
+
+PicturePoint halfway(PicturePoint a, PicturePoint b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
+
+/// Draws a plan; members are steps in the order they happen.
+class Draughtsman {
+ public:
+  explicit Draughtsman(const Plan& plan)
+      : plan_(plan), panels_(lay_out(plan)), box_(box_of(panels_)), scale_(scale_for(box_)) {}
+
+  std::string draw() {
+    picture_.text({kMargin, kMargin / 2}, plan_.title.empty() ? "Net plan" : plan_.title, kTitle, kInk,
+                  Anchor::start);
+    for (const auto& panel : panels_) draw_border(panel);
+    for (const auto& panel : panels_) draw_labels(panel);
+    line_ = scale_({box_.left, box_.bottom}).y + 3 * kLineHeight;
+    draw_scale();
+    list_ropes();
+    list_pieces();
+    list_joins();
+    return picture_.finish(kWidth, line_ + kMargin / 2);
+  }
+
+ private:
+  void draw_border(const PlacedPanel& placed) {
+    for (const auto& edge : placed.outline.edges) {
+      if (edge.kind == EdgeKind::middle) continue;
+      const Hanging* hung = hanging_of(placed, edge);
+      picture_.line(place(placed, edge.from), place(placed, edge.to), hung ? kRope : kInk, hung ? 3.0 : 1.2);
+    }
+  }
+
+  const Hanging* hanging_of(const PlacedPanel& placed, const OutlineEdge& edge) const {
+    Diagnostics silent;
+    for (const auto& h : plan_.hangings) {
+      const EdgeSet set = find_edge(plan_, h.edge, {}, "", silent);
+      if (set.panel != placed.panel) continue;
+      for (const auto& one : set.edges)
+        if (one.name == edge.name && one.kind == edge.kind) return &h;
+    }
+    return nullptr;
+  }
+
+  PicturePoint place(const PlacedPanel& placed, PanelPoint p) const { return scale_(placed.on_sheet(p)); }
+
+  /// To port stand the words of the netting, to starboard those of the cuttings.
+  void draw_labels(const PlacedPanel& placed) {
+    if (!placed.is_mirrored) {
+      for (const auto& edge : placed.outline.edges) draw_edge_label(placed, edge);
+      draw_counts(placed);
+    }
+    if (placed.is_mirrored == (placed.panel->stands == Standing::pair)) draw_words(placed);
+  }
+
+  /// Beside the edge, above its middle where the panel becomes wider, for there the line runs below.
+  void draw_edge_label(const PlacedPanel& placed, const OutlineEdge& edge) {
+    if (edge.kind != EdgeKind::outer && edge.kind != EdgeKind::inner) return;
+    const PicturePoint from = place(placed, edge.from), to = place(placed, edge.to), at = halfway(from, to);
+    const bool is_outer = edge.kind == EdgeKind::outer, falls_right = (to.x - from.x) * (to.y - from.y) > 0;
+    const double aside = is_outer ? 7 : -7, y = falls_right == is_outer ? at.y - 12 : at.y;
+    const Anchor anchor = is_outer ? Anchor::start : Anchor::end;
+    picture_.text({at.x + aside, y}, cutting_of(*placed.panel, edge.name), kSmall, kInk, anchor);
+    picture_.text({at.x + aside, y + 11}, in_meshes(edge.meshes) + " M", kSmall, kPale, anchor);
+  }
+
+  void draw_counts(const PlacedPanel& placed) {
+    draw_counts_of(placed, placed.panel->fore, EdgeKind::fore, 12);
+    draw_counts_of(placed, placed.panel->aft, EdgeKind::aft, -5);
+  }
+
+  void draw_counts_of(const PlacedPanel& placed, const std::vector<MeshCount>& counts, EdgeKind kind,
+                      double below) {
+    for (const auto& edge : placed.outline.edges) {
+      if (edge.kind != kind) continue;
+      PicturePoint at = halfway(place(placed, edge.from), place(placed, edge.to));
+      const bool in_middle = placed.panel->stands == Standing::middle && edge.name == counts.front().name;
+      if (in_middle) at.x = place(placed, {0, 0}).x;
+      const bool is_short = std::abs(place(placed, edge.to).x - place(placed, edge.from).x) < 12;
+      picture_.text({at.x, at.y + (is_short ? -4 : below)}, in_meshes((in_middle ? 2 : 1) * edge.meshes),
+                    kSmall, kInk, Anchor::middle);
+    }
+  }
+
+  /// In the middle of the panel; of a narrow one beside it, to port.
+  void draw_words(const PlacedPanel& placed) {
+    const Box box = box_of({placed});
+    const double y = (box.top + box.bottom) / 2;
+    const Box across = across_at(placed, y);
+    const PicturePoint left = scale_({across.left, y}), right = scale_({across.right, y});
+    const bool is_wide = right.x - left.x > kWordsWidth;
+    const double x = is_wide ? (left.x + right.x) / 2 : left.x - 8;
+    double line = left.y - 1.5 * kLineHeight;
+    for (const auto& word : words_of(*placed.panel)) {
+      picture_.text({x, line}, word, &word == &words_.front() ? kNormal : kSmall, kInk,
+                    is_wide ? Anchor::middle : Anchor::end);
+      line += 0.85 * kLineHeight;
+    }
+  }
+
+  const std::vector<std::string>& words_of(const Panel& panel) {
+    words_ = {panel.name, netting_of(panel), twine_of(panel), in_meshes(panel.depth) + " M deep"};
+    return words_;
+  }
+
+  /// From border to border at one height of the sheet, both halves of a middle panel.
+  Box across_at(const PlacedPanel& placed, double y) const {
+    Box box;
+    for (const auto& edge : placed.outline.edges) {
+      const PanelPoint a = placed.on_sheet(edge.from), b = placed.on_sheet(edge.to);
+      if ((a.y - y) * (b.y - y) > 0 || a.y == b.y) continue;
+      const double x = a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y);
+      box.take({x, y});
+      if (placed.panel->stands == Standing::middle) box.take({2 * placed.x - x, y});
+    }
+    return box;
+  }
+
+  /// A round number of metres, about an eighth of the sheet; across it is that of the stretched width halved.
+  void draw_scale() {
+    const double wanted = kWidth / 8 / scale_.per_metre, power = std::pow(10, std::floor(std::log10(wanted)));
+    const double metres = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
+    const double y = line_ - 6, end = kMargin + metres * scale_.per_metre;
+    picture_.line({kMargin, y}, {end, y}, kInk, 2);
+    for (const double x : {kMargin, end}) picture_.line({x, y - 4}, {x, y + 4}, kInk, 1);
+    picture_.text({end + 8, line_ - 2},
+                  in_metres(metres) + " m, stretched length and half of the stretched width", kSmall, kInk,
+                  Anchor::start);
+    line_ += 1.4 * kLineHeight;
+  }
+
+  void say(const std::string& text, const char* colour) {
+    picture_.text({kMargin, line_}, text, kNormal, colour, Anchor::start);
+    line_ += kLineHeight;
+  }
+
+  void list_ropes() {
+    for (const auto& rope : plan_.ropes) {
+      std::string text = fmt::format("{}: {} m {}", rope.name, in_metres(rope.length), rope.part_name);
+      if (rope.stands == Standing::pair) text += ", to port and to starboard";
+      if (!rope.between[0].empty()) text += ", from " + rope.between[0] + " to " + rope.between[1];
+      say(text + hangings_on(rope), kRope);
+    }
+  }
+
+  std::string hangings_on(const Rope& rope) const {
+    std::string text;
+    for (const auto& h : plan_.hangings)
+      if (h.rope == rope.name)
+        text += fmt::format("; {} {}", h.edge,
+                            h.length > 0 ? in_metres(h.length) + " m" : fmt::format("ratio {:.3g}", h.ratio));
+    return text;
+  }
+
+  void list_pieces() {
+    for (const auto& pieces : plan_.pieces)
+      say(fmt::format("{}: {:g} {} along {}", pieces.name, pieces.number, pieces.part_name, pieces.along),
+          kInk);
+  }
+
+  void list_joins() {
+    for (const auto& join : plan_.joins) {
+      const auto row = [](const std::vector<std::string>& names) {
+        return fmt::format("{}", fmt::join(names, " + "));
+      };
+      say(fmt::format("seam: {} to {}{}", row(join.edges[0]), row(join.edges[1]),
+                      join.take_up > 0 ? fmt::format(", take-up {:.4g}", join.take_up) : ""),
+          kPale);
+    }
+  }
+
+  const Plan& plan_;
+  std::vector<PlacedPanel> panels_;
+  Box box_;
+  Scale scale_;
+  SvgPicture picture_;
+  double line_ = 0;
+  std::vector<std::string> words_;
+};
+
+}  // namespace
+
+std::string draw_plan(const Plan& plan) { return Draughtsman(plan).draw(); }
+
+}  // namespace netloft::io

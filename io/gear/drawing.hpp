@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gear/plan.hpp"
+
+#include <string>
+
+namespace netloft::io {
+
+/// The plan as an SVG picture, in the manner of ISO 3169: panels to the scale of stretched length by half of
+/// the stretched width, with mesh counts, cuttings, mesh size and twine; edges that are hung on ropes are
+/// drawn thick, with the length of rope; below them the list of ropes, floats and seams, and a scale.
+std::string draw_plan(const Plan& plan);
+
+}  // namespace netloft::io

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gear/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+double gain_of(const std::vector<Cut>& side) {
+  double gain = 0;
+  for (const auto& cut : side) gain += cut.goes * cut.across;
+  return gain;
+}
+
+double depth_of(const std::vector<Cut>& side) {
+  double depth = 0;
+  for (const auto& cut : side) depth += cut.deep;
+  return depth;
+}
+
+bool is_middle(const Panel& panel) { return panel.stands == Standing::middle; }
+
+/// Of a middle panel the half that is drawn: the first count lies half on either side.
+std::vector<MeshCount> drawn_counts(const Panel& panel, const std::vector<MeshCount>& edge) {
+  auto counts = edge;
+  if (is_middle(panel) && !counts.empty()) counts.front().meshes /= 2;
+  return counts;
+}
+
+double total(const std::vector<MeshCount>& counts) {
+  double meshes = 0;
+  for (const auto& count : counts) meshes += count.meshes;
+  return meshes;
+}
+
+/// Along a cut, as its rate says; one that goes across only has no depth to count by.
+double stretched_length(const Cut& cut) {
+  const bool by_depth = cut.rate.half_meshes_deep() > 0;
+  const double cycles =
+      by_depth ? 2 * cut.deep / cut.rate.half_meshes_deep() : 2 * cut.across / cut.rate.half_meshes_across();
+  return cycles * cut.rate.stretched_per_cycle();
+}
+
+/// Collects edges one after another from a pen that moves along the border.
+class Pen {
+ public:
+  explicit Pen(PanelPoint start) : at_(start) {}
+
+  void draw(OutlineEdge edge, PanelPoint to) {
+    edge.from = at_, edge.to = to;
+    at_ = to;
+    if (std::hypot(edge.to.x - edge.from.x, edge.to.y - edge.from.y) > 1e-9)
+      edges_.push_back(std::move(edge));
+  }
+  PanelPoint at() const { return at_; }
+  std::vector<OutlineEdge>& edges() { return edges_; }
+
+ private:
+  PanelPoint at_;
+  std::vector<OutlineEdge> edges_;
+};
+
+void draw_counts(Pen& pen, const std::vector<MeshCount>& counts, EdgeKind kind, double direction) {
+  for (const auto& count : counts)
+    pen.draw({count.name, kind, {}, {}, count.meshes, count.meshes},
+             {pen.at().x + direction * count.meshes, pen.at().y});
+}
+
+/// Corners of a side that starts at x0 and gains `sign` times what its cuts give; `shift` is added in
+/// proportion to the depth, and depths are brought to the panel's.
+std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, double sign, double depth,
+                                     double shift) {
+  const double scale = depth_of(side) > 0 ? depth / depth_of(side) : 1;
+  std::vector<PanelPoint> corners = {{x0, 0}};
+  double x = x0, y = 0;
+  for (const auto& cut : side) {
+    x += sign * cut.goes * cut.across, y += scale * cut.deep;
+    corners.push_back({x + shift * y / depth, y});
+  }
+  return corners;
+}
+
+void draw_side(Pen& pen, const std::vector<Cut>& side, const std::vector<PanelPoint>& corners, EdgeKind kind,
+               bool forward) {
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    const std::size_t i = forward ? side.size() - 1 - k : k;
+    pen.draw({side[i].name, kind, {}, {}, side[i].deep, stretched_length(side[i])},
+             corners[forward ? i : i + 1]);
+  }
+}
+
+}  // namespace
+
+void settle(std::vector<Cut>& side, double depth) {
+  double said = 0;
+  Cut* open = nullptr;
+  for (auto& cut : side) {
+    const bool goes_deep = cut.is_known && cut.rate.half_meshes_deep() > 0;
+    const bool goes_across = cut.is_known && cut.rate.half_meshes_across() > 0;
+    cut.across = cut.said_across              ? *cut.said_across
+                 : cut.said_deep && goes_deep ? cut.rate.across(*cut.said_deep)
+                                              : 0;
+    cut.deep = cut.said_deep                                 ? *cut.said_deep
+               : cut.said_across && goes_deep && goes_across ? cut.rate.deep(*cut.said_across)
+                                                             : 0;
+    said += cut.deep;
+    if (!cut.said_across && !cut.said_deep) open = &cut;
+  }
+  if (!open) return;
+  open->deep = std::max(0.0, depth - said);
+  if (open->is_known && open->rate.half_meshes_deep() > 0) open->across = open->rate.across(open->deep);
+}
+
+double aft_by_cuttings(const Panel& panel) {
+  const double sides = is_middle(panel) ? 2 : 1;
+  return panel.count(panel.fore) + sides * gain_of(panel.outer) + gain_of(panel.inner);
+}
+
+std::vector<PanelPoint> Outline::corners() const {
+  std::vector<PanelPoint> points;
+  for (const auto& edge : edges) points.push_back(edge.from);
+  return points;
+}
+
+Outline outline_of(const Panel& panel) {
+  const auto fore = drawn_counts(panel, panel.fore), aft = drawn_counts(panel, panel.aft);
+  const double shift = (panel.count(panel.aft) - aft_by_cuttings(panel)) / 2;
+  const auto outer = side_corners(panel.outer, total(fore), 1, panel.depth, shift);
+  const auto inner = side_corners(panel.inner, 0, -1, panel.depth, is_middle(panel) ? 0 : -shift);
+  Pen pen({0, 0});
+  draw_counts(pen, fore, EdgeKind::fore, 1);
+  draw_side(pen, panel.outer, outer, EdgeKind::outer, false);
+  auto inwards = aft;
+  std::reverse(inwards.begin(), inwards.end());
+  draw_counts(pen, inwards, EdgeKind::aft, -1);
+  if (is_middle(panel))
+    pen.draw({"middle", EdgeKind::middle, {}, {}, panel.depth, panel.depth}, {0, 0});
+  else
+    draw_side(pen, panel.inner, inner, EdgeKind::inner, true);
+  return {std::move(pen.edges())};
+}
+
+double Panel::count(const std::vector<MeshCount>& edge) const {
+  if (edge.empty()) return 0;
+  return stands == Standing::middle ? 2 * total(edge) - edge.front().meshes : total(edge);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gear/cutting.hpp"
+#include "io/toml/document.hpp"
+#include "io/toml/value.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+// A net plan as its maker writes it: counts in meshes, lengths in metres, names as written. Of what there is
+// to port and to starboard only one is written; nothing here is yet mirrored, cut to size or divided.
+
+/// How something stands to the plane of symmetry.
+enum class Standing {
+  alone,   // where it is, once
+  pair,    // to port, and mirrored to starboard
+  middle,  // across the plane, symmetric in itself
+};
+
+/// Meshes counted along a fore or an aft edge. In the lists of a panel they come from the middle outwards (of
+/// a pair: from the inner side outwards); of a middle panel the first lies across the middle, whole, and each
+/// of the others is there to port and to starboard.
+struct MeshCount {
+  std::string name;
+  double meshes = 0;
+  Place place;
+};
+
+/// A stretch of a side that is cut at one rate, going aft.
+struct Cut {
+  std::string name;
+  std::string written;  // "5B1P in"
+  CuttingRate rate;
+  bool is_known = true;                          // false: what is written is no rate, and `rate` a guess
+  int goes = 0;                                  // +1 outwards, the panel becomes wider going aft; -1 inwards
+  std::optional<double> said_across, said_deep;  // meshes; with neither it takes what is left of the depth
+  double across = 0, deep = 0;                   // meshes, as they follow
+  Place place;
+};
+
+/// Finds how far each cut of a side goes, from what is said of them and the depth of the panel.
+void settle(std::vector<Cut>& side, double depth);
+
+struct Panel {
+  std::string name;
+  Standing stands = Standing::middle;
+  double mesh = 0;  // stretched mesh size, two bars [m]
+  std::string orientation = "diamond";
+  std::string twine_name;     // of the catalogue; empty: written out
+  Value twine;                // a table: diameter, EA, density, …
+  double twine_diameter = 0;  // [m]
+  int twines = 1;             // laid side by side: 2 in double netting
+  std::vector<MeshCount> fore, aft;
+  bool states_aft = false;  // whether the plan says it, or it follows from the cuttings
+  double depth = 0;         // meshes
+  std::vector<Cut> outer;   // of a middle panel: both sides
+  std::vector<Cut> inner;   // of a middle panel: none
+  Place place, aft_place;
+
+  /// Meshes of the whole edge, to port and to starboard of a middle panel.
+  double count(const std::vector<MeshCount>& edge) const;
+};
+
+/// A rope, wire or chain. One that stands in the middle is whole here; it starts in the middle and ends on
+/// the side, on both sides.
+struct Rope {
+  std::string name;
+  Standing stands = Standing::alone;
+  std::string part_name;
+  Value rope;                          // a table: diameter, EA, density, …
+  double length = 0;                   // unstretched [m]
+  std::array<std::string, 2> between;  // points of its ends; empty: none
+  Place place, between_place;
+};
+
+/// An edge hung on a rope. In the order of a rope's hangings lies the order along it.
+struct Hanging {
+  std::string edge, rope;
+  double length = 0;  // of rope that it takes, of the whole of a middle edge [m]; 0: by the ratio
+  double ratio = 0;   // length of rope over that of the stretched edge; 0: by the length
+  Place edge_place, rope_place, place;
+};
+
+/// Edges sewn together, each side one edge or several in a row.
+struct Join {
+  std::array<std::vector<std::string>, 2> edges;
+  double take_up = 0;  // meshes of the second for one of the first; 0: mesh to mesh
+  std::array<Place, 2> places;
+  Place place;
+};
+
+/// "47 along headrope": floats, weights or pieces of ground gear, shared out along a rope.
+struct Pieces {
+  std::string name, part_name;
+  Value piece;
+  double number = 0;  // of the whole gear
+  std::string along;
+  Place place, along_place;
+};
+
+/// A point that is no end of anything: where bridles meet, where the gear is towed.
+struct Point {
+  std::string name;
+  Standing stands = Standing::pair;
+  std::optional<std::array<double, 3>> at;  // [m]
+  Place place;
+};
+
+struct Plan {
+  std::string title, source;
+  std::vector<Panel> panels;
+  std::vector<Rope> ropes;
+  std::vector<Hanging> hangings;
+  std::vector<Join> joins;
+  std::vector<Pieces> pieces;
+  std::vector<Point> points;
+  std::vector<SourceFile> files;
+
+  const Panel* find_panel(const std::string& name) const;
+  const Rope* find_rope(const std::string& name) const;
+  const Point* find_point(const std::string& name) const;
+};
+
+}  // namespace netloft::io

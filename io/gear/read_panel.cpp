@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/catalogue/part_choice.hpp"
+#include "io/gear/plan_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kMostMeshes = 1e5;
+
+double read_meshes(TableReader& table, const char* key, const char* doc) {
+  return table.real(key, {.unit = "1", .doc = doc, .range = between(0, kMostMeshes)});
+}
+
+/// `fore = 3`, or a list of named counts.
+std::vector<MeshCount> read_counts(TableReader& table, const char* key) {
+  if (table.kind(key) != Kind::array)
+    return {{key, read_meshes(table, key, "meshes along this edge"), table.place(key)}};
+  std::vector<MeshCount> counts;
+  for (auto& entry : table.tables(key)) {
+    MeshCount count;
+    count.name = entry.text("name", {.doc = "of this stretch of the edge"});
+    count.meshes = read_meshes(entry, "meshes", "along this stretch");
+    count.place = entry.place("name");
+    counts.push_back(std::move(count));
+  }
+  return counts;
+}
+
+// Sides.
+
+struct CutText {
+  std::string rate, direction;
+};
+
+/// "5B1P in" taken apart.
+CutText split_cut(const std::string& written) {
+  const auto space = written.find(' ');
+  if (space == std::string::npos) return {written, ""};
+  const auto word = written.find_first_not_of(' ', space);
+  return {written.substr(0, space), word == std::string::npos ? "" : written.substr(word)};
+}
+
+void read_direction(Cut& cut, const std::string& direction, TableReader& table, const char* key) {
+  if (direction == "in" || direction == "out")
+    cut.goes = direction == "in" ? -1 : 1;
+  else if (!direction.empty())
+    table.error(key, "\"" + direction + "\" is no direction",
+                "\"in\" where the panel becomes narrower going aft, \"out\" where it becomes wider");
+  else if (cut.is_known && !cut.rate.is_straight())
+    table.error(key, "does not say whether \"" + cut.written + "\" goes in or out",
+                "write \"" + cut.written + " in\" where the panel becomes narrower going aft, else \"" +
+                    cut.written + " out\"");
+}
+
+/// The rate that a plan may have said, for one that is none, is found when the whole panel is known.
+void read_rate(Cut& cut, TableReader& table, const char* key) {
+  const auto words = split_cut(table.text(key, {.doc = "cutting rate and direction, such as \"5B1P in\""}));
+  cut.written = words.rate, cut.place = table.place(key);
+  if (const auto rate = parse_rate(words.rate))
+    cut.rate = *rate;
+  else
+    cut.is_known = false, cut.rate = {.points = 1};
+  read_direction(cut, words.direction, table, key);
+}
+
+bool goes_across_only(const Cut& cut) { return cut.is_known && cut.rate.half_meshes_deep() == 0; }
+
+void read_extent(Cut& cut, TableReader& table) {
+  if (table.has("meshes")) cut.said_across = read_meshes(table, "meshes", "that it goes sideways");
+  if (table.has("depth")) cut.said_deep = read_meshes(table, "depth", "meshes that it goes aft");
+}
+
+/// Both numbers of a cut that a plan states must say the same.
+bool agrees(const Cut& cut) {
+  const double across = cut.rate.across(*cut.said_deep);
+  return std::abs(across - *cut.said_across) <= std::max(1.0, 0.03 * *cut.said_across);
+}
+
+void check_extent(const Cut& cut, TableReader& table) {
+  if (!cut.is_known) return;
+  if (goes_across_only(cut) && !cut.said_across)
+    table.error("meshes", "must be given: " + cut.written + " has no depth");
+  else if (goes_across_only(cut) && cut.said_deep)
+    table.error("depth", cut.written + " has none", "leave it out");
+  else if (cut.rate.is_straight() && cut.said_across)
+    table.error("meshes", cut.written + " does not go sideways", "give its depth instead");
+  else if (cut.said_across && cut.said_deep && !agrees(cut))
+    table.error("meshes", "is not what " + cut.written + " gives over that depth",
+                "leave out either of meshes and depth");
+}
+
+Cut read_cut(TableReader& table, const std::string& default_name) {
+  Cut cut;
+  cut.name = table.text("name", {.doc = "of this stretch of the side", .fallback = default_name});
+  read_rate(cut, table, "cut");
+  read_extent(cut, table);
+  check_extent(cut, table);
+  return cut;
+}
+
+bool is_open(const Cut& cut) { return !cut.said_across && !cut.said_deep && !goes_across_only(cut); }
+
+std::vector<Cut> read_whole_side(TableReader& table, const char* key) {
+  Cut cut;
+  cut.name = key;
+  read_rate(cut, table, key);
+  if (goes_across_only(cut)) table.error(key, "goes across only: nothing of it goes aft");
+  return {cut};
+}
+
+std::vector<Cut> read_side(TableReader& table, const char* key, double depth) {
+  std::vector<Cut> side;
+  if (table.kind(key) == Kind::text) {
+    side = read_whole_side(table, key);
+  } else {
+    for (auto& entry : table.tables(key, Presence::required, "cuts going aft, such as \"5B1P in\""))
+      side.push_back(read_cut(entry, std::string(key) + "-" + std::to_string(side.size() + 1)));
+    if (table.kind(key) == Kind::array && side.empty()) table.error(key, "is empty: a cut is wanted");
+  }
+  if (std::count_if(side.begin(), side.end(), is_open) > 1)
+    table.error(key, "more than one of its cuts has neither meshes nor depth");
+  settle(side, depth);
+  return side;
+}
+
+void read_sides(Panel& panel, TableReader& table) {
+  if (panel.stands == Standing::middle) {
+    panel.outer = read_side(table, "sides", panel.depth);
+    return;
+  }
+  panel.outer = read_side(table, "outer", panel.depth);
+  panel.inner = read_side(table, "inner", panel.depth);
+}
+
+// Netting.
+
+const std::vector<std::string>& orientations() {
+  static const std::vector<std::string> words = {"diamond", "t90", "square"};
+  return words;
+}
+
+/// `netting = "83-112-fore"` of the catalogue stands for mesh and twine, where those are not said.
+const CataloguePart* read_netting(TableReader& table, const Catalogue& catalogue) {
+  const Value* said = table.raw("netting");
+  return said ? choose_part(*said, {"netting"}, table.path("netting"), catalogue, table.diagnostics())
+              : nullptr;
+}
+
+ChosenPart twine_of(const CataloguePart& netting, const Place& place, const Catalogue& catalogue) {
+  const std::string& name = netting.texts.at("twine");
+  const CataloguePart* twine = catalogue.find(name, {"twine"});
+  if (!twine) return {name, {place, Table{}}};
+  return {name, spell_out({place, name}, *twine, [](const std::string&) { return true; })};
+}
+
+double diameter_of(const Value& twine, const std::string& path, Diagnostics& diagnostics) {
+  if (!twine.as<Table>()) return 0;
+  TableReader reader(twine, diagnostics, path);
+  return reader.has("diameter") ? reader.real("diameter", {.unit = "m", .range = between(0, 1)}) : 0;
+}
+
+void read_material(Panel& panel, TableReader& table, const Catalogue& catalogue) {
+  const CataloguePart* netting = read_netting(table, catalogue);
+  if (table.has("mesh") || !netting)
+    panel.mesh = table.real("mesh", {.unit = "m", .doc = "stretched mesh size", .range = between(1e-4, 100)});
+  else
+    panel.mesh = netting->numbers.at("mesh");
+  ChosenPart twine = table.has("twine") || !netting ? read_part_choice(table, "twine", "twine", catalogue)
+                                                    : twine_of(*netting, table.place("netting"), catalogue);
+  panel.twine_name = std::move(twine.name), panel.twine = std::move(twine.table);
+  panel.twine_diameter = diameter_of(panel.twine, table.path("twine"), table.diagnostics());
+  panel.twines =
+      static_cast<int>(table.integer("twines", {.doc = "side by side", .lo = 1, .hi = 9, .fallback = 1}));
+  panel.orientation =
+      table.choice("orientation", {.allowed = orientations(), .doc = "of the meshes", .fallback = "diamond"});
+}
+
+}  // namespace
+
+ChosenPart read_part_choice(TableReader& table, const char* key, const char* kind_key,
+                            const Catalogue& catalogue) {
+  const Value* said = table.raw(key);
+  if (!said) {
+    table.table(key, Presence::required, "the name of a part of the catalogue, or a table");
+    return {"", {table.place(), Table{}}};
+  }
+  if (!names_a_part(*said)) {
+    if (said->kind() != Kind::table)
+      table.error(key, "the name of a part of the catalogue, or a table, is wanted");
+    return {"", said->kind() == Kind::table ? *said : Value{said->place, Table{}}};
+  }
+  const CataloguePart* part =
+      choose_part(*said, kinds_under(kind_key), table.path(key), catalogue, table.diagnostics());
+  if (!part) return {"", {said->place, Table{}}};
+  return {part->name, spell_out(*said, *part, [](const std::string&) { return true; })};
+}
+
+Standing read_standing(TableReader& table, const char* fallback) {
+  const std::string word = table.choice(
+      "stands",
+      {.allowed = {"alone", "pair", "middle"}, .doc = "to the plane of symmetry", .fallback = fallback});
+  return word == "pair" ? Standing::pair : word == "middle" ? Standing::middle : Standing::alone;
+}
+
+Panel read_panel(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+  Panel panel;
+  panel.name = name, panel.place = table.place();
+  panel.stands = read_standing(table, "middle");
+  panel.depth = table.real(
+      "depth", {.unit = "1", .doc = "meshes from the fore to the aft edge", .range = {0, kMostMeshes, true}});
+  panel.fore = read_counts(table, "fore");
+  read_sides(panel, table);
+  read_material(panel, table, catalogue);
+  panel.states_aft = table.has("aft");
+  panel.aft_place = table.place("aft");
+  if (panel.states_aft) panel.aft = read_counts(table, "aft");
+  return panel;
+}
+
+}  // namespace netloft::io

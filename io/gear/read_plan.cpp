@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gear/read_plan.hpp"
+
+#include "io/catalogue/folders.hpp"
+#include "io/gear/outline.hpp"
+#include "io/gear/plan_reader.hpp"
+
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+/// Reads one plan; members are steps in the order they happen.
+class PlanReader {
+ public:
+  PlanReader(const Document& document, std::filesystem::path folder, Diagnostics& diagnostics)
+      : root_(document.root(), diagnostics), diagnostics_(diagnostics), folder_(std::move(folder)) {
+    plan_.files = document.files();
+  }
+
+  Plan read() {
+    read_head();
+    read_catalogue();
+    read_named("panels", "the pieces of netting, a table each", Presence::required,
+               [&](const std::string& name, TableReader& t) {
+                 plan_.panels.push_back(read_panel(name, t, catalogue_));
+                 complete(plan_.panels.back());
+               });
+    read_named("ropes", "ropes, wires and chains", Presence::optional,
+               [&](const auto& name, auto& t) { plan_.ropes.push_back(read_rope(name, t, catalogue_)); });
+    read_named("floats", "floats and weights", Presence::optional,
+               [&](const auto& name, auto& t) { plan_.pieces.push_back(read_pieces(name, t, catalogue_)); });
+    read_named("points", "points that ropes lead to", Presence::optional,
+               [&](const auto& name, auto& t) { plan_.points.push_back(read_point(name, t)); });
+    for (auto& table : root_.tables("hang")) plan_.hangings.push_back(read_hanging(table));
+    for (auto& table : root_.tables("join")) plan_.joins.push_back(read_join(table));
+    root_.finish();
+    return std::move(plan_);
+  }
+
+ private:
+  void read_head() {
+    TableReader gear = root_.table("gear", Presence::optional);
+    plan_.title = gear.text("title", {.doc = "what it is", .fallback = ""});
+    plan_.source = gear.text("source", {.doc = "where the plan comes from", .fallback = ""});
+  }
+
+  void read_catalogue() {
+    std::vector<std::filesystem::path> own;
+    for (const auto& name :
+         root_.texts("catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}}))
+      own.push_back(folder_ / name);
+    catalogue_ = Catalogue::load(catalogue_folders(own), diagnostics_);
+  }
+
+  template <class Read>
+  void read_named(const char* key, const char* doc, Presence presence, const Read& read) {
+    TableReader tables = root_.table(key, presence, doc);
+    for (const auto& name : tables.keys()) {
+      check_name(name, tables);
+      TableReader table = tables.table(name);
+      if (table.diagnostics().errors() == 0 || tables.kind(name) == Kind::table) read(name, table);
+    }
+  }
+
+  /// Names lead to edges and points by a dot, and a name is one thing only.
+  void check_name(const std::string& name, TableReader& tables) {
+    if (name.find('.') != std::string::npos || name.empty())
+      diagnostics_.error(tables.place(name),
+                         "the name \"" + name + "\" must not be empty nor hold a dot, which leads to edges");
+    if (!names_.insert(name).second)
+      diagnostics_.error(tables.place(name), "there is something named \"" + name + "\" already",
+                         "panels, ropes, floats and points share one list of names");
+  }
+
+  /// Of a panel that does not state its aft edge the cuttings give it.
+  void complete(Panel& panel) {
+    if (!panel.states_aft) panel.aft = {{"aft", std::max(0.0, aft_by_cuttings(panel)), panel.place}};
+  }
+
+  TableReader root_;
+  Diagnostics& diagnostics_;
+  std::filesystem::path folder_;
+  Catalogue catalogue_;
+  Plan plan_;
+  std::set<std::string> names_;
+};
+
+template <class T>
+const T* find_named(const std::vector<T>& all, const std::string& name) {
+  for (const auto& one : all)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+}  // namespace
+
+Plan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+               Diagnostics& diagnostics) {
+  const Document document = Document::load(file, overrides, diagnostics);
+  if (diagnostics.errors()) return {};
+  return PlanReader(document, file.parent_path(), diagnostics).read();
+}
+
+Plan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
+  const Document document = Document::parse(text, name, {}, diagnostics);
+  if (diagnostics.errors()) return {};
+  return PlanReader(document, {}, diagnostics).read();
+}
+
+const Panel* Plan::find_panel(const std::string& name) const { return find_named(panels, name); }
+const Rope* Plan::find_rope(const std::string& name) const { return find_named(ropes, name); }
+const Point* Plan::find_point(const std::string& name) const { return find_named(points, name); }
+
+}  // namespace netloft::io

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gear/plan_reader.hpp"
+
+#include <charconv>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kLongest = 1e5;  // [m]
+
+double read_length(TableReader& table, const char* key, const char* doc) {
+  return table.real(key, {.unit = "m", .doc = doc, .range = {0, kLongest, true}});
+}
+
+/// One name, or several in a row.
+std::vector<std::string> read_row(const Value& said, const std::string& path, Diagnostics& diagnostics) {
+  if (const std::string* name = said.as<std::string>()) return {*name};
+  std::vector<std::string> names;
+  const Array* array = said.as<Array>();
+  if (array)
+    for (const auto& item : array->items)
+      if (const std::string* name = item.as<std::string>()) names.push_back(*name);
+  if (!array || names.size() != array->items.size() || names.empty())
+    diagnostics.error(said.place, path + ": the name of an edge is wanted, or an array of edges in a row");
+  return names;
+}
+
+/// "47 along headrope".
+bool split_spread(const std::string& text, double& number, std::string& along) {
+  const auto* end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, number);
+  const std::string rest(after, end);
+  constexpr std::string_view kAlong = " along ";
+  if (error != std::errc() || !rest.starts_with(kAlong) || !(number > 0)) return false;
+  along = rest.substr(kAlong.size());
+  return true;
+}
+
+}  // namespace
+
+Rope read_rope(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+  Rope rope;
+  rope.name = name, rope.place = table.place();
+  rope.stands = read_standing(table, "pair");
+  ChosenPart part = read_part_choice(table, "rope", "rope", catalogue);
+  rope.part_name = std::move(part.name), rope.rope = std::move(part.table);
+  rope.length = read_length(table, "length", "unstretched, of the whole rope");
+  if (table.has("between")) {
+    const auto ends =
+        table.texts("between", {.doc = "two points, such as ends of ropes", .count = exactly(2)});
+    rope.between_place = table.place("between");
+    if (ends.size() == 2) rope.between = {ends[0], ends[1]};
+  }
+  return rope;
+}
+
+Hanging read_hanging(TableReader& table) {
+  Hanging hanging;
+  hanging.edge = table.text("edge", {.doc = "of a panel, such as \"top-wing.inner\""});
+  hanging.rope = table.text("on", {.doc = "a rope"});
+  hanging.edge_place = table.place("edge"), hanging.rope_place = table.place("on");
+  hanging.place = table.place();
+  if (table.has("length") && table.has("ratio"))
+    table.error("ratio", "stands beside length, which says the same", "leave out either");
+  if (table.has("ratio"))
+    hanging.ratio = table.real(
+        "ratio",
+        {.unit = "1", .doc = "length of rope over that of the stretched edge", .range = between(0.01, 2)});
+  else
+    hanging.length = read_length(table, "length", "of rope that the edge takes");
+  return hanging;
+}
+
+Join read_join(TableReader& table) {
+  Join join;
+  join.place = table.place();
+  const Value* edges = table.raw("edges");
+  const Array* array = edges ? edges->as<Array>() : nullptr;
+  if (!array || array->items.size() != 2) {
+    table.error("edges",
+                "two edges that are sewn together are wanted, such as [\"wing.aft\", \"body.fore\"]");
+    return join;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    join.places[i] = array->items[i].place;
+    join.edges[i] = read_row(array->items[i], table.path("edges"), table.diagnostics());
+  }
+  if (table.has("take_up"))
+    join.take_up = table.real(
+        "take_up",
+        {.unit = "1", .doc = "meshes of the second edge for one of the first", .range = between(0.05, 20)});
+  return join;
+}
+
+Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+  Pieces pieces;
+  pieces.name = name, pieces.place = table.place();
+  ChosenPart part = read_part_choice(table, "float", "float", catalogue);
+  pieces.part_name = std::move(part.name), pieces.piece = std::move(part.table);
+  const std::string spread = table.text("spread", {.doc = "how many along which rope"});
+  pieces.along_place = table.place("spread");
+  if (!spread.empty() && !split_spread(spread, pieces.number, pieces.along))
+    table.error("spread", "\"" + spread + "\" is not understood",
+                "a number of pieces and a rope are wanted, such as \"47 along headrope\"");
+  return pieces;
+}
+
+Point read_point(const std::string& name, TableReader& table) {
+  Point point;
+  point.name = name, point.place = table.place();
+  point.stands = read_standing(table, "pair");
+  if (table.has("at")) {
+    const auto at = table.reals("at", {.unit = "m", .doc = "x, y, z", .count = exactly(3)});
+    if (at.size() == 3) point.at = {at[0], at[1], at[2]};
+  }
+  return point;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans that a person gets wrong, each with the words and the place of the answer. `count` is the number of
+// errors and warnings: one that only follows from another helps nobody.
+#include "tests/unit/io/gear/plans.hpp"
+
+namespace netloft::io {
+namespace {
+
+struct Wrong {
+  const char* name;
+  const char* old;
+  const char* now;
+  const char* says;
+  int count = 1;
+};
+
+void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.now; }
+
+class WrongPlans : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongPlans, AreAnsweredWithPlaceAndCure) {
+  const auto checked = check_text(changed_plan(GetParam().old, GetParam().now));
+  const std::string said = checked.said();
+  EXPECT_NE(said.find(GetParam().says), std::string::npos) << said;
+  EXPECT_EQ(checked.diagnostics.errors() + checked.diagnostics.warnings(), GetParam().count) << said;
+  for (const auto& finding : checked.diagnostics.sorted())
+    EXPECT_GT(finding.place.line, 0) << finding.message;
+}
+
+const Wrong kWriting[] = {
+    {"NoMesh", "mesh = \"80 mm\"\n", "", "missing key \"mesh\" in panels.bag"},
+    {"MeshOfAnotherUnit", "mesh = \"80 mm\"", "mesh = \"80 kg\"", "panels.bag.mesh"},
+    {"NoTwine", "mesh = \"80 mm\"\ntwine = { diameter = \"2 mm\", EA = \"3 kN\", density = 960 }",
+     "mesh = \"80 mm\"", "missing key \"twine\" in panels.bag"},
+    {"TwineThatIsNotThere", "mesh = \"80 mm\"\ntwine = { diameter = \"2 mm\", EA = \"3 kN\", density = 960 }",
+     "mesh = \"80 mm\"\ntwine = \"pe-braided-4m\"", "did you mean \"pe-braided-4mm\"?"},
+    {"TwineThatIsNoPart", "mesh = \"80 mm\"\ntwine = { diameter = \"2 mm\", EA = \"3 kN\", density = 960 }",
+     "mesh = \"80 mm\"\ntwine = 3", "panels.bag.twine"},
+    {"NoDepth", "depth = 50\n", "", "missing key \"depth\" in panels.bag"},
+    {"DepthOfNothing", "depth = 50", "depth = 0", "panels.bag.depth"},
+    {"NoFore", "fore = 20\ndepth = 50", "depth = 50", "missing key \"fore\" in panels.bag"},
+    {"NegativeFore", "fore = 20\ndepth = 50", "fore = -20\ndepth = 50", "panels.bag.fore"},
+    {"NoSides", "depth = 50\nsides = \"AN\"", "depth = 50", "missing key \"sides\" in panels.bag"},
+    {"SideOfTheWrongName", "depth = 50\nsides = \"AN\"", "depth = 50\nside = \"AN\"", "unknown key \"side\"",
+     2},
+    {"OuterOfAMiddlePanel", "depth = 50\nsides = \"AN\"", "depth = 50\nsides = \"AN\"\nouter = \"AN\"",
+     "unknown key \"outer\" in panels.bag"},
+    {"NoDirection", "sides = \"5B1P in\"", "sides = \"5B1P\"",
+     "does not say whether \"5B1P\" goes in or out"},
+    {"NoSuchDirection", "sides = \"5B1P in\"", "sides = \"5B1P inwards\"", "\"inwards\" is no direction"},
+    {"StandsNowhere", "stands = \"middle\"", "stands = \"centre\"", "ropes.headline.stands"},
+    {"OrientationUnknown", "mesh = \"80 mm\"", "orientation = \"t45\"\nmesh = \"80 mm\"",
+     "panels.bag.orientation"},
+    {"CutWithoutExtent", "sides = \"5B1P in\"", "sides = [{ cut = \"5B1P in\" }, { cut = \"AN\" }]",
+     "more than one of its cuts has neither meshes nor depth"},
+    {"CutThatSaysTwoThings", "sides = \"5B1P in\"",
+     "sides = [{ cut = \"5B1P in\", depth = 42, meshes = 20 }]", "is not what 5B1P gives over that depth"},
+    {"StraightCutSideways", "sides = \"5B1P in\"", "sides = [{ cut = \"AN\", meshes = 3 }]",
+     "AN does not go sideways"},
+    {"MeshCutWithoutMeshes", "sides = \"5B1P in\"", "sides = [{ cut = \"AM in\" }, { cut = \"5B1P in\" }]",
+     "AM has no depth"},
+    {"MeshCutAlone", "sides = \"5B1P in\"", "sides = \"AM in\"", "nothing of it goes aft"},
+    {"EmptySide", "sides = \"5B1P in\"", "sides = []", "panels.body.sides"},
+    {"NoPanels", "[panels.wing]", "[panel.wing]", "unknown key \"panel\""},
+    {"NameWithADot", "[panels.bag]", "[panels.\"b.ag\"]", "must not be empty nor hold a dot"},
+    {"NameTwice", "[points.door]", "[points.bag]", "there is something named \"bag\" already"},
+    {"RopeWithoutLength", "length = \"6 m\"\n", "", "missing key \"length\" in ropes.headline"},
+    {"RopeOfOneEnd", "between = [\"door\", \"headline.end\"]", "between = [\"door\"]",
+     "ropes.bridle.between"},
+    {"RopeOfATwine", "rope = { diameter = \"12 mm\", EA = \"100 kN\", density = 1000 }\nlength = \"6 m\"",
+     "rope = \"pe-braided-4mm\"\nlength = \"6 m\"", "\"pe-braided-4mm\" is a twine"},
+    {"SpreadNotUnderstood", "\"11 along headline\"", "\"eleven along headline\"", "is not understood"},
+    {"SpreadWithoutRope", "\"11 along headline\"", "\"11\"", "such as \"47 along headrope\""},
+    {"JoinOfOneEdge", "edges = [\"body.aft\", \"bag.fore\"]", "edges = [\"body.aft\"]",
+     "two edges that are sewn together"},
+    {"JoinOfNumbers", "edges = [\"body.aft\", \"bag.fore\"]", "edges = [\"body.aft\", 3]",
+     "the name of an edge is wanted"},
+    {"TakeUpOfNothing", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\"]\ntake_up = 0", "take_up"},
+    {"HangingSaidTwice", "ratio = 0.5", "ratio = 0.5\nlength = 1", "stands beside length"},
+    {"HangingWithoutLength", "ratio = 0.5\n", "", "missing key \"length\""},
+};
+
+const Wrong kSewing[] = {
+    {"NoRate", "sides = \"5B1P in\"", "sides = \"SB1P in\"",
+     "body.sides: cutting \"SB1P\" is no rate; 5B1P, 30 M over 42 M, fits"},
+    {"NoRateAtAll", "sides = \"5B1P in\"", "sides = \"straight in\"",
+     "body.sides: cutting \"straight\" is no rate"},
+    {"DoesNotCloseByALittle", "aft = 30\n", "aft = 28.6\n",
+     "warning: wing.aft: the cuttings give 30 meshes, the plan says 28.6, +4.9 %"},
+    {"DoesNotClose", "aft = 20\n", "aft = 30\n",
+     "error: body.aft: the cuttings give 20 meshes, the plan says 30, -33.3 %", 2},
+    {"WrongDirection", "inner = \"AB out\"", "inner = \"AB in\"", "wing: its sides meet before the aft edge"},
+    {"SideTooDeep", "outer = \"AN\"", "outer = [{ name = \"o\", cut = \"AN\", depth = 30 }]",
+     "wing.outer: its cuttings go 30 meshes deep, the panel 20, +50.0 %"},
+    {"SideTooShallow", "outer = \"AN\"", "outer = [{ name = \"o\", cut = \"AN\", depth = 18.9 }]",
+     "wing.outer: its cuttings go 18.9 meshes deep"},
+    {"TwoEdgesOfOneName", "{ name = \"bosom\", meshes = 20 }", "{ name = \"wing\", meshes = 20 }",
+     "two of its edges are named \"wing\"", 3},
+    {"TwineFillsTheMesh", "diameter = \"2 mm\"", "diameter = \"50 mm\"",
+     "leave no opening in meshes of 100 mm"},
+    {"NoMeshesAtAll", "fore = 20\ndepth = 50", "fore = 0\ndepth = 50",
+     "bag: has meshes neither along its fore nor"},
+    {"JoinOfUnequalEdges", "fore = 20\ndepth = 50", "fore = 24\ndepth = 50",
+     "body.aft has 20 meshes, bag.fore has 24"},
+    {"JoinOfAPanelThatIsNotThere", "\"bag.fore\"", "\"bog.fore\"", "there is no panel \"bog\""},
+    {"JoinOfAnEdgeThatIsNotThere", "\"bag.fore\"", "\"bag.front\"", "the panel bag has no edge \"front\""},
+    {"JoinOfARope", "\"bag.fore\"", "\"headline\"", "\"headline\" is a rope"},
+    {"SewnTwice", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\"]\n[[join]]\nedges = [\"bag.fore\", \"bag.aft\"]",
+     "\"bag.fore\" is sewn twice, also at plan.toml:"},
+    {"TakeUpThatIsNot", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\"]\ntake_up = 1.5", "of the take-up 1.5"},
+    {"HungOnNothing", "on = \"headline\"\nratio", "on = \"headlin\"\nratio", "did you mean \"headline\"?"},
+    {"HungOnAPanel", "on = \"headline\"\nratio", "on = \"body\"\nratio", "\"body\" is a panel"},
+    {"EdgeHungTwice", "edge = \"wing.inner\"", "edge = \"body.bosom\"", "\"body.bosom\" is hung twice"},
+    {"HungTooLong", "ratio = 0.5", "ratio = 1.05", "the netting would have to be stretched, +5.0 %"},
+    {"HungTooShort", "ratio = 0.5", "ratio = 0.1", "its meshes would be bunched, ratio 0.1"},
+    {"RopeTooShort", "length = \"6 m\"", "length = \"4.2 m\"",
+     "headline: 4.2 m long, 4.8 m of it are given to edges: 0.6 m too short"},
+    {"RopeALittleTooShort", "length = \"6 m\"", "length = \"4.75 m\"", "warning: headline: 4.75 m long"},
+    {"RopeToAPointThatIsNotThere", "[\"door\", ", "[\"dor\", ",
+     "ropes.bridle.between: there is no point \"dor\""},
+    {"RopeToNoEnd", "\"headline.end\"", "\"headline.tip\"", "there is no point \"headline.tip\""},
+    {"RopeToNoCorner", "\"headline.end\"", "\"wing.fore-outr\"", "did you mean \"wing.fore-outer\"?"},
+    {"PiecesAlongNothing", "\"11 along headline\"", "\"11 along hedline\"", "did you mean \"headline\"?"},
+    {"PanelJoinedToNothing", "[[join]]\nedges = [\"body.aft\", \"bag.fore\"]\n", "",
+     "bag is joined to nothing"},
+    {"RopeJoinedToNothing", "between = [\"door\", \"headline.end\"]\n", "", "bridle is joined to nothing", 2},
+    {"PartsJoinedToOneAnotherOnly", "\"headline.end\"", "\"bridle.end\"", "are joined to one another only"},
+};
+
+std::string name_of(const testing::TestParamInfo<Wrong>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(InWriting, WrongPlans, testing::ValuesIn(kWriting), name_of);
+INSTANTIATE_TEST_SUITE_P(InSewing, WrongPlans, testing::ValuesIn(kSewing), name_of);
+
+}  // namespace
+}  // namespace netloft::io
