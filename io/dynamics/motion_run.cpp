@@ -52,38 +52,31 @@ class MotionRun {
     killed_.emplace(part);
     const MarchState state =
         with_context(part.string(), [&] { return read_checkpoint(*killed_, options_.identity); });
-    result_.resumed_from = state.t;
+    result_.resumed_from = state.t, result_.outputs = state.outputs;
     return state;
   }
 
   void write(const Snapshot& at) {
     const SeriesState state = describe(at);
-    if (!file_) {
-      const std::size_t before = killed_ && at.state ? at.state->outputs - 1 : killed_states(at);
-      file_.emplace(options_.output, layout_, killed_ ? &*killed_ : nullptr, before);
-      result_.outputs = before;
-    }
+    if (!file_) open_file();
     file_->write(state, [&](Tree& tree) {
       if (at.state) write_checkpoint(tree, *at.state, options_.identity);
     });
     ++result_.outputs;
-    last_ = state.time;
   }
-  std::size_t killed_states(const Snapshot&) const {
-    return killed_ ? read_checkpoint(*killed_, options_.identity).outputs : 0;
+  void open_file() {
+    file_.emplace(options_.output, layout_, killed_ ? &*killed_ : nullptr, result_.outputs);
   }
 
   /// It was killed after its last output: nothing is left to do but to finish it.
   void finish_killed(const MarchState& from) {
-    describe_layout_of_killed();
-    file_.emplace(options_.output, layout_, &*killed_, from.outputs);
-    result_.outputs = from.outputs;
+    describe_layout_of_killed(from);
+    open_file();
   }
 
   /// What an output holds, by making one of the place where it would go on.
-  void describe_layout_of_killed() {
+  void describe_layout_of_killed(const MarchState& from) {
     Assembler& assembler = case_.assembler();
-    const MarchState from = read_checkpoint(*killed_, options_.identity);
     MovingState state(assembler, 0);
     state.set(from.t, from.u, from.v, from.a);
     std::vector<double> residual(assembler.numbering().dofs());
@@ -176,7 +169,6 @@ class MotionRun {
   SeriesFile::Layout layout_;
   std::optional<Reader> killed_;
   std::optional<SeriesFile> file_;
-  double last_ = 0;
   MotionResult result_;
 };
 
