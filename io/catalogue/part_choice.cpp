@@ -11,10 +11,11 @@ namespace {
 
 constexpr const char* kPart = "part";
 
-/// The value that holds the name itself.
+/// The value that holds the name itself; of a table without one, the table.
 const Value& naming_value(const Value& said) {
   const Table* table = said.as<Table>();
-  return table ? table->find(kPart)->value : said;
+  const Member* part = table ? table->find(kPart) : nullptr;
+  return part ? part->value : said;
 }
 
 std::string listed(const std::vector<std::string>& words) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/parameters/parameters.hpp"
+#include "io/catalogue/part_kinds.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/components.hpp"
 #include "io/scene/dynamics.hpp"
@@ -180,11 +181,27 @@ Json begin_part(const ElementType& e) {
   return part;
 }
 
+/// `twine = "pe-braided-4mm"`, or a table that overrides values of the part it names, or all values.
+void let_name_catalogue_parts(Json& part) {
+  for (const auto& key : part_keys()) {
+    if (!part["properties"].contains(key)) continue;
+    Json whole = part["properties"][key], overriding = whole;
+    overriding.erase("required");
+    put(overriding, "part", text("of the catalogue; `netloft catalogue` lists them"), true);
+    const Json names_one = {{"type", "object"}, {"required", {"part"}}};
+    part["properties"][key] = {{"description", "the name of a part of the catalogue, or a table"},
+                               {"if", {{"type", "string"}}},
+                               {"then", true},
+                               {"else", {{"if", names_one}, {"then", overriding}, {"else", whole}}}};
+  }
+}
+
 Json end_part(Json part, const ElementType& e, const PluginContent& plugin) {
   put_table(part, e.parameters);
   put_companions(part, e, plugin);
   put_laws(part, e);
   drop_repeats(part);
+  let_name_catalogue_parts(part);
   return part;
 }
 
@@ -349,6 +366,11 @@ Json scene_schema(Registry& registry) {
   scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   scene["title"] = "Netloft scene";
   put(scene, "include", include_schema(), false);
+  put(scene, "catalogue",
+      {{"type", "array"},
+       {"items", text("a folder, relative to the scene")},
+       {"description", "folders with catalogues of one's own, searched first"}},
+      false);
   put(scene, "water", water, false);
   put(scene, "parts",
       {{"type", "object"},

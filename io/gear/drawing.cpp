@@ -153,7 +153,10 @@ class Draughtsman {
   void draw_words(const PlacedPanel& placed) {
     const Box box = box_of({placed});
     const double y = (box.top + box.bottom) / 2;
-    const Box across = across_at(placed, y);
+    const double half_height = 1.6 * kLineHeight / scale_.per_metre;
+    Box across = across_at(placed, y);
+    for (const double end : {y - half_height, y + half_height})
+      across.left = std::min(across.left, across_at(placed, end).left);
     const PicturePoint left = scale_({across.left, y}), right = scale_({across.right, y});
     const bool is_wide = right.x - left.x > kWordsWidth;
     const double x = is_wide ? (left.x + right.x) / 2 : left.x - 8;

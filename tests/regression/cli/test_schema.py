@@ -67,6 +67,13 @@ class Schema(InFreshFolder):
         self.assertEqual(self.faults_of(rope.replace('"rope"\nr', '["rope"]\nr')), [])
         self.assertNotEqual(self.faults_of(rope + "cells = 3\n"), [])
 
+    def test_parts_of_the_catalogue_fit(self):
+        twine = '{ diameter = "10 mm", EA = "10 kN", density = 2000 }'
+        for said in ('"pe-braided-4mm"', '{ part = "pe-braided-4mm", diameter = "4.2 mm" }'):
+            self.assertEqual(self.faults_of('catalogue = ["mine"]\n' + changed(GOOD, (twine, said))), [])
+        for said in ("3", '{ part = 3 }', '{ part = "pe-braided-4mm", colour = 3 }', '{ diameter = "4 mm" }'):
+            self.assertNotEqual(self.faults_of(changed(GOOD, (twine, said))), [], said)
+
     def test_a_wrong_key_is_named(self):
         self.assertIn("scene.parts.net.twine.diametre is not allowed", self.faults_of(changed(GOOD, ("diameter", "diametre"))))
 

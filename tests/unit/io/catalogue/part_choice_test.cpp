@@ -86,6 +86,12 @@ TEST(PartChoice, APartOfAnotherKindIsNamedAsSuch) {
   EXPECT_NE(text.find("\"thin\" is a twine"), std::string::npos) << text;
 }
 
+TEST(PartChoice, ATableThatNamesNoPartIsRefused) {
+  Bench bench("twine = {}");
+  EXPECT_FALSE(bench.choose());
+  EXPECT_NE(bench.diagnostics.render(false).find("is a text"), std::string::npos);
+}
+
 TEST(PartChoice, ANameThatIsNoTextIsRefused) {
   Bench bench("twine = { part = 4 }");
   EXPECT_FALSE(bench.choose());

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gear/gear.hpp"
+
+#include "io/gear/names.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+enum class Side { none, starboard, port };
+
+const char* prefix(Side side) {
+  return side == Side::starboard ? "starboard-" : side == Side::port ? "port-" : "";
+}
+
+OutlineEdge mirrored(OutlineEdge edge) {
+  std::swap(edge.from, edge.to);
+  edge.from.x = -edge.from.x, edge.to.x = -edge.to.x;
+  return edge;
+}
+
+/// A fore or aft edge that begins or ends in the middle is one with its mirror image.
+bool crosses_middle(const OutlineEdge& edge) {
+  const bool lies_across = edge.kind == EdgeKind::fore || edge.kind == EdgeKind::aft;
+  return lies_across && (edge.from.x == 0 || edge.to.x == 0);
+}
+
+/// Both halves of a middle panel: from port across the fore edge, aft on the starboard side, and back.
+Outline both_halves(const Outline& half) {
+  std::vector<OutlineEdge> starboard, port;
+  for (const auto& edge : half.edges) {
+    if (edge.kind == EdgeKind::middle) continue;
+    OutlineEdge right = edge, left = mirrored(edge);
+    if (crosses_middle(edge)) {
+      right.from.x = edge.kind == EdgeKind::fore ? -edge.to.x : edge.from.x;
+      right.to.x = edge.kind == EdgeKind::fore ? edge.to.x : -edge.from.x;
+      right.meshes *= 2, right.stretched *= 2;
+      starboard.push_back(right);
+      continue;
+    }
+    right.name = prefix(Side::starboard) + right.name, left.name = prefix(Side::port) + left.name;
+    starboard.push_back(right), port.push_back(left);
+  }
+  starboard.insert(starboard.end(), port.rbegin(), port.rend());
+  return {std::move(starboard)};
+}
+
+/// Turns a plan into a gear; members are steps in the order they happen.
+class GearMaker {
+ public:
+  GearMaker(const Plan& plan, Extent extent) : plan_(plan) { gear_.extent = extent; }
+
+  Gear make() {
+    for (const auto& panel : plan_.panels) add_panel(panel);
+    for (const auto& join : plan_.joins) add_seam(join);
+    for (const auto& rope : plan_.ropes) add_rope(rope);
+    return std::move(gear_);
+  }
+
+ private:
+  bool is_whole() const { return gear_.extent == Extent::whole; }
+
+  std::vector<Side> sides_of(Standing stands) const {
+    if (stands == Standing::pair && is_whole()) return {Side::starboard, Side::port};
+    return {Side::none};
+  }
+
+  void add_panel(const Panel& panel) {
+    const Outline outline = outline_of(panel);
+    const bool doubled = is_whole() && panel.stands == Standing::middle;
+    for (const Side side : sides_of(panel.stands))
+      gear_.panels.push_back(
+          {prefix(side) + panel.name, &panel, side == Side::port, doubled ? both_halves(outline) : outline});
+  }
+
+  /// The edges that a name of the plan stands for, on one side of the gear; of what is there once, that.
+  std::vector<EdgeRef> edges_of(const std::string& name, Side side) const {
+    Diagnostics silent;
+    const EdgeSet set = find_edge(plan_, name, {}, "", silent);
+    std::vector<EdgeRef> refs;
+    for (const auto& edge : set.edges)
+      for (std::size_t p = 0; p < gear_.panels.size(); ++p)
+        if (gear_.panels[p].panel == set.panel) append_edges(refs, p, edge, side);
+    return refs;
+  }
+
+  void append_edges(std::vector<EdgeRef>& refs, std::size_t p, const OutlineEdge& sought, Side side) const {
+    const GearPanel& panel = gear_.panels[p];
+    if (panel.name == prefix(other(side)) + panel.panel->name && side != Side::none) return;
+    for (std::size_t e = 0; e < panel.outline.edges.size(); ++e) {
+      const OutlineEdge& edge = panel.outline.edges[e];
+      const bool is_it = edge.name == sought.name || edge.name == prefix(side) + sought.name;
+      if (edge.kind == sought.kind && is_it) refs.push_back({p, e});
+    }
+  }
+
+  static Side other(Side side) {
+    return side == Side::port ? Side::starboard : side == Side::starboard ? Side::port : Side::none;
+  }
+
+  bool is_there_twice(const std::string& name) const {
+    Diagnostics silent;
+    return is_whole() && find_edge(plan_, name, {}, "", silent).times() == 2;
+  }
+
+  std::vector<EdgeRef> row_of(const std::vector<std::string>& names, Side side) const {
+    std::vector<EdgeRef> row;
+    for (const auto& name : names) {
+      const auto edges = edges_of(name, side);
+      row.insert(row.end(), edges.begin(), edges.end());
+    }
+    return row;
+  }
+
+  /// From port to starboard: what is there twice, and between them what is there once.
+  std::vector<EdgeRef> row_across(const std::vector<std::string>& names) const {
+    std::vector<EdgeRef> row;
+    for (auto name = names.rbegin(); name != names.rend(); ++name)
+      if (is_there_twice(*name)) append(row, edges_of(*name, Side::port));
+    for (const auto& name : names) append(row, edges_of(name, Side::starboard));
+    return row;
+  }
+
+  static void append(std::vector<EdgeRef>& row, const std::vector<EdgeRef>& more) {
+    row.insert(row.end(), more.begin(), more.end());
+  }
+
+  void add_seam(const Join& join) {
+    const auto twice = [&](const std::vector<std::string>& names) {
+      return std::all_of(names.begin(), names.end(), [&](const auto& n) { return is_there_twice(n); });
+    };
+    if (!is_whole())
+      gear_.seams.push_back(
+          {{row_of(join.edges[0], Side::none), row_of(join.edges[1], Side::none)}, join.take_up});
+    else if (twice(join.edges[0]) && twice(join.edges[1]))
+      for (const Side side : {Side::starboard, Side::port})
+        gear_.seams.push_back({{row_of(join.edges[0], side), row_of(join.edges[1], side)}, join.take_up});
+    else
+      gear_.seams.push_back({{row_across(join.edges[0]), row_across(join.edges[1])}, join.take_up});
+  }
+
+  void add_rope(const Rope& rope) {
+    const bool is_halved = !is_whole() && rope.stands == Standing::middle;
+    for (const Side side : sides_of(rope.stands)) {
+      GearRope one{prefix(side) + rope.name,
+                   &rope,
+                   side == Side::port,
+                   is_halved ? rope.length / 2 : rope.length,
+                   {},
+                   {}};
+      one.hung = hung_on(rope, side);
+      for (std::size_t i = 0; i < 2; ++i) one.between[i] = point_on(rope.between[i], side);
+      gear_.ropes.push_back(std::move(one));
+    }
+  }
+
+  std::vector<HungEdge> hung_on(const Rope& rope, Side side) const {
+    const bool across = is_whole() && rope.stands == Standing::middle;
+    std::vector<HungEdge> port, starboard;
+    for (const auto& hanging : plan_.hangings) {
+      if (hanging.rope != rope.name) continue;
+      append_hung(starboard, hanging, across ? Side::starboard : side);
+      if (across && is_there_twice(hanging.edge)) append_hung(port, hanging, Side::port);
+    }
+    port = {port.rbegin(), port.rend()};
+    port.insert(port.end(), starboard.begin(), starboard.end());
+    return port;
+  }
+
+  void append_hung(std::vector<HungEdge>& hung, const Hanging& hanging, Side side) const {
+    Diagnostics silent;
+    const EdgeSet set = find_edge(plan_, hanging.edge, {}, "", silent);
+    const double whole = hanging.length > 0 ? hanging.length : hanging.ratio * set.stretched();
+    const double length = !is_whole() && set.is_across_middle() ? whole / 2 : whole;
+    const auto edges = edges_of(hanging.edge, side);
+    double stretched = 0;
+    for (const auto& ref : edges) stretched += edge(ref).stretched;
+    for (const auto& ref : edges) hung.push_back({ref, length * edge(ref).stretched / stretched});
+  }
+
+  const OutlineEdge& edge(const EdgeRef& ref) const {
+    return gear_.panels[ref.panel].outline.edges[ref.edge];
+  }
+
+  /// A point of the plan as it is named on one side: ends of ropes in the middle are start and end.
+  std::string point_on(const std::string& name, Side side) const {
+    if (name.empty() || side == Side::none) return name;
+    const auto dot = name.find('.');
+    const std::string owner = name.substr(0, dot), rest = dot == std::string::npos ? "" : name.substr(dot);
+    if (const Rope* rope = plan_.find_rope(owner); rope && rope->stands == Standing::middle)
+      return rest == ".end" && side == Side::port ? owner + ".start"
+             : rest == ".start"                   ? owner + ".middle"
+                                                  : name;
+    return standing_of(owner) == Standing::pair ? prefix(side) + name : name;
+  }
+
+  Standing standing_of(const std::string& owner) const {
+    if (const Rope* rope = plan_.find_rope(owner)) return rope->stands;
+    if (const Panel* panel = plan_.find_panel(owner)) return panel->stands;
+    if (const Point* point = plan_.find_point(owner)) return point->stands;
+    return Standing::alone;
+  }
+
+  const Plan& plan_;
+  Gear gear_;
+};
+
+}  // namespace
+
+Gear make_gear(const Plan& plan, Extent extent) { return GearMaker(plan, extent).make(); }
+
+const GearPanel* Gear::find_panel(const std::string& name) const {
+  const auto at = std::find_if(panels.begin(), panels.end(), [&](const auto& p) { return p.name == name; });
+  return at == panels.end() ? nullptr : &*at;
+}
+
+const GearRope* Gear::find_rope(const std::string& name) const {
+  const auto at = std::find_if(ropes.begin(), ropes.end(), [&](const auto& r) { return r.name == name; });
+  return at == ropes.end() ? nullptr : &*at;
+}
+
+std::string Gear::name_of(const EdgeRef& ref) const {
+  return panels[ref.panel].name + "." + panels[ref.panel].outline.edges[ref.edge].name;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gear/outline.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// How much of a gear is modelled.
+enum class Extent {
+  whole,
+  half,  // the starboard half, for gears and flows that are symmetric; edges named "middle" lie on the plane
+};
+
+/// One piece of netting of a gear. In the whole, pairs are named "port-…" and "starboard-…", and so are the
+/// edges of middle panels that are there twice; all other names stay as written.
+struct GearPanel {
+  std::string name;
+  const Panel* panel = nullptr;
+  bool is_mirrored = false;  // x of its outline points to port
+  Outline outline;           // of a middle panel in the whole: both halves, port at negative x
+};
+
+/// An edge of an outline: where it is in Gear::panels.
+struct EdgeRef {
+  std::size_t panel = 0, edge = 0;
+  bool operator==(const EdgeRef&) const = default;
+};
+
+/// Edges sewn together, each side in a row; it is one line of knots, however it is divided. Edges keep the
+/// direction of their outlines: two that are sewn together may run against one another.
+struct Seam {
+  std::array<std::vector<EdgeRef>, 2> edges;
+  double take_up = 0;  // meshes of the second for one of the first; 0: mesh to mesh
+};
+
+/// An edge on a rope, and the length of rope that it takes [m].
+struct HungEdge {
+  EdgeRef edge;
+  double length = 0;
+};
+
+/// One rope of a gear. In the whole a rope of the middle runs from port ("start") to starboard ("end"); in
+/// the half it starts on the plane of symmetry, with half its length.
+struct GearRope {
+  std::string name;
+  const Rope* rope = nullptr;
+  bool is_mirrored = false;
+  double length = 0;                   // unstretched [m]
+  std::vector<HungEdge> hung;          // from start to end
+  std::array<std::string, 2> between;  // points, by their names in this gear
+};
+
+/// A net plan with all that its symmetry leaves unsaid. It points into the plan, which must live longer.
+struct Gear {
+  Extent extent = Extent::whole;
+  std::vector<GearPanel> panels;
+  std::vector<Seam> seams;
+  std::vector<GearRope> ropes;
+
+  const GearPanel* find_panel(const std::string& name) const;
+  const GearRope* find_rope(const std::string& name) const;
+  /// "top-body.port-wing".
+  std::string name_of(const EdgeRef& edge) const;
+};
+
+/// `plan` without errors (check.hpp).
+Gear make_gear(const Plan& plan, Extent extent);
+
+}  // namespace netloft::io

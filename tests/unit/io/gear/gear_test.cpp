@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gear/gear.hpp"
+
+#include "tests/unit/io/gear/plans.hpp"
+
+#include <cmath>
+#include <set>
+
+namespace netloft::io {
+namespace {
+
+std::vector<std::string> names(const Gear& gear, const std::vector<EdgeRef>& row) {
+  std::vector<std::string> all;
+  for (const auto& ref : row) all.push_back(gear.name_of(ref));
+  return all;
+}
+
+void expect_closed(const Outline& outline) {
+  for (std::size_t i = 0; i < outline.edges.size(); ++i) {
+    const auto &end = outline.edges[i].to, &next = outline.edges[(i + 1) % outline.edges.size()].from;
+    EXPECT_NEAR(std::hypot(end.x - next.x, end.y - next.y), 0, 1e-9) << outline.edges[i].name;
+  }
+}
+
+double total(const std::vector<HungEdge>& hung) {
+  double sum = 0;
+  for (const auto& h : hung) sum += h.length;
+  return sum;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Gear, TheWholeHasPairsTwice) {
+  const auto checked = check_text(kGoodPlan);
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  EXPECT_EQ(gear.panels.size(), 4u);
+  ASSERT_TRUE(gear.find_panel("port-wing"));
+  EXPECT_TRUE(gear.find_panel("port-wing")->is_mirrored);
+  EXPECT_FALSE(gear.find_panel("starboard-wing")->is_mirrored);
+  EXPECT_TRUE(gear.find_panel("body"));
+}
+
+TEST(Gear, TheHalfHasEveryPanelOnceByItsOwnName) {
+  const auto checked = check_text(kGoodPlan);
+  const Gear gear = make_gear(checked.plan, Extent::half);
+  EXPECT_EQ(gear.panels.size(), 3u);
+  EXPECT_TRUE(gear.find_panel("wing"));
+}
+
+TEST(Gear, OutlinesAreClosed) {
+  for (const auto& text : {kGoodPlan, library_text("83-112-eastern.toml")})
+    for (const Extent extent : {Extent::whole, Extent::half}) {
+      const auto checked = check_text(text);
+      for (const auto& panel : make_gear(checked.plan, extent).panels) expect_closed(panel.outline);
+    }
+}
+
+TEST(Gear, EdgesInTheMiddleAreWholeAndOthersAreToPortAndToStarboard) {
+  const auto checked = check_text(kGoodPlan);
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  std::set<std::string> edges;
+  for (const auto& edge : gear.find_panel("body")->outline.edges) {
+    edges.insert(edge.name);
+    if (edge.name == "bosom") {
+      EXPECT_DOUBLE_EQ(edge.meshes, 20);
+      EXPECT_DOUBLE_EQ(edge.from.x, -10);
+      EXPECT_DOUBLE_EQ(edge.to.x, 10);
+    }
+  }
+  EXPECT_EQ(edges, (std::set<std::string>{"bosom", "starboard-wing", "port-wing", "starboard-sides",
+                                          "port-sides", "aft"}));
+}
+
+TEST(Gear, SeamsOfPairsAreSewnOnBothSides) {
+  const auto checked = check_text(kGoodPlan);
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  ASSERT_EQ(gear.seams.size(), 3u);
+  EXPECT_EQ(names(gear, gear.seams[0].edges[0]), Names{"starboard-wing.aft"});
+  EXPECT_EQ(names(gear, gear.seams[0].edges[1]), Names{"body.starboard-wing"});
+  EXPECT_EQ(names(gear, gear.seams[1].edges[0]), Names{"port-wing.aft"});
+  EXPECT_EQ(names(gear, gear.seams[1].edges[1]), Names{"body.port-wing"});
+  EXPECT_EQ(names(gear, gear.seams[2].edges[1]), Names{"bag.fore"});
+}
+
+TEST(Gear, EdgesInARowStayInTheirOrder) {
+  const auto checked = check_text(library_text("83-112-eastern.toml"));
+  const Gear gear = make_gear(checked.plan, Extent::half);
+  EXPECT_EQ(names(gear, gear.seams[2].edges[0]), (Names{"top-wing.side", "top-body.sides"}));
+}
+
+TEST(Gear, ARopeOfTheMiddleRunsFromPortToStarboard) {
+  const auto checked = check_text(kGoodPlan);
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  const GearRope& rope = *gear.find_rope("headline");
+  std::vector<EdgeRef> row;
+  for (const auto& hung : rope.hung) row.push_back(hung.edge);
+  EXPECT_EQ(names(gear, row), (Names{"port-wing.inner", "body.bosom", "starboard-wing.inner"}));
+  EXPECT_DOUBLE_EQ(rope.length, 6);
+  EXPECT_DOUBLE_EQ(total(rope.hung), 1 + 2 * 1.9);  // half of 20 meshes of 0.1 m, and both wings
+}
+
+TEST(Gear, HalfOfItHasHalfOfTheRope) {
+  const auto checked = check_text(kGoodPlan);
+  const Gear gear = make_gear(checked.plan, Extent::half);
+  EXPECT_DOUBLE_EQ(gear.find_rope("headline")->length, 3);
+  EXPECT_DOUBLE_EQ(total(gear.find_rope("headline")->hung), 0.5 + 1.9);
+  EXPECT_DOUBLE_EQ(gear.find_rope("bridle")->length, 20);
+}
+
+TEST(Gear, BridlesEndAtTheirOwnSide) {
+  const auto checked = check_text(kGoodPlan);
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  EXPECT_EQ(gear.find_rope("port-bridle")->between,
+            (std::array<std::string, 2>{"port-door", "headline.start"}));
+  EXPECT_EQ(gear.find_rope("starboard-bridle")->between,
+            (std::array<std::string, 2>{"starboard-door", "headline.end"}));
+}
+
+/// 2·(meshes of the half) of the whole: no netting is lost or made by mirroring.
+TEST(Gear, TheWholeHasTwiceTheAreaOfTheHalf) {
+  const auto checked = check_text(library_text("83-112-eastern.toml"));
+  const auto area = [&](Extent extent) {
+    double sum = 0;
+    for (const auto& panel : make_gear(checked.plan, extent).panels)
+      for (const auto& e : panel.outline.edges) sum += 0.5 * (e.from.x * e.to.y - e.to.x * e.from.y);
+    return sum;
+  };
+  EXPECT_NEAR(area(Extent::whole), 2 * area(Extent::half), 1e-9 * area(Extent::whole));
+  EXPECT_GT(area(Extent::half), 0);
+}
+
+}  // namespace
+}  // namespace netloft::io
