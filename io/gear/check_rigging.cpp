@@ -79,6 +79,20 @@ void check_match(const Join& join, const std::string& path, const Row& a, const 
   say_mismatch(join, path, a, b, second / first, limits, diagnostics);
 }
 
+/// Edges sewn mesh to mesh whose meshes are of so different a size that the wider ones can hardly open.
+void check_widths(const Join& join, const std::string& path, const Row& a, const Row& b,
+                  const CheckLimits& limits, Diagnostics& diagnostics) {
+  const double narrow = std::min(a.stretched, b.stretched), wide = std::max(a.stretched, b.stretched);
+  if (!is_counted(a, b) || narrow <= 0 || narrow >= limits.bunching * wide) return;
+  diagnostics.warning(
+      join.places[1],
+      fmt::format(
+          "{}: {} is {} m wide when stretched, {} {} m: the wider meshes would be bunched, ratio {:.2g}",
+          path, a.name, in_metres(a.stretched / a.times), b.name, in_metres(b.stretched / b.times),
+          narrow / wide),
+      "is the mesh size of either a bar instead of two, or is take_up missing?");
+}
+
 /// Things that may be done to an edge once only.
 class Ledger {
  public:
@@ -231,7 +245,9 @@ void check_joins(const Plan& plan, const CheckLimits& limits, Diagnostics& diagn
     const Row b = read_row(plan, join.edges[1], join.places[1], path, diagnostics);
     for (std::size_t k = 0; k < 2; ++k)
       for (const auto& edge : join.edges[k]) sewn.enter(edge, join.places[k], path, diagnostics);
-    if (a.is_sound && b.is_sound) check_match(join, path, a, b, limits, diagnostics);
+    if (!a.is_sound || !b.is_sound) continue;
+    check_match(join, path, a, b, limits, diagnostics);
+    check_widths(join, path, a, b, limits, diagnostics);
   }
 }
 

@@ -51,6 +51,12 @@ class Gears(InFreshFolder):
         self.assertEqual(run.code, 0)
         self.assertNotIn("top-wing.aft", run.err)
 
+    def test_a_changed_gear_is_three_lines(self):
+        self.write("eastern.toml", EASTERN)
+        self.write("fewer.toml", 'include = ["eastern.toml"]\n[floats.headline]\nspread = "42 along headrope"\n')
+        self.assertEqual(self.netloft("draw", "fewer.toml").code, 0)
+        self.assertIn("42 83-112-headline along headrope", self.files()["fewer.svg"].decode())
+
     def test_a_wrong_plan_is_not_drawn(self):
         self.write("slip.toml", SLIP)
         self.assertEqual(self.netloft("draw", "slip.toml").code, 2)

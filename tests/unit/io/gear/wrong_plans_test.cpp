@@ -115,6 +115,8 @@ const Wrong kSewing[] = {
      "\"bag.fore\" is sewn twice, also at plan.toml:"},
     {"TakeUpThatIsNot", "edges = [\"body.aft\", \"bag.fore\"]",
      "edges = [\"body.aft\", \"bag.fore\"]\ntake_up = 1.5", "of the take-up 1.5"},
+    {"JoinOfMeshesTooSmall", "mesh = \"80 mm\"", "mesh = \"15 mm\"",
+     "body.aft is 2 m wide when stretched, bag.fore 0.3 m: the wider meshes would be bunched, ratio 0.15"},
     {"HungOnNothing", "on = \"headline\"\nratio", "on = \"headlin\"\nratio", "did you mean \"headline\"?"},
     {"HungOnAPanel", "on = \"headline\"\nratio", "on = \"body\"\nratio", "\"body\" is a panel"},
     {"EdgeHungTwice", "edge = \"wing.inner\"", "edge = \"body.bosom\"", "\"body.bosom\" is hung twice"},
