@@ -147,10 +147,10 @@ void add_commands(CLI::App& app, Options& o) {
       "test", "check the elements, laws and solvers of a plugin: derivatives, balance, lanes, manners");
   test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
   add_plugin_options(*test, o);
-  add_compare_command(app, o);
-  add_stability_command(app, o);
   add_author_commands(app, o);
   add_gear_commands(app, o);
+  add_compare_command(app, o);
+  add_stability_command(app, o);
   app.require_subcommand(1);
 }
 
