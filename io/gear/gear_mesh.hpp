@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gear/gear.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// How finely a gear is divided. Of both, `nodes` counts for the whole of what is modelled.
+struct Fineness {
+  std::size_t nodes = 2000;  // about as many in all, ropes and netting
+  double size = 0;           // or: edges of about this length where netting is spread [m]; 0: by nodes
+  std::map<std::string, double> finer;  // by panel or rope: edges that many times shorter than elsewhere
+};
+
+/// Netting in triangles. Own nodes are numbered from 0 and stand for nodes of the gear.
+struct PanelMesh {
+  std::vector<std::uint32_t> nodes;           // own number -> gear node
+  std::vector<std::array<double, 2>> meshes;  // own number -> (U, V): meshes across, outwards, and deep, aft
+  std::vector<std::uint32_t> triangles;       // 3 own nodes each, counter-clockwise seen from outside the net
+  std::map<std::string, std::vector<std::uint32_t>> sets;  // edges (in the outline's direction) and corners
+};
+
+/// A rope in bars, from its start to its end.
+struct RopeMesh {
+  std::vector<std::uint32_t> nodes;  // own number -> gear node; own node i ends bar i-1
+  std::vector<double> rest_lengths;  // of the bars [m]; they add up to the rope's length
+  std::map<std::string, std::vector<std::uint32_t>> sets;  // start, middle (of a rope that has one), end
+};
+
+/// How good the triangles are where netting is spread with an opening of one half.
+struct MeshQuality {
+  double least_angle = 0, greatest_angle = 0;  // [rad]
+  std::size_t triangles = 0;
+};
+
+/// A gear divided into elements: nodes that seams, hangings and points share are one node by construction.
+/// No positions yet (start_shape.hpp). Panels and ropes are in the order of the gear.
+struct GearMesh {
+  std::size_t nodes = 0;
+  std::vector<PanelMesh> panels;
+  std::vector<RopeMesh> ropes;
+  std::map<std::string, std::uint32_t> points;  // "towing-point", "headrope.end", "top-wing.fore-outer"
+  std::vector<std::uint32_t> middle;            // of a half: nodes on the plane of symmetry
+  MeshQuality quality;
+};
+
+/// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes.
+GearMesh divide(const Gear& gear, const Fineness& fineness);
+
+}  // namespace netloft::io
