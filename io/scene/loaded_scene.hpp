@@ -8,6 +8,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,15 @@ struct Analysis {
   TangentChoice tangent = TangentChoice::exact;
 };
 
+/// What of a scene comes out of a net plan, for reports in the plan's names. Parts are numbered as in
+/// Scene::parts.
+struct GearInScene {
+  int times = 1;  // 2: a half was modelled, and what is summed up counts twice
+  std::vector<std::uint32_t> panels, ropes, pieces;
+  std::map<std::string, std::uint32_t> points;  // "headrope.end", "top-wing.fore-outer": node of the scene
+  std::string headline, footrope;               // ropes: what carries floats, and the lower one; empty: none
+};
+
 /// A scene file, read and checked.
 struct LoadedScene {
   Scene scene;
@@ -64,6 +74,7 @@ struct LoadedScene {
   std::vector<ResultRequest> results;
   Analysis analysis;
   std::vector<SourceFile> files;
+  std::optional<GearInScene> gear;  // of a scene with a net plan
 
   /// Place of the part that a fault speaks of, for messages.
   Place place_of(const std::string& part) const {
