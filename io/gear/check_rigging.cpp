@@ -274,9 +274,15 @@ void check_ropes(const Plan& plan, const CheckLimits& limits, Diagnostics& diagn
 }
 
 void check_pieces(const Plan& plan, Diagnostics& diagnostics) {
-  for (const auto& pieces : plan.pieces)
-    if (!pieces.along.empty())
-      find_rope_or_say(plan, pieces.along, pieces.along_place, pieces.name, diagnostics);
+  for (const auto& pieces : plan.pieces) {
+    const std::string path = "floats." + pieces.name + ".spread";
+    if (pieces.is_along_edge())
+      find_edge(plan, pieces.along, pieces.spread_place, path, diagnostics);
+    else if (!pieces.along.empty())
+      find_rope_or_say(plan, pieces.along, pieces.spread_place, path, diagnostics);
+    else
+      find_point_owner(plan, pieces.at, pieces.spread_place, path, diagnostics);
+  }
 }
 
 void check_connections(const Plan& plan, Diagnostics& diagnostics) {

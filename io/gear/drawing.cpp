@@ -224,7 +224,8 @@ class Draughtsman {
 
   void list_pieces() {
     for (const auto& pieces : plan_.pieces)
-      say(fmt::format("{}: {:g} {} along {}", pieces.name, pieces.number, pieces.part_name, pieces.along),
+      say(fmt::format("{}: {:g} {} {} {}", pieces.name, pieces.number, pieces.part_name,
+                      pieces.at.empty() ? "along" : "at", pieces.at.empty() ? pieces.along : pieces.at),
           kInk);
   }
 

@@ -56,6 +56,8 @@ class GearMaker {
     for (const auto& panel : plan_.panels) add_panel(panel);
     for (const auto& join : plan_.joins) add_seam(join);
     for (const auto& rope : plan_.ropes) add_rope(rope);
+    for (const auto& point : plan_.points) add_point(point);
+    for (const auto& pieces : plan_.pieces) add_pieces(pieces);
     return std::move(gear_);
   }
 
@@ -149,10 +151,22 @@ class GearMaker {
                    side == Side::port,
                    is_halved ? rope.length / 2 : rope.length,
                    {},
-                   {}};
+                   {},
+                   ""};
       one.hung = hung_on(rope, side);
-      for (std::size_t i = 0; i < 2; ++i) one.between[i] = point_on(rope.between[i], side);
+      tie(one, side);
       gear_.ropes.push_back(std::move(one));
+    }
+  }
+
+  /// To what it leads. A rope of the middle ends on both sides, and what it starts at is its middle's.
+  void tie(GearRope& one, Side side) const {
+    const auto& [start, end] = one.rope->between;
+    if (is_whole() && one.rope->stands == Standing::middle) {
+      one.between = {point_on(end, Side::port), point_on(end, Side::starboard)};
+      one.middle = point_on(start, Side::none);
+    } else {
+      one.between = {point_on(start, side), point_on(end, side)};
     }
   }
 
@@ -184,16 +198,73 @@ class GearMaker {
     return gear_.panels[ref.panel].outline.edges[ref.edge];
   }
 
+  void add_point(const Point& point) {
+    for (const Side side : sides_of(point.stands)) {
+      GearPoint one{prefix(side) + point.name, &point, point.at};
+      if (one.at && side == Side::port) (*one.at)[1] = -(*one.at)[1];
+      gear_.points.push_back(std::move(one));
+    }
+  }
+
+  /// Numbers are of the whole gear; only what stands alone is not halved with it.
+  void add_pieces(const Pieces& pieces) {
+    const Standing stands = standing_of(pieces);
+    const bool is_shared = stands == Standing::pair || (stands == Standing::middle && !is_whole());
+    for (const Side side : sides_of(stands)) {
+      GearPieces one{prefix(side) + pieces.name, &pieces, pieces.number / (is_shared ? 2 : 1), "", {}, ""};
+      if (pieces.is_along_edge())
+        one.edges =
+            side == Side::none && is_whole() ? row_across({pieces.along}) : row_of({pieces.along}, side);
+      else if (!pieces.along.empty())
+        one.rope = (standing_of(pieces.along) == Standing::pair ? prefix(side) : "") + pieces.along;
+      else
+        one.point = point_on(pieces.at, side);
+      gear_.pieces.push_back(std::move(one));
+    }
+  }
+
+  Standing standing_of(const Pieces& pieces) const {
+    if (pieces.is_along_edge()) return standing_of_edge(pieces.along);
+    return pieces.along.empty() ? standing_of_point(pieces.at) : standing_of(pieces.along);
+  }
+
+  Standing standing_of_edge(const std::string& name) const {
+    Diagnostics silent;
+    const EdgeSet set = find_edge(plan_, name, {}, "", silent);
+    return set.times() == 2 ? Standing::pair : set.panel->stands;
+  }
+
+  struct DottedName {
+    std::string owner, rest;
+  };
+  static DottedName split(const std::string& name) {
+    const auto dot = name.find('.');
+    return {name.substr(0, dot), dot == std::string::npos ? "" : name.substr(dot + 1)};
+  }
+
+  /// Of something in the middle, what does not lie on the plane of symmetry is there twice.
+  Standing standing_of_point(const std::string& name) const {
+    const auto [owner, rest] = split(name);
+    const Standing stands = standing_of(owner);
+    const bool is_aside = plan_.find_panel(owner) ? !lies_in_middle(rest) : rest == "end";
+    return stands == Standing::middle && is_aside ? Standing::pair : stands;
+  }
+
+  static bool lies_in_middle(const std::string& corner) {
+    return corner == "fore-inner" || corner == "aft-inner";
+  }
+
   /// A point of the plan as it is named on one side: ends of ropes in the middle are start and end.
   std::string point_on(const std::string& name, Side side) const {
-    if (name.empty() || side == Side::none) return name;
-    const auto dot = name.find('.');
-    const std::string owner = name.substr(0, dot), rest = dot == std::string::npos ? "" : name.substr(dot);
-    if (const Rope* rope = plan_.find_rope(owner); rope && rope->stands == Standing::middle)
-      return rest == ".end" && side == Side::port ? owner + ".start"
-             : rest == ".start"                   ? owner + ".middle"
-                                                  : name;
-    return standing_of(owner) == Standing::pair ? prefix(side) + name : name;
+    const auto [owner, rest] = split(name);
+    const Standing stands = standing_of(owner);
+    if (!is_whole()) return stands == Standing::middle && rest == "middle" ? owner + ".start" : name;
+    if (name.empty() || stands == Standing::alone) return name;
+    if (stands == Standing::pair) return prefix(side) + name;
+    if (plan_.find_panel(owner)) return lies_in_middle(rest) ? name : owner + "." + prefix(side) + rest;
+    if (plan_.find_rope(owner))
+      return owner + (rest != "end" ? ".middle" : side == Side::port ? ".start" : ".end");
+    return name;
   }
 
   Standing standing_of(const std::string& owner) const {

@@ -3,6 +3,7 @@
 #include "io/gear/outline.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct GearPanel {
   const Panel* panel = nullptr;
   bool is_mirrored = false;  // x of its outline points to port
   Outline outline;           // of a middle panel in the whole: both halves, port at negative x
+
+  bool has_sketch() const { return !panel->sketch.empty(); }
+  /// Where the sketch puts a point of the outline [m]: the plan's four corners, joined by straight lines.
+  std::array<double, 3> sketched(PanelPoint point) const;
 };
 
 /// An edge of an outline: where it is in Gear::panels.
@@ -51,14 +56,36 @@ struct GearRope {
   double length = 0;                   // unstretched [m]
   std::vector<HungEdge> hung;          // from start to end
   std::array<std::string, 2> between;  // points, by their names in this gear
+  std::string middle;  // point that the middle is tied to, of a rope of the middle in the whole
+};
+
+/// Floats, weights or pieces of ground gear in one place. Only one of rope, edges and point is there.
+struct GearPieces {
+  std::string name;
+  const Pieces* pieces = nullptr;
+  double number = 0;           // of what is modelled; the half has half of those that lie across the plane
+  std::string rope;            // shared out along it
+  std::vector<EdgeRef> edges;  // shared out along these, by the length of their twines
+  std::string point;           // all of them there
+};
+
+/// A point of the plan that is no end of anything.
+struct GearPoint {
+  std::string name;
+  const Point* point = nullptr;
+  std::optional<std::array<double, 3>> at;  // [m], mirrored where it stands to port
 };
 
 /// A net plan with all that its symmetry leaves unsaid. It points into the plan, which must live longer.
+/// Points are named "headrope.end", "port-wing.fore-outer", "port-towing-point", and in the whole those of
+/// middle panels as their edges: "body.port-fore-outer"; on the plane of symmetry "body.fore-inner".
 struct Gear {
   Extent extent = Extent::whole;
   std::vector<GearPanel> panels;
   std::vector<Seam> seams;
   std::vector<GearRope> ropes;
+  std::vector<GearPieces> pieces;
+  std::vector<GearPoint> points;
 
   const GearPanel* find_panel(const std::string& name) const;
   const GearRope* find_rope(const std::string& name) const;

@@ -17,7 +17,7 @@ namespace netloft::io {
 /// How something stands to the plane of symmetry.
 enum class Standing {
   alone,   // where it is, once
-  pair,    // to port, and mirrored to starboard
+  pair,    // to starboard, and mirrored to port
   middle,  // across the plane, symmetric in itself
 };
 
@@ -59,6 +59,8 @@ struct Panel {
   double depth = 0;         // meshes
   std::vector<Cut> outer;   // of a middle panel: both sides
   std::vector<Cut> inner;   // of a middle panel: none
+  /// Where it may start: fore-inner, fore-outer, aft-outer, aft-inner, to starboard [m]; or nothing.
+  std::vector<std::array<double, 3>> sketch;
   Place place, aft_place;
 
   /// Meshes of the whole edge, to port and to starboard of a middle panel.
@@ -93,20 +95,23 @@ struct Join {
   Place place;
 };
 
-/// "47 along headrope": floats, weights or pieces of ground gear, shared out along a rope.
+/// "47 along headrope", "2 at footrope.end": floats, weights or pieces of ground gear, shared out along a
+/// rope or an edge, or hung at a point.
 struct Pieces {
   std::string name, part_name;
   Value piece;
-  double number = 0;  // of the whole gear
-  std::string along;
-  Place place, along_place;
+  double number = 0;      // of the whole gear
+  std::string along, at;  // either of them
+  Place place, spread_place;
+
+  bool is_along_edge() const { return along.find('.') != std::string::npos; }
 };
 
 /// A point that is no end of anything: where bridles meet, where the gear is towed.
 struct Point {
   std::string name;
   Standing stands = Standing::pair;
-  std::optional<std::array<double, 3>> at;  // [m]
+  std::optional<std::array<double, 3>> at;  // [m]; of a pair the one to starboard
   Place place;
 };
 

@@ -179,6 +179,17 @@ void read_material(Panel& panel, TableReader& table, const Catalogue& catalogue)
       table.choice("orientation", {.allowed = orientations(), .doc = "of the meshes", .fallback = "diamond"});
 }
 
+void read_sketch(Panel& panel, TableReader& table) {
+  if (!table.has("sketch")) return;
+  for (const auto& row : table.rows("sketch", {.unit = "m",
+                                              .doc = "corners: fore inner, fore outer, aft outer, aft inner",
+                                              .range = between(-1e6, 1e6),
+                                              .rows = exactly(4),
+                                              .columns = exactly(3)}))
+    if (row.size() == 3) panel.sketch.push_back({row[0], row[1], row[2]});
+  if (panel.sketch.size() != 4) panel.sketch.clear();
+}
+
 }  // namespace
 
 ChosenPart read_part_choice(TableReader& table, const char* key, const char* kind_key,
@@ -218,6 +229,7 @@ Panel read_panel(const std::string& name, TableReader& table, const Catalogue& c
   panel.states_aft = table.has("aft");
   panel.aft_place = table.place("aft");
   if (panel.states_aft) panel.aft = read_counts(table, "aft");
+  read_sketch(panel, table);
   return panel;
 }
 

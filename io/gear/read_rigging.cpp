@@ -8,6 +8,8 @@ namespace netloft::io {
 namespace {
 
 constexpr double kLongest = 1e5;  // [m]
+constexpr double kMostPieces = 1e5;
+const Range kPlaces = between(-1e6, 1e6);
 
 double read_length(TableReader& table, const char* key, const char* doc) {
   return table.real(key, {.unit = "m", .doc = doc, .range = {0, kLongest, true}});
@@ -26,15 +28,27 @@ std::vector<std::string> read_row(const Value& said, const std::string& path, Di
   return names;
 }
 
-/// "47 along headrope".
-bool split_spread(const std::string& text, double& number, std::string& along) {
+/// "47 along headrope", "2 at footrope.end".
+bool split_spread(const std::string& text, Pieces& pieces) {
   const auto* end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, number);
+  const auto [after, error] = std::from_chars(text.data(), end, pieces.number);
   const std::string rest(after, end);
-  constexpr std::string_view kAlong = " along ";
-  if (error != std::errc() || !rest.starts_with(kAlong) || !(number > 0)) return false;
-  along = rest.substr(kAlong.size());
-  return true;
+  constexpr std::string_view kAlong = " along ", kAt = " at ";
+  if (error != std::errc() || !(pieces.number > 0) || pieces.number > kMostPieces) return false;
+  if (rest.starts_with(kAlong)) pieces.along = rest.substr(kAlong.size());
+  if (rest.starts_with(kAt)) pieces.at = rest.substr(kAt.size());
+  return !pieces.along.empty() || !pieces.at.empty();
+}
+
+/// Of a pair the one to starboard is written; what stands in the middle lies on the plane of symmetry.
+void check_side(const Point& point, TableReader& table) {
+  const double y = (*point.at)[1];
+  if (point.stands == Standing::pair && y < 0)
+    table.error("at", "lies to port, y < 0",
+                "of a pair the one to starboard is written, and the other mirrored");
+  if (point.stands == Standing::middle && y != 0)
+    table.error("at", "lies beside the plane of symmetry, in which y = 0",
+                "stands = \"pair\", if there is one to port and one to starboard");
 }
 
 }  // namespace
@@ -98,11 +112,12 @@ Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue&
   pieces.name = name, pieces.place = table.place();
   ChosenPart part = read_part_choice(table, "float", "float", catalogue);
   pieces.part_name = std::move(part.name), pieces.piece = std::move(part.table);
-  const std::string spread = table.text("spread", {.doc = "how many along which rope"});
-  pieces.along_place = table.place("spread");
-  if (!spread.empty() && !split_spread(spread, pieces.number, pieces.along))
+  const std::string spread = table.text("spread", {.doc = "how many along which rope, or at which point"});
+  pieces.spread_place = table.place("spread");
+  if (table.has("spread") && table.kind("spread") == Kind::text && !split_spread(spread, pieces))
     table.error("spread", "\"" + spread + "\" is not understood",
-                "a number of pieces and a rope are wanted, such as \"47 along headrope\"");
+                "a number of pieces and a rope, an edge or a point are wanted, such as \"47 along headrope\" "
+                "or \"2 at footrope.end\"");
   return pieces;
 }
 
@@ -111,8 +126,9 @@ Point read_point(const std::string& name, TableReader& table) {
   point.name = name, point.place = table.place();
   point.stands = read_standing(table, "pair");
   if (table.has("at")) {
-    const auto at = table.reals("at", {.unit = "m", .doc = "x, y, z", .count = exactly(3)});
+    const auto at = table.reals("at", {.unit = "m", .doc = "x, y, z", .range = kPlaces, .count = exactly(3)});
     if (at.size() == 3) point.at = {at[0], at[1], at[2]};
+    if (point.at) check_side(point, table);
   }
   return point;
 }

@@ -116,6 +116,97 @@ TEST(Gear, BridlesEndAtTheirOwnSide) {
             (std::array<std::string, 2>{"starboard-door", "headline.end"}));
 }
 
+const GearPieces& pieces(const Gear& gear, const std::string& name) {
+  for (const auto& one : gear.pieces)
+    if (one.name == name) return one;
+  ADD_FAILURE() << "no pieces " << name;
+  return gear.pieces.front();
+}
+
+const GearPoint& point(const Gear& gear, const std::string& name) {
+  for (const auto& one : gear.points)
+    if (one.name == name) return one;
+  ADD_FAILURE() << "no point " << name;
+  return gear.points.front();
+}
+
+TEST(Gear, TheHalfHasHalfOfTheFloatsOfTheMiddle) {
+  const auto checked = check_text(kGoodPlan);
+  EXPECT_DOUBLE_EQ(pieces(make_gear(checked.plan, Extent::whole), "top").number, 11);
+  const Gear half = make_gear(checked.plan, Extent::half);
+  EXPECT_DOUBLE_EQ(pieces(half, "top").number, 5.5);
+  EXPECT_EQ(pieces(half, "top").rope, "headline");
+}
+
+TEST(Gear, PiecesOfAPairAreSharedOutBetweenBothSides) {
+  for (const std::string place :
+       {"along wing.inner", "along bridle", "at wing.fore-outer", "at headline.end"}) {
+    const auto checked = check_text(changed_plan("11 along headline", "11 " + place));
+    ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+    const Gear whole = make_gear(checked.plan, Extent::whole), half = make_gear(checked.plan, Extent::half);
+    ASSERT_EQ(whole.pieces.size(), 2u) << place;
+    EXPECT_DOUBLE_EQ(pieces(whole, "port-top").number, 5.5);
+    EXPECT_DOUBLE_EQ(pieces(half, "top").number, 5.5);
+  }
+}
+
+TEST(Gear, PiecesStandOnTheirOwnSide) {
+  const auto edges = check_text(changed_plan("11 along headline", "11 along wing.inner"));
+  const Gear gear = make_gear(edges.plan, Extent::whole);
+  EXPECT_EQ(names(gear, pieces(gear, "port-top").edges), Names{"port-wing.inner"});
+  const auto ends = check_text(changed_plan("11 along headline", "2 at headline.end"));
+  EXPECT_EQ(pieces(make_gear(ends.plan, Extent::whole), "port-top").point, "headline.start");
+  const auto corners = check_text(changed_plan("11 along headline", "2 at body.aft-outer"));
+  EXPECT_EQ(pieces(make_gear(corners.plan, Extent::whole), "port-top").point, "body.port-aft-outer");
+}
+
+TEST(Gear, WhatLiesOnThePlaneOfSymmetryIsThereOnce) {
+  const auto checked = check_text(changed_plan("11 along headline", "3 at headline.middle"));
+  const Gear whole = make_gear(checked.plan, Extent::whole), half = make_gear(checked.plan, Extent::half);
+  ASSERT_EQ(whole.pieces.size(), 1u);
+  EXPECT_EQ(whole.pieces[0].point, "headline.middle");
+  EXPECT_DOUBLE_EQ(whole.pieces[0].number, 3);
+  EXPECT_EQ(half.pieces[0].point, "headline.start");
+  EXPECT_DOUBLE_EQ(half.pieces[0].number, 1.5);
+}
+
+TEST(Gear, PointsToPortAreMirrored) {
+  const auto checked = check_text(changed_plan("[points.door]", "[points.door]\nat = [-20, 15, 1]"));
+  ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  EXPECT_EQ(point(gear, "port-door").at, (std::array<double, 3>{-20, -15, 1}));
+  EXPECT_EQ(point(gear, "starboard-door").at, (std::array<double, 3>{-20, 15, 1}));
+}
+
+TEST(Gear, ARopeOfTheMiddleIsTiedOnBothSides) {
+  const std::string headline = "stands = \"middle\"\n";
+  const auto checked = check_text(changed_plan(headline, headline + "between = [\"kite\", \"door\"]\n") +
+                                  "[points.kite]\nstands = \"middle\"\n");
+  ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  const GearRope rope = *make_gear(checked.plan, Extent::whole).find_rope("headline");
+  EXPECT_EQ(rope.between, (std::array<std::string, 2>{"port-door", "starboard-door"}));
+  EXPECT_EQ(rope.middle, "kite");
+  const GearRope half = *make_gear(checked.plan, Extent::half).find_rope("headline");
+  EXPECT_EQ(half.between, (std::array<std::string, 2>{"kite", "door"}));
+}
+
+/// Corners fall on those of the sketch, what is between them on straight lines; to port it is mirrored.
+TEST(Gear, ASketchPutsAPanelInItsPlace) {
+  const auto checked = check_text(changed_plan(
+      "sides = \"5B1P in\"", "sides = \"5B1P in\"\nsketch = [[0, 0, 2], [0, 3, 2], [4, 1, 1], [4, 0, 1]]"));
+  ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  const GearPanel& body = *gear.find_panel("body");
+  ASSERT_TRUE(body.has_sketch());
+  const auto expect_at = [&](PanelPoint p, std::array<double, 3> at) {
+    const auto found = body.sketched(p);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], at[k], 1e-12) << p.x << ", " << p.y;
+  };
+  expect_at({40, 0}, {0, 3, 2}), expect_at({-40, 0}, {0, -3, 2});
+  expect_at({10, 42}, {4, 1, 1}), expect_at({-10, 42}, {4, -1, 1});
+  expect_at({0, 21}, {2, 0, 1.5}), expect_at({20, 0}, {0, 1.5, 2});
+}
+
 /// 2·(meshes of the half) of the whole: no netting is lost or made by mirroring.
 TEST(Gear, TheWholeHasTwiceTheAreaOfTheHalf) {
   const auto checked = check_text(library_text("83-112-eastern.toml"));
