@@ -12,10 +12,10 @@ namespace netloft::io {
 
 namespace {
 
-/// Cells and the scalars found with them.
+/// Cells and the numbers found with them.
 struct Level {
   std::int64_t cells;
-  std::vector<NamedScalar> scalars;
+  std::vector<NamedScalar> scalars, gear;
 };
 
 /// Nothing, and why, unless the level was solved.
@@ -37,18 +37,29 @@ std::optional<Level> solve_level(CaseSource mesh, Registry& registry, const Mesh
     return {};
   }
   collect(one.loaded(), one.assembler(), result);
-  return Level{level.cells, result.scalars};
+  return Level{level.cells, result.scalars, result.gear};
 }
 
-void judge_scalars(const std::vector<Level>& levels, std::size_t own, RunResult& result) {
+using Numbers = std::vector<NamedScalar> Level::*;
+
+/// What a number is on every level; unknown where it is not there.
+std::vector<double> values_of(const std::string& name, const std::vector<Level>& levels, Numbers numbers) {
+  std::vector<double> values;
+  for (const auto& level : levels) {
+    const NamedScalar* found = find_scalar(level.*numbers, name);
+    values.push_back(found ? found->value : NamedScalar::kUnknown);
+  }
+  return values;
+}
+
+void judge(const std::vector<Level>& levels, std::size_t own, Numbers numbers,
+           std::vector<NamedScalar>& judged) {
   std::vector<double> h;
   for (const auto& level : levels) h.push_back(1.0 / static_cast<double>(level.cells));
-  for (std::size_t i = 0; i < result.scalars.size(); ++i) {
-    std::vector<double> values;
-    for (const auto& level : levels) values.push_back(level.scalars[i].value);
-    const Trend trend = find_trend(values, h, own);
-    result.scalars[i].mesh_error = trend.error;
-    if (trend.steady) result.scalars[i].mesh_order = trend.order;
+  for (auto& scalar : judged) {
+    const Trend trend = find_trend(values_of(scalar.name, levels, numbers), h, own);
+    scalar.mesh_error = trend.error;
+    if (trend.steady) scalar.mesh_order = trend.order;
   }
 }
 
@@ -69,7 +80,7 @@ void find_mesh_errors(const CaseSource& source, Registry& registry, const Case& 
     result.mesh_note = "is not known: the scene itself did not converge";
     return;
   }
-  std::vector<Level> all{{leading.cells[0], result.scalars}};
+  std::vector<Level> all{{leading.cells[0], result.scalars, result.gear}};
   for (const auto& level : levels) {
     auto solved = solve_level(source, registry, level, watch, result.mesh_note);
     if (!solved) return;
@@ -78,7 +89,9 @@ void find_mesh_errors(const CaseSource& source, Registry& registry, const Case& 
   std::sort(all.begin(), all.end(), [](const Level& a, const Level& b) { return a.cells < b.cells; });
   const auto at =
       std::find_if(all.begin(), all.end(), [&](const Level& l) { return l.cells == leading.cells[0]; });
-  judge_scalars(all, static_cast<std::size_t>(at - all.begin()), result);
+  const auto own_level = static_cast<std::size_t>(at - all.begin());
+  judge(all, own_level, &Level::scalars, result.scalars);
+  judge(all, own_level, &Level::gear, result.gear);
   result.mesh_note = note_on(all, leading.name);
 }
 

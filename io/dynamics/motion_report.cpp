@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/dynamics/motion_report.hpp"
 
+#include "io/report/gear_json.hpp"
+#include "io/report/gear_text.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -44,6 +47,7 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8} {}\n", s.name, s.value, s.unit == "1" ? "" : s.unit,
                    s.doc + ", at the end");
   for (const auto& [name, joules] : r.energies) fmt::format_to(out, "  {:<24} {:>18.6g} J\n", name, joules);
+  text += gear_text(r.gear, loaded.gear && loaded.gear->times == 2);
   if (!r.output_file.empty())
     fmt::format_to(out, "  written to {}{}\n", r.output_file,
                    r.march.status == MarchStatus::interrupted ? "; --resume goes on from there" : "");
@@ -79,6 +83,7 @@ std::string motion_json(const LoadedScene& loaded, const Plan& plan, const Motio
                      {"results", results},
                      {"units", units},
                      {"energies", energies},
+                     {"gear", gear_json(loaded, r.gear)},
                      {"output", r.output_file.empty() ? Json(nullptr) : Json(r.output_file)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -12,7 +12,7 @@ namespace netloft::io {
 
 namespace {
 
-const std::string kEnergy = "energy/";
+const std::string kEnergy = "energy/", kGear = "gear/";
 
 const char* name_of(MarchStatus status) {
   switch (status) {
@@ -90,16 +90,16 @@ class MotionRun {
     Solution solution;
     solution.x.assign(at.x.begin(), at.x.end()),
         solution.residual.assign(at.residual.begin(), at.residual.end());
-    FamilyOutputs outputs(assembler.families().size());
-    for (std::size_t f = 0; f < outputs.size(); ++f) assembler.outputs(solution.x, f, outputs[f], at.motion);
+    const Answer answer = ask_elements(loaded_.scene, assembler, solution.x, at.motion);
     SeriesState state;
     layout_.changing.clear(), layout_.columns.clear();
     state.time = at.t;
     state.points = by_node(loaded_, assembler, solution.x);
     add_point_fields(at, solution, state);
-    for (auto& cell : gather_outputs(loaded_, assembler, outputs))
+    for (auto& cell : gather_outputs(loaded_, assembler, answer.outputs))
       layout_.changing.push_back(cell.spec), state.fields.push_back(std::move(cell.values));
-    add_row(at, solution, outputs, state);
+    add_row(at, solution, answer.outputs, state);
+    add_gear(answer, state);
     if (layout_.mesh.n_points == 0) {
       layout_.mesh = make_mesh(loaded_, assembler), layout_.fixed = label_points(loaded_);
       layout_.fixed.push_back(label_cells(loaded_, assembler));
@@ -143,6 +143,14 @@ class MotionRun {
     }
   }
 
+  void add_gear(const Answer& answer, SeriesState& state) {
+    result_.gear = collect_gear(loaded_, case_.assembler(), answer);
+    for (const auto& figure : result_.gear) {
+      layout_.columns.push_back({kGear + figure.name, figure.unit, figure.doc});
+      state.row.push_back(figure.value);
+    }
+  }
+
   void finish() {
     result_.output_file = file_->final_path().string();
     if (result_.march.status == MarchStatus::interrupted) {
@@ -156,6 +164,7 @@ class MotionRun {
       tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "steps in time");
       tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1",
                      "steps that were tried again");
+      write_gear(tree, loaded_, result_.gear);
       for (const auto& s : result_.scalars)
         tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
     });

@@ -10,6 +10,7 @@ namespace netloft::io {
 struct MotionResult {
   MarchResult march;
   std::vector<NamedScalar> scalars;                      // at the last output
+  std::vector<NamedScalar> gear;                         // at the last output; empty: no net plan
   std::vector<std::pair<std::string, double>> energies;  // at the last output [J]; empty: no account was kept
   std::size_t outputs = 0;
   double resumed_from = 0;  // [s]

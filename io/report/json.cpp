@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/report/gear_json.hpp"
 #include "io/report/text.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace netloft::io {
 
@@ -59,14 +58,6 @@ Json legs_json(const Solution& s) {
   return legs;
 }
 
-/// Of every named scalar; what is not known is null.
-Json errors_json(const RunResult& r) {
-  Json errors = Json::object();
-  for (const auto& s : r.scalars)
-    errors[s.name] = {{"solver", s.solver_error}, {"mesh", s.mesh_error}, {"mesh_order", s.mesh_order}};
-  return errors;
-}
-
 /// One line per nothing; invalid bytes of a file name are replaced, so that the output is always JSON.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
@@ -116,9 +107,10 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"terms", terms_json(loaded.scene, plan)},
                {"results", results},
                {"units", units},
-               {"errors", errors_json(r)},
+               {"errors", errors_json(r.scalars)},
                {"mesh_note", r.mesh_note.empty() ? Json(nullptr) : Json(r.mesh_note)},
                {"node_error", s.correction},
+               {"gear", gear_json(loaded, r.gear)},
                {"part_forces", forces},
                {"hold_forces", held},
                {"balance", {{"force", r.balance}, {"largest_force", r.largest_force}}},

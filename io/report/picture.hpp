@@ -2,14 +2,12 @@
 #pragma once
 #include "framework/assembler/assembler.hpp"
 #include "io/hdf5/vtkhdf.hpp"
+#include "io/report/answer.hpp"
 #include "io/scene/loaded_scene.hpp"
 
 #include <vector>
 
 namespace netloft::io {
-
-/// Outputs of all families: [family][output][element].
-using FamilyOutputs = std::vector<std::vector<std::vector<double>>>;
 
 /// A number of every cell.
 struct CellField {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/run_result.hpp"
 
+#include "io/report/gear_figures.hpp"
 #include "io/scene/result_request.hpp"
 
 #include <algorithm>
@@ -9,20 +10,6 @@
 namespace netloft::io {
 
 namespace {
-
-void collect_part_forces(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
-  for (std::size_t f = 0; f < assembler.families().size(); ++f) {
-    const ElementFamily& family = *assembler.families()[f];
-    std::vector<double> sums(3 * family.parts().size());
-    for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
-      if (!assembler.sum_term(result.solution.x, f, t, sums)) continue;
-      for (std::size_t p = 0; p < family.parts().size(); ++p)
-        result.part_forces.push_back({loaded.scene.parts[family.parts()[p]].name,
-                                      family.active_terms()[t].name,
-                                      {0.0 - sums[3 * p], 0.0 - sums[3 * p + 1], 0.0 - sums[3 * p + 2]}});
-    }
-  }
-}
 
 void collect_hold_forces(const LoadedScene& loaded, const Assembler& assembler, RunResult& result) {
   for (const auto& hold : loaded.holds) {
@@ -47,39 +34,59 @@ void collect_balance(RunResult& result) {
   for (const auto& h : result.hold_forces) add_to_balance(h.force, result);
 }
 
-void collect_outputs(Assembler& assembler, const Solution& solution,
-                     std::vector<std::vector<std::vector<double>>>& outputs) {
-  outputs.resize(assembler.families().size());
-  for (std::size_t f = 0; f < outputs.size(); ++f) assembler.outputs(solution.x, f, outputs[f]);
+std::vector<NamedScalar> collect_scalars(const LoadedScene& loaded, const Assembler& assembler,
+                                         const Solution& solution, const FamilyOutputs& outputs) {
+  std::vector<NamedScalar> scalars;
+  for (const auto& request : loaded.results)
+    scalars.push_back({request.name, request.unit, request.take + " of " + request.of,
+                       value_of(request, loaded.scene, assembler, solution, outputs)});
+  return scalars;
 }
 
-/// What every scalar would be after the step that is left: one evaluation more. No scalar is known better
-/// than to its last digit.
+/// How far values are from those after the step that is left. None is known better than to its last digit.
+void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar>& scalars) {
+  for (auto& scalar : scalars) {
+    const NamedScalar* moved = find_scalar(after, scalar.name);
+    const double last_digit = std::numeric_limits<double>::epsilon() * std::abs(scalar.value);
+    if (moved) scalar.solver_error = std::max(std::abs(moved->value - scalar.value), last_digit);
+  }
+}
+
+/// One evaluation more: what every number would be after the step that is left.
 void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   Solution after;
   after.x = result.solution.corrected;
   after.residual.resize(after.x.size());
   if (after.x.empty() || !assembler.evaluate(after.x, {.residual = after.residual.data()})) return;
-  std::vector<std::vector<std::vector<double>>> outputs;
-  collect_outputs(assembler, after, outputs);
-  for (std::size_t i = 0; i < result.scalars.size(); ++i) {
-    NamedScalar& scalar = result.scalars[i];
-    const double moved = value_of(loaded.results[i], loaded.scene, assembler, after, outputs);
-    const double last_digit = std::numeric_limits<double>::epsilon() * std::abs(scalar.value);
-    scalar.solver_error = std::max(last_digit, std::abs(moved - scalar.value));
-  }
+  const Answer answer = ask_elements(loaded.scene, assembler, after.x);
+  note_changes(collect_scalars(loaded, assembler, after, answer.outputs), result.scalars);
+  note_changes(collect_gear(loaded, assembler, answer), result.gear);
 }
 
 }  // namespace
 
+const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const std::string& name) {
+  const auto at =
+      std::find_if(scalars.begin(), scalars.end(), [&](const NamedScalar& s) { return s.name == name; });
+  return at == scalars.end() ? nullptr : &*at;
+}
+
+std::vector<NamedScalar> collect_gear(const LoadedScene& loaded, const Assembler& assembler,
+                                      const Answer& answer) {
+  std::vector<NamedScalar> gear;
+  if (!loaded.gear) return gear;
+  for (auto& figure : find_gear_figures(loaded, assembler, answer))
+    gear.push_back({figure.name, figure.unit, figure.doc, figure.value});
+  return gear;
+}
+
 void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
-  collect_outputs(assembler, result.solution, result.outputs);
-  collect_part_forces(loaded, assembler, result);
+  Answer answer = ask_elements(loaded.scene, assembler, result.solution.x);
+  result.scalars = collect_scalars(loaded, assembler, result.solution, answer.outputs);
+  result.gear = collect_gear(loaded, assembler, answer);
+  result.outputs = std::move(answer.outputs), result.part_forces = std::move(answer.forces);
   collect_hold_forces(loaded, assembler, result);
   collect_balance(result);
-  for (const auto& request : loaded.results)
-    result.scalars.push_back({request.name, request.unit, request.take + " of " + request.of,
-                              value_of(request, loaded.scene, assembler, result.solution, result.outputs)});
   collect_solver_errors(loaded, assembler, result);
 }
 

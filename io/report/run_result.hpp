@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/problem/verdict.hpp"
 #include "framework/scene/plan.hpp"
+#include "io/report/answer.hpp"
 #include "io/scene/loaded_scene.hpp"
 
 #include <array>
@@ -11,12 +12,6 @@
 #include <vector>
 
 namespace netloft::io {
-
-/// Sum of one force over one part, as the gear feels it [N].
-struct PartForce {
-  std::string part, term;
-  std::array<double, 3> force{};
-};
 
 /// Sum of the forces with which one hold acts on the gear [N].
 struct HoldForce {
@@ -33,6 +28,9 @@ struct NamedScalar {
   double mesh_order = kUnknown;    // observed; unknown: one was assumed, or a difference stands for the error
 };
 
+/// Nothing if none is called so.
+const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const std::string& name);
+
 /// Everything a run tells, whoever it is told to: a terminal, a program, a file.
 struct RunResult {
   Solution solution;
@@ -41,13 +39,18 @@ struct RunResult {
   std::array<double, 3> balance{};  // sum of all forces on the gear, what holds it included [N]
   double largest_force = 0;         // of those that were summed [N]
   std::vector<NamedScalar> scalars;
+  std::vector<NamedScalar> gear;  // figures of a scene with a net plan (gear_figures.hpp)
   std::string mesh_note;  // what mesh errors were found from, or why there are none; empty: not asked for
-  std::vector<std::vector<std::vector<double>>> outputs;  // [family][output][element]
+  FamilyOutputs outputs;
   double reading_seconds = 0, setup_seconds = 0;
   std::string output_file;
 };
 
-/// Sums, outputs and named scalars at the solution's last point.
+/// The figures of a scene's gear at an answer, without errors; none if it has no net plan.
+std::vector<NamedScalar> collect_gear(const LoadedScene& loaded, const Assembler& assembler,
+                                      const Answer& answer);
+
+/// Sums, outputs and named scalars at the solution's last point, with the solver's errors.
 void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result);
 
 }  // namespace netloft::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/text.hpp"
 
+#include "io/report/gear_text.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -26,17 +28,6 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
-}
-
-std::string plus_minus(double error) {
-  return std::isfinite(error) ? fmt::format("± {:<7.1e}", error) : "±  ?     ";
-}
-
-/// "± 2.1e-12 ± 1.3e-02 (order 1.1)"
-std::string error_text(const NamedScalar& scalar) {
-  const std::string order =
-      std::isfinite(scalar.mesh_order) ? fmt::format("(order {:.1f})", scalar.mesh_order) : "";
-  return fmt::format(" {} {} {:<11}", plus_minus(scalar.solver_error), plus_minus(scalar.mesh_error), order);
 }
 
 }  // namespace
@@ -72,7 +63,8 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   const bool with_errors = !result.mesh_note.empty();
   for (const auto& scalar : result.scalars)
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8}{} {}\n", scalar.name, scalar.value,
-                   scalar.unit == "1" ? "" : scalar.unit, with_errors ? error_text(scalar) : "", scalar.doc);
+                   scalar.unit == "1" ? "" : scalar.unit, with_errors ? errors_text(scalar, true) : "",
+                   scalar.doc);
   if (with_errors) fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n", result.mesh_note);
   if (!result.hold_forces.empty())
     fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n", "forces on the gear [N]", "x", "y", "z");
@@ -86,6 +78,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   if (!result.hold_forces.empty())
     fmt::format_to(out, "  {:<24} {:>14.2g} {:>14.2g} {:>14.2g}\n", "sum of all", result.balance[0],
                    result.balance[1], result.balance[2]);
+  text += gear_text(result.gear, loaded.gear && loaded.gear->times == 2);
   if (!result.output_file.empty()) fmt::format_to(out, "  written to {}\n", result.output_file);
   return text;
 }

@@ -114,17 +114,26 @@ void write_books(Tree& tree, const Books& b) {
 }
 
 /// What is not known is not written.
+void write_known(Tree& tree, const std::string& at, double error, const std::string& unit, const char* doc) {
+  if (std::isfinite(error)) tree.write_real(at, error, unit, doc);
+}
+
+void write_errors_of(Tree& tree, const std::string& at, const std::vector<NamedScalar>& scalars) {
+  for (const auto& s : scalars) {
+    write_known(tree, at + "solver/" + s.name, s.solver_error, s.unit, "its change by the step that is left");
+    write_known(tree, at + "mesh/" + s.name, s.mesh_error, s.unit,
+                "its distance from what finer meshes tend to, an estimate");
+    write_known(tree, at + "mesh_order/" + s.name, s.mesh_order, "1",
+                "order of convergence that was observed");
+  }
+}
+
 void write_errors(Tree& tree, const RunResult& result) {
   const std::string at = "/netloft/errors/";
-  const auto write = [&](const std::string& name, double error, const std::string& unit, const char* doc) {
-    if (std::isfinite(error)) tree.write_real(at + name, error, unit, doc);
-  };
-  write("nodes", result.solution.correction, "m", "largest nodal move of the step that is left: an estimate");
-  for (const auto& s : result.scalars) {
-    write("solver/" + s.name, s.solver_error, s.unit, "change of the scalar by the step that is left");
-    write("mesh/" + s.name, s.mesh_error, s.unit, "its distance from what finer meshes tend to, an estimate");
-    write("mesh_order/" + s.name, s.mesh_order, "1", "order of convergence that was observed");
-  }
+  write_known(tree, at + "nodes", result.solution.correction, "m",
+              "largest nodal move of the step that is left: an estimate");
+  write_errors_of(tree, at, result.scalars);
+  write_errors_of(tree, at + "gear/", result.gear);
   if (!result.mesh_note.empty())
     tree.write_text(at + "mesh_note", result.mesh_note, "what mesh errors were found from");
 }
@@ -161,6 +170,13 @@ void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& cont
   write_books(tree, books);
 }
 
+void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
+  if (!loaded.gear) return;
+  for (const auto& figure : figures)
+    tree.write_real("/netloft/gear/" + figure.name, figure.value, figure.unit, figure.doc);
+  tree.set_attribute("/netloft/gear", "times", loaded.gear->times);
+}
+
 void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                   const RunResult& result, const RunContext& context) {
   write_picture(file, loaded, assembler, result);
@@ -172,6 +188,7 @@ void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& 
   tree.write_real("/netloft/energy", result.solution.energy, "J",
                   "energy at the end, if all forces have one");
   write_errors(tree, result);
+  write_gear(tree, loaded, result.gear);
   for (const auto& s : result.scalars) tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc);
   file.finish();
 }

@@ -44,6 +44,11 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.added_mass[lane] = p.added_mass;
 }
 
+/// Mass of what bars stand for, in air [kg].
+inline void mass_of(const Lanes& p, const netloft_tile& t, double* values) {
+  for (std::size_t i = 0; i < t.count; ++i) values[i] = p.density[i] * p.volume[i];
+}
+
 /// Adds ±A to the four blocks of a bar's packed tangent: [ A −A; −A A ]. `A` has six numbers per lane.
 inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double* __restrict tangent) {
   int entry = 0;

@@ -61,6 +61,9 @@ struct Net {
   static void drag_of(const Family<Net>& f, const netloft_tile& t, double* values) {
     bars::drag_of(f.lanes(t), f.law(0), t, values);
   }
+  static void mass_of(const Family<Net>& f, const netloft_tile& t, double* values) {
+    bars::mass_of(f.lanes(t), t, values);
+  }
 };
 
 }  // namespace netloft::lumped

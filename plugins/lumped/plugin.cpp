@@ -39,4 +39,7 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
   net.output("strain", "1", "elongation over unstretched length",
              [](auto& p, auto& d, auto& s) { return Net::stretch(p, d, s).l / d.rest_length - 1; });
   net.output_lanes("drag", "N", "magnitude of the force of the water on all twines of the bar", Net::drag_of);
+  net.output("twine_area", "m2", "length times diameter of the twines, knots left out",
+             [](auto& p, auto& d, auto&) { return d.parallel * d.rest_length * p.diameter; });
+  net.output_lanes("mass", "kg", "mass of the twines, in air", Net::mass_of);
 }

@@ -74,6 +74,12 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.output("contact", "1", "how far knots that touch are pressed: 0 not at all, 1 until the mesh is closed",
            [](auto& p, auto& d, auto& s) { return KnotContact::depth(p, d, s); });
   t.output_lanes("drag", "N", "magnitude of the force of the water on the triangle", Drag::output);
+  t.output("knots", "1", "knots in the triangle, two bars of twine each",
+           [](auto&, auto& d, auto&) { return Triangle::shape(d).bars; });
+  t.output("twine_area", "m2", "length times diameter of the twines, knots left out",
+           [](auto& p, auto& d, auto&) { return Triangle::twine_area(p, d); });
+  t.output("mass", "kg", "mass of the twines, in air",
+           [](auto& p, auto& d, auto&) { return p.density * Triangle::twine_volume(p, d); });
 
   auto& bending =
       plugin.element<Bending>("bending", "Resistance of netting to bending between two triangles");

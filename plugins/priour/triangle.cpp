@@ -25,6 +25,14 @@ Triangle::Shape Triangle::shape(const Data& d) {
           std::abs(determinant(d)) / 2};
 }
 
+double Triangle::twine_volume(const Parameters& p, const Data& d) {
+  return 2 * shape(d).bars * std::numbers::pi / 4 * p.diameter * p.diameter * d.bar_length;
+}
+
+double Triangle::twine_area(const Parameters& p, const Data& d) {
+  return 2 * shape(d).bars * d.bar_length * p.diameter;
+}
+
 double Triangle::opening_stiffness(const Parameters& p, const Data& d) {
   return p.opening_stiffness + 12 * p.EI / d.bar_length;
 }
@@ -64,7 +72,7 @@ void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_
   lanes.l0[lane] = d.bar_length;
   lanes.EA[lane] = p.EA;
   lanes.EA_compression[lane] = p.EA_compression;
-  lanes.volume[lane] = 2 * s.bars * std::numbers::pi / 4 * p.diameter * p.diameter * d.bar_length;
+  lanes.volume[lane] = twine_volume(p, d);
   lanes.density[lane] = p.density;
   lanes.diameter[lane] = p.diameter;
   lanes.damping[lane] = p.damping;

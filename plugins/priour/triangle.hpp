@@ -50,6 +50,10 @@ struct Triangle {
   static Shape shape(const Data& d);
   /// Bars along u (0) or v (1), stretched at state s.
   static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
+  /// Volume of the unstretched twines inside, that of (7), knots left out [m³].
+  static double twine_volume(const Parameters& p, const Data& d);
+  /// Their area seen from the side, as the trade counts twine area: length times diameter [m²].
+  static double twine_area(const Parameters& p, const Data& d);
   /// Half the angle between Û and V̂ [rad].
   static double half_angle(const Data& d, const State<3>& s);
 

@@ -92,6 +92,10 @@ struct Bar {
     Lanes room;
     bars::drag_of(now(f.lanes(t), t, room), f.law(0), t, values);
   }
+  static void mass_of(const Family<Bar>& f, const netloft_tile& t, double* values) {
+    Lanes room;
+    bars::mass_of(now(f.lanes(t), t, room), t, values);
+  }
   static void angle_of(const Family<Bar>& f, const netloft_tile& t, double* values) {
     bars::angle_of(f.lanes(t), t, values);
   }

@@ -57,6 +57,7 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
              [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).l / d.rest_length - 1; });
   bar.output_lanes("drag", "N", "magnitude of the force of the water on the bar", Bar::drag_of);
   bar.output_lanes("angle_to_flow", "rad", "angle between bar and flow, 0 along it", Bar::angle_of);
+  bar.output_lanes("mass", "kg", "mass of the unstretched rope, in air", Bar::mass_of);
 
   auto& bending = plugin.element<Bending>("bending", "Resistance to bending between two neighbouring bars");
   bending.rides_on("bar");

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What water, weight and ground do to the parts of a gear.
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "io/report/gear_view.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+/// Names of the forces that add up to a kind of load; a plugin of anyone's that calls them so is counted.
+constexpr std::initializer_list<const char*> kDrag = {"drag", "pressure"}, kWeight = {"weight", "buoyancy"},
+                                             kFriction = {"friction"};
+
+struct PartGroup {
+  std::string name;
+  std::vector<std::uint32_t> parts;
+};
+
+/// All parts of the scene, each once: `others` are no part of the plan.
+std::vector<PartGroup> kinds_of(const GearView& gear) {
+  const GearInScene& g = gear.gear();
+  std::vector<PartGroup> kinds = {
+      {"all", {}}, {"netting", g.panels}, {"ropes", g.ropes}, {"floats", g.pieces}, {"others", {}}};
+  std::set<std::uint32_t> planned(g.panels.begin(), g.panels.end());
+  planned.insert(g.ropes.begin(), g.ropes.end()), planned.insert(g.pieces.begin(), g.pieces.end());
+  const auto& parts = gear.loaded().scene.parts;
+  for (std::uint32_t p = 0; p < parts.size(); ++p) {
+    if (parts[p].companion) continue;  // counts with the part it rides on, whose name it bears
+    kinds.front().parts.push_back(p);
+    if (!planned.contains(p)) kinds.back().parts.push_back(p);
+  }
+  return kinds;
+}
+
+Vector sum_over(const GearView& gear, const PartGroup& kind, std::initializer_list<const char*> terms) {
+  Vector sum;
+  for (const auto part : kind.parts) sum += gear.force(gear.name(part), terms);
+  return whole_of(sum, gear.times());
+}
+
+bool any_has(const GearView& gear, const PartGroup& kind, std::initializer_list<const char*> terms) {
+  return std::any_of(kind.parts.begin(), kind.parts.end(),
+                     [&](auto part) { return gear.has_force(gear.name(part), terms); });
+}
+
+void add_vector(const std::string& at, const std::string& doc, const Vector& force,
+                std::vector<Figure>& figures) {
+  figures.push_back({at + "x", "N", doc + ", aft", force.x});
+  figures.push_back({at + "y", "N", doc + ", to starboard; of a half, of that half alone", force.y});
+  figures.push_back({at + "z", "N", doc + ", upwards", force.z});
+}
+
+void add_drag(const GearView& gear, const std::string& at, const PartGroup& kind,
+              std::vector<Figure>& figures) {
+  if (any_has(gear, kind, kDrag))
+    add_vector(at + kind.name + "/", "force of the water", sum_over(gear, kind, kDrag), figures);
+}
+
+void add_weight(const GearView& gear, const std::string& at, const PartGroup& kind,
+                std::vector<Figure>& figures) {
+  if (any_has(gear, kind, kWeight))
+    figures.push_back(
+        {at + kind.name, "N", "weight in water, negative of what floats", -sum_over(gear, kind, kWeight).z});
+}
+
+/// Every part of a kind as a kind of its own.
+std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
+  std::vector<PartGroup> parts;
+  for (const auto part : kind.parts) parts.push_back({gear.name(part), {part}});
+  return parts;
+}
+
+/// What sinks and what floats, apart.
+void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::vector<Figure>& figures) {
+  double sinking = 0, floating = 0;
+  for (const auto& part : parts) {
+    const double weight = -sum_over(gear, part, kWeight).z;
+    (weight > 0 ? sinking : floating) += weight;
+  }
+  figures.push_back({"weight_in_water/sinking", "N", "of all parts that sink", sinking});
+  figures.push_back({"weight_in_water/floating", "N", "of all parts that float", floating});
+}
+
+/// Nodes that press on some ground.
+std::set<std::uint32_t> touching_nodes(const GearView& gear) {
+  std::set<std::uint32_t> touching;
+  for (std::size_t f = 0; f < gear.answer().outputs.size(); ++f) {
+    const ElementFamily& family = *gear.assembler().families()[f];
+    const auto& outputs = family.type().outputs;
+    for (std::size_t k = 0; k < outputs.size(); ++k)
+      for (std::size_t e = 0; e < family.size() && outputs[k].name == std::string("normal_force"); ++e)
+        if (gear.answer().outputs[f][k][e] > 0) touching.insert(family.node(e, 0));
+  }
+  return touching;
+}
+
+double share_touching(const GearView& gear, std::uint32_t rope) {
+  const auto touching = touching_nodes(gear);
+  const auto& nodes = gear.nodes_of(rope);
+  const auto lengths = gear.rest_lengths(rope);
+  double on = 0, all = 0;
+  for (std::size_t bar = 0; bar < lengths.size(); ++bar) {
+    on += 0.5 * lengths[bar] *
+          static_cast<double>(touching.count(nodes[bar]) + touching.count(nodes[bar + 1]));  // (4)
+    all += lengths[bar];
+  }
+  return on / all;
+}
+
+}  // namespace
+
+void add_force_figures(const GearView& gear, std::vector<Figure>& figures) {
+  const auto kinds = kinds_of(gear);
+  const auto parts = parts_of(gear, kinds.front());
+  for (const auto& kind : kinds) add_drag(gear, "drag/", kind, figures);
+  for (const auto& part : parts) add_drag(gear, "drag_by_part/", part, figures);
+  for (const auto& kind : kinds) add_weight(gear, "weight_in_water/", kind, figures);
+  if (any_has(gear, kinds.front(), kWeight)) add_budget(gear, parts, figures);
+  for (const auto& part : parts) add_weight(gear, "weight_in_water_by_part/", part, figures);
+}
+
+void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
+  const PartGroup all = kinds_of(gear).front();
+  double pressed = 0;
+  bool is_there = false;
+  for (const auto part : all.parts)
+    for (const double force : gear.output(part, "normal_force")) pressed += force, is_there = true;
+  if (!is_there) return;
+  figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * pressed});
+  if (any_has(gear, all, kFriction))
+    add_vector("ground/friction_", "friction of the ground", sum_over(gear, all, kFriction), figures);
+  if (const auto* footrope = gear.find_rope(gear.gear().footrope))
+    figures.push_back({"ground/footrope_share", "1", "share of the footrope's length that touches the ground",
+                       share_touching(gear, *footrope)});
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/report/gear_json.hpp"
+
+namespace netloft::io {
+
+using Json = nlohmann::ordered_json;
+
+Json errors_json(const std::vector<NamedScalar>& scalars) {
+  Json errors = Json::object();
+  for (const auto& s : scalars)
+    errors[s.name] = {{"solver", s.solver_error}, {"mesh", s.mesh_error}, {"mesh_order", s.mesh_order}};
+  return errors;
+}
+
+Json gear_json(const LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
+  if (!loaded.gear) return nullptr;
+  Json values = Json::object(), units = Json::object();
+  for (const auto& figure : figures) values[figure.name] = figure.value, units[figure.name] = figure.unit;
+  return {{"modelled", loaded.gear->times == 2 ? "half" : "whole"},
+          {"times", loaded.gear->times},
+          {"figures", values},
+          {"units", units},
+          {"errors", errors_json(figures)}};
+}
+
+}  // namespace netloft::io

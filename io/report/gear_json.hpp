@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/report/run_result.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace netloft::io {
+
+/// Of every number; what is not known is null.
+nlohmann::ordered_json errors_json(const std::vector<NamedScalar>& scalars);
+
+/// The figures of a gear, by name; null if the scene has none.
+nlohmann::ordered_json gear_json(const LoadedScene& loaded, const std::vector<NamedScalar>& figures);
+
+}  // namespace netloft::io

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Height, spread and area of the mouth, and what pulls at the ends of ropes.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "io/report/gear_view.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+double real(const Values& parameters, const std::string& name) {
+  const auto at = parameters.find(name);
+  const double* value = at == parameters.end() ? nullptr : std::get_if<double>(&at->second);
+  return value ? *value : 0;
+}
+
+/// Height of the bed below a place [m], by the first part that says how deep it is; nothing without a bed.
+std::optional<double> bed_below(const Vector& place, const Scene& scene) {
+  for (const Part& part : scene.parts)
+    if (part.parameters.contains("seabed.depth"))
+      return real(part.parameters, "seabed.slope_x") * place.x +
+             real(part.parameters, "seabed.slope_y") * place.y - real(part.parameters, "seabed.depth");
+  return {};
+}
+
+void add_height(const GearView& gear, std::uint32_t headline, const std::uint32_t* footrope,
+                std::vector<Figure>& figures) {
+  const Vector middle = gear.middle_of(headline);
+  if (const auto bed = bed_below(middle, gear.loaded().scene))
+    figures.push_back(
+        {"mouth/headline_height", "m", "middle of the headline over the seabed", middle.z - *bed});
+  else if (footrope)
+    figures.push_back({"mouth/headline_height", "m", "middle of the headline over that of the footrope",
+                       middle.z - gear.middle_of(*footrope).z});
+}
+
+/// From end to end; of a half, from its end to the mirror image of that.
+double spread(const GearView& gear, std::uint32_t rope) {
+  const Vector way = gear.at(gear.nodes_of(rope).back()) - gear.at(gear.nodes_of(rope).front());
+  return gear.is_half() ? 2 * std::abs(way.y) : norm(way);
+}
+
+double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t footrope) {
+  std::vector<std::uint32_t> curve = gear.nodes_of(headline);
+  const auto& below = gear.nodes_of(footrope);
+  curve.insert(curve.end(), below.rbegin(), below.rend());
+  const Vector from = gear.at(curve.front());  // so that little is lost to round-off far from the origin
+  Vector S, middle;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    S += 0.5 * cross(gear.at(curve[i]) - from, gear.at(curve[(i + 1) % curve.size()]) - from);  // (1)
+    middle += (1.0 / static_cast<double>(curve.size())) * gear.at(curve[i]);
+  }
+  return gear.times() * std::abs(dot(gear.current_at(middle), S));
+}
+
+/// Linearly from the middles of the two outer bars, unless one of them is slack.
+double tension_at_end(double outer, double inner, double l_outer, double l_inner) {
+  if (!(outer > 0 && inner > 0)) return outer;
+  return outer + (outer - inner) * l_outer / (l_outer + l_inner);
+}
+
+void add_tensions(const GearView& gear, std::uint32_t rope, std::vector<Figure>& figures) {
+  const auto T = gear.output(rope, "tension");
+  const auto l = gear.rest_lengths(rope);
+  if (T.empty()) return;
+  const std::size_t last = T.size() - 1, next = std::min<std::size_t>(1, last);
+  const std::string at = "ropes/" + gear.name(rope) + "/";
+  figures.push_back(
+      {at + "tension_start", "N", "tension at its start", tension_at_end(T[0], T[next], l[0], l[next])});
+  figures.push_back({at + "tension_end", "N", "tension at its end",
+                     tension_at_end(T[last], T[last - next], l[last], l[last - next])});
+  figures.push_back(
+      {at + "tension_largest", "N", "largest tension in it", *std::max_element(T.begin(), T.end())});
+}
+
+void add_mass(const GearView& gear, std::uint32_t rope, std::vector<Figure>& figures) {
+  const auto masses = gear.output(rope, "mass");
+  if (masses.empty()) return;
+  figures.push_back({"ropes/" + gear.name(rope) + "/mass", "kg", "mass in air",
+                     gear.times() * std::accumulate(masses.begin(), masses.end(), 0.0)});
+}
+
+}  // namespace
+
+void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures) {
+  const std::uint32_t* headline = gear.find_rope(gear.gear().headline);
+  const std::uint32_t* footrope = gear.find_rope(gear.gear().footrope);
+  if (headline) {
+    add_height(gear, *headline, footrope, figures);
+    figures.push_back(
+        {"mouth/upper_wing_spread", "m", "between the ends of the headline", spread(gear, *headline)});
+  }
+  if (footrope)
+    figures.push_back(
+        {"mouth/lower_wing_spread", "m", "between the ends of the footrope", spread(gear, *footrope)});
+  if (headline && footrope)
+    figures.push_back({"mouth/area", "m2", "within headline and footrope, on the plane across the current",
+                       mouth_area(gear, *headline, *footrope)});
+}
+
+void add_rope_figures(const GearView& gear, std::vector<Figure>& figures) {
+  for (const auto rope : gear.gear().ropes) {
+    add_tensions(gear, rope, figures);
+    add_mass(gear, rope, figures);
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/report/gear_view.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace netloft::io {
+
+namespace {
+
+bool is_among(const std::string& term, std::initializer_list<const char*> terms) {
+  return std::find(terms.begin(), terms.end(), term) != terms.end();
+}
+
+}  // namespace
+
+const std::uint32_t* GearView::find_rope(const std::string& wanted) const {
+  const auto& ropes = gear().ropes;
+  const auto at = std::find_if(ropes.begin(), ropes.end(), [&](auto rope) { return name(rope) == wanted; });
+  return at == ropes.end() ? nullptr : &*at;
+}
+
+Vector GearView::at(std::uint32_t node) const {
+  Vector place;
+  for (int axis = 0; axis < 3; ++axis)
+    place[axis] = answer_.x[static_cast<std::size_t>(assembler_.numbering().index(node, axis))];
+  return place;
+}
+
+std::vector<double> GearView::rest_lengths(std::uint32_t rope) const {
+  const auto& data = loaded_.scene.parts[rope].data;
+  const auto at = data.find("rest_length");
+  return at == data.end() ? std::vector<double>(nodes_of(rope).size() - 1, 1.0) : at->second;
+}
+
+Vector GearView::middle_of(std::uint32_t rope) const {
+  const auto& nodes = nodes_of(rope);
+  if (is_half()) return at(nodes.front());
+  const auto lengths = rest_lengths(rope);
+  double left = std::accumulate(lengths.begin(), lengths.end(), 0.0) / 2;
+  std::size_t bar = 0;
+  while (bar + 1 < lengths.size() && left > lengths[bar]) left -= lengths[bar++];
+  const Vector start = at(nodes[bar]);
+  return start + (left / lengths[bar]) * (at(nodes[bar + 1]) - start);
+}
+
+std::vector<double> GearView::output(std::uint32_t part, const std::string& name) const {
+  std::vector<double> values;
+  for (std::size_t f = 0; f < answer_.outputs.size(); ++f) {
+    const ElementFamily& family = *assembler_.families()[f];
+    for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
+      if (name == family.type().outputs[k].name)
+        for (std::size_t e = 0; e < family.size(); ++e)
+          if (family.part(e) == part) values.push_back(answer_.outputs[f][k][e]);
+  }
+  return values;
+}
+
+Vector GearView::force(const std::string& part, std::initializer_list<const char*> terms) const {
+  Vector sum;
+  for (const auto& f : answer_.forces)
+    if (f.part == part && is_among(f.term, terms)) sum += {f.force[0], f.force[1], f.force[2]};
+  return sum;
+}
+
+bool GearView::has_force(const std::string& part, std::initializer_list<const char*> terms) const {
+  return std::any_of(answer_.forces.begin(), answer_.forces.end(),
+                     [&](const PartForce& f) { return f.part == part && is_among(f.term, terms); });
+}
+
+Vector GearView::current_at(const Vector& place) const {
+  std::array<double, 3> flow{}, dz{};
+  loaded_.scene.current.at(place.z, flow, dz);
+  const Vector v{flow[0], flow[1], flow[2]};
+  return norm(v) > 0 ? (1 / norm(v)) * v : Vector{1, 0, 0};
+}
+
+Vector whole_of(const Vector& modelled, double times) {
+  return {times * modelled.x, modelled.y, times * modelled.z};
+}
+
+std::vector<Figure> find_gear_figures(const LoadedScene& loaded, const Assembler& assembler,
+                                      const Answer& answer) {
+  const GearView gear(loaded, assembler, answer);
+  std::vector<Figure> figures;
+  add_mouth_figures(gear, figures);
+  add_rope_figures(gear, figures);
+  add_force_figures(gear, figures);
+  add_ground_figures(gear, figures);
+  add_netting_figures(gear, figures);
+  return figures;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/vec3.hpp>
+
+#include "io/report/gear_figures.hpp"
+
+namespace netloft::io {
+
+using Vector = Vec3<double>;
+
+/// An answer, asked in the words of the gear: where a rope is, what comes out of a panel.
+class GearView {
+ public:
+  GearView(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer)
+      : loaded_(loaded), assembler_(assembler), answer_(answer) {}
+
+  const LoadedScene& loaded() const { return loaded_; }
+  const GearInScene& gear() const { return *loaded_.gear; }
+  const Assembler& assembler() const { return assembler_; }
+  const Answer& answer() const { return answer_; }
+  double times() const { return gear().times; }
+  bool is_half() const { return gear().times == 2; }
+
+  const std::string& name(std::uint32_t part) const { return loaded_.scene.parts[part].name; }
+  /// The part of a rope; nothing if there is none of that name.
+  const std::uint32_t* find_rope(const std::string& name) const;
+
+  Vector at(std::uint32_t node) const;
+  /// Nodes of a rope from its start to its end.
+  const std::vector<std::uint32_t>& nodes_of(std::uint32_t rope) const { return loaded_.parts[rope].nodes; }
+  /// Unstretched lengths of its bars [m]; equal ones if its elements know none.
+  std::vector<double> rest_lengths(std::uint32_t rope) const;
+  /// The middle of a rope that goes from side to side; a half of one starts there.
+  Vector middle_of(std::uint32_t rope) const;
+
+  /// An output of all elements of a part, in their order; empty: they have none of that name.
+  std::vector<double> output(std::uint32_t part, const std::string& name) const;
+  /// Sum of some forces on a part [N], of what was modelled.
+  Vector force(const std::string& part, std::initializer_list<const char*> terms) const;
+  bool has_force(const std::string& part, std::initializer_list<const char*> terms) const;
+
+  /// Unit vector of the current at a place; aft in still water.
+  Vector current_at(const Vector& place) const;
+
+ private:
+  const LoadedScene& loaded_;
+  const Assembler& assembler_;
+  const Answer& answer_;
+};
+
+/// Of the whole gear out of a sum over what was modelled.
+Vector whole_of(const Vector& modelled, double times);
+
+void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);
+
+}  // namespace netloft::io
