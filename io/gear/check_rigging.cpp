@@ -93,21 +93,36 @@ void check_widths(const Join& join, const std::string& path, const Row& a, const
       "is the mesh size of either a bar instead of two, or is take_up missing?");
 }
 
-/// Things that may be done to an edge once only.
+/// Things that may be done to an edge once only. Names may overlap: "body.fore" holds "body.bosom".
 class Ledger {
  public:
   explicit Ledger(const char* deed) : deed_(deed) {}
-  void enter(const std::string& name, const Place& place, const std::string& path, Diagnostics& diagnostics) {
-    const auto [earlier, is_new] = done_.emplace(name, place);
-    if (!is_new)
-      diagnostics.error(place, fmt::format("{}: \"{}\" is {} twice, also at {}", path, name, deed_,
-                                           diagnostics.where(earlier->second)));
+  void enter(const EdgeSet& set, const Place& place, const std::string& path, Diagnostics& diagnostics) {
+    for (const auto& edge : set.edges)
+      if (const auto earlier = done_.find(name(set, edge)); earlier != done_.end()) {
+        diagnostics.error(place, fmt::format("{}: \"{}\" is {} twice, also at {}", path, earlier->first,
+                                             deed_, diagnostics.where(earlier->second)));
+        break;
+      }
+    for (const auto& edge : set.edges) done_.emplace(name(set, edge), place);
   }
 
  private:
+  static std::string name(const EdgeSet& set, const OutlineEdge& edge) {
+    return set.panel->name + "." + edge.name;
+  }
   const char* deed_;
   std::map<std::string, Place> done_;
 };
+
+/// What is sewn to itself is there to port and to starboard.
+void check_sewn_to_itself(const Join& join, const std::string& path, const Row& row,
+                          Diagnostics& diagnostics) {
+  if (row.times != 2)
+    diagnostics.error(join.places[1],
+                      fmt::format("{}: {} is there once and cannot be sewn to itself", path, row.name),
+                      "sides of a middle panel can, and edges of a pair");
+}
 
 /// Length of rope that a hanging takes on the whole gear, of a rope in the middle; on one side of a pair [m].
 double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rope) {
@@ -131,6 +146,22 @@ void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::strin
     diagnostics.warning(
         hanging.place, said + fmt::format(": its meshes would be bunched, ratio {:.2g}", ratio),
         "a hanging ratio is rarely below 0.3; is the length that of one stretch of the edge?");
+}
+
+/// An edge that is there twice needs a rope on both sides, and a rope of a pair an edge on its own.
+void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const std::string& path,
+                 Diagnostics& diagnostics) {
+  const bool is_twice = edge.times() == 2;
+  if (rope.stands == Standing::alone && is_twice)
+    diagnostics.error(
+        h.rope_place,
+        fmt::format("{}: {} is there to port and to starboard, {} once", path, h.edge, rope.name),
+        "stands = \"pair\" of the rope, or \"middle\" if it runs from one side to the other");
+  if (rope.stands == Standing::pair && !is_twice)
+    diagnostics.error(
+        h.rope_place,
+        fmt::format("{}: {} is there once, {} to port and to starboard", path, h.edge, rope.name),
+        "stands = \"middle\" of a rope that runs from one side to the other");
 }
 
 const Rope* find_rope_or_say(const Plan& plan, const std::string& name, const Place& place,
@@ -238,14 +269,17 @@ void connect_join(Connections& all, const Join& join) {
 
 void check_joins(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
   Ledger sewn("sewn");
+  Diagnostics silent;
   for (std::size_t i = 0; i < plan.joins.size(); ++i) {
     const Join& join = plan.joins[i];
     const std::string path = indexed("join", i);
     const Row a = read_row(plan, join.edges[0], join.places[0], path, diagnostics);
-    const Row b = read_row(plan, join.edges[1], join.places[1], path, diagnostics);
-    for (std::size_t k = 0; k < 2; ++k)
-      for (const auto& edge : join.edges[k]) sewn.enter(edge, join.places[k], path, diagnostics);
+    const Row b = join.is_to_itself() ? a : read_row(plan, join.edges[1], join.places[1], path, diagnostics);
+    for (std::size_t k = 0; k < (join.is_to_itself() ? 1 : 2); ++k)
+      for (const auto& edge : join.edges[k])
+        sewn.enter(find_edge(plan, edge, {}, "", silent), join.places[k], path, diagnostics);
     if (!a.is_sound || !b.is_sound) continue;
+    if (join.is_to_itself()) check_sewn_to_itself(join, path, a, diagnostics);
     check_match(join, path, a, b, limits, diagnostics);
     check_widths(join, path, a, b, limits, diagnostics);
   }
@@ -257,9 +291,11 @@ void check_hangings(const Plan& plan, const CheckLimits& limits, Diagnostics& di
     const Hanging& h = plan.hangings[i];
     const std::string path = indexed("hang", i);
     const EdgeSet edge = find_edge(plan, h.edge, h.edge_place, path, diagnostics);
-    find_rope_or_say(plan, h.rope, h.rope_place, path, diagnostics);
-    hung.enter(h.edge, h.edge_place, path, diagnostics);
-    if (!edge.edges.empty()) check_hanging(h, edge, path, limits, diagnostics);
+    const Rope* rope = find_rope_or_say(plan, h.rope, h.rope_place, path, diagnostics);
+    hung.enter(edge, h.edge_place, path, diagnostics);
+    if (edge.edges.empty()) continue;
+    check_hanging(h, edge, path, limits, diagnostics);
+    if (rope) check_times(h, edge, *rope, path, diagnostics);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace netloft::io {
 
@@ -59,6 +60,7 @@ std::string cutting_of(const Panel& panel, const std::string& edge) {
 std::string netting_of(const Panel& panel) {
   std::string text = fmt::format("{:.4g} mm", 1e3 * panel.mesh);
   if (panel.orientation != "diamond") text += " " + panel.orientation;
+  if (panel.angle != 0) text += fmt::format(" turned {:.4g}°", panel.angle * 180 / std::numbers::pi);
   return text;
 }
 
@@ -66,6 +68,11 @@ std::string twine_of(const Panel& panel) {
   const std::string name =
       panel.twine_name.empty() ? fmt::format("{:.3g} mm", 1e3 * panel.twine_diameter) : panel.twine_name;
   return panel.twines > 1 ? fmt::format("{} x {}", panel.twines, name) : name;
+}
+
+std::string depth_of(const Panel& panel) {
+  const std::string times = panel.pieces > 1 ? fmt::format("{} x ", panel.pieces) : "";
+  return times + in_meshes(panel.depth / panel.pieces) + (panel.is_round ? " M deep, a tube" : " M deep");
 }
 
 PicturePoint halfway(PicturePoint a, PicturePoint b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
@@ -169,7 +176,7 @@ class Draughtsman {
   }
 
   const std::vector<std::string>& words_of(const Panel& panel) {
-    words_ = {panel.name, netting_of(panel), twine_of(panel), in_meshes(panel.depth) + " M deep"};
+    words_ = {panel.name, netting_of(panel), twine_of(panel), depth_of(panel)};
     return words_;
   }
 

@@ -58,6 +58,8 @@ class GearMaker {
     for (const auto& rope : plan_.ropes) add_rope(rope);
     for (const auto& point : plan_.points) add_point(point);
     for (const auto& pieces : plan_.pieces) add_pieces(pieces);
+    for (const auto& join : plan_.joins)
+      if (!is_whole() && join.is_to_itself()) put_on_plane(join);
     return std::move(gear_);
   }
 
@@ -133,7 +135,10 @@ class GearMaker {
     const auto twice = [&](const std::vector<std::string>& names) {
       return std::all_of(names.begin(), names.end(), [&](const auto& n) { return is_there_twice(n); });
     };
-    if (!is_whole())
+    if (join.is_to_itself() && !is_whole()) return;  // put_on_plane
+    if (join.is_to_itself())
+      gear_.seams.push_back({{row_of(join.edges[0], Side::starboard), row_of(join.edges[1], Side::port)}, 0});
+    else if (!is_whole())
       gear_.seams.push_back(
           {{row_of(join.edges[0], Side::none), row_of(join.edges[1], Side::none)}, join.take_up});
     else if (twice(join.edges[0]) && twice(join.edges[1]))
@@ -141,6 +146,12 @@ class GearMaker {
         gear_.seams.push_back({{row_of(join.edges[0], side), row_of(join.edges[1], side)}, join.take_up});
     else
       gear_.seams.push_back({{row_across(join.edges[0]), row_across(join.edges[1])}, join.take_up});
+  }
+
+  /// Of the half, what is sewn to its mirror image. Comes last, for names are looked up by kind.
+  void put_on_plane(const Join& join) {
+    for (const auto& ref : row_of(join.edges[0], Side::none))
+      gear_.panels[ref.panel].outline.edges[ref.edge].kind = EdgeKind::middle;
   }
 
   void add_rope(const Rope& rope) {

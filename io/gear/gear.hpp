@@ -12,7 +12,8 @@ namespace netloft::io {
 /// How much of a gear is modelled.
 enum class Extent {
   whole,
-  half,  // the starboard half, for gears and flows that are symmetric; edges named "middle" lie on the plane
+  half,  // the starboard half, for gears and flows that are symmetric; edges of the kind "middle" lie on the
+         // plane: the middle of panels, and sides that are sewn to those to port
 };
 
 /// One piece of netting of a gear. In the whole, pairs are named "port-…" and "starboard-…", and so are the
@@ -22,6 +23,11 @@ struct GearPanel {
   const Panel* panel = nullptr;
   bool is_mirrored = false;  // x of its outline points to port
   Outline outline;           // of a middle panel in the whole: both halves, port at negative x
+
+  /// (u, v) of a point of the outline in bars, twine_coordinates.hpp.
+  std::array<double, 2> twine_coordinates(PanelPoint point) const {
+    return panel->twines_at(point.x, point.y);
+  }
 
   bool has_sketch() const { return !panel->sketch.empty(); }
   /// Where the sketch puts a point of the outline [m]: the plan's four corners, joined by straight lines.

@@ -14,6 +14,11 @@ namespace {
 constexpr double kHalfWidth = 0.5;  // of the stretched width
 constexpr double kGap = 0.25;       // between columns, of the width of the one before
 
+/// Meshes of square netting are counted by one bar, half a stretched mesh.
+double length_of_mesh(const Panel& panel) {
+  return panel.orientation == "square" ? panel.mesh / 2 : panel.mesh;
+}
+
 /// The middle of an edge, and how far it lies aft.
 PanelPoint middle_of(const EdgeSet& set) {
   const double left = std::min(set.edges.front().from.x, set.edges.back().to.x);
@@ -95,7 +100,7 @@ class Sheet {
   /// A panel whose edge meets the point `at` of one that stands already.
   void place_at(const EdgeSet& edge, PanelPoint at, const PlacedPanel& there) {
     const PanelPoint target = there.on_sheet(at), own = middle_of(edge);
-    const double across = kHalfWidth * edge.panel->mesh, aft = edge.panel->mesh;
+    const double across = kHalfWidth * edge.panel->mesh, aft = length_of_mesh(*edge.panel);
     const double x = edge.panel->stands == Standing::middle ? there.x : target.x - across * own.x;
     mirror_about_ = 2 * there.x - x;
     place(*edge.panel, x, target.y - aft * own.y);
@@ -112,7 +117,7 @@ class Sheet {
 
 PanelPoint PlacedPanel::on_sheet(PanelPoint p) const {
   const double across = kHalfWidth * panel->mesh * p.x;
-  return {x + (is_mirrored ? -across : across), y + panel->mesh * p.y};
+  return {x + (is_mirrored ? -across : across), y + length_of_mesh(*panel) * p.y};
 }
 
 std::vector<PlacedPanel> lay_out(const Plan& plan) { return Sheet(plan).lay_out(); }

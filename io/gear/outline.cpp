@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gear/outline.hpp"
 
+#include "io/gear/twine_coordinates.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,14 +37,6 @@ double total(const std::vector<MeshCount>& counts) {
   return meshes;
 }
 
-/// Along a cut, as its rate says; one that goes across only has no depth to count by.
-double stretched_length(const Cut& cut) {
-  const bool by_depth = cut.rate.half_meshes_deep() > 0;
-  const double cycles =
-      by_depth ? 2 * cut.deep / cut.rate.half_meshes_deep() : 2 * cut.across / cut.rate.half_meshes_across();
-  return cycles * cut.rate.stretched_per_cycle();
-}
-
 /// Collects edges one after another from a pen that moves along the border.
 class Pen {
  public:
@@ -62,9 +56,14 @@ class Pen {
   std::vector<OutlineEdge> edges_;
 };
 
-void draw_counts(Pen& pen, const std::vector<MeshCount>& counts, EdgeKind kind, double direction) {
+double stretched_length(const Panel& panel, double across, double deep) {
+  return stretched_meshes(panel.twines_at(across, deep));
+}
+
+void draw_counts(Pen& pen, const Panel& panel, const std::vector<MeshCount>& counts, EdgeKind kind,
+                 double direction) {
   for (const auto& count : counts)
-    pen.draw({count.name, kind, {}, {}, count.meshes, count.meshes},
+    pen.draw({count.name, kind, {}, {}, count.meshes, stretched_length(panel, count.meshes, 0)},
              {pen.at().x + direction * count.meshes, pen.at().y});
 }
 
@@ -82,11 +81,14 @@ std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, do
   return corners;
 }
 
-void draw_side(Pen& pen, const std::vector<Cut>& side, const std::vector<PanelPoint>& corners, EdgeKind kind,
-               bool forward) {
+/// The length of a cut is that of the cut as written, not of the line that counts leave to it.
+void draw_side(Pen& pen, const Panel& panel, const std::vector<PanelPoint>& corners, EdgeKind kind) {
+  const bool forward = kind == EdgeKind::inner;
+  const auto& side = forward ? panel.inner : panel.outer;
   for (std::size_t k = 0; k < side.size(); ++k) {
     const std::size_t i = forward ? side.size() - 1 - k : k;
-    pen.draw({side[i].name, kind, {}, {}, side[i].deep, stretched_length(side[i])},
+    const double outwards = (forward ? -1 : 1) * side[i].goes * side[i].across;
+    pen.draw({side[i].name, kind, {}, {}, side[i].deep, stretched_length(panel, outwards, side[i].deep)},
              corners[forward ? i : i + 1]);
   }
 }
@@ -130,21 +132,26 @@ Outline outline_of(const Panel& panel) {
   const auto outer = side_corners(panel.outer, total(fore), 1, panel.depth, shift);
   const auto inner = side_corners(panel.inner, 0, -1, panel.depth, is_middle(panel) ? 0 : -shift);
   Pen pen({0, 0});
-  draw_counts(pen, fore, EdgeKind::fore, 1);
-  draw_side(pen, panel.outer, outer, EdgeKind::outer, false);
+  draw_counts(pen, panel, fore, EdgeKind::fore, 1);
+  draw_side(pen, panel, outer, EdgeKind::outer);
   auto inwards = aft;
   std::reverse(inwards.begin(), inwards.end());
-  draw_counts(pen, inwards, EdgeKind::aft, -1);
+  draw_counts(pen, panel, inwards, EdgeKind::aft, -1);
   if (is_middle(panel))
-    pen.draw({"middle", EdgeKind::middle, {}, {}, panel.depth, panel.depth}, {0, 0});
+    pen.draw({"middle", EdgeKind::middle, {}, {}, panel.depth, stretched_length(panel, 0, panel.depth)},
+             {0, 0});
   else
-    draw_side(pen, panel.inner, inner, EdgeKind::inner, true);
+    draw_side(pen, panel, inner, EdgeKind::inner);
   return {std::move(pen.edges())};
 }
 
 double Panel::count(const std::vector<MeshCount>& edge) const {
   if (edge.empty()) return 0;
   return stands == Standing::middle ? 2 * total(edge) - edge.front().meshes : total(edge);
+}
+
+std::array<double, 2> Panel::twines_at(double across, double deep) const {
+  return twine_coordinates(orientation, angle, across, deep);
 }
 
 }  // namespace netloft::io

@@ -18,7 +18,7 @@ struct OutlineEdge {
   EdgeKind kind;
   PanelPoint from, to;
   double meshes = 0;     // as counted: across of fore and aft edges, deep of sides
-  double stretched = 0;  // length of its twines pulled straight, in stretched meshes
+  double stretched = 0;  // length of its twines pulled straight, in stretched meshes of two bars
 };
 
 /// The border of a panel with its corners, closed: fore edge outwards, outer side aft, aft edge inwards,

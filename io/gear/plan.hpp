@@ -50,13 +50,16 @@ struct Panel {
   Standing stands = Standing::middle;
   double mesh = 0;  // stretched mesh size, two bars [m]
   std::string orientation = "diamond";
+  double angle = 0;           // by which the netting is turned in the panel, twine_coordinates.hpp (2) [rad]
   std::string twine_name;     // of the catalogue; empty: written out
   Value twine;                // a table: diameter, EA, density, …
   double twine_diameter = 0;  // [m]
   int twines = 1;             // laid side by side: 2 in double netting
   std::vector<MeshCount> fore, aft;
   bool states_aft = false;  // whether the plan says it, or it follows from the cuttings
-  double depth = 0;         // meshes
+  double depth = 0;         // meshes, of all pieces in a row
+  int pieces = 1;           // sewn in a row mesh to mesh, one of them `depth`/`pieces` deep
+  bool is_round = false;    // a tube: its sides are sewn to one another
   std::vector<Cut> outer;   // of a middle panel: both sides
   std::vector<Cut> inner;   // of a middle panel: none
   /// Where it may start: fore-inner, fore-outer, aft-outer, aft-inner, to starboard [m]; or nothing.
@@ -65,6 +68,8 @@ struct Panel {
 
   /// Meshes of the whole edge, to port and to starboard of a middle panel.
   double count(const std::vector<MeshCount>& edge) const;
+  /// (u, v) in bars of a point, or of the way from one to another; twine_coordinates.hpp.
+  std::array<double, 2> twines_at(double across, double deep) const;
 };
 
 /// A rope, wire or chain. One that stands in the middle is whole here; it starts in the middle and ends on
@@ -87,12 +92,15 @@ struct Hanging {
   Place edge_place, rope_place, place;
 };
 
-/// Edges sewn together, each side one edge or several in a row.
+/// Edges sewn together, each side one edge or several in a row. Both may be the same: what is to port is then
+/// sewn to what is to starboard.
 struct Join {
   std::array<std::vector<std::string>, 2> edges;
   double take_up = 0;  // meshes of the second for one of the first; 0: mesh to mesh
   std::array<Place, 2> places;
   Place place;
+
+  bool is_to_itself() const { return edges[0] == edges[1]; }
 };
 
 /// "47 along headrope", "2 at footrope.end": floats, weights or pieces of ground gear, shared out along a

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace netloft::io {
 
@@ -112,9 +113,18 @@ std::vector<Cut> read_whole_side(TableReader& table, const char* key) {
   return {cut};
 }
 
-std::vector<Cut> read_side(TableReader& table, const char* key, double depth) {
+/// A tube has straight sides unless they are said to be cut.
+Cut straight_cut(const char* key, const Place& place) {
+  Cut cut;
+  cut.name = key, cut.written = "AN", cut.rate = {.points = 1}, cut.place = place;
+  return cut;
+}
+
+std::vector<Cut> read_side(TableReader& table, const char* key, double depth, bool may_be_straight = false) {
   std::vector<Cut> side;
-  if (table.kind(key) == Kind::text) {
+  if (may_be_straight && !table.has(key)) {
+    side = {straight_cut(key, table.place())};
+  } else if (table.kind(key) == Kind::text) {
     side = read_whole_side(table, key);
   } else {
     for (auto& entry : table.tables(key, Presence::required, "cuts going aft, such as \"5B1P in\""))
@@ -129,7 +139,7 @@ std::vector<Cut> read_side(TableReader& table, const char* key, double depth) {
 
 void read_sides(Panel& panel, TableReader& table) {
   if (panel.stands == Standing::middle) {
-    panel.outer = read_side(table, "sides", panel.depth);
+    panel.outer = read_side(table, "sides", panel.depth, panel.is_round);
     return;
   }
   panel.outer = read_side(table, "outer", panel.depth);
@@ -179,6 +189,50 @@ void read_material(Panel& panel, TableReader& table, const Catalogue& catalogue)
       table.choice("orientation", {.allowed = orientations(), .doc = "of the meshes", .fallback = "diamond"});
 }
 
+/// Netting that is to be the same to port and to starboard is turned by eighths of a round.
+void read_angle(Panel& panel, TableReader& table) {
+  panel.angle = table.real("angle", {.unit = "rad",
+                                     .doc = "by which the netting is turned, from outwards towards aft",
+                                     .range = between(-std::numbers::pi, std::numbers::pi),
+                                     .fallback = 0.0});
+  const double eighths = panel.angle / (std::numbers::pi / 4);
+  if (panel.stands == Standing::middle && std::abs(eighths - std::round(eighths)) > 1e-9)
+    table.error("angle", "the netting of a panel in the middle would differ to port and to starboard",
+                "a multiple of 45 deg, or stands = \"pair\" and both sewn together in the middle: edges = "
+                "[\"" +
+                    panel.name + ".inner\", \"" + panel.name + ".inner\"]");
+}
+
+/// `fore`, or `round`, the meshes of a tube.
+void read_fore(Panel& panel, TableReader& table) {
+  panel.is_round = table.has("round");
+  panel.fore = read_counts(table, panel.is_round ? "round" : "fore");
+  if (!panel.is_round) return;
+  for (auto& count : panel.fore)
+    if (count.name == "round") count.name = "fore";
+  if (table.has("fore")) table.error("fore", "stands beside round, which says the same", "leave out either");
+  if (panel.stands != Standing::middle)
+    table.error("round", "a tube lies across the plane of symmetry",
+                "leave out stands, or write fore for round");
+}
+
+/// Pieces in a row are of one width, or the next would not fit on the one before.
+void read_depth(Panel& panel, TableReader& table) {
+  panel.depth = table.real(
+      "depth", {.unit = "1", .doc = "meshes from the fore to the aft edge", .range = {0, kMostMeshes, true}});
+  panel.pieces = static_cast<int>(
+      table.integer("pieces", {.doc = "of that depth, in a row", .lo = 1, .hi = 100, .fallback = 1}));
+  panel.depth *= panel.pieces;
+}
+
+void check_pieces_in_a_row(const Panel& panel, TableReader& table) {
+  for (const auto* side : {&panel.outer, &panel.inner})
+    for (const auto& cut : *side)
+      if (panel.pieces > 1 && !cut.rate.is_straight())
+        return table.error("pieces", "pieces in a row have straight sides, AN, for each has the same meshes",
+                           "write a panel for each, with its own counts");
+}
+
 void read_sketch(Panel& panel, TableReader& table) {
   if (!table.has("sketch")) return;
   for (const auto& row : table.rows("sketch", {.unit = "m",
@@ -221,11 +275,12 @@ Panel read_panel(const std::string& name, TableReader& table, const Catalogue& c
   Panel panel;
   panel.name = name, panel.place = table.place();
   panel.stands = read_standing(table, "middle");
-  panel.depth = table.real(
-      "depth", {.unit = "1", .doc = "meshes from the fore to the aft edge", .range = {0, kMostMeshes, true}});
-  panel.fore = read_counts(table, "fore");
+  read_depth(panel, table);
+  read_fore(panel, table);
   read_sides(panel, table);
+  check_pieces_in_a_row(panel, table);
   read_material(panel, table, catalogue);
+  read_angle(panel, table);
   panel.states_aft = table.has("aft");
   panel.aft_place = table.place("aft");
   if (panel.states_aft) panel.aft = read_counts(table, "aft");

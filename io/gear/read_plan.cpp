@@ -5,23 +5,38 @@
 #include "io/gear/outline.hpp"
 #include "io/gear/plan_reader.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace netloft::io {
 
 namespace {
 
+// What a scene may hold beside a plan, and what its [gear] says of the model.
+constexpr const char* kOfScenes[] = {"water", "parts", "hold", "analysis", "results", "elements"};
+constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
+constexpr const char* kOfPlans[] = {"gear", "panels", "ropes", "hang", "floats", "points"};
+
+/// A [[join]] of parts of a scene rather than of edges.
+bool joins_parts(TableReader& join) {
+  const bool joins = join.has("points");
+  if (joins) join.has("together");
+  return joins && !join.has("edges");
+}
+
 /// Reads one plan; members are steps in the order they happen.
 class PlanReader {
  public:
-  PlanReader(const Document& document, std::filesystem::path folder, Diagnostics& diagnostics)
+  /// `catalogue` null: that of the user and the library.
+  PlanReader(const Document& document, std::filesystem::path folder, const Catalogue* catalogue,
+             Diagnostics& diagnostics)
       : root_(document.root(), diagnostics), diagnostics_(diagnostics), folder_(std::move(folder)) {
     plan_.files = document.files();
+    read_catalogue(catalogue);
   }
 
   Plan read() {
     read_head();
-    read_catalogue();
     read_named("panels", "the pieces of netting, a table each", Presence::required,
                [&](const std::string& name, TableReader& t) {
                  plan_.panels.push_back(read_panel(name, t, catalogue_));
@@ -34,7 +49,10 @@ class PlanReader {
     read_named("points", "points that ropes lead to", Presence::optional,
                [&](const auto& name, auto& t) { plan_.points.push_back(read_point(name, t)); });
     for (auto& table : root_.tables("hang")) plan_.hangings.push_back(read_hanging(table));
-    for (auto& table : root_.tables("join")) plan_.joins.push_back(read_join(table));
+    for (auto& table : root_.tables("join"))
+      if (!joins_parts(table)) plan_.joins.push_back(read_join(table));
+    for (const auto& panel : plan_.panels) close_tube(panel);
+    for (const char* key : kOfScenes) root_.has(key);
     root_.finish();
     return std::move(plan_);
   }
@@ -44,14 +62,16 @@ class PlanReader {
     TableReader gear = root_.table("gear", Presence::optional);
     plan_.title = gear.text("title", {.doc = "what it is", .fallback = ""});
     plan_.source = gear.text("source", {.doc = "where the plan comes from", .fallback = ""});
+    for (const char* key : kOfModels) gear.has(key);
   }
 
-  void read_catalogue() {
+  void read_catalogue(const Catalogue* at_hand) {
     std::vector<std::filesystem::path> own;
     for (const auto& name :
          root_.texts("catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}}))
       own.push_back(folder_ / name);
-    catalogue_ = Catalogue::load(catalogue_folders(own), diagnostics_);
+    catalogue_ = at_hand ? *at_hand : Catalogue::load(catalogue_folders(own), diagnostics_);
+    plan_.files.insert(plan_.files.end(), catalogue_.files().begin(), catalogue_.files().end());
   }
 
   template <class Read>
@@ -79,6 +99,11 @@ class PlanReader {
     if (!panel.states_aft) panel.aft = {{"aft", std::max(0.0, aft_by_cuttings(panel)), panel.place}};
   }
 
+  void close_tube(const Panel& panel) {
+    const std::vector<std::string> sides = {panel.name + ".sides"};
+    if (panel.is_round) plan_.joins.push_back({{sides, sides}, 0, {panel.place, panel.place}, panel.place});
+  }
+
   TableReader root_;
   Diagnostics& diagnostics_;
   std::filesystem::path folder_;
@@ -100,13 +125,30 @@ Plan read_plan(const std::filesystem::path& file, const std::vector<std::string>
                Diagnostics& diagnostics) {
   const Document document = Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
-  return PlanReader(document, file.parent_path(), diagnostics).read();
+  return PlanReader(document, file.parent_path(), nullptr, diagnostics).read();
+}
+
+Plan read_plan(const Document& document, const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  return PlanReader(document, folder, nullptr, diagnostics).read();
+}
+
+bool holds_plan(const Document& document) {
+  const Table* root = document.root().as<Table>();
+  return root && std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
+                             [&](const char* key) { return root->find(key); });
 }
 
 Plan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
   const Document document = Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
-  return PlanReader(document, {}, diagnostics).read();
+  return PlanReader(document, {}, nullptr, diagnostics).read();
+}
+
+Plan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
+                    Diagnostics& diagnostics) {
+  const Document document = Document::parse(text, name, {}, diagnostics);
+  if (diagnostics.errors()) return {};
+  return PlanReader(document, {}, &catalogue, diagnostics).read();
 }
 
 const Panel* Plan::find_panel(const std::string& name) const { return find_named(panels, name); }

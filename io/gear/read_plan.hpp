@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/catalogue/catalogue.hpp"
 #include "io/gear/plan.hpp"
 
 #include <filesystem>
@@ -12,7 +13,19 @@ namespace netloft::io {
 Plan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                Diagnostics& diagnostics);
 
+/// The same of a document that is there already: a scene that holds the tables of a plan beside its own. What
+/// else a scene may hold is passed over, and the keys of `[gear]` that say how it is modelled. `folder` is
+/// what `catalogue` is relative to.
+Plan read_plan(const Document& document, const std::filesystem::path& folder, Diagnostics& diagnostics);
+
+/// Whether a document holds tables of a plan.
+bool holds_plan(const Document& document);
+
 /// The same for a text in memory.
 Plan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics);
+
+/// The same with parts of a catalogue at hand; one that the text names is not read.
+Plan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
+                    Diagnostics& diagnostics);
 
 }  // namespace netloft::io

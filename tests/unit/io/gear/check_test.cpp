@@ -96,6 +96,20 @@ TEST(PlanCheck, AHangingMayTakeTheStretchedLengthAndNoMore) {
   EXPECT_TRUE(says(checked, "wing.inner is 2 m long when its meshes are stretched")) << checked.said();
 }
 
+/// A rib rope along a seam: sewn and hung.
+TEST(PlanCheck, AnEdgeMayBeBothSewnAndHung) {
+  const auto checked = check_text(kGoodPlan + R"(
+[ropes.rib]
+rope = { diameter = "12 mm", EA = "100 kN", density = 1000 }
+length = "3 m"
+[[hang]]
+edge = "wing.aft"
+on = "rib"
+length = "2.7 m"
+)");
+  EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+}
+
 TEST(PlanCheck, ARopeOfTheMiddleCarriesBothWings) {
   const auto checked = check_text(changed_plan("length = \"6 m\"", "length = \"4 m\""));
   EXPECT_TRUE(says(checked, "headline: 4 m long, 4.8 m of it are given to edges: 0.8 m too short"))

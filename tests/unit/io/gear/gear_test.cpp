@@ -207,6 +207,47 @@ TEST(Gear, ASketchPutsAPanelInItsPlace) {
   expect_at({0, 21}, {2, 0, 1.5}), expect_at({20, 0}, {0, 1.5, 2});
 }
 
+/// A cod-end of one piece: 20 meshes round, 10 of them in the half.
+std::string tube_plan() {
+  return changed_plan("fore = 20\ndepth = 50\nsides = \"AN\"", "round = 20\ndepth = 25\npieces = 2");
+}
+
+TEST(Gear, ATubeIsSewnToItself) {
+  const auto checked = check_text(tube_plan());
+  ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  ASSERT_EQ(gear.seams.size(), 4u);
+  EXPECT_EQ(names(gear, gear.seams[3].edges[0]), Names{"bag.starboard-sides"});
+  EXPECT_EQ(names(gear, gear.seams[3].edges[1]), Names{"bag.port-sides"});
+}
+
+TEST(Gear, HalfOfATubeLiesOnThePlaneWithBothSides) {
+  const auto checked = check_text(tube_plan());
+  const Gear gear = make_gear(checked.plan, Extent::half);
+  EXPECT_EQ(gear.seams.size(), 2u);
+  int on_plane = 0;
+  for (const auto& edge : gear.find_panel("bag")->outline.edges) {
+    on_plane += edge.kind == EdgeKind::middle;
+    if (edge.kind == EdgeKind::fore) {
+      EXPECT_DOUBLE_EQ(edge.meshes, 10);
+    }
+  }
+  EXPECT_EQ(on_plane, 2);
+}
+
+TEST(Gear, PairsMayBeSewnTogetherInTheMiddle) {
+  const auto checked = check_text(kGoodPlan + "[[join]]\nedges = [\"wing.outer\", \"wing.outer\"]\n");
+  ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  EXPECT_EQ(names(gear, gear.seams[3].edges[0]), Names{"starboard-wing.outer"});
+  EXPECT_EQ(names(gear, gear.seams[3].edges[1]), Names{"port-wing.outer"});
+}
+
+TEST(Gear, PiecesInARowAreOnePanel) {
+  const auto checked = check_text(tube_plan());
+  EXPECT_DOUBLE_EQ(checked.plan.find_panel("bag")->depth, 50);
+}
+
 /// 2·(meshes of the half) of the whole: no netting is lost or made by mirroring.
 TEST(Gear, TheWholeHasTwiceTheAreaOfTheHalf) {
   const auto checked = check_text(library_text("83-112-eastern.toml"));

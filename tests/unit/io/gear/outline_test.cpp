@@ -2,9 +2,11 @@
 #include "io/gear/outline.hpp"
 
 #include "io/gear/names.hpp"
+#include "io/gear/twine_coordinates.hpp"
 #include "tests/unit/io/gear/plans.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace netloft::io {
 namespace {
@@ -69,6 +71,59 @@ TEST(Outline, CornersOfASideOfSeveralCutsLieBetweenThem) {
   EXPECT_NEAR(edge(outline, "breast-cut").to.y, 25.5, 1e-9);
   const auto corners = corner_names(wing);
   EXPECT_NE(std::find(corners.begin(), corners.end(), "breast-cut-aft"), corners.end());
+}
+
+Outline turned(const std::string& keys) {
+  const auto checked = check_text(
+      "[panels.sheet]\nstands = \"alone\"\nmesh = 0.1\ntwine = { diameter = 0.002, EA = 1, density = 1000 }\n"
+      "fore = 10\ndepth = 10\nouter = \"1N2B out\"\ninner = \"AN\"\n" +
+      keys);
+  EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  return outline_of(checked.plan.panels.front());
+}
+
+/// A mesh of diamond netting is two bars long either way; of square netting bars are counted.
+TEST(Outline, SquareNettingIsHalfAsLongWhenStretched) {
+  EXPECT_DOUBLE_EQ(edge(turned(""), "fore").stretched, 10);
+  EXPECT_DOUBLE_EQ(edge(turned("orientation = \"t90\"\n"), "fore").stretched, 10);
+  EXPECT_DOUBLE_EQ(edge(turned("orientation = \"square\"\n"), "fore").stretched, 5);
+}
+
+/// By twine_coordinates.hpp (3) and by hand: 1N2B goes 5 across in 10 deep, 5 cycles of 2 bars and a point,
+/// two bars long: 10 stretched meshes.
+TEST(Outline, TwinesAlongACutAreThoseOfItsBarsAndPoints) {
+  EXPECT_DOUBLE_EQ(edge(turned(""), "outer").stretched, 5 * (2 * 0.5 + 1));
+}
+
+/// Along the bars of diamond netting, which is what turning by 45° makes of an edge, all twines are straight:
+/// 10 meshes of √2 bars are 10/√2 stretched meshes of two.
+TEST(Outline, NettingTurnedByAnEighthRunsAlongItsBars) {
+  EXPECT_NEAR(edge(turned("angle = \"45 deg\"\n"), "fore").stretched, 10 / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(edge(turned("angle = \"90 deg\"\n"), "fore").stretched, 10, 1e-12);
+}
+
+TEST(TwineCoordinates, OfDiamondTurnedByAnEighthAreThoseOfSquareNetting) {
+  const auto turned = twine_coordinates("diamond", std::numbers::pi / 4, 2, 5);
+  const auto square = twine_coordinates("square", 0, 2, 5);
+  EXPECT_NEAR(turned[0], std::sqrt(2.0) * square[1], 1e-12);
+  EXPECT_NEAR(turned[1], -std::sqrt(2.0) * square[0], 1e-12);
+}
+
+/// Turned by a right angle, diamond netting is T90 with the names of its twines exchanged.
+TEST(TwineCoordinates, OfDiamondTurnedByARightAngleAreThoseOfT90) {
+  const auto turned = twine_coordinates("diamond", std::numbers::pi / 2, 2, 5);
+  const auto t90 = twine_coordinates("t90", 0, 2, 5);
+  EXPECT_NEAR(turned[0], -t90[1], 1e-12);
+  EXPECT_NEAR(turned[1], -t90[0], 1e-12);
+}
+
+/// Whatever the angle, bars keep their length and knots their number: u² + v² and the area are kept.
+TEST(TwineCoordinates, TurningIsARotation) {
+  for (const char* orientation : {"diamond", "t90", "square"}) {
+    const auto plain = twine_coordinates(orientation, 0, 2, 5),
+               turned = twine_coordinates(orientation, 0.7, 2, 5);
+    EXPECT_NEAR(std::hypot(turned[0], turned[1]), std::hypot(plain[0], plain[1]), 1e-12);
+  }
 }
 
 TEST(EdgeSet, CountsBothHalvesAcrossTheMiddle) {

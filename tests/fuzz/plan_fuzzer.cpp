@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nonsense for everything that works on a net plan: each input is read, checked, drawn and made a gear of.
+#include "io/gear/check.hpp"
+#include "io/gear/drawing.hpp"
+#include "io/gear/gear.hpp"
+#include "io/gear/read_plan.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace {
+
+using namespace netloft::io;
+
+/// That of the library, read once.
+const Catalogue& catalogue() {
+  static const Catalogue parts = [] {
+    Diagnostics diagnostics;
+    return Catalogue::load({NETLOFT_SOURCE_DIR "/gear-library/catalogue"}, diagnostics);
+  }();
+  return parts;
+}
+
+/// The compiler cannot leave out what is used.
+void use(std::size_t size) {
+  static volatile std::size_t sink = 0;
+  sink = size;
+}
+
+void try_gear(const Plan& plan, Extent extent) {
+  const Gear gear = make_gear(plan, extent);
+  use(gear.panels.size());
+  for (const auto& panel : gear.panels)
+    if (panel.has_sketch())
+      for (const auto& corner : panel.outline.corners()) use(panel.sketched(corner).size());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Diagnostics diagnostics;
+  Plan plan =
+      read_plan_text({reinterpret_cast<const char*>(data), size}, "plan.toml", catalogue(), diagnostics);
+  if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
+  use(diagnostics.render(false).size());
+  if (diagnostics.errors()) return 0;
+  use(draw_plan(plan).size());
+  try_gear(plan, Extent::whole);
+  try_gear(plan, Extent::half);
+  return 0;
+}
