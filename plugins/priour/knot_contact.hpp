@@ -22,7 +22,7 @@ struct KnotContact {
                   const Points<T, 3>& x) {
     const double touch = Triangle::touching_cosine(p, d);
     const T y = (abs(angle::cosine(d, x)) - touch) / T(1 - touch);
-    return y < T(0) ? T(0) : Triangle::shape(d).bars * (p.EA * d.bar_length * (1 - touch)) * y * y * y;
+    return y < T(0) ? T(0) : Triangle::bars(p, d) * (p.EA * d.bar_length * (1 - touch)) * y * y * y;
   }
 };
 

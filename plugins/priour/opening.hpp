@@ -23,7 +23,7 @@ struct Opening {
   static T oracle(const Triangle::Parameters& p, const Triangle::Data& d, const Water&,
                   const Points<T, 3>& x) {
     const T turned = 0.5 * acos(angle::cosine(d, x)) - p.opening_angle;
-    return Triangle::shape(d).bars * Triangle::opening_stiffness(p, d) * turned * turned;
+    return Triangle::bars(p, d) * Triangle::opening_stiffness(p, d) * turned * turned;
   }
 };
 

@@ -34,6 +34,8 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.real("twine.added_mass", &Triangle::Parameters::added_mass, "1",
          "added mass across a twine over the mass of the water it displaces",
          {.lo = 0, .hi = 10, .fallback = 1});
+  t.integer("twine.number", &Triangle::Parameters::number,
+            "twines side by side in every bar: 2 in double netting", 1, 9, 1);
   t.law("drag", NETLOFT_TWINE_LAW | NETLOFT_SCREEN_LAW, "hydro/morison",
         "force of the water on the netting, twine by twine or as a screen");
   t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");

@@ -26,11 +26,11 @@ Triangle::Shape Triangle::shape(const Data& d) {
 }
 
 double Triangle::twine_volume(const Parameters& p, const Data& d) {
-  return 2 * shape(d).bars * std::numbers::pi / 4 * p.diameter * p.diameter * d.bar_length;
+  return 2 * bars(p, d) * std::numbers::pi / 4 * p.diameter * p.diameter * d.bar_length;
 }
 
 double Triangle::twine_area(const Parameters& p, const Data& d) {
-  return 2 * shape(d).bars * d.bar_length * p.diameter;
+  return 2 * bars(p, d) * d.bar_length * p.diameter;
 }
 
 double Triangle::opening_stiffness(const Parameters& p, const Data& d) {
@@ -68,7 +68,7 @@ void Triangle::check(const Parameters& p, const Data& d) {
 void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
   const Shape s = shape(d);
   for (std::size_t k = 0; k < 3; ++k) lanes.a[k][lane] = s.a[k], lanes.b[k][lane] = s.b[k];
-  lanes.bars[lane] = s.bars;
+  lanes.bars[lane] = bars(p, d);
   lanes.l0[lane] = d.bar_length;
   lanes.EA[lane] = p.EA;
   lanes.EA_compression[lane] = p.EA_compression;

@@ -18,7 +18,8 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 ///   r_p = (|d|/2) [a_p T_U Û + b_p T_V V̂]                residual ∂E/∂x_p                          (5)
 ///   K_pq = (|d|/2) [a_p a_q A_U + b_p b_q A_V]                                                     (6)
 ///   W = |d| (π/4) t² l₀ (ρ − ρ_w) g                       weight in water, a third per corner      (7)
-/// t [m] twine diameter, ρ [kg/m³] twine density. d may be negative: |d| counts, d itself stands in U and V.
+/// t [m] twine diameter, ρ [kg/m³] twine density. Of N twines side by side (double netting) there are N |d|/2
+/// bars of each direction, in (4)–(7) and in all other terms; U and V stay those of one. d may be negative: |d| counts, d itself stands in U and V.
 /// Source: Priour 1999; A Finite Element Method for Netting (Springer 2013), as used in the paper's
 /// section 2.4.
 struct Triangle {
@@ -28,6 +29,7 @@ struct Triangle {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
     double EI = 0, opening_stiffness = 0, opening_angle = 0, knot_size = 0;
     double damping = 0, added_mass = 0;
+    std::int64_t number = 1;  // N
   };
   struct Data {
     std::array<double, 3> u{}, v{};  // twine coordinates of the corners [bars]
@@ -35,7 +37,7 @@ struct Triangle {
   };
   struct Lanes {
     double a[3][kLanes], b[3][kLanes];  // (2), (3) [1/bar]
-    double bars[kLanes];                // |d|/2
+    double bars[kLanes];                // N |d|/2
     double l0[kLanes], EA[kLanes], EA_compression[kLanes];
     double volume[kLanes], density[kLanes];
     double H[kLanes], H_of_EI[kLanes], alpha0[kLanes];  // opening (1), (5)
@@ -45,9 +47,11 @@ struct Triangle {
 
   /// (1)–(3) of one triangle.
   struct Shape {
-    double a[3], b[3], bars;
+    double a[3], b[3], bars;  // bars: |d|/2
   };
   static Shape shape(const Data& d);
+  /// N |d|/2.
+  static double bars(const Parameters& p, const Data& d) { return double(p.number) * shape(d).bars; }
   /// Bars along u (0) or v (1), stretched at state s.
   static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
   /// Volume of the unstretched twines inside, that of (7), knots left out [m³].
@@ -73,7 +77,7 @@ struct Triangle {
       const Vec3<T> U = s.a[0] * x[0] + s.a[1] * x[1] + s.a[2] * x[2];
       const Vec3<T> V = s.b[0] * x[0] + s.b[1] * x[1] + s.b[2] * x[2];
       const axial::Material m{p.EA, p.EA_compression};
-      return s.bars * (axial::energy(U, d.bar_length, m) + axial::energy(V, d.bar_length, m));
+      return bars(p, d) * (axial::energy(U, d.bar_length, m) + axial::energy(V, d.bar_length, m));
     }
   };
 

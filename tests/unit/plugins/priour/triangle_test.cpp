@@ -66,6 +66,18 @@ TEST(PriourTriangle, WeighsAsMuchAsTheTwinesInIt) {
   }
 }
 
+TEST(PriourTriangle, DoubleNettingPullsAndWeighsTwice) {
+  const auto data = panels();
+  Triangle::Parameters twice = kTwine;
+  twice.number = 2;
+  const auto single = make_family<Triangle>(kTwine, data), both = make_family<Triangle>(twice, data);
+  TestTile<3> one(kWater), two(kWater);
+  place_corners(one, data, 1.1), place_corners(two, data, 1.1);
+  Triangle::Elastic::tile(single, one.t), Triangle::Elastic::tile(both, two.t);
+  Triangle::Weight::tile(single, one.t), Triangle::Weight::tile(both, two.t);
+  for (std::size_t i = 0; i < 9 * kLanes; ++i) EXPECT_DOUBLE_EQ(two.force[i], 2 * one.force[i]) << i;
+}
+
 TEST(PriourTriangle, FindsBarsAndAngleOfAPanelStretchedOnAFrame) {
   const Triangle::Data data{{0, 10, 0}, {0, 0, 10}, 0.1};
   State<3> s;  // twines along (3, 4, 0)/5 and (3, -4, 0)/5, each bar 0.15 m
