@@ -51,8 +51,18 @@ const GeometryKey kNetting{
     false,
     {"diamond", "t90", "square"}};
 const GeometryKey kCells{
-    "cells",   "1", "cells across and along, two triangles each", Shape::integers, between(1, kMostCells),
+    "cells",   "1", "cells across and along, divided into triangles", Shape::integers, between(1, kMostCells),
     exactly(2)};
+const GeometryKey kDivision{
+    "division",
+    "1",
+    "triangles of a cell: alternating, two, the diagonal changing from cell to cell; crossed, four about a "
+    "node in the middle",
+    Shape::word,
+    {},
+    {},
+    false,
+    {"alternating", "crossed"}};
 const GeometryKey kSquareCells{"cells",
                                "1",
                                "cells across and along, as many meshes wide as long, four bars each",
@@ -78,6 +88,10 @@ std::string leaf(const GeometryKey& key) { return key.name.substr(key.name.find(
 
 double read_real(TableReader& table, const GeometryKey& key, std::optional<double> fallback = {}) {
   return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .fallback = fallback});
+}
+
+std::string read_word(TableReader& table, const GeometryKey& key) {
+  return table.choice(leaf(key), {.allowed = key.words, .doc = key.doc, .fallback = key.words[0]});
 }
 
 /// A point that is needed; the origin if something is wrong with it.
@@ -179,20 +193,6 @@ std::array<double, 2> twine_coordinates(const std::string& netting, double U, do
   return {U + V, netting == "t90" ? U - V : V - U};
 }
 
-void add_triangle(const Grid& g, std::array<std::array<std::size_t, 2>, 3> corners, double bar,
-                  const std::string& netting, Geometry& out) {
-  for (const auto& [i, j] : corners) {
-    const std::uint32_t node = g.node(i, j);
-    const auto [U, V] = out.names.panel[node];
-    out.elements.push_back(node);
-    const auto [u, v] = twine_coordinates(netting, U, V);
-    out.data["u"].push_back(u);
-    out.data["v"].push_back(v);
-    out.data["to_aft"].push_back(out.names.panel.back()[1] - V);
-  }
-  out.data["bar_length"].push_back(bar);
-}
-
 }  // namespace
 
 Layout layout_of(const ElementType& type) {
@@ -210,7 +210,8 @@ Layout layout_of(const ElementType& type) {
 
 const std::vector<GeometryKey>& geometry_keys(Layout layout) {
   static const std::vector<GeometryKey> point{kAt}, line{kLength, kBars, kLine},
-      triangles{kAcross, kAlong, kBar, kNetting, kCells, kCorners, kFrom, kTo, kRadius, kRadiusAft},
+      triangles{kAcross,  kAlong, kBar, kNetting, kCells,    kDivision,
+                kCorners, kFrom,  kTo,  kRadius,  kRadiusAft},
       bars{kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft};
   switch (layout) {
     case Layout::line:
@@ -374,25 +375,63 @@ void place_centres(const Panel& p, Geometry& out) {
     }
 }
 
-/// The four triangles of a cell, outer face counter-clockwise.
-void add_faces(const Panel& p, std::uint32_t centre, const std::array<std::uint32_t, 4>& corners,
-               Geometry& out) {
-  for (std::size_t k = 0; k < 4; ++k)
-    for (const auto node : {corners[k], corners[(k + 1) % 4], centre}) {
-      out.faces.nodes.push_back(node);
-      out.faces.data["to_aft"].push_back(p.along - out.names.panel[node][1]);
-    }
+/// Nodes of a triangle, outer face counter-clockwise.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Cell (i, j) of a panel: corners from the fore left on, counter-clockwise seen from outside, and the node
+/// in the middle, if there is one.
+struct Cell {
+  Cell(const Grid& g, std::size_t i, std::size_t j)
+      : corners{g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1), g.node(i, j + 1)},
+        centre(static_cast<std::uint32_t>(g.columns() * (g.along + 1) + j * g.across + i)),
+        is_even((i + j) % 2 == 0) {}
+
+  std::array<Triangle, 2> halves() const {
+    const auto [a, b, c, d] = corners;
+    if (is_even) return {{{a, b, c}, {a, c, d}}};
+    return {{{a, b, d}, {b, c, d}}};
+  }
+  std::array<Triangle, 4> quarters() const {
+    const auto [a, b, c, d] = corners;
+    return {{{a, b, centre}, {b, c, centre}, {c, d, centre}, {d, a, centre}}};
+  }
+
+  std::array<std::uint32_t, 4> corners;
+  std::uint32_t centre;
+  bool is_even;
+};
+
+template <class Visit>
+void for_each_cell(const Grid& g, Visit&& visit) {
+  for (std::size_t j = 0; j < g.along; ++j)
+    for (std::size_t i = 0; i < g.across; ++i) visit(Cell(g, i, j));
 }
 
-void add_star(const Panel& p, std::size_t i, std::size_t j, Geometry& out) {
-  const Grid& g = p.cells;
-  const auto centre = static_cast<std::uint32_t>(g.columns() * (g.along + 1) + j * g.across + i);
-  const double meshes = p.across / double(g.across);
-  const std::array<std::uint32_t, 4> corners{g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1),
-                                             g.node(i, j + 1)};
-  add_faces(p, centre, corners, out);
-  for (const auto corner : corners) {
-    out.elements.insert(out.elements.end(), {centre, corner});
+/// A triangle of netting that hangs as `netting` says.
+void add_triangle(const Panel& p, const Triangle& corners, const std::string& netting, Geometry& out) {
+  for (const auto node : corners) {
+    const auto [U, V] = out.names.panel[node];
+    const auto [u, v] = twine_coordinates(netting, U, V);
+    out.elements.push_back(node);
+    out.data["u"].push_back(u);
+    out.data["v"].push_back(v);
+    out.data["to_aft"].push_back(p.along - V);
+  }
+  out.data["bar_length"].push_back(p.bar);
+}
+
+void add_face(const Panel& p, const Triangle& corners, Geometry& out) {
+  for (const auto node : corners) {
+    out.faces.nodes.push_back(node);
+    out.faces.data["to_aft"].push_back(p.along - out.names.panel[node][1]);
+  }
+}
+
+void add_star(const Panel& p, const Cell& cell, Geometry& out) {
+  const double meshes = p.across / double(p.cells.across);
+  for (const Triangle& quarter : cell.quarters()) add_face(p, quarter, out);
+  for (const auto corner : cell.corners) {
+    out.elements.insert(out.elements.end(), {cell.centre, corner});
     out.data["rest_length"].push_back(meshes * p.bar);  // (1)
     out.data["parallel"].push_back(meshes);
   }
@@ -402,25 +441,22 @@ void add_star(const Panel& p, std::size_t i, std::size_t j, Geometry& out) {
 
 Geometry read_panel(TableReader& part) {
   Geometry out;
-  const std::string netting =
-      part.table("panel", Presence::optional)
-          .choice(leaf(kNetting),
-                  {.allowed = kNetting.words, .doc = kNetting.doc, .fallback = kNetting.words[0]});
-  const auto panel = read_panel_keys(part, kCells, 2, "triangles");
+  TableReader size = part.table("panel", Presence::optional);
+  const std::string netting = read_word(size, kNetting);
+  const bool crossed = read_word(part, kDivision) == "crossed";
+  const auto panel = read_panel_keys(part, kCells, crossed ? 4 : 2, "triangles");
   if (!panel) return out;
   const Grid& g = panel->cells;
-  const double bar = panel->bar;
   place_nodes(g, panel->surface, panel->across, panel->along, out);
+  if (crossed) place_centres(*panel, out);
   name_edges(g, out.names);
-  for (std::size_t j = 0; j < g.along; ++j)
-    for (std::size_t i = 0; i < g.across; ++i)
-      if ((i + j) % 2 == 0) {
-        add_triangle(g, {{{i, j}, {i + 1, j}, {i + 1, j + 1}}}, bar, netting, out);
-        add_triangle(g, {{{i, j}, {i + 1, j + 1}, {i, j + 1}}}, bar, netting, out);
-      } else {
-        add_triangle(g, {{{i, j}, {i + 1, j}, {i, j + 1}}}, bar, netting, out);
-        add_triangle(g, {{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}, bar, netting, out);
-      }
+  const auto add = [&](const Triangle& t) { add_triangle(*panel, t, netting, out); };
+  for_each_cell(g, [&](const Cell& cell) {
+    if (crossed)
+      std::ranges::for_each(cell.quarters(), add);
+    else
+      std::ranges::for_each(cell.halves(), add);
+  });
   return out;
 }
 
@@ -432,8 +468,7 @@ Geometry read_panel_in_bars(TableReader& part) {
   place_nodes(g, panel->surface, panel->across, panel->along, out);
   place_centres(*panel, out);
   name_edges(g, out.names);
-  for (std::size_t j = 0; j < g.along; ++j)
-    for (std::size_t i = 0; i < g.across; ++i) add_star(*panel, i, j, out);
+  for_each_cell(g, [&](const Cell& cell) { add_star(*panel, cell, out); });
   return out;
 }
 

@@ -57,11 +57,12 @@ Geometry read_line(TableReader& part);
 
 /// A rectangle of netting in triangles, the paper's section 2.2 for a panel cut along meshes: `panel` in
 /// meshes, `cells` across and along, `sketch` four corners: fore left, fore right, aft right, aft left; or
-/// `tube` instead of it. In cell (i, j) the diagonal runs (i,j)-(i+1,j+1) if i+j is even. Nodes are row by
-/// row from the fore edge: j (across+1) + i. Sets: fore, aft, left, right and the corners fore-left … Data:
-/// u, v [bars], bar_length [m], to_aft, meshes from each corner to the aft edge.
-/// Twine coordinates of netting that is hung otherwise differ by nothing else, U, V being meshes across,
-/// along:
+/// `tube` instead of it. In cell (i, j) the diagonal runs (i,j)-(i+1,j+1) if i+j is even; with
+/// `division = "crossed"` a cell has both, four triangles about its centre. Nodes are row by row from the
+/// fore edge: j (across+1) + i, then centres row by row: (across+1)(along+1) + j across + i. Sets: fore, aft,
+/// left, right and the corners fore-left … Data: u, v [bars], bar_length [m], to_aft, meshes from each corner
+/// to the aft edge. Twine coordinates of netting that is hung otherwise differ by nothing else, U, V being
+/// meshes across, along:
 ///   diamond u = U + V, v = V − U;  T90 u = V + U, v = U − V;  square u = U, v = V                   (0)
 /// A tube runs `from` a point `to` another, `radius` wide at the fore edge and `radius_aft` at the aft one.
 /// Left edge and right edge lie on the same line, on top (towards +x for a tube that stands upright); from
@@ -77,9 +78,8 @@ Geometry read_panel(TableReader& part);
 /// so that the length of all twines is that of the panel whatever the cells; no bar lies on an edge, none is
 /// special there. With m = 1 nodes are the knots and bars the bars of the net. Cells that are not square in
 /// meshes are refused: their bars would run across twines.
-/// Nodes: corners as in read_panel, then centres row by row, (across+1)(along+1) + j across + i. Sets as in
-/// read_panel, of corners. Data: rest_length [m], parallel. Faces: four triangles a cell, from its centre to
-/// each side, with to_aft as in read_panel.
+/// Nodes as in read_panel, cells crossed. Sets as in read_panel, of corners. Data: rest_length [m], parallel.
+/// Faces: four triangles a cell, from its centre to each side, with to_aft as in read_panel.
 Geometry read_panel_in_bars(TableReader& part);
 
 }  // namespace netloft::io

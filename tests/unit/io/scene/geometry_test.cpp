@@ -77,6 +77,39 @@ TEST(Panel, AlternatesDiagonalsFromTheFirstCellOn) {
   EXPECT_EQ(triangle(g, 7), (Nodes{4, 8, 7}));
 }
 
+std::string crossed() { return std::string(kPanel) + "division = \"crossed\"\n"; }
+
+TEST(CrossedPanel, HasFourTrianglesAboutTheMiddleOfEachCell) {
+  const Geometry g = panel(crossed());
+  ASSERT_EQ(g.node_count(), 9u + 4);
+  EXPECT_EQ(at(g, 9), (std::array<double, 3>{0.5, 0, -1}));
+  EXPECT_EQ(g.names.panel[12], (std::array<double, 2>{3, 2.25}));
+  ASSERT_EQ(g.elements.size(), 3u * 16);
+  EXPECT_EQ(triangle(g, 0), (Nodes{0, 1, 9}));
+  EXPECT_EQ(triangle(g, 1), (Nodes{1, 4, 9}));
+  EXPECT_EQ(triangle(g, 2), (Nodes{4, 3, 9}));
+  EXPECT_EQ(triangle(g, 3), (Nodes{3, 0, 9}));
+}
+
+TEST(CrossedPanel, HasTheEdgesOfThePanelThatAlternates) {
+  EXPECT_EQ(panel(crossed()).names.sets, panel().names.sets);
+}
+
+/// From the aft edge, on which the last corner lies, not the last node.
+TEST(CrossedPanel, CountsMeshesToTheAftEdge) {
+  const Geometry g = panel(crossed());
+  const auto& to_aft = g.data.at("to_aft");
+  EXPECT_EQ((std::vector<double>{to_aft[0], to_aft[1], to_aft[2]}), (std::vector<double>{3, 3, 2.25}));
+}
+
+TEST(CrossedPanel, KnowsNoOtherDivision) {
+  Input in(std::string(kPanel) + "division = \"criss-cross\"\n");
+  read_panel(in.reader);
+  const std::string said = in.diagnostics.render(false);
+  EXPECT_NE(said.find("criss-cross"), std::string::npos);
+  EXPECT_NE(said.find("crossed"), std::string::npos);
+}
+
 TEST(Panel, TurnsAllTrianglesTheSameWay) {
   const Geometry g = panel();
   for (std::size_t t = 0; t < 8; ++t) {
@@ -122,6 +155,8 @@ double knots(const Geometry& g) {
     sum += 0.5 * std::abs((u[i + 1] - u[i]) * (v[i + 2] - v[i]) - (u[i + 2] - u[i]) * (v[i + 1] - v[i]));
   return sum;
 }
+
+TEST(CrossedPanel, HasAsManyKnots) { EXPECT_NEAR(knots(panel(crossed())), 2 * 4 * 3, 1e-12); }
 
 TEST(Panel, TurnsMeshesByARightAngleForT90) {
   const Geometry diamond = panel(netting("diamond")), t90 = panel(netting("t90"));
