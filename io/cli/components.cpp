@@ -61,6 +61,10 @@ std::string element_text(const ElementType& e) {
     fmt::format_to(out, "  {:<24} {} ({})\n", t.name, t.doc, describe_traits(t.traits));
   if (!e.laws.empty()) fmt::format_to(out, "\nlaws\n");
   for (const auto& l : e.laws) fmt::format_to(out, "  {:<24} {}, default {}\n", l.name, l.doc, l.fallback);
+  if (!e.globals.empty()) fmt::format_to(out, "\nunknowns that the elements of a part share\n");
+  for (const auto& g : e.globals)
+    fmt::format_to(out, "  {:<24} {} [{}]{}\n", g.name, g.doc, g.unit,
+                   g.needs ? fmt::format(", with {}", g.needs) : "");
   if (!e.outputs.empty()) fmt::format_to(out, "\noutputs\n");
   for (const auto& o : e.outputs) fmt::format_to(out, "  {:<24} {} [{}]\n", o.name, o.doc, o.unit);
   return text;
@@ -68,7 +72,7 @@ std::string element_text(const ElementType& e) {
 
 Json element_json(const ElementType& e) {
   Json terms = Json::array(), outputs = Json::array(), data = Json::array(), geometry = Json::array(),
-       laws = Json::array();
+       laws = Json::array(), globals = Json::array();
   for (const auto& key : geometry_keys(layout_of(e)))
     geometry.push_back({{"name", key.name}, {"doc", key.doc}});
   for (const auto& t : e.terms)
@@ -78,6 +82,9 @@ Json element_json(const ElementType& e) {
     data.push_back({{"name", d.name}, {"unit", d.unit}, {"width", d.width}, {"doc", d.doc}});
   for (const auto& l : e.laws)
     laws.push_back({{"name", l.name}, {"default", l.fallback ? l.fallback : ""}, {"doc", l.doc}});
+  for (const auto& g : e.globals)
+    globals.push_back(
+        {{"name", g.name}, {"unit", g.unit}, {"needs", g.needs ? g.needs : ""}, {"doc", g.doc}});
   return {{"type", e.type},
           {"kind", "element"},
           {"doc", e.element.doc},
@@ -87,6 +94,7 @@ Json element_json(const ElementType& e) {
           {"data", data},
           {"laws", laws},
           {"terms", terms},
+          {"globals", globals},
           {"outputs", outputs},
           {"plugin", e.origin->file},
           {"version", e.origin->version}};

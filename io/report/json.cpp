@@ -9,7 +9,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json family_json(const Scene& scene, const FamilyPlan& family) {
-  Json parts = Json::array(), terms = Json::array();
+  Json parts = Json::array(), terms = Json::array(), globals = Json::array();
   for (const auto part : family.parts) parts.push_back(scene.parts[part].name);
   for (const auto& t : family.terms)
     terms.push_back({{"name", t.name},
@@ -17,12 +17,16 @@ Json family_json(const Scene& scene, const FamilyPlan& family) {
                      {"reason", t.reason},
                      {"traits", describe_traits(t.traits)},
                      {"doc", t.doc}});
+  for (const auto& g : family.globals)
+    globals.push_back(
+        {{"part", scene.parts[g.part].name}, {"name", g.name}, {"unit", g.unit}, {"doc", g.doc}});
   return {{"type", family.type->type},
           {"elements", family.elements},
           {"parts", parts},
           {"plugin", family.type->origin->file},
           {"version", family.type->origin->version},
-          {"terms", terms}};
+          {"terms", terms},
+          {"globals", globals}};
 }
 
 Json terms_json(const Scene& scene, const Plan& plan) {

@@ -22,6 +22,9 @@ void family_text(const FamilyPlan& family, Out out) {
   for (const auto& term : family.terms)
     fmt::format_to(out, "  {:<12} {:<4} {}; {}\n", term.name, term.on ? "on" : "off", term.reason,
                    describe_traits(term.traits));
+  for (const auto& g : family.globals)
+    fmt::format_to(out, "  {:<12} an unknown that the elements of a part share: {} [{}]\n", g.name, g.doc,
+                   g.unit);
 }
 
 std::string joined(const std::vector<std::string>& names) {

@@ -16,6 +16,7 @@ from program import GOOD, SOURCE, InFreshFolder, changed
 
 SCENES = SOURCE / "gear-library" / "scenes"
 PANEL = SCENES / "dead-weight-panel.toml"
+CODEND = SCENES / "verification/codend-with-catch.toml"
 COARSE = ["--set", "parts.net.cells=[8,8]"]
 STUCK = ["--set", "analysis.max_iterations=3"]
 
@@ -258,6 +259,17 @@ class OtherCommands(InFreshFolder):
         self.assertIn("damping", self.netloft("describe", "newton").out)
         for table in ("water", "analysis"):
             self.assertEqual(self.netloft("describe", table, "--json").json()["type"], table)
+
+    def test_shared_unknowns_are_named(self):
+        doc = "meshes along the panel that the catch fills, from its aft edge"
+        self.assertIn(doc, self.netloft("describe", "catch/pressure").out)
+        front = self.netloft("describe", "catch/pressure", "--json").json()["globals"]
+        self.assertEqual(front, [{"name": "front", "unit": "1", "needs": "catch.volume", "doc": doc}])
+        for filled, named in (("volume=7.5", ["front"]), ("meshes=50", [])):
+            words = ("plan", str(CODEND), "--set", "parts.catch.catch={pressure=1614," + filled + "}")
+            families = self.netloft(*words, "--json").json()["families"]
+            self.assertEqual([g["name"] for f in families for g in f["globals"] if g["part"] == "catch"], named)
+            self.assertEqual(doc in self.netloft(*words).out, bool(named))
 
     def test_describe_what_is_not_there(self):
         ended = self.netloft("describe", "rope/bra")
