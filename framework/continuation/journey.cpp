@@ -22,16 +22,28 @@ constexpr double kShortestRamp = 1.0 / 64;
 // Detours may cost so many times the first attempt, and at least so many seconds: what has no equilibrium
 // should hear of it soon.
 constexpr double kPatience = 30, kLeastPatience = 1;
+// A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
+constexpr double kNearly = 1e-5;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
 
 bool is_near(const Solution& s) { return has_arrived(s) || s.status == SolveStatus::unstable; }
+
+/// Where forces balance, or nearly, and no step downhill is seen for symmetry.
+bool is_at_saddle(const Solution& s) {
+  return s.status == SolveStatus::unstable ||
+         (s.status == SolveStatus::not_converged && s.balance.residual < kNearly * s.balance.scale);
+}
 
 /// Of two that did not arrive the one to tell of: a stationary point before anything else, then the smaller
 /// residual.
 bool is_better(const Solution& a, const Solution& b) {
   if (is_near(a) != is_near(b)) return is_near(a);
   return a.balance.residual / a.balance.scale < b.balance.residual / b.balance.scale;
+}
+
+void keep_better(Solution& best, Solution next) {
+  if (has_arrived(next) || is_better(next, best)) best = std::move(next);
 }
 
 }  // namespace
@@ -50,47 +62,57 @@ Solution Journey::arrive(Displacements start) {
   options_.limits.ask_growth = true;
   Limits first = options_.limits;
   first.iterations = std::min(first.iterations, kFirstIterations);
-  Solution best = solve_itself("as it is", start, first);
+  Solution best = solve_itself_off_saddles("as it is", start, first);
   patience_ = std::max(kLeastPatience, kPatience * (wall_seconds() - begun_));
   const std::pair<const char*, Detour> detours[] = {{"shaken", &Journey::over_shaking},
                                                     {"from tension only", &Journey::over_tension_only},
                                                     {"from still water", &Journey::over_current},
                                                     {"from soft to stiff", &Journey::over_stiffness},
-                                                    {"from a relaxed shape", &Journey::over_relaxation},
-                                                    {"shaken again", &Journey::over_shaking}};
+                                                    {"from a relaxed shape", &Journey::over_relaxation}};
   for (const auto& [name, detour] : detours) {
     if (has_arrived(best) || out_of_time() || !options_.detours) break;
-    const auto nearer = (this->*detour)(start, best);
-    if (!nearer) continue;
-    Solution next = solve_itself(name, *nearer, first);
-    if (has_arrived(next) || is_better(next, best)) best = std::move(next);
+    if (const auto nearer = (this->*detour)(start, best))
+      keep_better(best, solve_itself_off_saddles(name, *nearer, first));
   }
-  if (options_.detours && !is_near(best) && !out_of_time() && options_.limits.iterations > first.iterations) {
-    Solution last = solve_itself("once more", best.u, options_.limits);
-    if (has_arrived(last) || is_better(last, best)) best = std::move(last);
-  }
+  if (options_.detours && !is_near(best) && !out_of_time() && options_.limits.iterations > first.iterations)
+    keep_better(best, solve_itself("once more", best.u, options_.limits));
   // Where forces flicker (sticking and sliding), no tangent helps, and motion with its damping does.
   const auto relaxation =
       options_.detours && !is_near(best) && !out_of_time() ? other_solver("relaxation") : std::nullopt;
-  if (relaxation) {
-    Solution last = solve_itself("by relaxation", *relaxation, start, options_.limits);
-    if (has_arrived(last) || is_better(last, best)) best = std::move(last);
+  if (relaxation) keep_better(best, solve_itself("by relaxation", *relaxation, start, options_.limits));
+  for (int look = 0; getenv("LOOKS") && look < atoi(getenv("LOOKS")) && has_arrived(best); ++look) {
+    Solution next = solve_itself("look", shaken(best.u), first);
+    double d = 0;
+    for (std::size_t i = 0; i < next.u.size(); ++i) d = std::max(d, std::abs(next.u[i] - best.u[i]));
+    fprintf(stderr, "look %d: %s it %d E %.12g -> %.12g, moved %.3g\n", look, name_of(next.status),
+            (int)next.books.iterations, best.energy, next.energy, d);
+    if (has_arrived(next) && next.energy < best.energy) best = std::move(next);
   }
   return finish(std::move(best));
 }
 
+/// The scene itself, and where that ends at a saddle, again from a little aside.
+Solution Journey::solve_itself_off_saddles(const std::string& name, const Displacements& start,
+                                           const Limits& limits) {
+  Solution s = solve_itself(name, start, limits);
+  if (is_at_saddle(s) && options_.detours && !out_of_time())
+    keep_better(s, solve_itself(name + ", shaken", shaken(s.u), limits));
+  return s;
+}
+
+/// A start without forces shows no way.
 std::optional<Journey::Displacements> Journey::over_shaking(const Displacements& start,
                                                             const Solution& best) {
-  const bool has_forces = best.balance.scale > 0;
-  if (has_forces && best.status != SolveStatus::unstable) return {};
-  Displacements u = has_forces ? best.u : start;
+  if (best.balance.scale > 0) return {};
+  Displacements u = start;
   u.resize(best.u.size());
   return shaken(std::move(u));
 }
 
 /// Every unknown a little aside, by fractions of multiples of the golden ratio: no symmetry survives it.
 Journey::Displacements Journey::shaken(Displacements u) const {
-  constexpr double kGolden = 0.61803398874989485, kShare = 0.02;
+  constexpr double kGolden = 0.61803398874989485;
+  constexpr double kShare = 0.02;
   const double size = StaticProblem(assembler_, options_.make, options_.limits).element_size();
   for (std::size_t i = 0; i < u.size(); ++i) {
     const double multiple = kGolden * static_cast<double>(i + 1);

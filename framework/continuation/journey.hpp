@@ -57,6 +57,8 @@ class Journey {
   std::optional<Displacements> over_relaxation(const Displacements& start, const Solution& best);
 
   Displacements shaken(Displacements u) const;
+  Solution solve_itself_off_saddles(const std::string& name, const Displacements& start,
+                                    const Limits& limits);
   Solution solve_itself(const std::string& name, const Displacements& start, const Limits& limits);
   Solution solve_itself(const std::string& name, const SolverUse& solver, const Displacements& start,
                         const Limits& limits);

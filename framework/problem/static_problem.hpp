@@ -77,6 +77,8 @@ class StaticProblem {
   void forget_factor() { last_ = nullptr; }
   /// Longest extent of an element at the start [m].
   double element_size() const { return element_size_; }
+  /// Largest distance between coordinates at the start [m].
+  double gear_size() const { return gear_size_; }
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
   /// The exact tangent at u, factorised with `shift` times the metric.
   netloft_factor factorise_at(std::span<const double> u, double shift);

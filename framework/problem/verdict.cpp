@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace netloft {
 
@@ -13,6 +14,9 @@ namespace {
 
 // A direction is neutral when the linear stiffness times this much makes it stable.
 constexpr double kNeutral = 1e-9;
+// What stiff twines that flicker between slack and taut leave: no more of the largest load, and no more
+// energy to gain than this much of the work of that load over the size of the gear.
+constexpr double kFlicker = 1e-5, kWorthless = 1e-10;
 
 std::string newtons(double force) {
   char text[32];
@@ -69,6 +73,20 @@ Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   const netloft_factor shifted = problem.factorise_at(u, kNeutral);
   if (shifted == NETLOFT_FACTOR_OK) return Stability::neutral;
   return shifted == NETLOFT_NOT_POSITIVE ? Stability::unstable : Stability::unknown;
+}
+
+/// Where the solver finds no way on, at a convex place, and what is left to gain is too little for energies
+/// to tell:
+///   ½ r·K⁻¹ r ≤ ε F L                                                                     (1)
+bool has_nothing_to_gain(const Solution& s, StaticProblem& problem) {
+  if (s.balance.residual > kFlicker * s.balance.scale || !problem.conservative() ||
+      (problem.factorise_at(s.u, 0) != NETLOFT_FACTOR_OK &&
+       problem.factorise_at(s.u, kNeutral) != NETLOFT_FACTOR_OK))
+    return false;
+  std::vector<double> step(s.u.size());
+  if (!solve_for_correction(problem, s.residual, step)) return false;
+  const double gain = -0.5 * std::inner_product(step.begin(), step.end(), s.residual.begin(), 0.0);
+  return gain <= kWorthless * s.balance.scale * problem.gear_size();
 }
 
 /// Estimates how far s.u is from the equilibrium; the factor that told of its stability is used again.
@@ -153,6 +171,8 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   const std::string ending = outcome_text(outcome, problem, assembler, scene);
   const bool evaluated = problem.recompute(u, s.x, s.residual, s.energy);
   if (evaluated) s.balance = problem.balance(s.x, s.residual);
+  if (outcome == NETLOFT_STEP_TOO_SHORT && evaluated && !s.balance.balanced)
+    s.balance.balanced = s.balance.at_round_off = has_nothing_to_gain(s, problem);
   s.books = problem.books();
   s.factorisation = problem.factorisation_name();
   if (s.balance.balanced && (problem.interface().traits & NETLOFT_CONSERVATIVE))
