@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace netloft::io {
@@ -63,11 +64,16 @@ std::string counted(std::size_t number, const char* one, const char* more) {
   return fmt::format("{} {}", number, number == 1 ? one : more);
 }
 
+/// Ropes that the plan writes; selvedges are netting.
+std::size_t ropes_of(const Plan& plan) {
+  return static_cast<std::size_t>(
+      std::count_if(plan.ropes.begin(), plan.ropes.end(), [](const Rope& r) { return !r.is_selvedge; }));
+}
+
 void print_summary(const Plan& plan, const Diagnostics& diagnostics) {
   print_panels(plan);
   std::puts(fmt::format("{}, {}, {}: {}, {}", counted(plan.panels.size(), "panel", "panels"),
-                        counted(plan.joins.size(), "seam", "seams"),
-                        counted(plan.ropes.size(), "rope", "ropes"),
+                        counted(plan.joins.size(), "seam", "seams"), counted(ropes_of(plan), "rope", "ropes"),
                         counted(static_cast<std::size_t>(diagnostics.errors()), "error", "errors"),
                         counted(static_cast<std::size_t>(diagnostics.warnings()), "warning", "warnings"))
                 .c_str());

@@ -16,6 +16,7 @@ void check_plan(Plan& plan, Diagnostics& diagnostics, const CheckLimits& limits)
   check_pieces(plan, diagnostics);
   // A wrong name leaves something unconnected, which is no second error.
   if (diagnostics.errors() == errors_before) check_connections(plan, diagnostics);
+  if (diagnostics.errors() == 0) check_spans(plan, limits, diagnostics);
 }
 
 std::string in_meshes(double meshes) {

@@ -29,6 +29,8 @@ void check_hangings(const Plan& plan, const CheckLimits& limits, Diagnostics& di
 void check_ropes(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
 void check_pieces(const Plan& plan, Diagnostics& diagnostics);
 void check_connections(const Plan& plan, Diagnostics& diagnostics);
+/// Points that are known and farther apart than all ropes between them; of a plan without errors.
+void check_spans(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
 
 /// Numbers as a net maker writes them: 43, 25.8, +1.7 %.
 std::string in_meshes(double meshes);

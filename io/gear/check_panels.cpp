@@ -142,6 +142,25 @@ void check_twine(const Panel& panel, Diagnostics& diagnostics) {
                       "mesh is the stretched mesh size: two bars");
 }
 
+/// Netting must be left between what seams gather of a panel. If none is, the rest is checked as if they
+/// gathered nothing.
+void check_selvedges(Panel& panel, Diagnostics& diagnostics) {
+  double gathered = 0;
+  for (const auto* side : {&panel.outer, &panel.inner}) {
+    double most = 0;
+    for (const auto& cut : *side) most = std::max(most, cut.selvedge);
+    gathered += (panel.stands == Standing::middle ? 2 : 1) * most;
+  }
+  const double widest = std::max(panel.count(panel.fore), panel.count(panel.aft));
+  if (gathered == 0 || gathered < widest) return;
+  diagnostics.error(panel.place,
+                    fmt::format("{}: its seams gather {} meshes of {}: no netting is left between them",
+                                panel.name, in_meshes(gathered), in_meshes(widest)),
+                    "selvedge counts the meshes of one edge");
+  for (auto* side : {&panel.outer, &panel.inner})
+    for (auto& cut : *side) cut.selvedge = 0;
+}
+
 }  // namespace
 
 void check_panels(Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
@@ -151,6 +170,7 @@ void check_panels(Plan& plan, const CheckLimits& limits, Diagnostics& diagnostic
     check_edge_names(panel, diagnostics);
     check_twine(panel, diagnostics);
     check_empty(panel, diagnostics);
+    check_selvedges(panel, diagnostics);
     if (!all_rates_are_known(panel)) continue;
     check_depth(panel, panel.outer, panel.stands == Standing::middle ? "sides" : "outer", limits,
                 diagnostics);

@@ -202,15 +202,18 @@ void check_rope_length(const Plan& plan, const Rope& rope, const CheckLimits& li
     diagnostics.warning(rope.place, message, cure);
 }
 
-void check_span(const Plan& plan, const Rope& rope, const CheckLimits& limits, Diagnostics& diagnostics) {
-  const Point *a = plan.find_point(rope.between[0]), *b = plan.find_point(rope.between[1]);
-  if (!a || !b || !a->at || !b->at) return;
-  double squares = 0;
-  for (std::size_t k = 0; k < 3; ++k) squares += std::pow((*b->at)[k] - (*a->at)[k], 2);
-  const double apart = std::sqrt(squares);
-  if (apart > rope.length * (1 + limits.short_rope))
-    diagnostics.error(rope.place, fmt::format("{}: {} m long, its ends are {} m apart", rope.name,
-                                              in_metres(rope.length), in_metres(apart)));
+/// A rope that is there once cannot end at what is there twice.
+void check_end(const Plan& plan, const Rope& rope, const std::string& end, Diagnostics& diagnostics) {
+  const std::string path = "ropes." + rope.name + ".between";
+  if (find_point_owner(plan, end, rope.between_place, path, diagnostics).empty()) return;
+  const bool is_once =
+      rope.stands == Standing::alone || (rope.stands == Standing::middle && &end == &rope.between[0]);
+  if (is_once && standing_of_point(plan, end) == Standing::pair)
+    diagnostics.error(
+        rope.between_place,
+        fmt::format("{}: {} is there to port and to starboard, {} once", path, end,
+                    rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
+        "stands = \"pair\" of the rope; one in the middle starts in the middle and ends on both sides");
 }
 
 /// Panels, ropes and points that hang together, as sets that grow into one another.
@@ -292,7 +295,7 @@ void check_hangings(const Plan& plan, const CheckLimits& limits, Diagnostics& di
     const std::string path = indexed("hang", i);
     const EdgeSet edge = find_edge(plan, h.edge, h.edge_place, path, diagnostics);
     const Rope* rope = find_rope_or_say(plan, h.rope, h.rope_place, path, diagnostics);
-    hung.enter(edge, h.edge_place, path, diagnostics);
+    if (!rope || !rope->is_selvedge) hung.enter(edge, h.edge_place, path, diagnostics);
     if (edge.edges.empty()) continue;
     check_hanging(h, edge, path, limits, diagnostics);
     if (rope) check_times(h, edge, *rope, path, diagnostics);
@@ -302,10 +305,8 @@ void check_hangings(const Plan& plan, const CheckLimits& limits, Diagnostics& di
 void check_ropes(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
   for (const auto& rope : plan.ropes) {
     check_rope_length(plan, rope, limits, diagnostics);
-    check_span(plan, rope, limits, diagnostics);
     for (const auto& end : rope.between)
-      if (!end.empty())
-        find_point_owner(plan, end, rope.between_place, "ropes." + rope.name + ".between", diagnostics);
+      if (!end.empty()) check_end(plan, rope, end, diagnostics);
   }
 }
 

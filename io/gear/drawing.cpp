@@ -109,11 +109,16 @@ class Draughtsman {
     Diagnostics silent;
     for (const auto& h : plan_.hangings) {
       const EdgeSet set = find_edge(plan_, h.edge, {}, "", silent);
-      if (set.panel != placed.panel) continue;
+      if (set.panel != placed.panel || is_selvedge(h)) continue;
       for (const auto& one : set.edges)
         if (one.name == edge.name && one.kind == edge.kind) return &h;
     }
     return nullptr;
+  }
+
+  bool is_selvedge(const Hanging& h) const {
+    const Rope* rope = plan_.find_rope(h.rope);
+    return rope && rope->is_selvedge;
   }
 
   PicturePoint place(const PlacedPanel& placed, PanelPoint p) const { return scale_(placed.on_sheet(p)); }
@@ -213,6 +218,7 @@ class Draughtsman {
 
   void list_ropes() {
     for (const auto& rope : plan_.ropes) {
+      if (rope.is_selvedge) continue;
       std::string text = fmt::format("{}: {} m {}", rope.name, in_metres(rope.length), rope.part_name);
       if (rope.stands == Standing::pair) text += ", to port and to starboard";
       if (!rope.between[0].empty()) text += ", from " + rope.between[0] + " to " + rope.between[1];
@@ -241,8 +247,9 @@ class Draughtsman {
       const auto row = [](const std::vector<std::string>& names) {
         return fmt::format("{}", fmt::join(names, " + "));
       };
-      say(fmt::format("seam: {} to {}{}", row(join.edges[0]), row(join.edges[1]),
-                      join.take_up > 0 ? fmt::format(", take-up {:.4g}", join.take_up) : ""),
+      say(fmt::format("seam: {} to {}{}{}", row(join.edges[0]), row(join.edges[1]),
+                      join.take_up > 0 ? fmt::format(", take-up {:.4g}", join.take_up) : "",
+                      join.selvedge > 0 ? fmt::format(", {:g} M of either gathered", join.selvedge) : ""),
           kPale);
     }
   }

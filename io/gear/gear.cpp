@@ -236,7 +236,7 @@ class GearMaker {
 
   Standing standing_of(const Pieces& pieces) const {
     if (pieces.is_along_edge()) return standing_of_edge(pieces.along);
-    return pieces.along.empty() ? standing_of_point(pieces.at) : standing_of(pieces.along);
+    return pieces.along.empty() ? standing_of_point(plan_, pieces.at) : standing_of(pieces.along);
   }
 
   Standing standing_of_edge(const std::string& name) const {
@@ -253,18 +253,6 @@ class GearMaker {
     return {name.substr(0, dot), dot == std::string::npos ? "" : name.substr(dot + 1)};
   }
 
-  /// Of something in the middle, what does not lie on the plane of symmetry is there twice.
-  Standing standing_of_point(const std::string& name) const {
-    const auto [owner, rest] = split(name);
-    const Standing stands = standing_of(owner);
-    const bool is_aside = plan_.find_panel(owner) ? !lies_in_middle(rest) : rest == "end";
-    return stands == Standing::middle && is_aside ? Standing::pair : stands;
-  }
-
-  static bool lies_in_middle(const std::string& corner) {
-    return corner == "fore-inner" || corner == "aft-inner";
-  }
-
   /// A point of the plan as it is named on one side: ends of ropes in the middle are start and end.
   std::string point_on(const std::string& name, Side side) const {
     const auto [owner, rest] = split(name);
@@ -272,18 +260,13 @@ class GearMaker {
     if (!is_whole()) return stands == Standing::middle && rest == "middle" ? owner + ".start" : name;
     if (name.empty() || stands == Standing::alone) return name;
     if (stands == Standing::pair) return prefix(side) + name;
-    if (plan_.find_panel(owner)) return lies_in_middle(rest) ? name : owner + "." + prefix(side) + rest;
+    if (plan_.find_panel(owner)) return is_corner_in_middle(rest) ? name : owner + "." + prefix(side) + rest;
     if (plan_.find_rope(owner))
       return owner + (rest != "end" ? ".middle" : side == Side::port ? ".start" : ".end");
     return name;
   }
 
-  Standing standing_of(const std::string& owner) const {
-    if (const Rope* rope = plan_.find_rope(owner)) return rope->stands;
-    if (const Panel* panel = plan_.find_panel(owner)) return panel->stands;
-    if (const Point* point = plan_.find_point(owner)) return point->stands;
-    return Standing::alone;
-  }
+  Standing standing_of(const std::string& owner) const { return netloft::io::standing_of(plan_, owner); }
 
   const Plan& plan_;
   Gear gear_;

@@ -115,6 +115,24 @@ std::vector<std::string> corner_names(const Panel& panel) {
   return names;
 }
 
+Standing standing_of(const Plan& plan, const std::string& name) {
+  if (const Rope* rope = plan.find_rope(name)) return rope->stands;
+  if (const Panel* panel = plan.find_panel(name)) return panel->stands;
+  if (const Point* point = plan.find_point(name)) return point->stands;
+  return Standing::alone;
+}
+
+bool is_corner_in_middle(const std::string& corner) {
+  return corner == "fore-inner" || corner == "aft-inner";
+}
+
+Standing standing_of_point(const Plan& plan, const std::string& name) {
+  const auto [owner, rest] = split(name);
+  const Standing stands = standing_of(plan, owner);
+  const bool is_aside = plan.find_panel(owner) ? !is_corner_in_middle(rest) : rest == "end";
+  return stands == Standing::middle && is_aside ? Standing::pair : stands;
+}
+
 std::string find_point_owner(const Plan& plan, const std::string& name, const Place& place,
                              const std::string& path, Diagnostics& diagnostics) {
   const DottedName dotted = split(name);

@@ -31,6 +31,14 @@ EdgeSet find_edge(const Plan& plan, const std::string& name, const Place& place,
 std::string find_point_owner(const Plan& plan, const std::string& name, const Place& place,
                              const std::string& path, Diagnostics& diagnostics);
 
+/// How what has this name stands: a panel, a rope, a point.
+Standing standing_of(const Plan& plan, const std::string& name);
+/// The same of a point. Of something in the middle, what does not lie on the plane of symmetry is there
+/// twice.
+Standing standing_of_point(const Plan& plan, const std::string& name);
+/// Whether a corner of a middle panel lies on the plane of symmetry.
+bool is_corner_in_middle(const std::string& corner);
+
 /// Corners of a panel by name: fore-outer, fore-inner, aft-outer, aft-inner, and the aft end of a cut of a
 /// side of several, such as breast-cut-aft.
 std::vector<std::string> corner_names(const Panel& panel);

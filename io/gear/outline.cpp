@@ -67,6 +67,32 @@ void draw_counts(Pen& pen, const Panel& panel, const std::vector<MeshCount>& cou
              {pen.at().x + direction * count.meshes, pen.at().y});
 }
 
+/// Meshes that selvedges take at the corner before cut k of a side, which may be where the side ends.
+double selvedge_at(const std::vector<Cut>& side, std::size_t k) {
+  return std::max(k > 0 ? side[k - 1].selvedge : 0.0, k < side.size() ? side[k].selvedge : 0.0);
+}
+
+/// Takes meshes of a count, as many as there are.
+double take(double wanted, MeshCount* count) {
+  const double taken = count ? std::min(wanted, count->meshes) : 0;
+  if (count) count->meshes -= taken;
+  return taken;
+}
+
+MeshCount* first(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.front(); }
+MeshCount* last(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.back(); }
+
+/// Moves corners inwards by what is gathered; of the fore and aft edges only what they have.
+void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, double inwards, MeshCount* fore,
+            MeshCount* aft) {
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const double wanted = selvedge_at(side, k);
+    corners[k].x += inwards * (k == 0                    ? take(wanted, fore)
+                               : k + 1 == corners.size() ? take(wanted, aft)
+                                                         : wanted);
+  }
+}
+
 /// Corners of a side that starts at x0 and gains `sign` times what its cuts give; `shift` is added in
 /// proportion to the depth, and depths are brought to the panel's.
 std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, double sign, double depth,
@@ -127,11 +153,13 @@ std::vector<PanelPoint> Outline::corners() const {
 }
 
 Outline outline_of(const Panel& panel) {
-  const auto fore = drawn_counts(panel, panel.fore), aft = drawn_counts(panel, panel.aft);
+  auto fore = drawn_counts(panel, panel.fore), aft = drawn_counts(panel, panel.aft);
   const double shift = (panel.count(panel.aft) - aft_by_cuttings(panel)) / 2;
-  const auto outer = side_corners(panel.outer, total(fore), 1, panel.depth, shift);
-  const auto inner = side_corners(panel.inner, 0, -1, panel.depth, is_middle(panel) ? 0 : -shift);
-  Pen pen({0, 0});
+  auto outer = side_corners(panel.outer, total(fore), 1, panel.depth, shift);
+  auto inner = side_corners(panel.inner, 0, -1, panel.depth, is_middle(panel) ? 0 : -shift);
+  gather(outer, panel.outer, -1, last(fore), last(aft));
+  gather(inner, panel.inner, 1, first(fore), first(aft));
+  Pen pen(inner.front());
   draw_counts(pen, panel, fore, EdgeKind::fore, 1);
   draw_side(pen, panel, outer, EdgeKind::outer);
   auto inwards = aft;

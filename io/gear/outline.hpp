@@ -27,7 +27,8 @@ struct OutlineEdge {
 ///
 /// Middle panels are given by their starboard half, the middle at x = 0; pairs by the one whose inner side
 /// begins at x = 0. Where cuttings and counts differ (the check speaks of that), counts are kept, for they
-/// are what is sewn: sides are moved by the difference, half of it each, in proportion to the depth.
+/// are what is sewn: sides are moved by the difference, half of it each, in proportion to the depth. Then
+/// they are moved inwards by what selvedges gather of them.
 struct Outline {
   std::vector<OutlineEdge> edges;
   std::vector<PanelPoint> corners() const;

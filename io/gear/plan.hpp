@@ -39,6 +39,7 @@ struct Cut {
   int goes = 0;                                  // +1 outwards, the panel becomes wider going aft; -1 inwards
   std::optional<double> said_across, said_deep;  // meshes; with neither it takes what is left of the depth
   double across = 0, deep = 0;                   // meshes, as they follow
+  double selvedge = 0;                           // meshes gathered into the seam along it
   Place place;
 };
 
@@ -81,6 +82,7 @@ struct Rope {
   Value rope;                          // a table: diameter, EA, density, …
   double length = 0;                   // unstretched [m]
   std::array<std::string, 2> between;  // points of its ends; empty: none
+  bool is_selvedge = false;            // none that a plan writes: meshes gathered into a seam
   Place place, between_place;
 };
 
@@ -96,7 +98,8 @@ struct Hanging {
 /// sewn to what is to starboard.
 struct Join {
   std::array<std::vector<std::string>, 2> edges;
-  double take_up = 0;  // meshes of the second for one of the first; 0: mesh to mesh
+  double take_up = 0;   // meshes of the second for one of the first; 0: mesh to mesh
+  double selvedge = 0;  // meshes of either edge that are gathered into the seam
   std::array<Place, 2> places;
   Place place;
 

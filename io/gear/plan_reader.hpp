@@ -24,6 +24,9 @@ Join read_join(TableReader& table);
 Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue& catalogue);
 Point read_point(const std::string& name, TableReader& table);
 
+/// Gathers what seams take of their edges: outlines become narrower, and the strip is a rope on the edge.
+void add_selvedges(Plan& plan, Diagnostics& diagnostics);
+
 /// `stands = "pair"`.
 Standing read_standing(TableReader& table, const char* fallback);
 

@@ -52,6 +52,7 @@ class PlanReader {
     for (auto& table : root_.tables("join"))
       if (!joins_parts(table)) plan_.joins.push_back(read_join(table));
     for (const auto& panel : plan_.panels) close_tube(panel);
+    if (diagnostics_.errors() == 0) add_selvedges(plan_, diagnostics_);
     for (const char* key : kOfScenes) root_.has(key);
     root_.finish();
     return std::move(plan_);
@@ -101,7 +102,8 @@ class PlanReader {
 
   void close_tube(const Panel& panel) {
     const std::vector<std::string> sides = {panel.name + ".sides"};
-    if (panel.is_round) plan_.joins.push_back({{sides, sides}, 0, {panel.place, panel.place}, panel.place});
+    if (panel.is_round)
+      plan_.joins.push_back({{sides, sides}, 0, 0, {panel.place, panel.place}, panel.place});
   }
 
   TableReader root_;

@@ -104,6 +104,10 @@ Join read_join(TableReader& table) {
     join.take_up = table.real(
         "take_up",
         {.unit = "1", .doc = "meshes of the second edge for one of the first", .range = between(0.05, 20)});
+  join.selvedge = table.real("selvedge", {.unit = "1",
+                                          .doc = "meshes of either edge that are gathered into the seam",
+                                          .range = between(0, 50),
+                                          .fallback = 0.0});
   return join;
 }
 

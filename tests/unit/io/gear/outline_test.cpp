@@ -73,6 +73,64 @@ TEST(Outline, CornersOfASideOfSeveralCutsLieBetweenThem) {
   EXPECT_NE(std::find(corners.begin(), corners.end(), "breast-cut-aft"), corners.end());
 }
 
+/// The bag laced to a cover with three meshes of either side: 20 and 6 less, halved.
+std::string laced_plan() {
+  return kGoodPlan + R"(
+[panels.cover]
+mesh = "80 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960, mass = 0.003 }
+twines = 2
+fore = 20
+depth = 50
+sides = "AN"
+[[join]]
+edges = ["bag.sides", "cover.sides"]
+selvedge = 3
+)";
+}
+
+TEST(Selvedge, TakesItsMeshesOfThePanel) {
+  const auto checked = check_text(laced_plan());
+  const Outline outline = outline_of(*checked.plan.find_panel("cover"));
+  expect_closed(outline);
+  EXPECT_DOUBLE_EQ(edge(outline, "fore").meshes, 7);
+  EXPECT_DOUBLE_EQ(edge(outline, "sides").from.x, 7);
+  EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 7);
+}
+
+/// Three meshes of double netting are 12 twines; 50 meshes of 80 mm are 4 m.
+TEST(Selvedge, IsAStripOfItsTwines) {
+  const auto checked = check_text(laced_plan());
+  const Rope* rope = checked.plan.find_rope("cover-sides-selvedge");
+  ASSERT_TRUE(rope) << checked.said();
+  EXPECT_DOUBLE_EQ(rope->length, 4);
+  EXPECT_EQ(rope->stands, Standing::pair);
+  const auto number = [&](const char* key) { return *rope->rope.as<Table>()->find(key)->value.as<double>(); };
+  EXPECT_DOUBLE_EQ(number("EA"), 12 * 3000.0);
+  EXPECT_DOUBLE_EQ(number("mass"), 12 * 0.003);
+  EXPECT_DOUBLE_EQ(number("diameter"), std::sqrt(12.0) * 0.002);
+}
+
+/// What the bag has on its fore edge no longer fits the body's, and that is told: 14 meshes on 20.
+TEST(Selvedge, ChangesWhatIsSewnBesideIt) {
+  const auto checked = check_text(laced_plan());
+  EXPECT_NE(checked.said().find("body.aft has 20 meshes, bag.fore has 14 meshes"), std::string::npos)
+      << checked.said();
+}
+
+TEST(Selvedge, OfARibRopeIsAllowed) {
+  const auto checked = check_text(laced_plan() + R"(
+[ropes.rib]
+rope = { diameter = "12 mm", EA = "100 kN", density = 1000 }
+length = "4 m"
+[[hang]]
+edge = "bag.sides"
+on = "rib"
+length = "3.9 m"
+)");
+  EXPECT_EQ(checked.said().find("hung twice"), std::string::npos) << checked.said();
+}
+
 Outline turned(const std::string& keys) {
   const auto checked = check_text(
       "[panels.sheet]\nstands = \"alone\"\nmesh = 0.1\ntwine = { diameter = 0.002, EA = 1, density = 1000 }\n"

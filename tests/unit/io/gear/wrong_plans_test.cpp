@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans that a person gets wrong, each with the words and the place of the answer. `count` is the number of
 // errors and warnings: one that only follows from another helps nobody.
+#include "tests/unit/io/catalogue/folder.hpp"
 #include "tests/unit/io/gear/plans.hpp"
 
 namespace netloft::io {
@@ -81,6 +82,10 @@ const Wrong kWriting[] = {
     {"RoundPair", "fore = 10\n", "round = 10\n", "a tube lies across the plane of symmetry"},
     {"PiecesThatTaper", "depth = 42\n", "depth = 21\npieces = 2\n", "pieces in a row have straight sides"},
     {"NoPieces", "depth = 50\n", "depth = 50\npieces = 0\n", "panels.bag.pieces"},
+    {"SelvedgeOfAForeEdge", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\"]\nselvedge = 3", "body.aft is no side", 2},
+    {"SelvedgeOfLessThanNothing", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\"]\nselvedge = -3", "selvedge"},
     {"SpreadNowhere", "\"11 along headline\"", "\"11 at \"", "or \"2 at footrope.end\""},
     {"SpreadOfNothing", "\"11 along headline\"", "\"\"", "is not understood"},
     {"PointToPort", "[points.door]", "[points.door]\nat = [0, -5, 0]", "lies to port, y < 0"},
@@ -138,6 +143,16 @@ const Wrong kSewing[] = {
      "wing.inner is there to port and to starboard, headline once"},
     {"MiddleHungOnAPairOfRopes", "[ropes.headline]\nstands = \"middle\"",
      "[ropes.headline]\nstands = \"pair\"", "body.bosom is there once, headline to port and to starboard"},
+    {"SelvedgeOfAllMeshes", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\"]\n[[join]]\nedges = [\"bag.sides\", \"bag.sides\"]\nselvedge = 10",
+     "bag: its seams gather 20 meshes of 20"},
+    {"PointsTooFarApart", "[points.door]", "[points.door]\nat = [0, 25, 0]",
+     "starboard-door and port-door are 50 m apart, the ropes from one to the other are 46 m long"},
+    {"LoneRopeToAPair", "[ropes.bridle]\nstands = \"pair\"", "[ropes.bridle]\nstands = \"alone\"",
+     "ropes.bridle.between: door is there to port and to starboard, the rope once", 2},
+    {"MiddleOfARopeToAPair", "[ropes.headline]\nstands = \"middle\"",
+     "[ropes.headline]\nstands = \"middle\"\nbetween = [\"door\", \"wing.fore-inner\"]",
+     "door is there to port and to starboard, the middle of the rope once"},
     {"TakeUpThatIsNot", "edges = [\"body.aft\", \"bag.fore\"]",
      "edges = [\"body.aft\", \"bag.fore\"]\ntake_up = 1.5", "of the take-up 1.5"},
     {"JoinOfMeshesTooSmall", "mesh = \"80 mm\"", "mesh = \"15 mm\"",
@@ -163,6 +178,61 @@ const Wrong kSewing[] = {
     {"RopeJoinedToNothing", "between = [\"door\", \"headline.end\"]\n", "", "bridle is joined to nothing", 2},
     {"PartsJoinedToOneAnotherOnly", "\"headline.end\"", "\"bridle.end\"", "are joined to one another only"},
 };
+
+/// Catalogues of a user's own, named by a plan.
+struct WrongCatalogue {
+  const char* name;
+  const char* text;
+  const char* says;
+};
+
+void PrintTo(const WrongCatalogue& wrong, std::ostream* out) { *out << wrong.text; }
+
+class WrongCatalogues : public testing::TestWithParam<WrongCatalogue> {};
+
+TEST_P(WrongCatalogues, AreAnsweredWithFileAndLine) {
+  TestFolder folder, own;
+  own.write("own.toml", GetParam().text);
+  folder.write("plan.toml", "catalogue = [\"" + own.path().string() + "\"]\n" + kGoodPlan);
+  Diagnostics diagnostics;
+  read_plan(folder.path() / "plan.toml", {}, diagnostics);
+  const std::string said = diagnostics.render(false);
+  EXPECT_NE(said.find(GetParam().says), std::string::npos) << said;
+  EXPECT_NE(said.find("own.toml:"), std::string::npos) << said;
+  EXPECT_EQ(diagnostics.errors(), 1) << said;
+}
+
+const WrongCatalogue kCatalogues[] = {
+    {"NoDiameter", "[twine.own]\nEA = \"3 kN\"\ndensity = 960\nsource = \"x\"\nuncertainty = \"x\"\n",
+     "missing key \"diameter\" in twine.own"},
+    {"UnitOfAnotherKind",
+     "[twine.own]\ndiameter = \"2 kg\"\nEA = \"3 kN\"\ndensity = 960\nsource = \"x\"\nuncertainty = \"x\"\n",
+     "twine.own.diameter"},
+    {"TooThick",
+     "[twine.own]\ndiameter = \"2 m\"\nEA = \"3 kN\"\ndensity = 960\nsource = \"x\"\nuncertainty = \"x\"\n",
+     "twine.own.diameter"},
+    {"StiffnessBelowZero",
+     "[rope.own]\ndiameter = \"2 mm\"\nEA = \"-3 kN\"\ndensity = 960\nsource = \"x\"\nuncertainty = \"x\"\n",
+     "rope.own.EA"},
+    {"NoMass", "[twine.own]\ndiameter = \"2 mm\"\nEA = \"3 kN\"\nsource = \"x\"\nuncertainty = \"x\"\n",
+     "must be given, or mass and material_density"},
+    {"NoSource", "[twine.own]\ndiameter = \"2 mm\"\nEA = \"3 kN\"\ndensity = 960\nuncertainty = \"x\"\n",
+     "source"},
+    {"KeyUnknown",
+     "[twine.own]\ndiameter = \"2 mm\"\nEA = \"3 kN\"\ndensity = 960\ncolour = 1\nsource = "
+     "\"x\"\nuncertainty = "
+     "\"x\"\n",
+     "unknown key \"colour\""},
+    {"KindUnknown", "[twin.own]\ndiameter = \"2 mm\"\n", "\"twin\""},
+    {"NettingWithoutTwine", "[netting.own]\nmesh = \"80 mm\"\nsource = \"x\"\nuncertainty = \"x\"\n",
+     "missing key \"twine\" in netting.own"},
+    {"NoToml", "[twine.own\n", "own.toml:1"},
+    {"PieceWithoutBuoyancy", "[float.own]\ndiameter = \"0.2 m\"\nsource = \"x\"\nuncertainty = \"x\"\n",
+     "must be given, or mass with volume or material_density"},
+};
+
+std::string name_of_catalogue(const testing::TestParamInfo<WrongCatalogue>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(OfAUser, WrongCatalogues, testing::ValuesIn(kCatalogues), name_of_catalogue);
 
 std::string name_of(const testing::TestParamInfo<Wrong>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(InWriting, WrongPlans, testing::ValuesIn(kWriting), name_of);

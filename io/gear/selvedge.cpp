@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gear/names.hpp"
+#include "io/gear/plan_reader.hpp"
+
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+// A strip of n meshes has 2n twines side by side when it is stretched, for a mesh is two bars long and has
+// four of them. All of them carry, but half of those of square netting, which run across. With t twines laid
+// side by side in the netting:
+//   k = 2 n t  for what is weighed,  e = k, of square netting k/2, for what is pulled        (1)
+//   d_strip = √k d,  m_strip = k m,  EA_strip = e EA                                          (2)
+struct Bundle {
+  double twines = 0, carrying = 0;
+};
+
+Bundle bundle_of(const Panel& panel, double meshes) {
+  const double twines = 2 * meshes * panel.twines;
+  return {twines, panel.orientation == "square" ? twines / 2 : twines};  // (1)
+}
+
+/// The numbers of a twine, as those of the strip.
+Value strip_of(const Panel& panel, const Bundle& bundle, Diagnostics& diagnostics) {
+  Value strip = panel.twine;
+  TableReader twine(panel.twine, diagnostics, "panels." + panel.name + ".twine");
+  const auto scale = [&](const char* key, const char* unit, double factor) {
+    if (Member* member = twine.has(key) ? strip.as<Table>()->find(key) : nullptr)
+      member->value.data = factor * twine.real(key, {.unit = unit});  // (2)
+  };
+  scale("diameter", "m", std::sqrt(bundle.twines));
+  scale("mass", "kg/m", bundle.twines);
+  for (const char* key : {"EA", "EA_compression", "breaking_load"}) scale(key, "N", bundle.carrying);
+  return strip;
+}
+
+/// A rope on the edge, as long as its twines: slack until they are straight.
+void add_strip(Plan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
+               Diagnostics& diagnostics) {
+  const Panel& panel = *set.panel;
+  Rope rope;
+  rope.name = panel.name + "-" + edge.name + "-selvedge", rope.is_selvedge = true;
+  rope.stands = set.times() == 2 ? Standing::pair : panel.stands;
+  rope.rope = strip_of(panel, bundle_of(panel, join.selvedge), diagnostics);
+  rope.length = edge.stretched * panel.mesh;
+  rope.place = rope.between_place = join.place;
+  Hanging hanging;
+  hanging.edge = panel.name + "." + edge.name, hanging.rope = rope.name, hanging.length = rope.length;
+  hanging.edge_place = hanging.rope_place = hanging.place = join.place;
+  plan.ropes.push_back(std::move(rope)), plan.hangings.push_back(std::move(hanging));
+}
+
+void gather(Plan& plan, const EdgeSet& set, const OutlineEdge& edge, double meshes) {
+  for (auto& panel : plan.panels)
+    if (&panel == set.panel)
+      for (auto& cut : edge.kind == EdgeKind::outer ? panel.outer : panel.inner)
+        if (cut.name == edge.name) cut.selvedge = meshes;
+}
+
+void say_not_a_side(const Join& join, const std::string& edge, Diagnostics& diagnostics) {
+  diagnostics.error(join.place, "join.selvedge: " + edge + " is no side",
+                    "selvedges are gathered along sides; fore and aft edges are sewn mesh to mesh");
+}
+
+}  // namespace
+
+void add_selvedges(Plan& plan, Diagnostics& diagnostics) {
+  Diagnostics silent;  // names that are not there are the check's
+  for (const auto& join : plan.joins)
+    for (std::size_t k = 0; join.selvedge > 0 && k < (join.is_to_itself() ? 1u : 2u); ++k)
+      for (const auto& name : join.edges[k]) {
+        const EdgeSet set = find_edge(plan, name, {}, "", silent);
+        if (!set.edges.empty() && !set.is_side()) say_not_a_side(join, name, diagnostics);
+        for (const auto& edge : set.edges)
+          if (set.is_side()) {
+            add_strip(plan, set, edge, join, diagnostics);
+            gather(plan, set, edge, join.selvedge);
+          }
+      }
+}
+
+}  // namespace netloft::io
