@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/geometry.hpp"
 
+#include "io/gear/twine_coordinates.hpp"
+
 #include <netloft/vec3.hpp>
 
 #include <algorithm>
@@ -185,12 +187,6 @@ void place_nodes(const Grid& g, const Surface& surface, double meshes_across, do
       append(out.positions, surface(s, t));
       out.names.panel.push_back({meshes_across * s, meshes_along * t});
     }
-}
-
-/// Twine coordinates of U meshes across and V along, geometry.hpp (0); `netting` is a word of kNetting.
-std::array<double, 2> twine_coordinates(const std::string& netting, double U, double V) {
-  if (netting == "square") return {U, V};
-  return {U + V, netting == "t90" ? U - V : V - U};
 }
 
 }  // namespace
@@ -411,7 +407,7 @@ void for_each_cell(const Grid& g, Visit&& visit) {
 void add_triangle(const Panel& p, const Triangle& corners, const std::string& netting, Geometry& out) {
   for (const auto node : corners) {
     const auto [U, V] = out.names.panel[node];
-    const auto [u, v] = twine_coordinates(netting, U, V);
+    const auto [u, v] = twine_coordinates(netting, 0, U, V);
     out.elements.push_back(node);
     out.data["u"].push_back(u);
     out.data["v"].push_back(v);

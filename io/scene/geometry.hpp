@@ -61,9 +61,8 @@ Geometry read_line(TableReader& part);
 /// `division = "crossed"` a cell has both, four triangles about its centre. Nodes are row by row from the
 /// fore edge: j (across+1) + i, then centres row by row: (across+1)(along+1) + j across + i. Sets: fore, aft,
 /// left, right and the corners fore-left … Data: u, v [bars], bar_length [m], to_aft, meshes from each corner
-/// to the aft edge. Twine coordinates of netting that is hung otherwise differ by nothing else, U, V being
-/// meshes across, along:
-///   diamond u = U + V, v = V − U;  T90 u = V + U, v = U − V;  square u = U, v = V                   (0)
+/// to the aft edge. Netting that is hung otherwise differs by nothing but (u, v), which follow from the
+/// meshes across and along: io/gear/twine_coordinates.hpp (1).
 /// A tube runs `from` a point `to` another, `radius` wide at the fore edge and `radius_aft` at the aft one.
 /// Left edge and right edge lie on the same line, on top (towards +x for a tube that stands upright); from
 /// one to the other the nodes turn clockwise as seen by one who looks aft, so that corners are
