@@ -14,8 +14,11 @@ namespace netloft {
 /// (2): K. Meerbergen and D. Roose, Matrix transformations for computing rightmost eigenvalues, IMA J. Numer.
 /// Anal. 16 (1996).
 ///
-/// Returns the largest growth found, per application of C: above 1 by more than a rounding, unstable. No
-/// number where K + σM could not be factorised.
+/// None has if the symmetric part of K is positive definite, for Re λ = v*(K + Kᵀ)v / 2v*Mv:     (3)
+/// one Cholesky factorisation, which is tried first.
+///
+/// Returns the largest growth found, per application of C: above 1 by more than a rounding, unstable; zero by
+/// (3). No number where K + σM could not be factorised.
 double largest_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make);
 
 /// Growth below this is not told from none.

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How fast statics arrives: over how many iterations, in units of one factorisation of the same tangent, how
+// the time grows with the number of unknowns, what a small change costs, and what a second thread brings.
+//
+//   bench_arrival [LARGEST]    most unknowns of a scene; else 100 000
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/analysis/case.hpp"
+#include "io/toml/diagnostics.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+
+namespace netloft {
+namespace {
+
+using Overrides = std::vector<std::string>;
+using Change = std::function<void(io::LoadedScene&)>;
+
+Registry& plugins() {
+  static Registry registry = [] {
+    Registry shipped;
+    shipped.add_folder(NETLOFT_PLUGIN_DIR);
+    return shipped;
+  }();
+  return registry;
+}
+
+std::string scene_file(const char* name) { return std::string(NETLOFT_SOURCE_DIR) + "/" + name; }
+
+io::CaseSource source(const char* file, Overrides overrides, int threads = 1) {
+  overrides.push_back("analysis.solver=auto");
+  return {scene_file(file), std::move(overrides), threads};
+}
+
+void open(io::Case& scene, const Change& change = {}) {
+  if (scene.open(change) == io::Case::State::ready) return;
+  for (const auto& d : scene.diagnostics().sorted()) std::fprintf(stderr, "%s\n", d.message.c_str());
+  std::exit(2);
+}
+
+/// The tangent at x.
+std::vector<double> tangent(io::Case& scene, const std::vector<double>& x) {
+  std::vector<double> values(scene.assembler().value_slots());
+  scene.assembler().evaluate(x, {.matrix = MatrixKind::exact, .values = values.data()});
+  values.resize(scene.assembler().pattern().value_slots());
+  return values;
+}
+
+/// CPU time of one numeric factorisation of the tangent at x, the best of several [s].
+double factorisation_time(io::Case& scene, const std::vector<double>& x) {
+  const SparsePattern& pattern = scene.assembler().pattern();
+  const auto values = tangent(scene, x);
+  auto factorisation =
+      make_factorisation(pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+  factorisation->analyse(pattern);
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 5; ++i) {
+    const double begun = cpu_seconds();
+    factorisation->factorise(values);
+    best = std::min(best, cpu_seconds() - begun);
+  }
+  return best;
+}
+
+double gibibytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / (1 << 20);
+}
+
+struct Row {
+  double unknowns = 0, cpu = 0;
+};
+
+Row print_row(io::Case& scene, const Solution& s, double cpu) {
+  const Books& finest = s.legs.empty() ? s.books : s.legs.back().books;
+  const double unit = factorisation_time(scene, s.x);
+  std::printf("  %8zu %5d %5d %6d %9.3f %7.1f %8.2f   %s\n", s.u.size(), s.books.iterations,
+              finest.iterations, finest.factorisations, cpu, cpu / unit, gibibytes(), name_of(s.status));
+  std::fflush(stdout);
+  return {static_cast<double>(s.u.size()), cpu};
+}
+
+void print_head(const char* what) {
+  std::printf("%s\n  unknowns    it.  finest  fact.     CPU s   units  GiB\n", what);
+}
+
+Row arrive(const char* file, const Overrides& overrides) {
+  io::Case scene(source(file, overrides), plugins());
+  open(scene);
+  const double begun = cpu_seconds();
+  const Solution s = scene.solve();
+  return print_row(scene, s, cpu_seconds() - begun);
+}
+
+/// t ~ n^p between the first and the last row.
+void print_exponent(const std::vector<Row>& rows) {
+  if (rows.size() > 1)
+    std::printf("  CPU time grows with the power %.2f of the unknowns\n",
+                std::log(rows.back().cpu / rows.front().cpu) /
+                    std::log(rows.back().unknowns / rows.front().unknowns));
+}
+
+void panels(const char* what, const char* file, double largest) {
+  print_head(what);
+  std::vector<Row> rows;
+  for (const int n : {18, 32, 64, 160, 320}) {
+    if (3.0 * n * n > largest) break;
+    const std::string cells = std::to_string(n);
+    rows.push_back(arrive(file, {"parts.net.cells=[" + cells + "," + cells + "]"}));
+  }
+  print_exponent(rows);
+}
+
+/// The body of a pelagic trawl in cells: across a panel, along its fore and its aft half, along a bridle.
+Overrides trawl_cells(int across, int fore, int aft, int bridle) {
+  Overrides all;
+  const auto cells = [](int a, int b) { return "[" + std::to_string(a) + "," + std::to_string(b) + "]"; };
+  for (const char* side : {"upper", "starboard", "lower", "port"}) {
+    all.push_back(std::string("parts.") + side + ".cells=" + cells(across, fore));
+    all.push_back(std::string("parts.") + side + "-bag.cells=" + cells(across, aft));
+  }
+  for (const char* at : {"upper-port", "upper-starboard", "lower-port", "lower-starboard"})
+    all.push_back(std::string("parts.bridle-") + at + ".cells=" + std::to_string(bridle));
+  return all;
+}
+
+constexpr const char* kTrawl = "tests/stability/scenes/pelagic-trawl.toml";
+
+/// From its crude sketch at 1.5 m/s, and from there at half a per cent more.
+void trawl(Overrides overrides) {
+  overrides.push_back("water.current=[1.5,0,0]");
+  io::Case first(source(kTrawl, overrides), plugins());
+  open(first);
+  double begun = cpu_seconds();
+  const Solution s = first.solve();
+  print_row(first, s, cpu_seconds() - begun);
+  overrides.back() = "water.current=[1.5075,0,0]";
+  overrides.push_back("analysis.continuation=off");
+  io::Case next(source(kTrawl, overrides), plugins());
+  const std::vector<double> at_rest = first.positions(s.x);
+  open(next, [&](io::LoadedScene& loaded) {
+    for (std::size_t d = 0; d < at_rest.size(); ++d)
+      if (loaded.scene.held[d / 3] == 0) loaded.scene.positions[d] = at_rest[d];
+  });
+  begun = cpu_seconds();
+  const Solution changed = next.solve();
+  print_row(next, changed, cpu_seconds() - begun);
+}
+
+/// Wall time of one residual with its tangent, the best of several [s].
+double assembly_time(io::Case& scene, const std::vector<double>& x) {
+  std::vector<double> values(scene.assembler().value_slots()), residual(x.size());
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 40; ++i) {
+    const double begun = wall_seconds();
+    scene.assembler().evaluate(
+        x, {.residual = residual.data(), .matrix = MatrixKind::exact, .values = values.data()});
+    best = std::min(best, wall_seconds() - begun);
+  }
+  return best;
+}
+
+void threads() {
+  const Overrides overrides = trawl_cells(12, 24, 16, 8);
+  io::Case one(source(kTrawl, overrides, 1), plugins()), two(source(kTrawl, overrides, 2), plugins());
+  open(one), open(two);
+  const Solution a = one.solve(), b = two.solve();
+  std::printf("one thread and two: %s", a.x == b.x ? "the same bits" : "DIFFERENT");
+  io::Case big_one(source(kTrawl, trawl_cells(40, 80, 48, 24), 1), plugins());
+  io::Case big_two(source(kTrawl, trawl_cells(40, 80, 48, 24), 2), plugins());
+  open(big_one), open(big_two);
+  const std::vector<double> x = big_one.assembler().start();
+  double best_one = assembly_time(big_one, x), best_two = assembly_time(big_two, x);
+  for (int i = 0; i < 4; ++i) {  // in turns, so that a busy machine harms both
+    best_one = std::min(best_one, assembly_time(big_one, x));
+    best_two = std::min(best_two, assembly_time(big_two, x));
+  }
+  std::printf("; assembly of %zu unknowns %.2f times as fast with two\n", x.size(), best_one / best_two);
+}
+
+}  // namespace
+}  // namespace netloft
+
+int main(int count, char** arguments) {
+  using namespace netloft;
+  const double largest = count > 1 ? std::atof(arguments[1]) : 1e5;
+  std::printf(
+      "units: CPU time over that of one factorisation of the same tangent; finest: the scene's own mesh\n");
+  panels("hanging panel, from the flat sketch", "gear-library/scenes/dead-weight-panel.toml", largest);
+  panels("stretched panel", "gear-library/scenes/verification/stretched-panel.toml", largest);
+  print_head("body of a pelagic trawl at 1.5 m/s from its sketch; then at half a per cent more");
+  trawl(trawl_cells(12, 24, 16, 8));
+  if (largest > 6e4) trawl(trawl_cells(40, 80, 48, 24));
+  threads();
+  return 0;
+}
