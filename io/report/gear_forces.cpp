@@ -81,8 +81,8 @@ void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::
     const double weight = -sum_over(gear, part, kWeight).z;
     (weight > 0 ? sinking : floating) += weight;
   }
-  figures.push_back({"weight_in_water/sinking", "N", "of all parts that sink", sinking});
-  figures.push_back({"weight_in_water/floating", "N", "of all parts that float", floating});
+  figures.push_back({"budget/sinking", "N", "weight in water of all parts that sink", sinking});
+  figures.push_back({"budget/floating", "N", "weight in water of all parts that float", floating});
 }
 
 /// Nodes that press on some ground.

@@ -68,13 +68,13 @@ void add_tensions(const GearView& gear, std::uint32_t rope, std::vector<Figure>&
   const auto l = gear.rest_lengths(rope);
   if (T.empty()) return;
   const std::size_t last = T.size() - 1, next = std::min<std::size_t>(1, last);
-  const std::string at = "ropes/" + gear.name(rope) + "/";
-  figures.push_back(
-      {at + "tension_start", "N", "tension at its start", tension_at_end(T[0], T[next], l[0], l[next])});
-  figures.push_back({at + "tension_end", "N", "tension at its end",
-                     tension_at_end(T[last], T[last - next], l[last], l[last - next])});
-  figures.push_back(
-      {at + "tension_largest", "N", "largest tension in it", *std::max_element(T.begin(), T.end())});
+  const double start = tension_at_end(T[0], T[next], l[0], l[next]),
+               end = tension_at_end(T[last], T[last - next], l[last], l[last - next]);
+  const std::string at = "ropes/" + gear.name(rope) + "/tension_";
+  figures.push_back({at + "start", "N", "tension at its start", start});
+  figures.push_back({at + "end", "N", "tension at its end", end});
+  figures.push_back({at + "largest", "N", "largest tension in it",
+                     std::max({*std::max_element(T.begin(), T.end()), start, end})});
 }
 
 void add_mass(const GearView& gear, std::uint32_t rope, std::vector<Figure>& figures) {

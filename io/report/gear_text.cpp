@@ -14,44 +14,46 @@ namespace {
 using Out = std::back_insert_iterator<std::string>;
 
 /// "12.3", or a dash for what is not known.
-std::string number(const NamedScalar* scalar) {
+std::string number(const NamedScalar* scalar, const char* format) {
   if (!scalar || !std::isfinite(scalar->value)) return "-";
-  return fmt::format("{:.5g}", scalar->value);
+  return fmt::format(fmt::runtime(format), scalar->value);
 }
 
 std::string plus_minus(double error) {
   return std::isfinite(error) ? fmt::format("± {:<7.1e}", error) : "±  ?     ";
 }
 
-/// Names between `group` and the next slash, in the order of the figures, each once.
-std::vector<std::string> members_of(const std::vector<NamedScalar>& figures, const std::string& group) {
-  std::vector<std::string> members;
+/// What stands between `group` and the next slash is added to `members`, in the order of the figures, each
+/// once.
+void add_members(const std::vector<NamedScalar>& figures, const std::string& group,
+                 std::vector<std::string>& members) {
   for (const auto& figure : figures) {
     if (!figure.name.starts_with(group)) continue;
-    const auto end = figure.name.find_last_of('/');
-    const std::string member = end < group.size() ? figure.name.substr(group.size())
-                                                  : figure.name.substr(group.size(), end - group.size());
+    std::string member = figure.name.substr(group.size());
+    member = member.substr(0, member.find_last_of('/'));
     if (std::find(members.begin(), members.end(), member) == members.end()) members.push_back(member);
   }
-  return members;
 }
 
+/// What stands in a column of a member: the figure `before` + member + `after`.
 struct Column {
-  const char *heading, *figure;
+  std::string heading, before, after;
+  const char* format = "{:.5g}";
 };
 
-/// A line for every member of a group, a column for each of its figures.
-void table(const std::vector<NamedScalar>& figures, const std::string& title, const std::string& group,
+/// A line for every member of the columns' groups.
+void table(const std::vector<NamedScalar>& figures, const std::string& title,
            const std::vector<Column>& columns, Out out) {
-  const auto members = members_of(figures, group);
+  std::vector<std::string> members;
+  for (const auto& column : columns) add_members(figures, column.before, members);
   if (members.empty()) return;
   fmt::format_to(out, "  {:<24}", title);
   for (const auto& column : columns) fmt::format_to(out, " {:>11}", column.heading);
   fmt::format_to(out, "\n");
   for (const auto& member : members) {
     fmt::format_to(out, "    {:<22}", member);
-    for (const auto& column : columns)
-      fmt::format_to(out, " {:>11}", number(find_scalar(figures, group + member + column.figure)));
+    for (const auto& c : columns)
+      fmt::format_to(out, " {:>11}", number(find_scalar(figures, c.before + member + c.after), c.format));
     fmt::format_to(out, "\n");
   }
 }
@@ -74,18 +76,33 @@ Known known_errors(const std::vector<NamedScalar>& figures) {
   return known;
 }
 
+void line(const std::string& name, const NamedScalar& figure, Known known, Out out) {
+  fmt::format_to(out, "  {:<24} {:>12.6g} {:<3}{} {}\n", name, figure.value,
+                 figure.unit == "1"    ? ""
+                 : figure.unit == "m2" ? "m²"
+                                       : figure.unit,
+                 known.solver ? errors_text(figure, known.mesh) : "", figure.doc);
+}
+
 /// One figure a line, with its errors.
-void list(const std::vector<NamedScalar>& figures, const std::string& group, const std::string& before,
-          Out out) {
+void headlines(const std::vector<NamedScalar>& figures, Out out) {
   const Known known = known_errors(figures);
-  for (const auto& figure : figures)
-    if (figure.name.starts_with(group))
-      fmt::format_to(out, "  {:<24} {:>12.6g} {:<3}{} {}\n",
-                     before + spoken(figure.name.substr(group.size())), figure.value,
-                     figure.unit == "1"    ? ""
-                     : figure.unit == "m2" ? "m²"
-                                           : figure.unit,
-                     known.solver ? errors_text(figure, known.mesh) : "", figure.doc);
+  for (const auto& figure : figures) {
+    const std::string last = spoken(figure.name.substr(figure.name.find('/') + 1));
+    if (figure.name.starts_with("mouth/")) line(last == "area" ? "mouth area" : last, figure, known, out);
+    if (figure.name == "drag/all/x") line("drag", figure, known, out);
+    if (figure.name.starts_with("ground/")) line("ground " + last, figure, known, out);
+    if (figure.name == "weight_in_water/all") line("weight in water", figure, known, out);
+    if (figure.name.starts_with("budget/")) line("  " + last, figure, known, out);
+  }
+}
+
+/// Drag and weight of every kind, or of every part.
+void force_table(const std::vector<NamedScalar>& figures, const std::string& title, const std::string& drag,
+                 const std::string& weight, Out out) {
+  table(figures, title,
+        {{"drag aft", drag, "/x"}, {"starboard", drag, "/y"}, {"up", drag, "/z"}, {"weight", weight, ""}},
+        out);
 }
 
 }  // namespace
@@ -106,29 +123,25 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
                  is_half ? "gear: a half was modelled; areas, masses, weights and forces aft and upwards are "
                            "those of the whole, both halves of it"
                          : "gear");
-  list(figures, "mouth/", "", out);
-  list(figures, "ground/", "ground ", out);
-  list(figures, "drag/all/", "force of the water, ", out);
-  table(figures, is_half ? "ropes (middle: start)" : "ropes", "ropes/",
-        {{"start [N]", "/tension_start"},
-         {"end [N]", "/tension_end"},
-         {"largest [N]", "/tension_largest"},
-         {"mass [kg]", "/mass"}},
+  headlines(figures, out);
+  const std::string rope = "ropes/", panel = "panels/";
+  table(figures, is_half ? "ropes (middle: start)" : "ropes",
+        {{"start [N]", rope, "/tension_start"},
+         {"end [N]", rope, "/tension_end"},
+         {"largest [N]", rope, "/tension_largest"},
+         {"mass [kg]", rope, "/mass"}},
         out);
-  table(figures, "netting", "panels/",
-        {{"open: least", "/opening_min"},
-         {"mean", "/opening_mean"},
-         {"most", "/opening_max"},
-         {"area [m²]", "/area"},
-         {"filtered", "/filtered_area"},
-         {"twine [m²]", "/twine_area"},
-         {"mass [kg]", "/mass"}},
+  table(figures, "netting",
+        {{"open: least", panel, "/opening_min", "{:.3f}"},
+         {"mean", panel, "/opening_mean", "{:.3f}"},
+         {"most", panel, "/opening_max", "{:.3f}"},
+         {"area [m²]", panel, "/area"},
+         {"filtered", panel, "/filtered_area"},
+         {"twine [m²]", panel, "/twine_area"},
+         {"mass [kg]", panel, "/mass"}},
         out);
-  const std::vector<Column> axes = {{"aft", "/x"}, {"starboard", "/y"}, {"up", "/z"}};
-  table(figures, "force of the water [N]", "drag/", axes, out);
-  table(figures, "of that, by part [N]", "drag_by_part/", axes, out);
-  table(figures, "weight in water [N]", "weight_in_water/", {{"", ""}}, out);
-  table(figures, "of that, by part [N]", "weight_in_water_by_part/", {{"", ""}}, out);
+  force_table(figures, "forces [N]", "drag/", "weight_in_water/", out);
+  force_table(figures, "forces by part [N]", "drag_by_part/", "weight_in_water_by_part/", out);
   return text;
 }
 

@@ -33,6 +33,11 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// What the tables of a gear say part by part.
+bool is_told_of_gears(const std::string& term) {
+  return term == "drag" || term == "weight" || term == "buoyancy" || term == "pressure";
+}
+
 }  // namespace
 
 std::string plan_text(const Plan& plan, const PlanExtras& extras) {
@@ -70,9 +75,10 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
                    scalar.doc);
   if (with_errors) fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n", result.mesh_note);
   if (!result.hold_forces.empty())
-    fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n", "forces on the gear [N]", "x", "y", "z");
+    fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",
+                   result.gear.empty() ? "forces on the gear [N]" : "forces as modelled [N]", "x", "y", "z");
   for (const auto& f : result.part_forces)
-    if (f.term != "elastic")
+    if (f.term != "elastic" && (result.gear.empty() || !is_told_of_gears(f.term)))
       fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", f.part + ", " + f.term, f.force[0],
                      f.force[1], f.force[2]);
   for (const auto& h : result.hold_forces)

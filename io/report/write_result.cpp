@@ -189,6 +189,8 @@ void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& 
                   "energy at the end, if all forces have one");
   write_errors(tree, result);
   write_gear(tree, loaded, result.gear);
+  if (const auto memory = assembler.memory(); !memory.empty())
+    tree.write_reals("/netloft/memory", memory, "1", "what elements remember, one after another: friction");
   for (const auto& s : result.scalars) tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc);
   file.finish();
 }

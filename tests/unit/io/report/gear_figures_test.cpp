@@ -139,8 +139,8 @@ float = { buoyancy = -30 }
   EXPECT_NEAR(value(gear, "weight_in_water_by_part/floats"), -150, 1e-12);
   EXPECT_NEAR(value(gear, "weight_in_water/floats"), 120 - 150, 1e-12);
   EXPECT_NEAR(value(gear, "weight_in_water/ropes"), 2 * rope, 1e-12);
-  EXPECT_NEAR(value(gear, "weight_in_water/sinking"), 2 * rope + 120, 1e-12);
-  EXPECT_NEAR(value(gear, "weight_in_water/floating"), -150, 1e-12);
+  EXPECT_NEAR(value(gear, "budget/sinking"), 2 * rope + 120, 1e-12);
+  EXPECT_NEAR(value(gear, "budget/floating"), -150, 1e-12);
   EXPECT_NEAR(value(gear, "weight_in_water/all"), 2 * rope - 30, 1e-12);
   EXPECT_NEAR(value(gear, "ropes/headline/mass"), std::numbers::pi / 4 * 0.02 * 0.02 * 6 * 2000, 1e-12);
 }
@@ -199,7 +199,7 @@ TEST(GearFigures, OfAHalfAreThoseOfTheWhole) {
     ++compared;
   }
   EXPECT_GT(compared, 80);
-  for (const char* name : {"drag/netting/x", "drag/all/x", "weight_in_water/all", "weight_in_water/floating"})
+  for (const char* name : {"drag/netting/x", "drag/all/x", "weight_in_water/all", "budget/floating"})
     EXPECT_NEAR(value(half, name), value(whole, name), 1e-5 * (1 + std::abs(value(whole, name)))) << name;
 }
 
@@ -220,7 +220,7 @@ TEST(GearFigures, AddUp) {
     EXPECT_NEAR(value(gear, std::string("drag/all/") + axis), parts, 1e-9);
   }
   EXPECT_NEAR(value(gear, "weight_in_water/all"),
-              value(gear, "weight_in_water/sinking") + value(gear, "weight_in_water/floating"), 1e-9);
+              value(gear, "budget/sinking") + value(gear, "budget/floating"), 1e-9);
 }
 
 TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
