@@ -15,6 +15,8 @@ int describe_command(const Options& options);   // one component
 int schema_command(const Options& options);     // JSON schema of scenes
 int test_command(const Options& options);       // conformance of a plugin
 int compare_command(const Options& options);    // speed against error of solvers
+int diff_command(const Options& options);       // what changed between two results
+int refine_command(const Options& options);     // what a scene reports on finer and finer meshes
 int stability_command(const Options& options);  // solvers on hard cases
 int new_command(const Options& options);        // write a plugin to begin with
 int reference_command(const Options& options);  // write reference pages

@@ -67,6 +67,14 @@ void check_output(const std::string& name, const LoadedScene& loaded) {
     throw UsageError{name + ": there is no folder " + folder.string()};
 }
 
+void check_kind(const LoadedScene& loaded) {
+  if (loaded.analysis.kind == AnalysisKind::dynamics)
+    throw UsageError{
+        "compare measures how solvers find an equilibrium, and this scene goes through time: run it with "
+        "kind = "
+        "\"static\", or compare two motions with `netloft diff`"};
+}
+
 void check_plot_name(const std::string& name) {
   const std::string suffix = fs::path(name).extension().string();
   if (!name.empty() && suffix != ".svg" && suffix != ".html")
@@ -109,6 +117,7 @@ class Inspection {
     Case one(source, registry_);
     const Case::State state = one.open();
     if (state == Case::State::ready) {
+      check_kind(one.loaded());
       check_output(options_.compare.csv, one.loaded());
       check_output(options_.compare.plot, one.loaded());
       return kDone;

@@ -65,6 +65,28 @@ void add_compare_command(CLI::App& app, Options& o) {
   command->add_option("--plot", c.plot, "draw work over precision")->type_name("FILE.svg|FILE.html");
 }
 
+void add_diff_command(CLI::App& app, Options& o) {
+  auto* command =
+      app.add_subcommand("diff", "say what changed between two results, and in what they were made of");
+  command->add_option("BEFORE", o.target, "result file (.hdf)")->required();
+  command->add_option("AFTER", o.other, "another one")->required();
+  command->add_flag("--json", o.json, "one JSON object on standard output");
+}
+
+void add_refine_command(CLI::App& app, Options& o) {
+  auto* command = app.add_subcommand(
+      "refine", "solve a scene on finer and finer meshes, and say what its results tend to");
+  add_scene_options(*command, o);
+  command->add_option("--nodes", o.nodes, "of a gear: about how many nodes; else 500,2000,8000,30000")
+      ->check(CLI::Range(std::int64_t{10}, std::int64_t{10'000'000}))
+      ->delimiter(',')
+      ->type_name("N,N,…")
+      ->allow_extra_args(false);
+  command->add_option("--cells", o.compare.cells, "of other scenes: cells across, or of one part")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("[PART=]N,N,…");
+}
+
 void add_author_commands(CLI::App& app, Options& o) {
   auto* make =
       app.add_subcommand("new", "write a plugin to begin with: it builds, passes its tests and runs");
@@ -150,6 +172,8 @@ void add_commands(CLI::App& app, Options& o) {
   add_author_commands(app, o);
   add_gear_commands(app, o);
   add_compare_command(app, o);
+  add_diff_command(app, o);
+  add_refine_command(app, o);
   add_stability_command(app, o);
   app.require_subcommand(1);
 }
@@ -161,6 +185,8 @@ int dispatch(const Options& o) {
   if (o.command == "describe") return describe_command(o);
   if (o.command == "schema") return schema_command(o);
   if (o.command == "compare") return compare_command(o);
+  if (o.command == "diff") return diff_command(o);
+  if (o.command == "refine") return refine_command(o);
   if (o.command == "stability") return stability_command(o);
   if (o.command == "new") return new_command(o);
   if (o.command == "reference") return reference_command(o);

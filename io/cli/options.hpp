@@ -3,6 +3,7 @@
 #include "io/cli/compare_options.hpp"
 #include "io/cli/stability_options.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,12 @@ namespace netloft::io {
 struct Options {
   std::string command;               // run, plan, list, describe, schema, test
   std::string kind;                  // new: element, law, solver
-  std::string target;                // scene, component or plugin
+  std::string target;                // scene, component, plugin or result
+  std::string other;                 // diff: the second result
   std::string output;                // -o
   bool resume = false;               // --resume
   bool error = false;                // --error
+  std::vector<std::int64_t> nodes;   // refine: --nodes
   std::string solver;                // --solver NAME[:key=value[,key=value]]
   std::vector<std::string> set;      // --set path=value
   std::vector<std::string> plugins;  // --plugins DIR

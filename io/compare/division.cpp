@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,7 +18,7 @@ namespace netloft::io {
 namespace {
 
 constexpr std::int64_t kMostCells = 100000;  // along one direction, as scenes have it
-constexpr std::int64_t kFewestWorthwhile = 2;
+constexpr std::int64_t kFewestWorthwhile = 2, kFewestNodes = 100;
 
 /// A factor by which cells are multiplied.
 struct Factor {
@@ -80,12 +82,25 @@ MeshLevel level(const std::vector<const PartGeometry*>& parts, std::int64_t cell
   return made;
 }
 
+using Names = std::set<std::string>;
+
+Names names_of(const std::vector<const PartGeometry*>& parts) {
+  Names names;
+  for (const auto* part : parts) names.insert(part->name);
+  return names;
+}
+
+/// Panels and ropes of a gear, by their numbers.
+std::vector<std::uint32_t> parts_of(const GearInScene& gear) {
+  std::vector<std::uint32_t> parts = gear.panels;
+  parts.insert(parts.end(), gear.ropes.begin(), gear.ropes.end());
+  return parts;
+}
+
 /// "net.node-17": another node on another mesh, unless its part is not divided.
-bool names_a_divided_node(const std::string& text, const std::vector<const PartGeometry*>& parts) {
+bool names_a_divided_node(const std::string& text, const Names& parts) {
   const auto dot = text.find(".node-");
-  return dot != std::string::npos && std::any_of(parts.begin(), parts.end(), [&](const auto* part) {
-           return part->name == text.substr(0, dot);
-         });
+  return dot != std::string::npos && parts.contains(text.substr(0, dot));
 }
 
 /// Calls visit(text, place) for every text below `value`.
@@ -98,7 +113,7 @@ void for_texts(const Value& value, const Visit& visit) {
     for (const auto& member : table->members) for_texts(member.value, visit);
 }
 
-void refuse_numbered_nodes(const LoadedScene& loaded, const std::vector<const PartGeometry*>& parts) {
+void refuse_numbered_nodes(const LoadedScene& loaded, const Names& parts) {
   Diagnostics diagnostics;
   const Document document = Document::load(loaded.files.at(0).path, {}, diagnostics);
   for_texts(document.root(), [&](const std::string& text, const Place& place) {
@@ -134,16 +149,50 @@ const PartGeometry& leading_part(const LoadedScene& loaded) {
 std::vector<MeshLevel> mesh_levels(const LoadedScene& loaded, const CellList& list) {
   const PartGeometry& leading = list.part.empty() ? leading_part(loaded) : part_named(loaded, list.part);
   const auto parts = divided_parts(loaded, list.part);
-  refuse_numbered_nodes(loaded, parts);
+  refuse_numbered_nodes(loaded, names_of(parts));
   std::vector<MeshLevel> levels;
   for (const auto cells : list.cells) levels.push_back(level(parts, cells, {cells, leading.cells[0]}));
   return levels;
 }
 
+MeshCount count_mesh(const LoadedScene& loaded) {
+  if (!loaded.gear) {
+    const PartGeometry& part = leading_part(loaded);
+    return {part.cells[0], 1.0 / part.cells[0], "cells of " + part.name};
+  }
+  std::set<std::uint32_t> nodes;
+  for (const auto part : parts_of(*loaded.gear))
+    nodes.insert(loaded.parts[part].nodes.begin(), loaded.parts[part].nodes.end());
+  const auto count = static_cast<std::int64_t>(nodes.size());
+  return {count, 1 / std::sqrt(static_cast<double>(count)), "nodes of the gear"};
+}
+
+std::vector<MeshLevel> gear_levels(const LoadedScene& loaded, const std::vector<std::int64_t>& nodes) {
+  if (!loaded.gear)
+    refuse("this scene has no net plan whose nodes could be counted; divide its parts by cells");
+  Names parts;
+  for (const auto part : parts_of(*loaded.gear)) parts.insert(loaded.parts[part].name);
+  refuse_numbered_nodes(loaded, parts);
+  std::vector<MeshLevel> levels;
+  for (const auto count : nodes) levels.push_back({count, {"gear.nodes=" + std::to_string(count)}});
+  return levels;
+}
+
+namespace {
+
+std::vector<MeshLevel> gear_levels_around(const LoadedScene& loaded) {
+  const std::int64_t own = count_mesh(loaded).count;
+  if (own / 16 >= kFewestNodes) return gear_levels(loaded, {own / 16, own / 4});
+  return gear_levels(loaded, {std::max(own / 4, std::int64_t{1}), own * 4});
+}
+
+}  // namespace
+
 std::vector<MeshLevel> levels_around(const LoadedScene& loaded) {
+  if (loaded.gear) return gear_levels_around(loaded);
   const std::int64_t own = leading_part(loaded).cells[0];
   const auto parts = divided_parts(loaded, "");
-  refuse_numbered_nodes(loaded, parts);
+  refuse_numbered_nodes(loaded, names_of(parts));
   std::vector<Factor> factors{{2, 1}};
   if (all_divide(parts, {1, 4}) && own / 4 >= kFewestWorthwhile)
     factors = {{1, 4}, {1, 2}};

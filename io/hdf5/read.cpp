@@ -94,6 +94,10 @@ bool Reader::has(const std::string& path) const {
   return id >= 0;
 }
 
+bool Reader::is_group(const std::string& path) const {
+  return has(path) && H5Iget_type(object(path)) == H5I_GROUP;
+}
+
 std::vector<std::string> Reader::list(const std::string& group) const {
   const Handle id = object(group);
   if (H5Iget_type(id) != H5I_GROUP) throw FileError(at(group) + " is a dataset, not a group");

@@ -18,6 +18,8 @@ class Reader {
   explicit Reader(std::filesystem::path path);
 
   bool has(const std::string& path) const;
+  /// False, too, if there is no such path.
+  bool is_group(const std::string& path) const;
   /// Names in a group, sorted.
   std::vector<std::string> list(const std::string& group) const;
   /// Extents of a dataset; empty for a scalar.

@@ -124,6 +124,35 @@ class Comparisons(InFreshFolder):
         self.assertEqual(stuck.code, 3)
         self.assertIn("no reference", stuck.out)
 
+    def test_motions_are_refused(self):
+        motion = str(SCENES / "dynamics" / "elastic-pendulum.toml")
+        self.assertIn("this scene goes through time", self.refused(motion, "--solver", "newton"))
+        self.assertIn("this scene goes through time", self.netloft("refine", motion).err)
+
+    def test_a_refined_rope_tends_to_its_catenary(self):
+        ended = self.netloft("refine", ROPE, "--cells", "20,40,80", "--json")
+        self.assertEqual(ended.code, 0, ended.err)
+        report = ended.json()
+        self.assertEqual([mesh["count"] for mesh in report["meshes"]], [20, 40, 80])
+        sag = next(row for row in report["quantities"] if row["name"] == "results/sag_z")
+        self.assertAlmostEqual(sag["order"], 2, delta=0.05)
+        self.assertAlmostEqual(sag["limit"], -2.95736530, delta=1e-6)  # the closed form, as the scene says
+        self.assertAlmostEqual(sag["error"], abs(sag["values"][-1] - sag["limit"]))
+        alone = self.netloft("run", ROPE, "--json", "--set", "parts.rope.cells=40").json()
+        self.assertAlmostEqual(sag["values"][1], alone["results"]["sag_z"], delta=1e-9)
+        told = self.netloft("refine", ROPE, "--cells", "20,40,80").out
+        self.assertRegex(told, r"results/sag_z( +-2\.9\d+){3} +-2\.95737")
+
+    def test_refining_says_what_did_not_converge_and_refuses_wrong_meshes(self):
+        ended = self.netloft("refine", PANEL, "--cells", "2,4", "--set", "analysis.max_iterations=1")
+        self.assertEqual(ended.code, 3)
+        self.assertIn("missing: with 2 cells of net it was not converged", ended.out)
+        for words, sentence in ((["--nodes", "500,2000"], "no net plan"), (["--cells", "8"], "--cells 8"),
+                                (["--nodes", "x"], "--nodes")):
+            wrong = self.netloft("refine", PANEL, *words)
+            self.assertEqual((wrong.code, wrong.out), (2, ""))
+            self.assertIn(sentence, wrong.err)
+
     def refused(self, *words, code=2):
         ended = self.netloft("compare", *words)
         self.assertEqual(ended.code, code, ended.out + ended.err)

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/compare/numbers_on_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace netloft::io {
+
+std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& source, Registry& registry,
+                                      const Watch& watch, std::string& why_not) {
+  CaseSource divided = source;
+  divided.overrides.insert(divided.overrides.end(), level.overrides.begin(), level.overrides.end());
+  Case one(divided, registry);
+  if (one.open() != Case::State::ready) {
+    const auto errors = one.diagnostics().sorted();
+    why_not = fmt::format("with {} the scene has an error: {}", fmt::join(level.overrides, ", "),
+                          errors.empty() ? "" : errors.front().message);
+    return {};
+  }
+  RunResult result;
+  result.solution = one.solve(watch);
+  const MeshCount mesh = count_mesh(one.loaded());
+  if (result.solution.status != SolveStatus::converged) {
+    why_not = fmt::format("with {} {} it was {}", mesh.count, mesh.of, name_of(result.solution.status));
+    return {};
+  }
+  collect(one.loaded(), one.assembler(), result);
+  return NumbersOnMesh{mesh, one.plan().unknowns, result.solution.books.total_seconds,
+                       std::move(result.scalars), std::move(result.gear)};
+}
+
+Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<NumbersOnMesh>& meshes,
+                    std::size_t asked) {
+  std::vector<double> values, widths;
+  for (const auto& mesh : meshes) {
+    const NamedScalar* found = find_scalar(mesh.*numbers, name);
+    if (!found || !std::isfinite(found->value)) return {};
+    values.push_back(found->value), widths.push_back(mesh.mesh.width);
+  }
+  return find_trend(values, widths, asked);
+}
+
+}  // namespace netloft::io
