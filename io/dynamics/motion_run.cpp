@@ -71,7 +71,16 @@ class MotionRun {
   /// It was killed after its last output: nothing is left to do but to finish it.
   void finish_killed(const MarchState& from) {
     describe_layout_of_killed(from);
+    recall(read_state(*killed_, layout_, result_.outputs - 1).row);
     open_file();
+  }
+
+  /// Numbers of the last output, as they are in the killed file.
+  void recall(const std::vector<double>& row) {
+    auto value = row.begin();
+    for (auto& scalar : result_.scalars) scalar.value = *value++;
+    for (auto& [name, joules] : result_.energies) joules = *value++;
+    for (auto& figure : result_.gear) figure.value = *value++;
   }
 
   /// What an output holds, by making one of the place where it would go on.

@@ -4,8 +4,10 @@
 
     test_killed_motion.py NETLOFT SOURCE_FOLDER [TRIALS]
 """
+import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -122,6 +124,16 @@ class KilledMotion(unittest.TestCase):
                              check=False)
         self.assertNotEqual(run.returncode, 0)
         self.assertIn("another scene", run.stderr)
+
+    def test_tells_the_last_output_when_nothing_is_left_to_do(self):
+        whole, again = Path(self.folder.name) / "pulled.hdf", Path(self.folder.name) / "again.hdf"
+        first = json.loads(subprocess.run(command(whole, "--json"), check=True, capture_output=True).stdout)
+        shutil.copy(whole, str(again) + ".part")  # as a kill after the last output leaves it
+        second = json.loads(subprocess.run(command(again, "--json", "--resume"), check=True, capture_output=True).stdout)
+        self.assertNotEqual(first["results"]["pull"], 0)
+        self.assertEqual(second["results"], first["results"])
+        with h5py.File(again) as f:
+            self.assertEqual(f["netloft/scalars/pull"][()], first["results"]["pull"])
 
     def test_says_that_there_is_nothing_to_go_on_from(self):
         run = subprocess.run(command(Path(self.folder.name) / "none.hdf", "--resume"), capture_output=True, text=True,
