@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/analysis/coarser.hpp"
 
+#include "io/analysis/carried_gear.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -91,17 +93,39 @@ std::array<double, 2> shares_of(const PartGeometry& part, std::size_t own) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::size_t kFewestNodes = 120;  // of a gear
+
+/// Sides twice as long: a quarter of the nodes.
+std::vector<std::string> coarser_gear(const GearInScene& gear, std::size_t nodes) {
+  if (nodes / 4 < kFewestNodes) return {};
+  if (gear.size > 0) return {"gear.size=" + std::to_string(2 * gear.size)};
+  return {"gear.nodes=" + std::to_string(gear.nodes / 4)};
+}
+
+void carry_gear(const LoadedScene& from, const std::vector<double>& x, const LoadedScene& to,
+                std::vector<double>& positions) {
+  for (const auto p : to.gear->ropes) carry_rope(from.scene.parts[p], x, to.scene.parts[p], positions);
+  for (const auto p : to.gear->panels) carry_panel(from.scene.parts[p], x, to.scene.parts[p], positions);
+}
+
+}  // namespace
+
 std::vector<std::string> halved_cells(const LoadedScene& fine) {
   std::vector<std::string> overrides;
   for (const auto& part : fine.parts)
     if (is_divided(part) && can_halve(part)) overrides.push_back(override_of(part));
+  if (fine.gear)
+    for (auto& word : coarser_gear(*fine.gear, fine.scene.node_count())) overrides.push_back(std::move(word));
   return overrides;
 }
 
 std::optional<std::vector<double>> carried_over(const LoadedScene& from, const std::vector<double>& x,
                                                 const LoadedScene& to) {
-  if (from.parts.size() != to.parts.size()) return {};
+  if (from.parts.size() != to.parts.size() || from.gear.has_value() != to.gear.has_value()) return {};
   std::vector<double> positions = to.scene.positions;
+  if (to.gear) carry_gear(from, x, to, positions);
   for (std::size_t p = 0; p < to.parts.size(); ++p) {
     const PartGeometry &source = from.parts[p], &part = to.parts[p];
     if (!is_divided(part)) continue;

@@ -63,6 +63,8 @@ struct GearInScene {
   int times = 1;  // 2: a half was modelled, and what is summed up counts twice
   std::vector<std::uint32_t> panels, ropes, pieces;
   std::map<std::string, std::uint32_t> points;  // "headrope.end", "top-wing.fore-outer": node of the scene
+  std::size_t nodes = 0;                        // about as many were asked for,
+  double size = 0;                              // or sides of triangles of about this length [m]; 0: by nodes
   std::string headline, footrope;               // ropes: what carries floats, and the lower one; empty: none
 };
 
