@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Does the suite find what is wrong, and nothing else? See tests/support/wrong_elements.
-#include "framework/conformance/conformance.hpp"
-#include "framework/registry/registry.hpp"
+#include "tests/unit/framework/conformance/wrong_plugins.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-
+namespace netloft::test {
 namespace {
-
-using netloft::ConformanceOptions;
-using netloft::ElementType;
-using netloft::PluginContent;
-
-const PluginContent& wrong_plugin(const std::string& name) {
-  static netloft::Registry registry;
-  registry.add_folder(NETLOFT_BINARY_DIR "/tests/plugins");
-  return registry.plugin(name);
-}
 
 /// The thread sanitizer ends the program at the race that this element exists for.
 bool is_a_race([[maybe_unused]] const ElementType& type) {
@@ -38,46 +23,27 @@ std::vector<const ElementType*> wrong_elements() {
   return all;
 }
 
-std::set<std::string> failed_checks(const netloft::ConformanceReport& report) {
-  std::set<std::string> names;
-  for (const auto& check : report.checks)
-    if (!check.passed && !check.skipped) names.insert(check.name);
-  return names;
-}
-
-/// What the sentence of a wrong element says must find it.
-std::set<std::string> promised(const ElementType& type) {
-  const std::string name = type.element.doc;
-  return name == "nothing" ? std::set<std::string>{} : std::set<std::string>{name};
-}
-
 class WrongElement : public testing::TestWithParam<const ElementType*> {};
 
 TEST_P(WrongElement, FailsTheOneCheckNamedForIt) {
   ConformanceOptions quick;
   quick.timings = false;
   const auto report = check_element(*GetParam(), quick);
-  EXPECT_EQ(failed_checks(report), promised(*GetParam())) << failures(report);
+  EXPECT_EQ(failed_checks(report), promised(GetParam()->element.doc)) << failures(report);
 }
 
 TEST_P(WrongElement, FailsItWithOtherSamplesToo) {
   ConformanceOptions other;
   other.timings = false, other.seed = 20, other.elements = 75;
   const auto report = check_element(*GetParam(), other);
-  EXPECT_EQ(failed_checks(report), promised(*GetParam())) << failures(report);
+  EXPECT_EQ(failed_checks(report), promised(GetParam()->element.doc)) << failures(report);
 }
 
-std::string test_name(const testing::TestParamInfo<const ElementType*>& wrong) {
-  std::string name = wrong.param->type;
-  std::replace(name.begin(), name.end(), '/', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Each, WrongElement, testing::ValuesIn(wrong_elements()), test_name);
+INSTANTIATE_TEST_SUITE_P(Each, WrongElement, testing::ValuesIn(wrong_elements()), test_name<ElementType>);
 
 TEST(WrongElements, ThereIsOneForEveryCheckButThatOfTheFramework) {
   std::set<std::string> without;
-  for (const auto& name : netloft::conformance_checks()) without.insert(name);
+  for (const auto& name : conformance_checks()) without.insert(name);
   for (const auto* type : wrong_elements()) without.erase(type->element.doc);
 #if defined(__SANITIZE_THREAD__)
   without.erase("same-from-two-threads");
@@ -101,10 +67,11 @@ TEST(Conformance, NamesTheTermElementAndCureOfAFailure) {
   const auto& types = wrong_plugin("wrong").elements;
   const auto sign =
       std::find_if(types.begin(), types.end(), [](const auto& t) { return t.type == "wrong/force_sign"; });
-  const std::string text = failures(netloft::check_element(*sign));
+  const std::string text = failures(check_element(*sign));
   EXPECT_NE(text.find("wrong/force_sign fails force-is-gradient"), std::string::npos) << text;
   EXPECT_NE(text.find("term elastic, element "), std::string::npos) << text;
   EXPECT_NE(text.find("minus the physical force"), std::string::npos) << text;
 }
 
 }  // namespace
+}  // namespace netloft::test

@@ -1,38 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Does the suite find what is wrong with a solver, and nothing else? See tests/support/wrong_solvers.
-#include "framework/conformance/conformance.hpp"
-#include "framework/registry/registry.hpp"
+#include "tests/unit/framework/conformance/wrong_plugins.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-
+namespace netloft::test {
 namespace {
 
-using netloft::ConformanceOptions;
-using netloft::SolverType;
-
 std::vector<const SolverType*> wrong_solvers() {
-  static netloft::Registry registry;
-  registry.add_folder(NETLOFT_BINARY_DIR "/tests/plugins");
   std::vector<const SolverType*> all;
   for (const char* plugin : {"wrong_solvers", "escaping_solvers"})
-    for (const auto& solver : registry.plugin(plugin).solvers) all.push_back(&solver);
+    for (const auto& solver : wrong_plugin(plugin).solvers) all.push_back(&solver);
   return all;
-}
-
-std::set<std::string> failed_checks(const netloft::ConformanceReport& report) {
-  std::set<std::string> names;
-  for (const auto& check : report.checks)
-    if (!check.passed && !check.skipped) names.insert(check.name);
-  return names;
-}
-
-std::set<std::string> promised(const SolverType& type) {
-  const std::string name = type.solver.doc;
-  return name == "nothing" ? std::set<std::string>{} : std::set<std::string>{name};
 }
 
 class WrongSolver : public testing::TestWithParam<const SolverType*> {};
@@ -42,22 +20,19 @@ TEST_P(WrongSolver, FailsTheOneCheckNamedForIt) {
     ConformanceOptions quick;
     quick.timings = false, quick.seed = seed;
     const auto report = check_solver(*GetParam(), quick);
-    EXPECT_EQ(failed_checks(report), promised(*GetParam())) << "seed " << seed << '\n' << failures(report);
+    EXPECT_EQ(failed_checks(report), promised(GetParam()->solver.doc)) << "seed " << seed << '\n'
+                                                                       << failures(report);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, WrongSolver, testing::ValuesIn(wrong_solvers()),
-                         [](const testing::TestParamInfo<const SolverType*>& wrong) {
-                           std::string name = wrong.param->type;
-                           std::replace(name.begin(), name.end(), '/', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Each, WrongSolver, testing::ValuesIn(wrong_solvers()), test_name<SolverType>);
 
 TEST(WrongSolvers, ThereIsOneForEveryCheck) {
   std::set<std::string> without;
-  for (const auto& name : netloft::solver_checks()) without.insert(name);
+  for (const auto& name : solver_checks()) without.insert(name);
   for (const auto* type : wrong_solvers()) without.erase(type->solver.doc);
   EXPECT_EQ(without, std::set<std::string>{});
 }
 
 }  // namespace
+}  // namespace netloft::test

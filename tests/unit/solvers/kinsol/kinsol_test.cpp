@@ -1,42 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "tests/support/sample_scenes.hpp"
-#include "tests/verification/solving.hpp"
+#include "tests/unit/solvers/other_newtons.hpp"
 
 namespace netloft::test {
 namespace {
 
 Solved solve_by_kinsol(Scene scene, Values parameters = {}, Limits limits = {}) {
-  Solving how;
-  how.solver = "kinsol", how.solver_parameters = std::move(parameters), how.limits = limits;
-  return solve(std::move(scene), how);
-}
-
-/// Steps taken whole, with a little of the linear stiffness: what arrives from where netting and rope are
-/// slack.
-const Values kWholeSteps = {{"strategy", std::string("none")}, {"damping", 1e-3}};
-
-void expect_same_shape(const Solved& a, const Solved& b) {
-  ASSERT_EQ(a.solution.status, SolveStatus::converged) << a.solution.reason;
-  ASSERT_EQ(b.solution.status, SolveStatus::converged) << b.solution.reason;
-  for (std::size_t i = 0; i < a.solution.x.size(); ++i)
-    EXPECT_NEAR(a.solution.x[i], b.solution.x[i], 1e-5) << i;  // [m], of a rope of 100 m
-}
-
-/// The rope, taut, some centimetres from where it hangs.
-Scene rope_near_its_shape() {
-  const Solved there = solve(sample::hanging_rope(40));
-  Scene scene = sample::hanging_rope(40);
-  for (std::uint32_t n = 0; n < scene.node_count(); ++n)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (!(scene.held[n] & (1 << axis)))
-        scene.positions[3 * n + axis] =
-            there.position(n)[axis] + 0.05 * std::sin(3.0 * n + static_cast<double>(axis));
-  return scene;
+  return solve_by("kinsol", std::move(scene), std::move(parameters), limits);
 }
 
 TEST(Kinsol, FindsTheRopeThatNewtonFindsBySearchingLines) {

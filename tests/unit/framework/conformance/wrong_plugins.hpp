@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the tests of deliberately wrong elements, laws and solvers share: each says in its doc which check
+// must find it, and "nothing" if none may.
+#pragma once
+#include "framework/conformance/conformance.hpp"
+#include "framework/registry/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace netloft::test {
+
+inline const PluginContent& wrong_plugin(const std::string& name) {
+  static Registry registry;
+  registry.add_folder(NETLOFT_BINARY_DIR "/tests/plugins");
+  return registry.plugin(name);
+}
+
+inline std::set<std::string> failed_checks(const ConformanceReport& report) {
+  std::set<std::string> names;
+  for (const auto& check : report.checks)
+    if (!check.passed && !check.skipped) names.insert(check.name);
+  return names;
+}
+
+/// What the sentence of something wrong says must find it.
+inline std::set<std::string> promised(const std::string& doc) {
+  return doc == "nothing" ? std::set<std::string>{} : std::set<std::string>{doc};
+}
+
+/// wrong/energy -> wrong_energy
+template <class Type>
+std::string test_name(const testing::TestParamInfo<const Type*>& wrong) {
+  std::string name = wrong.param->type;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+}  // namespace netloft::test

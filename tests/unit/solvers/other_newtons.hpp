@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the tests of Newtons of other libraries (kinsol, snes) share.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/sample_scenes.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::test {
+
+inline Solved solve_by(const char* solver, Scene scene, Values parameters = {}, Limits limits = {}) {
+  Solving how;
+  how.solver = solver, how.solver_parameters = std::move(parameters), how.limits = limits;
+  return solve(std::move(scene), how);
+}
+
+/// Steps taken whole, with a little of the linear stiffness: what arrives from where netting and rope are
+/// slack.
+inline const Values kWholeSteps = {{"strategy", std::string("none")}, {"damping", 1e-3}};
+
+inline void expect_same_shape(const Solved& a, const Solved& b) {
+  ASSERT_EQ(a.solution.status, SolveStatus::converged) << a.solution.reason;
+  ASSERT_EQ(b.solution.status, SolveStatus::converged) << b.solution.reason;
+  for (std::size_t i = 0; i < a.solution.x.size(); ++i)
+    EXPECT_NEAR(a.solution.x[i], b.solution.x[i], 1e-5) << i;  // [m], of a rope of 100 m
+}
+
+/// The rope, taut, some centimetres from where it hangs.
+inline Scene rope_near_its_shape() {
+  const Solved there = solve(sample::hanging_rope(40));
+  Scene scene = sample::hanging_rope(40);
+  for (std::uint32_t n = 0; n < scene.node_count(); ++n)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!(scene.held[n] & (1 << axis)))
+        scene.positions[3 * n + axis] =
+            there.position(n)[axis] + 0.05 * std::sin(3.0 * n + static_cast<double>(axis));
+  return scene;
+}
+
+}  // namespace netloft::test
