@@ -36,12 +36,23 @@ Value strip_of(const Panel& panel, const Bundle& bundle, Diagnostics& diagnostic
   return strip;
 }
 
+/// An edge that is sewn twice has one strip: that it is sewn twice will be told.
+bool is_taken(const Plan& plan, const std::string& name, const Join& join, Diagnostics& diagnostics) {
+  const Rope* rope = plan.find_rope(name);
+  const bool is_written = (rope && !rope->is_selvedge) || plan.find_panel(name) || plan.find_point(name);
+  if (is_written)
+    diagnostics.error(join.place, "there is something named \"" + name + "\" already",
+                      "so the strip of meshes that this seam gathers is named");
+  return rope || is_written;
+}
+
 /// A rope on the edge, as long as its twines: slack until they are straight.
 void add_strip(Plan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
                Diagnostics& diagnostics) {
   const Panel& panel = *set.panel;
   Rope rope;
   rope.name = panel.name + "-" + edge.name + "-selvedge", rope.is_selvedge = true;
+  if (is_taken(plan, rope.name, join, diagnostics)) return;
   rope.stands = set.times() == 2 ? Standing::pair : panel.stands;
   rope.rope = strip_of(panel, bundle_of(panel, join.selvedge), diagnostics);
   rope.length = edge.stretched * panel.mesh;

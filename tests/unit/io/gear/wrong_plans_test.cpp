@@ -84,6 +84,10 @@ const Wrong kWriting[] = {
     {"NoPieces", "depth = 50\n", "depth = 50\npieces = 0\n", "panels.bag.pieces"},
     {"SelvedgeOfAForeEdge", "edges = [\"body.aft\", \"bag.fore\"]",
      "edges = [\"body.aft\", \"bag.fore\"]\nselvedge = 3", "body.aft is no side", 2},
+    {"NameOfASelvedge", "[points.door]",
+     "[[join]]\nedges = [\"bag.sides\", \"bag.sides\"]\nselvedge = "
+     "1\n[points.bag-sides-selvedge]\n[points.door]",
+     "there is something named \"bag-sides-selvedge\" already"},
     {"SelvedgeOfLessThanNothing", "edges = [\"body.aft\", \"bag.fore\"]",
      "edges = [\"body.aft\", \"bag.fore\"]\nselvedge = -3", "selvedge"},
     {"SpreadNowhere", "\"11 along headline\"", "\"11 at \"", "or \"2 at footrope.end\""},
