@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace netloft::io {
+
+using PlanePoint = std::array<double, 2>;
+
+/// Triangles in the plane: first the points of the border as given, then those inside.
+struct PlaneMesh {
+  std::vector<PlanePoint> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise
+};
+
+/// Fills a closed border, counter-clockwise and without crossings, with triangles of sides of about `size`;
+/// near finer borders they are finer. No point is added to the border. Corners of 50 degrees or more are no
+/// triangle's own, so that pieces which meet at the corner share more than its two sides.
+/// Throws std::invalid_argument on a border that crosses itself.
+PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size);
+
+/// Of one triangle [rad].
+std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
+
+}  // namespace netloft::io
