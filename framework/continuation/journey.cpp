@@ -21,7 +21,9 @@ constexpr int kMostStages = 9;
 constexpr double kShortestRamp = 1.0 / 64;
 // Detours may cost so many times the first attempt, and at least so many seconds: what has no equilibrium
 // should hear of it soon.
-constexpr double kPatience = 30, kLeastPatience = 1;
+constexpr double kPatience = 12, kLeastPatience = 1;
+// One easier scene may cost so many times the first attempt, and at least so many seconds.
+constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
 // A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
 constexpr double kNearly = 1e-5;
 
@@ -54,7 +56,8 @@ Journey::Journey(const Scene& scene, Assembler& assembler, Registry& registry, J
       registry_(registry),
       options_(std::move(options)),
       begun_(wall_seconds()),
-      patience_(std::numeric_limits<double>::infinity()) {}
+      patience_(std::numeric_limits<double>::infinity()),
+      leg_patience_(patience_) {}
 
 void Journey::book(const Leg& leg) { legs_.push_back(leg); }
 
@@ -63,7 +66,9 @@ Solution Journey::arrive(Displacements start) {
   Limits first = options_.limits;
   first.iterations = std::min(first.iterations, kFirstIterations);
   Solution best = solve_itself_off_saddles("as it is", start, first);
-  patience_ = std::max(kLeastPatience, kPatience * (wall_seconds() - begun_));
+  const double first_attempt = wall_seconds() - begun_;
+  patience_ = std::max(kLeastPatience, kPatience * first_attempt);
+  leg_patience_ = std::max(kLeastLegPatience, kLegPatience * first_attempt);
   const std::pair<const char*, Detour> detours[] = {{"shaken", &Journey::over_shaking},
                                                     {"from tension only", &Journey::over_tension_only},
                                                     {"from still water", &Journey::over_current},
@@ -210,7 +215,7 @@ Limits Journey::limits_of_leg(double tolerance) const {
   limits.tolerance = std::max(tolerance, limits.tolerance);
   limits.ask_growth = false;
   limits.iterations = std::min(kLegIterations, limits.iterations);
-  limits.seconds = seconds_left();
+  limits.seconds = std::min(seconds_left(), leg_patience_);
   return limits;
 }
 

@@ -74,7 +74,7 @@ class Journey {
   Assembler& assembler_;
   Registry& registry_;
   JourneyOptions options_;
-  double begun_, patience_;  // [s]
+  double begun_, patience_, leg_patience_;  // [s]
   std::vector<Leg> legs_;
 };
 
