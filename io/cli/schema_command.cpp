@@ -261,9 +261,15 @@ Json join_schema() {
        {"items", {{"type", "string"}}},
        {"minItems", 1},
        {"description", "points or edges that become one"}},
-      true);
+      false);
   put(join, "together", {{"type", "boolean"}, {"default", false}, {"description", "all nodes become one"}},
       false);
+  put(join, "edges", {{"type", "array"}, {"minItems", 2}, {"description", "net plan: edges sewn together"}},
+      false);
+  put(join, "take_up",
+      {{"type", "number"}, {"description", "net plan: meshes of the second edge for one of the first"}},
+      false);
+  join["anyOf"] = {{{"required", {"points"}}}, {{"required", {"edges"}}}};
   return {{"type", "array"}, {"items", join}};
 }
 
@@ -338,6 +344,35 @@ Json table_schema(const char* doc, std::span<const netloft_parameter> parameters
   return own;
 }
 
+/// Tables of a net plan, whose page is GEAR.md.
+Json plan_schema(const char* doc, bool is_list) {
+  if (is_list) return {{"type", "array"}, {"items", {{"type", "object"}}}, {"description", doc}};
+  return {{"type", "object"}, {"additionalProperties", {{"type", "object"}}}, {"description", doc}};
+}
+
+/// How a gear is modelled, and what the parts of its plan are made of.
+void put_gear(Json& scene) {
+  Json gear = object(), elements = object();
+  put_table(gear, gear_keys());
+  Json finer = {{"type", "object"}, {"additionalProperties", {{"type", "number"}, {"exclusiveMinimum", 0}}}};
+  finer["description"] = "by panel or rope: sides of triangles, or bars, that many times shorter";
+  put(gear, "finer", finer, false);
+  for (const auto& of : gear_elements())
+    put(elements, of.kind,
+        {{"type", "object"},
+         {"properties", {{"type", text(std::string("element type, such as ") + of.type)}}},
+         {"description", std::string("what counts for all ") + of.doc}},
+        false);
+  elements["additionalProperties"] = {{"type", "object"}};
+  put(scene, "gear", gear, false);
+  put(scene, "elements", elements, false);
+  put(scene, "panels", plan_schema("net plan: pieces of netting", false), false);
+  put(scene, "ropes", plan_schema("net plan: ropes, wires and chains", false), false);
+  put(scene, "floats", plan_schema("net plan: floats, weights and ground gear", false), false);
+  put(scene, "points", plan_schema("net plan: points that ropes lead to", false), false);
+  put(scene, "hang", plan_schema("net plan: edges on ropes", true), false);
+}
+
 Json include_schema() {
   return {{"type", "array"},
           {"items", {{"type", "string"}}},
@@ -378,6 +413,7 @@ Json scene_schema(Registry& registry) {
        {"additionalProperties", parts.schema()},
        {"description", "the pieces of the gear"}},
       false);
+  put_gear(scene);
   put(scene, "hold", hold_schema(), false);
   put(scene, "join", join_schema(), false);
   put(scene, "analysis", analysis, false);

@@ -44,4 +44,31 @@ std::span<const netloft_parameter> analysis_keys() {
   return table.rows();
 }
 
+std::span<const netloft_parameter> gear_keys() {
+  static const auto table = [] {
+    ParameterTable<GearKeys> t;
+    t.text("title", &GearKeys::title, "what the gear is", "");
+    t.text("source", &GearKeys::source, "where its plan comes from", "");
+    t.choice("extent", &GearKeys::extent,
+             "the whole gear, or its starboard half, for gears and currents that are symmetric about y = 0",
+             {"whole", "half"});
+    t.integer("nodes", &GearKeys::nodes,
+              "about as many nodes in all that is modelled; what is finer than its neighbours adds to them",
+              20, 1000000, 2000);
+    t.real("size", &GearKeys::size, "m", "instead: length of the sides of triangles; 0: by nodes",
+           {.lo = 0, .hi = 1000, .fallback = 0});
+    return t;
+  }();
+  return table.rows();
+}
+
+std::span<const GearElements> gear_elements() {
+  static constexpr GearElements all[] = {
+      {"netting", "twine", "priour/triangle", "panels of the net plan", NETLOFT_TRIANGLE},
+      {"ropes", "rope", "rope/bar", "ropes, wires and chains of the net plan", NETLOFT_BAR},
+      {"floats", "float", "float/float", "floats, weights and ground gear of the net plan", NETLOFT_NODE},
+  };
+  return all;
+}
+
 }  // namespace netloft::io

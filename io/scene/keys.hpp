@@ -19,9 +19,26 @@ struct AnalysisKeys {
   std::int64_t tangent = 0;
 };
 
+/// `[gear]`, but for the table `finer`.
+struct GearKeys {
+  const char *title = nullptr, *source = nullptr;
+  std::int64_t extent = 0;  // whole, half
+  std::int64_t nodes = 0;
+  double size = 0;
+};
+
+/// What the parts of a net plan are made of, `[elements.KIND]`: which key of a part they take from the plan,
+/// and which elements they are if nothing else is said.
+struct GearElements {
+  const char *kind, *key, *type, *doc;
+  std::uint32_t stencil;  // that they are divided into
+};
+std::span<const GearElements> gear_elements();
+
 /// The tables of a scene that belong to no plugin, in the same form as those of plugins: reading, checks,
 /// `describe` and the schema all come from here.
 std::span<const netloft_parameter> water_keys();
 std::span<const netloft_parameter> analysis_keys();
+std::span<const netloft_parameter> gear_keys();
 
 }  // namespace netloft::io

@@ -1,53 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/read_scene.hpp"
 
-#include "framework/scene/pairs.hpp"
-
 #include "framework/registry/nearest.hpp"
+#include "framework/scene/pairs.hpp"
+#include "io/gear/check.hpp"
+#include "io/gear/read_plan.hpp"
+#include "io/scene/analysis.hpp"
 #include "io/scene/catalogue_parts.hpp"
 #include "io/scene/current.hpp"
-#include "io/scene/geometry.hpp"
+#include "io/scene/draft.hpp"
+#include "io/scene/element_choice.hpp"
+#include "io/scene/gear_parts.hpp"
 #include "io/scene/holder.hpp"
-#include "io/scene/joiner.hpp"
 #include "io/scene/keys.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/result_request.hpp"
-#include "io/scene/riding.hpp"
+#include "io/scene/riders.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <optional>
 #include <set>
 
 namespace netloft::io {
 
 namespace {
-
-/// Where a name was written, for errors about it.
-struct Mention {
-  std::string name;
-  Place place;
-  std::string path;  // "hold[0].on"
-};
-
-Mention mention(const std::string& name, const TableReader& table, std::string_view key) {
-  return {name, table.place(key), table.path(key)};
-}
-
-/// The sentence of a refused plugin is its first line; where it was looked for stands below.
-void report_refusal(TableReader& table, const char* key, const std::string& what) {
-  const auto end = what.find('\n');
-  std::string tried;
-  for (auto at = end; at != std::string::npos;) {
-    const auto begin = what.find_first_not_of(" \n", at);
-    if (begin == std::string::npos) break;
-    at = what.find('\n', begin);
-    tried += (tried.empty() ? "" : "; ") + what.substr(begin, at - begin);
-  }
-  table.error(key, what.substr(0, end), tried);
-}
 
 void drop_repeats(std::vector<std::uint32_t>& nodes) {
   std::set<std::uint32_t> seen;
@@ -57,22 +34,34 @@ void drop_repeats(std::vector<std::uint32_t>& nodes) {
 /// Reads one scene; members are steps in the order they happen.
 class SceneReader {
  public:
-  SceneReader(const Value& root, std::string name, Registry& registry, Diagnostics& diagnostics,
-              bool& refused)
-      : root_(root, diagnostics), registry_(registry), diagnostics_(diagnostics), refused_(refused) {
+  /// `plan`: of a gear that stands in the scene; null without.
+  SceneReader(const Value& root, const io::Plan* plan, std::string name, Registry& registry,
+              Diagnostics& diagnostics, bool& refused)
+      : root_(root, diagnostics),
+        registry_(registry),
+        diagnostics_(diagnostics),
+        refused_(refused),
+        elements_(registry, refused),
+        draft_(diagnostics),
+        out_(draft_.out) {
     out_.scene.name = std::move(name);
     root_.has("catalogue");  // read with the parts that are named
+    if (plan) gear_.emplace(*plan, root_, elements_, draft_);
   }
 
   LoadedScene read() {
     read_water();
+    if (gear_) gear_->add_parts();
     read_parts();
     read_joins();
     assemble_nodes();
+    if (gear_) gear_->add_pieces();
     read_riders();
     add_companions();
+    if (gear_) gear_->hold_middle();
     read_holds();
-    read_analysis();
+    if (gear_) gear_->follow_holds();
+    out_.analysis = read_analysis(root_.table("analysis", Presence::optional), registry_, refused_);
     read_results();
     root_.finish();
     if (diagnostics_.errors() == 0) check_held();
@@ -90,17 +79,20 @@ class SceneReader {
   }
 
   void read_parts() {
-    TableReader parts = root_.table("parts", Presence::required, "the pieces of the gear, a table each");
-    if (root_.kind("parts") == Kind::table && parts.keys().empty())
+    TableReader parts = root_.table("parts", gear_ ? Presence::optional : Presence::required,
+                                    "the pieces of the gear, a table each");
+    if (!gear_ && root_.kind("parts") == Kind::table && parts.keys().empty())
       root_.error("parts", "there are no parts: a scene needs at least one, such as [parts.net]");
     for (const auto& name : parts.keys()) {
       check_part_name(name, parts);
       if (parts.kind(name) == Kind::table) {
         TableReader part = parts.table(name);
-        if (part.has("on"))
+        if (part.has("on")) {
           riders_.emplace_back(name, part);  // stands on parts that may come later
-        else
+          draft_.announce_rider(name);
+        } else {
           read_part(name, part);
+        }
       } else {
         parts.error(name, "a part is a table, such as [parts.net]");
       }
@@ -113,173 +105,59 @@ class SceneReader {
         has_dot ? "must not hold a dot, which leads to its edges (net.fore)" : name_fault(name);
     if (!fault.empty())
       diagnostics_.error(parts.place(name), "the name of a part, " + in_quotes(name) + ", " + fault);
+    if (gear_ && gear_->has_name(name))
+      diagnostics_.error(
+          parts.place(name), "the net plan has something named " + in_quotes(name) + " already",
+          "[elements." + name + "] says more of it; parts of the scene have names of their own");
   }
 
   void read_part(const std::string& name, TableReader& table) {
     const int errors_before = diagnostics_.errors();
     const std::string type_name = read_type_name(name, table);
-    const ElementType* type = find_type(type_name, table);
+    const ElementType* type = elements_.find(type_name, table);
     Geometry geometry;
     Part part;
     part.name = name, part.type = type_name;
     if (type) {
-      part.parameters = read_parameters(parameters_with_companions(*type), table);
-      part.laws = read_laws(*type, table);
+      elements_.read(*type, table, part);
       geometry = read_geometry(*type, table);
       read_extra_data(*type, geometry, table);
     } else {
       for (const auto& key : table.keys()) table.raw(key);  // nobody knows what may stand here
     }
     geometry.names.name = name, geometry.names.place = table.place();
-    part.data = geometry.data;
-    types_.push_back(type);
-    is_sound_.push_back(diagnostics_.errors() == errors_before);
-    out_.scene.parts.push_back(std::move(part));
-    geometries_.push_back(std::move(geometry));
-  }
-
-  /// Elements of the same plugin that ride on this one: bending on the bars of a rope.
-  std::vector<const ElementType*> companions_of(const ElementType& type) {
-    std::vector<const ElementType*> riders;
-    const std::string own = type.element.name;
-    for (const auto& e : registry_.plugin(type.origin->name).elements)
-      if (e.element.rides_on && own == e.element.rides_on) riders.push_back(&e);
-    return riders;
-  }
-
-  /// A part's parameters are those of its elements and of all that ride on them, each name once.
-  std::vector<netloft_parameter> parameters_with_companions(const ElementType& type) {
-    std::vector<netloft_parameter> all = type.parameters;
-    for (const auto* rider : companions_of(type))
-      for (const auto& p : rider->parameters)
-        if (std::none_of(all.begin(), all.end(),
-                         [&](const auto& q) { return std::string_view(q.name) == p.name; }))
-          all.push_back(p);
-    return all;
-  }
-
-  /// `drag = "hydro/morison"`, or a table with `law` and the parameters of the law.
-  std::map<std::string, LawChoice> read_laws(const ElementType& type, TableReader& table) {
-    std::map<std::string, LawChoice> laws;
-    for (const auto& slot : type.laws) {
-      if (!table.has(slot.name)) continue;
-      if (table.kind(slot.name) == Kind::table) {
-        TableReader own = table.table(slot.name);
-        const std::string name = own.text("law", {.doc = slot.doc, .fallback = slot.fallback});
-        if (const LawType* law = find_law(name, own, "law"))
-          laws[slot.name] = {name, read_parameters(law->parameters, own)};
-      } else {
-        const std::string name = table.text(slot.name, {.doc = slot.doc});
-        if (find_law(name, table, slot.name)) laws[slot.name] = {name, {}};
-      }
-    }
-    return laws;
-  }
-
-  const LawType* find_law(const std::string& name, TableReader& table, const char* key) {
-    try {
-      return &registry_.law(name);
-    } catch (const PluginRefused& e) {
-      refused_ = true;
-      report_refusal(table, key, e.what());
-      return nullptr;
-    }
+    draft_.add_part(std::move(part), std::move(geometry), type, diagnostics_.errors() == errors_before);
   }
 
   /// Parts on other parts, once the scene has its nodes.
   void read_riders() {
     for (auto& [name, table] : riders_) {
       const int errors_before = diagnostics_.errors();
-      const ElementType* type = find_type(read_type_name(name, table), table);
+      const ElementType* type = elements_.find(read_type_name(name, table), table);
       Part part;
       part.name = name;
-      Geometry none;
-      none.names.name = name, none.names.place = table.place();
       if (type) {
-        part.type = type->type;
-        part.parameters = read_parameters(parameters_with_companions(*type), table);
-        part.laws = read_laws(*type, table);
-        find_ground(*type, table, part);
+        elements_.read(*type, table, part);
+        stand_on_others(*type, table, draft_, part);
       } else {
         for (const auto& key : table.keys()) table.raw(key);
       }
-      types_.push_back(type);
-      is_sound_.push_back(diagnostics_.errors() == errors_before);
-      out_.parts.push_back(none.names);
-      out_.scene.parts.push_back(std::move(part));
-      geometries_.push_back(std::move(none));
+      draft_.add_rider(std::move(part), table.place(), type, diagnostics_.errors() == errors_before);
     }
-  }
-
-  /// What `on` names, as nodes or as elements of the kind the rider stands on.
-  void find_ground(const ElementType& type, TableReader& table, Part& rider) {
-    const int errors_before = diagnostics_.errors();
-    const std::vector<std::string> names =
-        table.kind("on") == Kind::text
-            ? std::vector<std::string>{table.text("on", {})}
-            : table.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
-    if (diagnostics_.errors() > errors_before) return;
-    const bool on_nodes = type.element.stencil == NETLOFT_NODE;
-    const double number = on_nodes
-                              ? table.real("number", {.doc = "pieces, shared out along what it stands on",
-                                                      .range = between(0, 1e6),
-                                                      .fallback = 1.0})
-                              : 1;
-    std::vector<std::uint32_t> nodes;
-    std::vector<double> carried(out_.scene.node_count(), 0.0);
-    for (std::size_t n = 0; n < names.size(); ++n) {
-      const std::string& name = names[n];
-      const Mention at = mention_of_item(name, table, "on", n);
-      if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(n), name) !=
-          names.begin() + static_cast<std::ptrdiff_t>(n))
-        diagnostics_.error(at.place, at.path + ": " + in_quotes(name) + " is named twice");
-      const auto set = find_nodes(at);
-      if (!set || !is_sound_[set->part] || !types_[set->part]) continue;
-      const Part& ground = out_.scene.parts[set->part];
-      if (on_nodes) {
-        const auto lengths = carried_length(out_.scene, ground, *types_[set->part]);
-        for (std::size_t i = 0; i < carried.size(); ++i) carried[i] += lengths[i];
-        for (const auto own : set->own) nodes.push_back(out_.parts[set->part].nodes[own]);
-      } else if (name.find('.') == std::string::npos &&
-                 types_[set->part]->element.stencil == type.element.stencil) {
-        ride_on_elements(ground, rider);
-      } else if (name.find('.') == std::string::npos && type.element.stencil == NETLOFT_TRIANGLE &&
-                 !geometries_[set->part].faces.nodes.empty()) {
-        ride_on_elements(faces_of(set->part), rider);
-      } else {
-        table.error("on", in_quotes(name) + " is no whole part that " + type.type + " can stand on");
-      }
-    }
-    drop_repeats(nodes);
-    if (on_nodes && !nodes.empty()) ride_on_nodes(nodes, carried, number, rider);
-    for (const auto& datum : type.data)
-      if (!rider.data.contains(datum.name) && !rider.nodes.empty()) {
-        const auto values =
-            table.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = exactly(datum.width)});
-        for (std::size_t e = 0; e < rider.nodes.size() / static_cast<std::size_t>(type.nodes()); ++e)
-          rider.data[datum.name].insert(rider.data[datum.name].end(), values.begin(), values.end());
-      }
-  }
-
-  /// The triangles between the bars of a panel, as if they were its elements.
-  Part faces_of(std::size_t part) const {
-    Part faces;
-    for (const auto own : geometries_[part].faces.nodes) faces.nodes.push_back(out_.parts[part].nodes[own]);
-    faces.data = geometries_[part].faces.data;
-    return faces;
   }
 
   void add_companions() {
     if (diagnostics_.errors()) return;
     for (std::size_t p = 0, parts = out_.scene.parts.size(); p < parts; ++p) {
-      for (const auto* rider : companions_of(*types_[p])) {
-        Part companion = make_companion(out_.scene.parts[p], *types_[p], *rider);
+      const ElementType& type = *draft_.types[p];
+      for (const auto* rider : elements_.companions_of(type)) {
+        Part companion = make_companion(out_.scene.parts[p], type, *rider);
         if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;  // it has no pairs
         companions_.push_back(rider);
         out_.scene.parts.push_back(std::move(companion));
         out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}, {}});
       }
-      keep_own_parameters(out_.scene.parts[p], *types_[p]);
+      keep_own_parameters(out_.scene.parts[p], type);
     }
   }
 
@@ -294,32 +172,13 @@ class SceneReader {
   /// A part that --set has made by a slip of the pen has no type.
   std::string read_type_name(const std::string& name, TableReader& table) {
     std::vector<std::string> others;
-    for (const auto& part : geometries_) others.push_back(part.names.name);
+    for (const auto& part : draft_.geometries) others.push_back(part.names.name);
     if (const auto near = nearest(name, others); near && !table.has("type")) {
       table.error("type", "is missing: element type, plugin/element, such as priour/triangle",
                   "did you mean the part \"" + *near + "\"?");
       return {};
     }
     return read_name(table, "type", "element type, plugin/element, such as priour/triangle");
-  }
-
-  /// A text that must not be empty.
-  std::string read_name(TableReader& table, const char* key, const char* doc) {
-    const std::string name = table.text(key, {.doc = doc});
-    if (name.empty() && table.kind(key) == Kind::text)
-      table.error(key, "is empty (" + std::string(doc) + ")");
-    return name;
-  }
-
-  const ElementType* find_type(const std::string& name, TableReader& table) {
-    if (name.empty()) return nullptr;
-    try {
-      return &registry_.element(name);
-    } catch (const PluginRefused& e) {
-      refused_ = true;
-      report_refusal(table, "type", e.what());
-      return nullptr;
-    }
   }
 
   Geometry read_geometry(const ElementType& type, TableReader& table) {
@@ -349,37 +208,33 @@ class SceneReader {
   }
 
   void read_joins() {
-    joiner_.emplace(geometries_);
+    joiner_.emplace(draft_.geometries);
+    if (gear_) gear_->join(*joiner_);
     for (auto& table : root_.tables("join")) {
-      const int errors_before = diagnostics_.errors();
-      const bool together = table.boolean("together", {.doc = "all nodes become one", .fallback = false});
-      const auto points = table.texts("points", {.doc = "two or more points or edges that become one",
-                                                 .count = {.least = together ? 1u : 2u}});
-      if (diagnostics_.errors() > errors_before) continue;
-      std::vector<Joiner::Ends> sets;
-      for (std::size_t i = 0; i < points.size(); ++i)
-        if (auto set = find_nodes(mention_of_item(points[i], table, "points", i))) sets.push_back(*set);
-      if (sets.size() != points.size() || !can_be_joined(sets, points, table, together)) continue;
-      joins_.push_back({sets, mention("", table, "points"), together});
-      joins_.back().make(*joiner_);
+      if (gear_ && is_seam(table)) continue;
+      read_join(table);
     }
     if (diagnostics_.errors() == 0) check_joins();
   }
 
-  /// One of the names that stand at a key; of a name that stands there alone, the key itself.
-  Mention mention_of_item(const std::string& name, TableReader& table, std::string_view key, std::size_t i) {
-    Mention m = mention(name, table, key);
-    const Array* array = table.raw(key) ? table.raw(key)->as<Array>() : nullptr;
-    if (!array || i >= array->items.size()) return m;
-    m.place = array->items[i].place;
-    m.path += "[" + std::to_string(i) + "]";
-    return m;
+  void read_join(TableReader& table) {
+    const int errors_before = diagnostics_.errors();
+    const bool together = table.boolean("together", {.doc = "all nodes become one", .fallback = false});
+    const auto points = table.texts("points", {.doc = "two or more points or edges that become one",
+                                               .count = {.least = together ? 1u : 2u}});
+    if (diagnostics_.errors() > errors_before) return;
+    std::vector<Joiner::Ends> sets;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (auto set = draft_.find_nodes(mention_of_item(points[i], table, "points", i))) sets.push_back(*set);
+    if (sets.size() != points.size() || !can_be_joined(sets, points, table, together)) return;
+    joins_.push_back({sets, mention("", table, "points"), together});
+    joins_.back().make(*joiner_);
   }
 
   bool can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
                      TableReader& table, bool together) {
     for (std::size_t s = 0; s < sets.size(); ++s) {
-      if (!is_sound_[sets[s].part]) return false;  // it has no true number of nodes
+      if (!draft_.is_sound[sets[s].part]) return false;  // it has no true number of nodes
       if (!together && sets[s].own.size() != sets[0].own.size()) {
         table.error("points",
                     in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +
@@ -402,7 +257,8 @@ class SceneReader {
   /// one.
   void check_joins() {
     if (!joiner_->find_collapse(nodes_per_element())) return;
-    Joiner again(geometries_);
+    Joiner again(draft_.geometries);
+    if (gear_) gear_->join(again);
     for (const auto& join : joins_) {
       join.make(again);
       if (const auto fault = again.find_collapse(nodes_per_element())) {
@@ -418,83 +274,20 @@ class SceneReader {
 
   std::vector<int> nodes_per_element() const {
     std::vector<int> counts;
-    for (const auto* type : types_) counts.push_back(type->nodes());
+    for (const auto* type : draft_.types) counts.push_back(type->nodes());
     for (const auto* type : companions_) counts.push_back(type->nodes());
     return counts;
   }
 
   void assemble_nodes() {
     joiner_->number(out_.scene);
-    for (std::size_t p = 0; p < geometries_.size(); ++p) {
-      PartGeometry& names = geometries_[p].names;
+    for (std::size_t p = 0; p < draft_.geometries.size(); ++p) {
+      PartGeometry& names = draft_.geometries[p].names;
       names.nodes = joiner_->nodes(p);
-      for (const auto own : geometries_[p].elements) out_.scene.parts[p].nodes.push_back(names.nodes[own]);
+      for (const auto own : draft_.geometries[p].elements)
+        out_.scene.parts[p].nodes.push_back(names.nodes[own]);
       out_.parts.push_back(names);
     }
-  }
-
-  /// "net", "net.fore", "net.node-17": own nodes of one part. If there are none, it is said where they were
-  /// mentioned.
-  std::optional<Joiner::Ends> find_set(const Mention& m) {
-    const auto dot = m.name.find('.');
-    const auto p = find_part(m, m.name.substr(0, dot));
-    if (!p) return {};
-    const Geometry& geometry = geometries_[*p];
-    Joiner::Ends ends{*p, {}};
-    if (dot == std::string::npos) {
-      ends.own.resize(geometry.node_count());
-      std::iota(ends.own.begin(), ends.own.end(), 0u);
-      return ends;
-    }
-    const std::string name = m.name.substr(dot + 1);
-    if (is_rider(geometry.names.name)) {
-      refuse_rider(m, geometry.names.name);
-      return {};
-    }
-    if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
-    const bool hangs_on_geometry =
-        geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
-    if (is_sound_[*p] || !hangs_on_geometry)  // else that the geometry is wrong is said already
-      diagnostics_.error(m.place,
-                         m.path + ": " + in_quotes(geometry.names.name) + " has no " + in_quotes(name),
-                         set_hint(geometry.names, geometry.node_count(), name));
-    return {};
-  }
-
-  /// The same where nodes are wanted. A part that stands on others has none of its own.
-  std::optional<Joiner::Ends> find_nodes(const Mention& m) {
-    auto set = find_set(m);
-    if (!set || !set->own.empty() || !is_sound_[set->part]) return set;
-    refuse_rider(m, m.name);
-    return {};
-  }
-
-  void refuse_rider(const Mention& m, const std::string& name) {
-    diagnostics_.error(m.place,
-                       m.path + ": " + in_quotes(name) + " stands on other parts and has no nodes of its own",
-                       "name what it stands on");
-  }
-
-  bool is_rider(const std::string& name) const {
-    return std::any_of(riders_.begin(), riders_.end(), [&](const auto& r) { return r.first == name; });
-  }
-
-  std::optional<std::size_t> find_part(const Mention& m, const std::string& name) {
-    std::vector<std::string> names, owners;
-    for (std::size_t p = 0; p < geometries_.size(); ++p) {
-      const PartGeometry& part = geometries_[p].names;
-      if (part.name == name) return p;
-      names.push_back(part.name);
-      if (part.sets.contains(name)) owners.push_back(part.name + "." + name);
-    }
-    if (is_rider(name))
-      refuse_rider(m, name);
-    else if (m.name.empty())
-      diagnostics_.error(m.place, m.path + " is empty; a part, an edge or a point is wanted (net.fore)");
-    else
-      diagnostics_.error(m.place, m.path + ": there is no part " + in_quotes(name),
-                         owners.empty() ? name_hint(name, names) : "did you mean \"" + owners[0] + "\"?");
-    return {};
   }
 
   void read_holds() {
@@ -504,11 +297,9 @@ class SceneReader {
       const HoldEntry entry = read_hold(table);
       check_hold_name(entry, table);
       if (entry.on.empty() && table.kind("on") != Kind::text) continue;
-      const auto set = find_nodes(mention(entry.on, table, "on"));
-      if (!set || !is_sound_[set->part] || diagnostics_.errors() > errors_before) continue;
-      std::vector<std::uint32_t> nodes;
-      for (const auto own : set->own) nodes.push_back(out_.parts[set->part].nodes[own]);
-      out_.holds.push_back(holder.hold(entry, nodes, table));
+      const auto set = draft_.find_nodes(mention(entry.on, table, "on"));
+      if (!set || !draft_.is_sound[set->part] || diagnostics_.errors() > errors_before) continue;
+      out_.holds.push_back(holder.hold(entry, draft_.scene_nodes(*set), table));
       guide(read_course(table), entry, out_.holds.back(), table);
     }
   }
@@ -534,73 +325,6 @@ class SceneReader {
                   "give one of them a name of its own: name = \"…\"");
   }
 
-  void read_analysis() {
-    TableReader analysis = root_.table("analysis", Presence::optional);
-    const Values values = read_parameters(analysis_keys(), analysis);
-    std::vector<std::string> faults;
-    const ParameterBlock block(analysis_keys(), sizeof(AnalysisKeys), values, faults);
-    // Tables of solvers that are not asked today may stay in the file.
-    for (const auto& name : registry_.available()) analysis.has(name);
-    if (!faults.empty()) return;
-    const auto& keys = *static_cast<const AnalysisKeys*>(block.data());
-    out_.analysis.solver = keys.solver;
-    out_.analysis.automatic = out_.analysis.solver == "auto";
-    if (out_.analysis.automatic) out_.analysis.solver = "newton";
-    out_.analysis.continuation =
-        keys.continuation == 1 || (keys.continuation == 0 && out_.analysis.automatic);
-    if (out_.analysis.solver.empty()) {
-      analysis.error("solver", "is empty; the name of a solver is wanted, such as newton");
-      return;
-    }
-    out_.analysis.tangent = static_cast<TangentChoice>(keys.tangent);
-    out_.analysis.limits = {keys.tolerance, static_cast<int>(keys.max_iterations), keys.max_seconds, nullptr};
-    out_.analysis.kind = static_cast<AnalysisKind>(keys.kind);
-    try {
-      if (read_time(analysis)) return;
-      const SolverType& solver = registry_.solver(out_.analysis.solver);
-      TableReader own =
-          analysis.table(out_.analysis.solver.substr(0, out_.analysis.solver.find('/')), Presence::optional);
-      out_.analysis.solver_parameters = read_parameters(solver.parameters, own);
-      // A step begins so near its end that Newton's method wants no damping.
-      if (out_.analysis.kind == AnalysisKind::dynamics && out_.analysis.solver == "newton")
-        out_.analysis.solver_parameters.try_emplace("damping", 0.0);
-    } catch (const PluginRefused& e) {
-      refused_ = true;
-      report_refusal(analysis, "solver", e.what());
-    }
-  }
-
-  /// What speaks of time. True: no solver of an equilibrium is wanted.
-  bool read_time(TableReader& analysis) {
-    Analysis& a = out_.analysis;
-    const bool moves = a.kind == AnalysisKind::dynamics;
-    a.settles = !moves && is_integrator(registry_, a.solver);
-    if (!moves && !a.settles) {
-      for (const auto& key : dynamics_keys()) analysis.has(key.name);  // may stay for another day
-      return false;
-    }
-    a.dynamics = read_dynamics(analysis, registry_);
-    if (!analysis.has("tangent")) a.tangent = TangentChoice::symmetric;
-    if (moves && !analysis.has("tolerance")) a.limits.tolerance = 1e-5;
-    if (moves && !analysis.has("max_iterations")) a.limits.iterations = 25;
-    a.continuation = a.continuation && !moves && !a.settles;
-    if (a.settles) read_settling(analysis);
-    return a.settles;
-  }
-
-  /// An integrator as a solver: `solver` is its name, and motion has to die.
-  void read_settling(TableReader& analysis) {
-    Analysis& a = out_.analysis;
-    a.dynamics.integrator = a.solver;
-    const IntegratorType& type = registry_.integrator(a.solver);
-    TableReader own = analysis.table(a.solver.substr(0, a.solver.find('/')), Presence::optional);
-    a.dynamics.integrator_parameters = read_parameters(type.parameters, own);
-    if (!analysis.has("mass_damping")) a.dynamics.march.mass_damping = 1;
-    if (!analysis.has("duration")) a.dynamics.march.duration = 1e6;
-    if (!analysis.has("max_iterations")) a.limits.iterations = 1000000;
-    a.dynamics.march.output_interval = 0, a.dynamics.march.budget = false;
-  }
-
   void read_results() {
     const bool holds_are_known = diagnostics_.errors() == 0;
     TableReader results = root_.table("results", Presence::optional);
@@ -609,22 +333,27 @@ class SceneReader {
         diagnostics_.error(results.place(name), "the name of a result, " + in_quotes(name) + ", " + fault);
       TableReader entry =
           results.table(name, Presence::required, "such as { of = \"net\", take = \"min z\" }");
-      ResultRequest request;
-      request.name = name;
-      request.of = read_name(entry, "of", "a part, an edge or a point");
-      request.take = read_name(entry, "take", "what of it, such as \"min z\" or \"max tension\"");
-      if (request.of.empty() || request.take.empty()) continue;
-      const auto set = find_set(mention(request.of, entry, "of"));
-      if (!set || !types_[set->part]) continue;
-      request.part = static_cast<std::uint32_t>(set->part);
-      for (const auto own : set->own) request.nodes.push_back(out_.parts[set->part].nodes[own]);
-      drop_repeats(request.nodes);  // of a part that is joined to itself
-      if (!understand(request, *types_[set->part], entry)) continue;
-      if (request.nodes.empty() && is_sound_[set->part] && request.source != ResultRequest::Source::output)
-        refuse_rider(mention("", entry, "take"), request.of);
-      if (holds_are_known) check_reaction(request, entry);
-      out_.results.push_back(std::move(request));
+      read_result(name, entry, holds_are_known);
     }
+  }
+
+  void read_result(const std::string& name, TableReader& entry, bool holds_are_known) {
+    ResultRequest request;
+    request.name = name;
+    request.of = read_name(entry, "of", "a part, an edge or a point");
+    request.take = read_name(entry, "take", "what of it, such as \"min z\" or \"max tension\"");
+    if (request.of.empty() || request.take.empty()) return;
+    const auto set = draft_.find_set(mention(request.of, entry, "of"));
+    if (!set || !draft_.types[set->part]) return;
+    request.part = static_cast<std::uint32_t>(set->part);
+    request.nodes = draft_.scene_nodes(*set);
+    drop_repeats(request.nodes);  // of a part that is joined to itself
+    if (!understand(request, *draft_.types[set->part], entry)) return;
+    if (request.nodes.empty() && draft_.is_sound[set->part] &&
+        request.source != ResultRequest::Source::output)
+      draft_.refuse_rider(mention("", entry, "take"), request.of);
+    if (holds_are_known) check_reaction(request, entry);
+    out_.results.push_back(std::move(request));
   }
 
   void check_reaction(const ResultRequest& request, TableReader& entry) {
@@ -643,11 +372,6 @@ class SceneReader {
       diagnostics_.error(out_.place_of(fault.part), fault.message);
   }
 
-  TableReader root_;
-  Registry& registry_;
-  Diagnostics& diagnostics_;
-  bool& refused_;
-  LoadedScene out_;
   /// A [[join]] that was made, and where it stands.
   struct Join {
     std::vector<Joiner::Ends> sets;
@@ -656,14 +380,35 @@ class SceneReader {
     void make(Joiner& joiner) const { together ? joiner.gather(sets) : joiner.join(sets); }
   };
 
-  std::vector<const ElementType*> types_, companions_;
+  TableReader root_;
+  Registry& registry_;
+  Diagnostics& diagnostics_;
+  bool& refused_;
+  ElementChoice elements_;
+  Draft draft_;
+  LoadedScene& out_;  // of the draft
+  std::optional<GearParts> gear_;
+  std::vector<const ElementType*> companions_;
   std::vector<std::pair<std::string, TableReader>> riders_;
-  std::vector<bool> is_sound_;  // parts without an error in their table
   std::vector<Join> joins_;
   std::map<std::string, Place> hold_names_;
-  std::vector<Geometry> geometries_;
   std::optional<Joiner> joiner_;
 };
+
+/// The net plan in a scene, checked; nothing if there is none.
+std::optional<io::Plan> read_plan_of(const Document& document, const std::filesystem::path& folder,
+                                     Diagnostics& diagnostics) {
+  if (!holds_plan(document)) return {};
+  io::Plan plan = read_plan(document, folder, diagnostics);
+  if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
+  return plan;
+}
+
+void append_new(std::vector<SourceFile>& files, const std::vector<SourceFile>& more) {
+  for (const auto& file : more)
+    if (std::none_of(files.begin(), files.end(), [&](const auto& f) { return f.path == file.path; }))
+      files.push_back(file);
+}
 
 }  // namespace
 
@@ -673,9 +418,13 @@ LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std:
   if (diagnostics.errors()) return {};
   Value root = document.root();
   const auto catalogues = put_catalogue_parts(root, file.parent_path(), registry, diagnostics);
-  LoadedScene loaded = SceneReader(root, file.stem().string(), registry, diagnostics, refused).read();
-  loaded.files = document.files();
-  loaded.files.insert(loaded.files.end(), catalogues.begin(), catalogues.end());
+  const auto plan = read_plan_of(document, file.parent_path(), diagnostics);
+  if (diagnostics.errors() && plan) return {};  // nothing in a scene can be judged without its gear
+  LoadedScene loaded =
+      SceneReader(root, plan ? &*plan : nullptr, file.stem().string(), registry, diagnostics, refused).read();
+  append_new(loaded.files, document.files());
+  append_new(loaded.files, catalogues);
+  if (plan) append_new(loaded.files, plan->files);
   return loaded;
 }
 

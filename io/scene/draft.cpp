@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/draft.hpp"
+
+#include "io/scene/part_names.hpp"
+
+#include <numeric>
+
+namespace netloft::io {
+
+Mention mention(const std::string& name, const TableReader& table, std::string_view key) {
+  return {name, table.place(key), table.path(key)};
+}
+
+Mention mention_of_item(const std::string& name, TableReader& table, std::string_view key, std::size_t i) {
+  Mention m = mention(name, table, key);
+  const Array* array = table.raw(key) ? table.raw(key)->as<Array>() : nullptr;
+  if (!array || i >= array->items.size()) return m;
+  m.place = array->items[i].place;
+  m.path += "[" + std::to_string(i) + "]";
+  return m;
+}
+
+void Draft::add_part(Part part, Geometry geometry, const ElementType* type, bool sound) {
+  part.data = geometry.data;
+  types.push_back(type);
+  is_sound.push_back(sound);
+  out.scene.parts.push_back(std::move(part));
+  geometries.push_back(std::move(geometry));
+}
+
+void Draft::add_rider(Part part, Place place, const ElementType* type, bool sound) {
+  Geometry none;
+  none.names.name = part.name, none.names.place = place;
+  types.push_back(type);
+  is_sound.push_back(sound);
+  out.parts.push_back(none.names);
+  out.scene.parts.push_back(std::move(part));
+  geometries.push_back(std::move(none));
+}
+
+std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
+  if (const auto point = points.find(m.name); point != points.end()) return point->second;
+  const auto dot = m.name.find('.');
+  const auto p = find_part(m, m.name.substr(0, dot));
+  if (!p) return {};
+  const Geometry& geometry = geometries[*p];
+  Joiner::Ends ends{*p, {}};
+  if (dot == std::string::npos) {
+    ends.own.resize(geometry.node_count());
+    std::iota(ends.own.begin(), ends.own.end(), 0u);
+    return ends;
+  }
+  const std::string name = m.name.substr(dot + 1);
+  if (riders_.contains(geometry.names.name)) {
+    refuse_rider(m, geometry.names.name);
+    return {};
+  }
+  if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
+  const bool hangs_on_geometry = geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
+  if (is_sound[*p] || !hangs_on_geometry)  // else that the geometry is wrong is said already
+    diagnostics_.error(m.place, m.path + ": " + in_quotes(geometry.names.name) + " has no " + in_quotes(name),
+                       set_hint(geometry.names, geometry.node_count(), name));
+  return {};
+}
+
+std::optional<Joiner::Ends> Draft::find_nodes(const Mention& m) {
+  auto set = find_set(m);
+  if (!set || !set->own.empty() || !is_sound[set->part]) return set;
+  refuse_rider(m, m.name);
+  return {};
+}
+
+std::vector<std::uint32_t> Draft::scene_nodes(const Joiner::Ends& ends) const {
+  std::vector<std::uint32_t> nodes;
+  for (const auto own : ends.own) nodes.push_back(out.parts[ends.part].nodes[own]);
+  return nodes;
+}
+
+void Draft::refuse_rider(const Mention& m, const std::string& name) {
+  diagnostics_.error(m.place,
+                     m.path + ": " + in_quotes(name) + " stands on other parts and has no nodes of its own",
+                     "name what it stands on");
+}
+
+std::optional<std::size_t> Draft::part_number(const std::string& name) const {
+  for (std::size_t p = 0; p < geometries.size(); ++p)
+    if (geometries[p].names.name == name) return p;
+  return {};
+}
+
+std::optional<std::size_t> Draft::find_part(const Mention& m, const std::string& name) {
+  if (const auto p = part_number(name)) return p;
+  std::vector<std::string> names, owners;
+  for (const auto& geometry : geometries) {
+    names.push_back(geometry.names.name);
+    if (geometry.names.sets.contains(name)) owners.push_back(geometry.names.name + "." + name);
+  }
+  for (const auto& [point, ends] : points) names.push_back(point);
+  if (riders_.contains(name))
+    refuse_rider(m, name);
+  else if (m.name.empty())
+    diagnostics_.error(m.place, m.path + " is empty; a part, an edge or a point is wanted (net.fore)");
+  else
+    diagnostics_.error(m.place, m.path + ": there is no part " + in_quotes(name),
+                       owners.empty() ? name_hint(name, names) : "did you mean \"" + owners[0] + "\"?");
+  return {};
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/gear_parts.hpp"
+
+#include "framework/registry/nearest.hpp"
+#include "io/catalogue/part_kinds.hpp"
+#include "io/gear/start_shape.hpp"
+#include "io/gear/twine_coordinates.hpp"
+#include "io/scene/parameter_reader.hpp"
+#include "io/scene/part_names.hpp"
+#include "io/scene/riding.hpp"
+#include "io/toml/merge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kMostFiner = 100;
+
+/// Numbers of the catalogue's that a part may know and its element need not: what is left is known.
+void drop_unknown_numbers(Table& numbers, const ElementType& type, const std::string& key) {
+  std::erase_if(numbers.members, [&](const Member& number) {
+    const std::string name = key + "." + number.key;
+    return std::none_of(type.parameters.begin(), type.parameters.end(),
+                        [&](const auto& p) { return name == p.name; });
+  });
+}
+
+void put(Table& table, const std::string& key, Value value) {
+  const Place place = value.place;
+  table.members.push_back({key, place, std::move(value)});
+}
+
+/// Force upwards of one [N], as far as its numbers tell.
+double buoyancy_of(const Value& piece) {
+  const auto number = [&](const char* key) {
+    const Table* table = piece.as<Table>();
+    const Member* member = table ? table->find(key) : nullptr;
+    const double* value = member ? member->value.as<double>() : nullptr;
+    return value ? *value : 0.0;
+  };
+  constexpr double kWater = 1025, kGravity = 9.80665;
+  if (const double given = number("buoyancy"); given != 0) return given;
+  return kGravity * (kWater * number("volume") - number("mass"));
+}
+
+}  // namespace
+
+bool is_seam(TableReader& join) {
+  const bool sews = join.has("edges") && !join.has("points");
+  if (sews) join.has("take_up");
+  return sews;
+}
+
+GearParts::GearParts(const io::Plan& plan, TableReader& root, const ElementChoice& elements, Draft& draft)
+    : elements_(elements), draft_(draft), diagnostics_(root.diagnostics()) {
+  for (const char* key : {"panels", "ropes", "hang", "floats", "points"}) root.has(key);
+  const int errors_before = diagnostics_.errors();
+  draft_.out.gear.emplace();
+  read_model(root, plan);
+  TableReader table = root.table("elements", Presence::optional);
+  for (const auto& of : gear_elements()) made_.push_back(read_elements(table, of));
+  read_exceptions(table);
+  if (diagnostics_.errors() > errors_before) return;
+  mesh_ = divide(gear_, fineness_);
+  start_ = start_shape(gear_, mesh_);
+  own_.resize(mesh_.nodes);
+}
+
+void GearParts::read_model(TableReader& root, const io::Plan& plan) {
+  TableReader table = root.table("gear", Presence::optional);
+  const Values values = read_parameters(gear_keys(), table);
+  std::vector<std::string> faults;
+  const ParameterBlock block(gear_keys(), sizeof(GearKeys), values, faults);
+  if (!faults.empty()) return;
+  const auto& keys = *static_cast<const GearKeys*>(block.data());
+  gear_ = make_gear(plan, keys.extent == 1 ? Extent::half : Extent::whole);
+  fineness_.nodes = static_cast<std::size_t>(keys.nodes), fineness_.size = keys.size;
+  read_finer(table);
+  draft_.out.gear->times = gear_.extent == Extent::half ? 2 : 1;
+  draft_.out.gear->nodes = fineness_.nodes, draft_.out.gear->size = fineness_.size;
+}
+
+/// `finer = { top-codend = 2 }`, by panels and ropes.
+void GearParts::read_finer(TableReader& table) {
+  TableReader finer = table.table("finer", Presence::optional);
+  std::vector<std::string> names;
+  for (const auto& panel : gear_.panels) names.push_back(panel.name);
+  for (const auto& rope : gear_.ropes) names.push_back(rope.name);
+  for (const auto& name : finer.keys()) {
+    const double times = finer.real(name, {.unit = "1",
+                                           .doc = "sides of triangles, or bars, that many times shorter",
+                                           .range = between(1 / kMostFiner, kMostFiner)});
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      finer.error(name, "there is no panel or rope " + in_quotes(name), name_hint(name, names));
+    fineness_.finer[name] = times;
+  }
+}
+
+/// `[elements.top-codend]`: what one part of the plan is made of, over what all of its kind are.
+void GearParts::read_exceptions(TableReader& elements) {
+  std::vector<std::string> names;
+  for (const auto& panel : gear_.panels) names.push_back(panel.name);
+  for (const auto& rope : gear_.ropes) names.push_back(rope.name);
+  for (const auto& pieces : gear_.pieces) names.push_back(pieces.name);
+  for (const auto& of : gear_elements()) names.push_back(of.kind);
+  for (const auto& name : elements.keys()) {
+    const Value* said = elements.raw(name);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      elements.error(name, "there is nothing named " + in_quotes(name) + " in the net plan",
+                     name_hint(name, names));
+    else if (!said->as<Table>())
+      elements.error(name, "a table is wanted, such as { drag = \"hydro/morison\" }");
+    else
+      exceptions_[name] = *said;
+  }
+}
+
+GearParts::Made GearParts::read_elements(TableReader& elements, const GearElements& of) const {
+  TableReader table = elements.table(of.kind, Presence::optional);
+  for (const auto& key : table.keys()) table.raw(key);  // read with each part
+  Made made{&of, {table.place(), Table{}}, nullptr};
+  if (const Value* said = elements.raw(of.kind); said && said->as<Table>()) made.said = *said;
+  made.type = elements_.find(
+      table.has("type") ? read_name(table, "type", "element type, such as priour/triangle") : of.type, table);
+  if (made.type && made.type->element.stencil != of.stencil) {
+    table.error("type", made.type->type + " does not stand on what " + of.doc + " are divided into",
+                std::string("such as ") + of.type);
+    made.type = nullptr;
+  }
+  return made;
+}
+
+const GearParts::Made& GearParts::made(std::string_view kind) const {
+  return *std::find_if(made_.begin(), made_.end(), [&](const auto& m) { return m.of->kind == kind; });
+}
+
+/// Parameters of a part: its numbers in the plan, over them what `[elements.KIND]` says of all, and over both
+/// what `[elements.NAME]` says of this one.
+bool GearParts::read_part(const Made& made, const std::string& path, Value numbers, bool is_of_catalogue,
+                          Part& part) const {
+  const int errors_before = diagnostics_.errors();
+  if (Table* table = numbers.as<Table>(); table && is_of_catalogue)
+    drop_unknown_numbers(*table, *made.type, made.of->key);
+  Value whole{numbers.place, Table{}};
+  put(*whole.as<Table>(), made.of->key, std::move(numbers));
+  merge(whole, made.said);
+  if (const auto said = exceptions_.find(part.name); said != exceptions_.end()) merge(whole, said->second);
+  TableReader reader(whole, diagnostics_, path);
+  reader.has("type");
+  elements_.read(*made.type, reader, part);
+  reader.finish();
+  return diagnostics_.errors() == errors_before;
+}
+
+void GearParts::add_parts() {
+  for (std::size_t p = 0; p < mesh_.panels.size(); ++p) add_panel(gear_.panels[p], mesh_.panels[p]);
+  for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) add_rope(gear_.ropes[r], mesh_.ropes[r]);
+  for (const auto& pieces : gear_.pieces) draft_.announce_rider(pieces.name);
+  name_points();
+}
+
+void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
+  const io::Panel& plan = *panel.panel;
+  Geometry geometry;
+  geometry.names.panel = mesh.meshes, geometry.names.sets = mesh.sets, geometry.names.place = plan.place;
+  geometry.elements = mesh.triangles;
+  for (const auto own : mesh.triangles) {
+    const auto [U, V] = mesh.meshes[own];
+    const auto [u, v] = twine_coordinates(plan.orientation, plan.angle, U, V);
+    geometry.data["u"].push_back(u);
+    geometry.data["v"].push_back(v);
+    geometry.data["to_aft"].push_back(plan.depth - V);
+  }
+  geometry.data["bar_length"].assign(mesh.triangles.size() / 3, plan.mesh / 2);
+  Value twine = plan.twine;
+  if (plan.twines > 1 && twine.as<Table>())
+    put(*twine.as<Table>(), "number", {plan.place, std::int64_t{plan.twines}});
+  add_part("netting", panel.name, "panels." + plan.name, std::move(twine), !plan.twine_name.empty(),
+           std::move(geometry), mesh.nodes);
+}
+
+void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
+  Geometry geometry;
+  geometry.names.sets = mesh.sets, geometry.names.place = rope.rope->place;
+  for (std::uint32_t i = 0; i + 1 < mesh.nodes.size(); ++i)
+    geometry.elements.insert(geometry.elements.end(), {i, i + 1});
+  geometry.data["rest_length"] = mesh.rest_lengths;
+  add_part("ropes", rope.name, "ropes." + rope.rope->name, rope.rope->rope, !rope.rope->part_name.empty(),
+           std::move(geometry), mesh.nodes);
+}
+
+/// `nodes`: own number -> node of the gear.
+void GearParts::add_part(std::string_view kind, const std::string& name, const std::string& path,
+                         Value numbers, bool is_of_catalogue, Geometry geometry,
+                         const std::vector<std::uint32_t>& nodes) {
+  const Made& how = made(kind);
+  Part part;
+  part.name = name;
+  const bool is_sound = read_part(how, path, std::move(numbers), is_of_catalogue, part);
+  geometry.names.name = name;
+  const std::size_t p = draft_.geometries.size();
+  for (std::uint32_t own = 0; own < nodes.size(); ++own) {
+    own_[nodes[own]].push_back({p, own});
+    const auto x = start_.begin() + 3 * std::ptrdiff_t{nodes[own]};
+    geometry.positions.insert(geometry.positions.end(), x, x + 3);
+  }
+  GearInScene& gear = *draft_.out.gear;
+  (kind == "netting" ? gear.panels : gear.ropes).push_back(static_cast<std::uint32_t>(p));
+  draft_.add_part(std::move(part), std::move(geometry), how.type, is_sound);
+}
+
+/// Points of the plan that no part has for its own: towing points.
+void GearParts::name_points() {
+  for (const auto& [name, node] : mesh_.points)
+    if (name.find('.') == std::string::npos && !own_[node].empty()) {
+      const auto& [part, own] = own_[node].front();
+      draft_.points[name] = {part, {own}};
+    }
+}
+
+void GearParts::join(Joiner& joiner) const {
+  for (const auto& same : own_) {
+    std::vector<Joiner::Ends> ends;
+    for (const auto& [part, own] : same) ends.push_back({part, {own}});
+    if (ends.size() > 1) joiner.join(ends);
+  }
+}
+
+std::uint32_t GearParts::scene_node(std::uint32_t gear_node) const {
+  const auto& [part, own] = own_[gear_node].front();
+  return draft_.out.parts[part].nodes[own];
+}
+
+void GearParts::add_pieces() {
+  GearInScene& gear = *draft_.out.gear;
+  for (const auto& pieces : gear_.pieces) put_pieces(pieces);
+  for (const auto& [name, node] : mesh_.points) gear.points[name] = scene_node(node);
+  name_lines(gear);
+}
+
+void GearParts::put_pieces(const GearPieces& pieces) {
+  const Made& how = made("floats");
+  Part part;
+  part.name = pieces.name;
+  const bool is_sound = read_part(how, "floats." + pieces.pieces->name, pieces.pieces->piece,
+                                  !pieces.pieces->part_name.empty(), part);
+  std::vector<double> carried(draft_.out.scene.node_count(), 0.0);
+  ride_on_nodes(nodes_of(pieces, carried), carried, pieces.number, part);
+  draft_.out.gear->pieces.push_back(static_cast<std::uint32_t>(draft_.out.scene.parts.size()));
+  draft_.add_rider(std::move(part), pieces.pieces->place, how.type, is_sound);
+}
+
+/// Where pieces are hung, and how much of the rope or edge every node carries.
+std::vector<std::uint32_t> GearParts::nodes_of(const GearPieces& pieces, std::vector<double>& carried) const {
+  std::vector<std::uint32_t> nodes;
+  const auto carry = [&](std::uint32_t from, std::uint32_t to, double length) {
+    carried[from] += length / 2, carried[to] += length / 2;
+  };
+  if (!pieces.point.empty()) return {scene_node(mesh_.points.at(pieces.point))};
+  if (!pieces.rope.empty()) {
+    const RopeMesh& rope =
+        mesh_.ropes[static_cast<std::size_t>(gear_.find_rope(pieces.rope) - gear_.ropes.data())];
+    for (const auto node : rope.nodes) nodes.push_back(scene_node(node));
+    for (std::size_t i = 1; i < nodes.size(); ++i) carry(nodes[i - 1], nodes[i], rope.rest_lengths[i - 1]);
+  }
+  for (const auto& ref : pieces.edges) {
+    const PanelMesh& panel = mesh_.panels[ref.panel];
+    const auto& edge = panel.sets.at(gear_.panels[ref.panel].outline.edges[ref.edge].name);
+    for (std::size_t i = 0; i < edge.size(); ++i) {
+      nodes.push_back(scene_node(panel.nodes[edge[i]]));
+      if (i == 0) continue;
+      const auto &a = panel.meshes[edge[i - 1]], &b = panel.meshes[edge[i]];
+      carry(nodes[nodes.size() - 2], nodes.back(), std::hypot(b[0] - a[0], b[1] - a[1]));
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+/// The headline carries what lifts; the footrope is the other rope across the net.
+void GearParts::name_lines(GearInScene& gear) const {
+  for (const auto& pieces : gear_.pieces)
+    if (gear.headline.empty() && buoyancy_of(pieces.pieces->piece) > 0) gear.headline = pieces.rope;
+  for (const auto& rope : gear_.ropes)
+    if (gear.footrope.empty() && rope.name != gear.headline && rope.rope->stands == io::Standing::middle &&
+        !rope.hung.empty())
+      gear.footrope = rope.name;
+}
+
+void GearParts::hold_middle() {
+  if (mesh_.middle.empty()) return;
+  Scene& scene = draft_.out.scene;
+  Hold hold{kPlaneOfSymmetry, {}, {}};
+  for (const auto node : mesh_.middle) {
+    hold.nodes.push_back(scene_node(node)), hold.axes.push_back(kAxisY);
+    scene.held[hold.nodes.back()] |= kAxisY;
+    scene.positions[3 * std::size_t{hold.nodes.back()} + 1] = 0;
+  }
+  draft_.out.holds.push_back(std::move(hold));
+}
+
+void GearParts::follow_holds() {
+  if (mesh_.nodes == 0) return;
+  Scene& scene = draft_.out.scene;
+  std::vector<KnownCoordinate> known;
+  for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+    for (int axis = 0; axis < 3; ++axis)
+      if (const auto in = scene_node(node); scene.held[in] & (1 << axis) && !scene.frames.contains(in))
+        known.push_back({node, axis, scene.positions[3 * std::size_t{in} + static_cast<std::size_t>(axis)]});
+  const auto start = start_shape(gear_, mesh_, known);
+  for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+    std::copy_n(start.begin() + 3 * std::ptrdiff_t{node}, 3,
+                scene.positions.begin() + 3 * std::ptrdiff_t{scene_node(node)});
+}
+
+bool GearParts::has_name(const std::string& name) const {
+  const auto is_it = [&](const auto& one) { return one.name == name; };
+  return std::any_of(gear_.panels.begin(), gear_.panels.end(), is_it) ||
+         std::any_of(gear_.ropes.begin(), gear_.ropes.end(), is_it) ||
+         std::any_of(gear_.pieces.begin(), gear_.pieces.end(), is_it) ||
+         std::any_of(gear_.points.begin(), gear_.points.end(), is_it);
+}
+
+}  // namespace netloft::io

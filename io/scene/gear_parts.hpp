@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gear/gear_mesh.hpp"
+#include "io/gear/plan.hpp"
+#include "io/scene/draft.hpp"
+#include "io/scene/element_choice.hpp"
+#include "io/scene/keys.hpp"
+
+namespace netloft::io {
+
+/// Name of the hold that keeps the middle of a half on the plane of symmetry.
+inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
+
+/// Whether `join` is a seam of a net plan rather than a join of parts.
+bool is_seam(TableReader& join);
+
+/// What a net plan becomes in a scene: panels of triangles and ropes of bars, joined where the plan joins
+/// them, floats and weights on them. Members are steps of reading a scene, in the order they happen.
+class GearParts {
+ public:
+  /// `plan` has no errors. Reads `[gear]` and `[elements]`.
+  GearParts(const io::Plan& plan, TableReader& root, const ElementChoice& elements, Draft& draft);
+
+  /// Panels and ropes, on nodes of their own, and the names of points.
+  void add_parts();
+  /// Nodes that panels and ropes share become one.
+  void join(Joiner& joiner) const;
+  /// Floats and what else is hung on, once the scene has its nodes.
+  void add_pieces();
+  /// Of a half: the plane of symmetry.
+  void hold_middle();
+  /// The start again, now that it is known what is held where.
+  void follow_holds();
+
+  /// Whether the plan makes something of this name.
+  bool has_name(const std::string& name) const;
+
+ private:
+  /// `[elements.KIND]` and the element type that it chooses.
+  struct Made {
+    const GearElements* of = nullptr;
+    Value said;  // a table
+    const ElementType* type = nullptr;
+  };
+
+  void read_model(TableReader& root, const io::Plan& plan);
+  void read_finer(TableReader& gear);
+  Made read_elements(TableReader& elements, const GearElements& of) const;
+  void read_exceptions(TableReader& elements);
+  const Made& made(std::string_view kind) const;
+  bool read_part(const Made& made, const std::string& path, Value numbers, bool is_of_catalogue,
+                 Part& part) const;
+
+  void add_panel(const GearPanel& panel, const PanelMesh& mesh);
+  void add_rope(const GearRope& rope, const RopeMesh& mesh);
+  void add_part(std::string_view kind, const std::string& name, const std::string& path, Value numbers,
+                bool is_of_catalogue, Geometry geometry, const std::vector<std::uint32_t>& nodes);
+  void name_points();
+  void put_pieces(const GearPieces& pieces);
+  std::vector<std::uint32_t> nodes_of(const GearPieces& pieces, std::vector<double>& carried) const;
+  void name_lines(GearInScene& gear) const;
+  std::uint32_t scene_node(std::uint32_t gear_node) const;
+
+  const ElementChoice& elements_;
+  Draft& draft_;
+  Diagnostics& diagnostics_;
+  Gear gear_;
+  Fineness fineness_;
+  GearMesh mesh_;
+  std::vector<Made> made_;
+  std::map<std::string, Value> exceptions_;  // `[elements.NAME]` by part
+  std::vector<double> start_;                // 3 per node of the gear
+  /// Parts and own nodes that a node of the gear is: its first is where its position comes from.
+  std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;
+};
+
+}  // namespace netloft::io

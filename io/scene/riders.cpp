@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/riders.hpp"
+
+#include "io/scene/part_names.hpp"
+#include "io/scene/riding.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+void drop_repeats(std::vector<std::uint32_t>& nodes) {
+  std::set<std::uint32_t> seen;
+  std::erase_if(nodes, [&](std::uint32_t node) { return !seen.insert(node).second; });
+}
+
+/// Lets one rider stand; members are steps in the order they happen.
+class RiderMaker {
+ public:
+  RiderMaker(const ElementType& type, TableReader& table, Draft& draft, Part& rider)
+      : type_(type),
+        table_(table),
+        draft_(draft),
+        rider_(rider),
+        on_nodes_(type.element.stencil == NETLOFT_NODE),
+        carried_(draft.out.scene.node_count(), 0.0) {}
+
+  void stand() {
+    const int errors_before = table_.diagnostics().errors();
+    read_names();
+    if (table_.diagnostics().errors() > errors_before) return;
+    const double number = on_nodes_ ? read_number() : 1;
+    for (std::size_t n = 0; n < names_.size(); ++n) stand_on(n);
+    drop_repeats(nodes_);
+    if (on_nodes_ && !nodes_.empty()) ride_on_nodes(nodes_, carried_, number, rider_);
+    read_missing_data();
+  }
+
+ private:
+  void read_names() {
+    if (table_.kind("on") == Kind::text)
+      names_ = {table_.text("on", {})};
+    else
+      names_ = table_.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
+  }
+
+  double read_number() {
+    return table_.real(
+        "number",
+        {.doc = "pieces, shared out along what it stands on", .range = between(0, 1e6), .fallback = 1.0});
+  }
+
+  void stand_on(std::size_t n) {
+    const std::string& name = names_[n];
+    const Mention at = mention_of_item(name, table_, "on", n);
+    if (const auto begin = names_.begin(), here = begin + static_cast<std::ptrdiff_t>(n);
+        std::find(begin, here, name) != here)
+      table_.diagnostics().error(at.place, at.path + ": " + in_quotes(name) + " is named twice");
+    const auto set = draft_.find_nodes(at);
+    if (!set || !draft_.is_sound[set->part] || !draft_.types[set->part]) return;
+    const bool is_whole = name.find('.') == std::string::npos;
+    if (on_nodes_)
+      add_nodes(*set);
+    else if (!is_whole || !add_elements(set->part))
+      table_.error("on", in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
+  }
+
+  void add_nodes(const Joiner::Ends& set) {
+    const Part& ground = draft_.out.scene.parts[set.part];
+    const auto lengths = carried_length(draft_.out.scene, ground, *draft_.types[set.part]);
+    for (std::size_t i = 0; i < carried_.size(); ++i) carried_[i] += lengths[i];
+    const auto nodes = draft_.scene_nodes(set);
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  }
+
+  /// The elements of a part if they are of the rider's kind, or the triangles between its bars.
+  bool add_elements(std::size_t part) {
+    if (draft_.types[part]->element.stencil == type_.element.stencil)
+      ride_on_elements(draft_.out.scene.parts[part], rider_);
+    else if (type_.element.stencil == NETLOFT_TRIANGLE && !draft_.geometries[part].faces.nodes.empty())
+      ride_on_elements(faces_of(part), rider_);
+    else
+      return false;
+    return true;
+  }
+
+  Part faces_of(std::size_t part) const {
+    Part faces;
+    for (const auto own : draft_.geometries[part].faces.nodes)
+      faces.nodes.push_back(draft_.out.parts[part].nodes[own]);
+    faces.data = draft_.geometries[part].faces.data;
+    return faces;
+  }
+
+  /// Data that what it stands on does not give: the same for every element.
+  void read_missing_data() {
+    for (const auto& datum : type_.data) {
+      if (rider_.data.contains(datum.name) || rider_.nodes.empty()) continue;
+      const auto values =
+          table_.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = exactly(datum.width)});
+      auto& own = rider_.data[datum.name];
+      for (std::size_t e = 0; e < rider_.nodes.size() / static_cast<std::size_t>(type_.nodes()); ++e)
+        own.insert(own.end(), values.begin(), values.end());
+    }
+  }
+
+  const ElementType& type_;
+  TableReader& table_;
+  Draft& draft_;
+  Part& rider_;
+  bool on_nodes_;
+  std::vector<std::string> names_;
+  std::vector<std::uint32_t> nodes_;
+  std::vector<double> carried_;
+};
+
+}  // namespace
+
+void stand_on_others(const ElementType& type, TableReader& table, Draft& draft, Part& rider) {
+  RiderMaker(type, table, draft, rider).stand();
+}
+
+}  // namespace netloft::io
