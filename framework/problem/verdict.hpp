@@ -32,7 +32,8 @@ struct Solution {
   Books books;
   std::vector<IterationRecord> history;
   std::string factorisation;
-  std::vector<Leg> legs;  // if there were several; `books` is then their sum
+  std::vector<std::string> signs;  // of what may be why, where it did not arrive; from who knows the parts
+  std::vector<Leg> legs;           // if there were several; `books` is then their sum
 };
 
 /// Lets `solver` find the static equilibrium of the assembled scene, from displacements `start` of the

@@ -4,6 +4,7 @@
 #include "framework/continuation/journey.hpp"
 #include "framework/problem/settling.hpp"
 #include "io/analysis/coarser.hpp"
+#include "io/analysis/diagnosis.hpp"
 #include "io/scene/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 
@@ -62,8 +63,11 @@ Case::State Case::assemble() {
 }
 
 Solution Case::solve(const Watch& watch) {
-  if (loaded_.analysis.settles) return settle(watch);
-  return loaded_.analysis.continuation ? solve_by_journey(watch) : solve_plainly(watch);
+  Solution s = loaded_.analysis.settles        ? settle(watch)
+               : loaded_.analysis.continuation ? solve_by_journey(watch)
+                                               : solve_plainly(watch);
+  if (s.status != SolveStatus::converged) s.signs = diagnose(loaded_.scene, *assembler_, s);
+  return s;
 }
 
 Solution Case::solve_plainly(const Watch& watch) {

@@ -95,6 +95,7 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"status", name_of(s.status)},
                {"stability", name_of(s.stability)},
                {"reason", s.reason},
+               {"signs", s.signs},
                {"at_fault", s.status == SolveStatus::converged ? Json(nullptr) : Json(s.at_fault)},
                {"iterations", s.books.iterations},
                {"factorisations", s.books.factorisations},

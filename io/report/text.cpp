@@ -63,6 +63,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   fmt::format_to(out, "{}: {}", loaded.scene.name, name_of(s.status));
   if (s.stability != Stability::unknown) fmt::format_to(out, ", {} equilibrium", name_of(s.stability));
   fmt::format_to(out, "\n  {}\n", s.reason);
+  for (const auto& sign : s.signs) fmt::format_to(out, "  {}\n", sign);
   fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, {:.3g} s\n", plan.unknowns,
                  s.books.iterations, s.books.factorisations, s.books.total_seconds);
   for (const Leg& leg : s.legs)
