@@ -340,6 +340,20 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
   return NETLOFT_OK;
 }
 
+namespace {
+
+/// Half the sum of a square tangent and its transpose, added to a packed one.
+void add_symmetric_part(const double* __restrict square, std::size_t n, double* __restrict packed_tangent) {
+  for (std::size_t r = 0; r < n; ++r)
+    for (std::size_t c = 0; c <= r; ++c) {
+      const double *here = square + (r * n + c) * kLanes, *there = square + (c * n + r) * kLanes;
+      double* to = packed_tangent + (packed(r) + c) * kLanes;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) to[lane] += 0.5 * (here[lane] + there[lane]);
+    }
+}
+
+}  // namespace
+
 /// A matrix that is not simply the packed exact tangent: convex part or metric, offered by the term or made
 /// here, or a full square.
 int Assembler::call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& t,
@@ -358,6 +372,10 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
   std::fill_n(w.scratch.begin(), (symmetric ? packed(n) : n * n) * kLanes, 0.0);
   t.tangent = w.scratch.data();
   if (const int status = term.evaluate(self, &t); status != NETLOFT_OK) return status;
+  if (kind == MatrixKind::exact) {
+    add_symmetric_part(w.scratch.data(), n, w.packed_tangent.data());
+    return NETLOFT_OK;
+  }
   for (std::size_t lane = 0; lane < t.count; ++lane) {
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c < n; ++c) {
@@ -366,7 +384,6 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
       }
     if (kind == MatrixKind::convex) project_convex(w.element.data(), dofs);
     if (kind == MatrixKind::metric) bound_by_diagonal(w.element.data(), dofs);
-    if (kind == MatrixKind::exact) take_symmetric_part(w.element.data(), dofs);
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c <= r; ++c)
         w.packed_tangent[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];

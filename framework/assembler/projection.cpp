@@ -17,12 +17,6 @@ void project_convex(double* tangent, int dofs) {
   k = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-void take_symmetric_part(double* tangent, int dofs) {
-  Eigen::Map<Square> k(tangent, dofs, dofs);
-  const Square symmetric = 0.5 * (k + k.transpose());
-  k = symmetric;
-}
-
 void bound_by_diagonal(double* tangent, int dofs) {
   Eigen::Map<Square> k(tangent, dofs, dofs);
   const Square symmetric = 0.5 * (k + k.transpose());

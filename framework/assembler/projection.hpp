@@ -11,9 +11,6 @@ namespace netloft {
 /// The nearest positive semi-definite matrix to the symmetric part: negative eigenvalues are set to zero.
 void project_convex(double* tangent, int dofs);
 
-/// Half the sum of the matrix and its transpose.
-void take_symmetric_part(double* tangent, int dofs);
-
 /// A diagonal that bounds the symmetric part from above (Gershgorin).
 void bound_by_diagonal(double* tangent, int dofs);
 

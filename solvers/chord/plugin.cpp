@@ -1,82 +1,138 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <netloft/solver.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace netloft {
 
 /// Newton's method with a matrix that is kept while it serves: for steps in time, whose problems resemble one
 /// another so much that one factor does for many.
-///   s = −A⁻¹ r(u),  u ← u + t s,  t = 1, ½, ¼ …                                        (1)
-///   A is made anew at u when ‖r(u + s)‖ > κ ‖r(u)‖                                      (2)
-/// A is the tangent, or its convex part where the tangent is not positive definite. The factor that the host
-/// still holds from the problem before is where it begins.
+///   (A + μ M) s = −r(u),  u ← u + t s,  G(t) = s·r(u + t s)                                  (1)
+///   t = 1 if G(1) ≤ η |G(0)|, else where regula falsi finds |G(t)| ≤ η |G(0)|                (2)
+///   A is made anew at u if G(0) is more than κ² times that of the step before, or |G(t)| > κ |G(0)|  (3)
+///   μ ← 0.1 μ after t > 0.9, 10 μ after t < 0.25                                             (4)
+/// (2) is the line search of Matthies and Strang (Int. J. Numer. Meth. Eng. 14, 1979), which needs no energy:
+/// inertia and drag have none. ‖r‖ would not do, since it grows wherever slack twines tighten. −G(0) is the
+/// square of Newton's decrement, a length that no stiff twine dominates. A is the tangent, or its convex part
+/// where that is not positive definite; M the linear stiffness, in which slack twines resist as well: without
+/// a little of it, steps run until they overstretch them. The factor that the host still holds from the
+/// problem before is where it begins.
 struct Chord {
   struct Parameters {
-    double contraction = 0, shortest_step = 0;
+    double damping = 0, contraction = 0, slope = 0, shortest_step = 0;
   };
   static Outcome solve(const Parameters& p, Problem& problem);
 };
 
 namespace {
 
-double norm(std::span<const double> r) {
+double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
-  for (const double v : r) sum += v * v;
-  return std::sqrt(sum);
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
 }
 
-Factor factorise_at_u(Problem& problem) {
+// Damping never needs to exceed the linear stiffness by much; below the lower end it no longer matters.
+constexpr double kLargestDamping = 64, kSmallestDamping = 1e-8, kFirstDamping = 1e-3;
+constexpr double kDampingToKeep = 1e-5;  // a factor with more of it is too slow to be used again
+
+Factor factorise_at_u(Problem& problem, double damping) {
   if (problem.evaluate(problem.u(), Matrix::exact) != Evaluation::ok) return Factor::failed;
-  const Factor factor = problem.factorise(Matrix::exact, 0);
+  const Factor factor = problem.factorise(Matrix::exact, damping);
   if (factor != Factor::not_positive) return factor;
   if (problem.evaluate(problem.u(), Matrix::convex) != Evaluation::ok) return Factor::failed;
-  return problem.factorise(Matrix::convex, 0);
+  return problem.factorise(Matrix::convex, damping);
 }
 
 class Chords {
  public:
   Chords(const Chord::Parameters& p, Problem& problem)
-      : p_(p), problem_(problem), r_(problem.size()), s_(r_), trial_(r_), r_trial_(r_) {}
+      : p_(p), problem_(problem), mu_(p.damping), r_(problem.size()), s_(r_), trial_(r_), r_trial_(r_) {}
 
   Outcome run() {
     if (problem_.evaluate(problem_.u(), energy_, r_) != Evaluation::ok) return Outcome::left_domain;
     while (problem_.progress(problem_.u(), energy_, r_, is_fresh_ ? "" : "old factor")) {
-      if (problem_.try_solve(r_, s_) && !is_worn_ && take_step(p_.contraction)) continue;
-      if (factorise_at_u(problem_) != Factor::ok) return Outcome::linear_solve;
-      is_fresh_ = true, is_worn_ = false;
-      problem_.solve(r_, s_);
-      if (!take_step(1)) return Outcome::step_too_short;
-      is_fresh_ = false;
+      if (keep_factor() && search_line()) continue;
+      if (!renew_factor()) return Outcome::linear_solve;
+      if (!search_line()) return Outcome::step_too_short;
     }
     return Outcome::stopped;
   }
 
  private:
-  /// (1). False: nothing has changed. An old factor gets one try.
-  bool take_step(double contraction) {
-    const double before = norm(r_);
-    for (double t = 1; t >= p_.shortest_step; t *= 0.5) {
-      for (std::size_t i = 0; i < s_.size(); ++i) trial_[i] = problem_.u()[i] - t * s_[i];
-      double energy = 0;
-      const bool is_known = problem_.evaluate(trial_, energy, r_trial_) == Evaluation::ok;
-      const double after = is_known ? norm(r_trial_) : 0;
-      if (is_known && after <= before) {
-        is_worn_ = after > p_.contraction * before;  // (2)
-        std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
-        r_.swap(r_trial_);
-        energy_ = energy;
-        return true;
+  /// (3). False: the factor there is, if any, serves no more.
+  bool keep_factor() {
+    if (is_worn_ || !problem_.try_solve(r_, s_)) return false;
+    is_fresh_ = false;
+    const double before = decrement_;
+    return find_slope() && decrement_ <= p_.contraction * p_.contraction * before;
+  }
+
+  bool renew_factor() {
+    if (factorise_at_u(problem_, mu_) != Factor::ok) return false;
+    problem_.solve(r_, s_);
+    is_fresh_ = true, is_worn_ = false;
+    return find_slope();
+  }
+
+  /// −G(0); false: s does not lead downhill.
+  bool find_slope() {
+    for (double& v : s_) v = -v;
+    decrement_ = -dot(s_, r_);
+    return decrement_ > 0;
+  }
+
+  /// (2). False: nothing has changed. An old factor gets one try.
+  bool search_line() {
+    double low = 0, high = 0, at_low = -decrement_, at_high = 0;
+    for (double t = 1; t - low >= p_.shortest_step;) {
+      const bool is_known = evaluate_at(t);
+      const double slope = is_known ? dot(s_, r_trial_) : 0;
+      is_worn_ = !is_known || std::abs(slope) > p_.contraction * decrement_;
+      if (is_known && slope <= p_.slope * decrement_ && (high == 0 || -slope <= p_.slope * decrement_))
+        return accept(t);
+      if (!is_fresh_) return false;
+      if (!is_known) {
+        t = low + 0.25 * (t - low);
+        continue;
       }
-      if (contraction < 1) break;
+      (slope > 0 ? high : low) = t, (slope > 0 ? at_high : at_low) = slope;
+      const double share = -at_low / (at_high - at_low);
+      t = low + std::clamp(share, 0.1, 0.9) * (high - low);
     }
     return false;
   }
 
+  bool evaluate_at(double t) {
+    for (std::size_t i = 0; i < s_.size(); ++i) trial_[i] = problem_.u()[i] + t * s_[i];
+    return problem_.evaluate(trial_, energy_trial_, r_trial_) == Evaluation::ok;
+  }
+
+  bool accept(double t) {
+    if (is_fresh_) {
+      is_worn_ = is_worn_ || mu_ > kDampingToKeep;
+      adapt_damping(t);
+    }
+    std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
+    r_.swap(r_trial_);
+    energy_ = energy_trial_;
+    return true;
+  }
+
+  /// (4)
+  void adapt_damping(double t) {
+    if (t > 0.9) mu_ = 0.1 * mu_ < kSmallestDamping ? 0 : 0.1 * mu_;
+    if (t < 0.25) mu_ = std::clamp(10 * mu_, kFirstDamping, kLargestDamping);
+  }
+
   const Chord::Parameters& p_;
   Problem& problem_;
+  double mu_;
   std::vector<double> r_, s_, trial_, r_trial_;
-  double energy_ = 0;
+  double energy_ = 0, energy_trial_ = 0;
+  double decrement_ = std::numeric_limits<double>::infinity();
   bool is_fresh_ = false, is_worn_ = false;
 };
 
@@ -88,13 +144,18 @@ Outcome Chord::solve(const Parameters& p, Problem& problem) { return Chords(p, p
 
 using netloft::Chord;
 
-NETLOFT_PLUGIN("chord", "0.1.0", "Newton's method with factors that are kept") {
+NETLOFT_PLUGIN("chord", "0.2.0", "Newton's method with factors that are kept") {
   auto& c =
       plugin.solver<Chord>("chord", "Newton's method that keeps a factor while it serves, for time steps");
+  c.real("damping", &Chord::Parameters::damping, "1", "first share of the linear stiffness in a new factor",
+         {.lo = 0, .hi = 64, .fallback = 1e-2});
   c.real("contraction", &Chord::Parameters::contraction, "1",
-         "share of the residual that may be left of a step before the factor is made anew",
-         {.lo = 1e-6, .hi = 1, .fallback = 0.25});
+         "share of Newton's decrement that may be left of a step before the factor is made anew",
+         {.lo = 1e-6, .hi = 1, .fallback = 0.5});
+  c.real("slope", &Chord::Parameters::slope, "1",
+         "share of the first slope along a step that may be left where it ends",
+         {.lo = 1e-3, .hi = 1, .fallback = 0.8});
   c.real("shortest_step", &Chord::Parameters::shortest_step, "1",
          "shortest part of a step that is tried with a new factor",
-         {.lo = 1e-6, .hi = 1, .fallback = 1.0 / 64});
+         {.lo = 1e-6, .hi = 1, .fallback = 1.0 / 256});
 }
