@@ -51,16 +51,20 @@ ConformanceReport check_law(const LawType& type, const ConformanceOptions& optio
 /// The same of a solver, which is given small problems with known answers; see practice.hpp.
 ConformanceReport check_solver(const SolverType& type, const ConformanceOptions& options = {});
 
+/// The same of an integrator, which is given a motion that is known; see practice_motion.hpp.
+ConformanceReport check_integrator(const IntegratorType& type, const ConformanceOptions& options = {});
+
 /// The same of the file that a plugin came from.
 ConformanceReport check_file(const std::filesystem::path& file);
 
 /// The check that is being made, for those who must explain a crash; null between checks.
 const char* check_under_way();
 
-/// Names of all checks, in the order they are made: of elements, of laws, of solvers.
+/// Names of all checks, in the order they are made: of elements, of laws, of solvers, of integrators.
 std::vector<std::string> conformance_checks();
 std::vector<std::string> law_checks();
 std::vector<std::string> solver_checks();
+std::vector<std::string> integrator_checks();
 
 /// One line per failed check; empty when all passed.
 std::string failures(const ConformanceReport& report);

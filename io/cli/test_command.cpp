@@ -15,11 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What PLUGIN.so, "rope", "rope/bar", "hydro/morison" or "newton" stands for.
+/// What PLUGIN.so, "rope", "rope/bar", "hydro/morison", "newton" or "newmark" stands for.
 struct Targets {
   std::vector<const ElementType*> elements;
   std::vector<const LawType*> laws;
   std::vector<const SolverType*> solvers;
+  std::vector<const IntegratorType*> integrators;
   std::string file;  // where they came from; empty if compiled in
 };
 
@@ -36,7 +37,10 @@ Targets find_targets(const std::string& target, Registry& registry) {
     if (!one || l.type == target) found.laws.push_back(&l);
   for (const auto& v : plugin.solvers)
     if (!one || v.type == target) found.solvers.push_back(&v);
-  if (one && found.elements.empty() && found.laws.empty() && found.solvers.empty())
+  for (const auto& i : plugin.integrators)
+    if (!one || i.type == target) found.integrators.push_back(&i);
+  if (one && found.elements.empty() && found.laws.empty() && found.solvers.empty() &&
+      found.integrators.empty())
     registry.element(target);  // says what there is
   return found;
 }
@@ -84,6 +88,7 @@ std::vector<ConformanceReport> check_all(const Targets& found, bool aloud) {
   for (const auto* e : found.elements) check(e->type, [&] { return check_element(*e); });
   for (const auto* l : found.laws) check(l->type, [&] { return check_law(*l); });
   for (const auto* s : found.solvers) check(s->type, [&] { return check_solver(*s); });
+  for (const auto* i : found.integrators) check(i->type, [&] { return check_integrator(*i); });
   return reports;
 }
 

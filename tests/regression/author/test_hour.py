@@ -6,7 +6,8 @@ import unittest
 
 from installed import WithInstallation, code_lines
 
-CLOSED_FORMS = {"element": ("end_z", -3.0, 1e-6), "law": ("end_x", 5.0, 1e-3), "solver": ("horizontal_tension", 2.99708988, 5e-4)}
+CLOSED_FORMS = {"element": ("end_z", -3.0, 1e-6), "law": ("end_x", 5.0, 1e-3), "solver": ("horizontal_tension", 2.99708988, 5e-4),
+                "integrator": ("lowest", -10.196133, 2e-5)}
 
 
 def seconds_of_children():
@@ -50,10 +51,11 @@ class Hour(WithInstallation):
                          ["CMakeLists.txt", "README.md", "otter.cpp", "otter.toml", "otter_test.cpp"])
 
     def test_nothing_is_left_of_the_template(self):
-        self.sh("netloft new solver steepest_descent")
-        for file in (self.folder / "steepest_descent").iterdir():
-            for left in ("my_solver", "MySolver", "SPDX", "/work", "~~~"):
-                self.assertNotIn(left, file.name + file.read_text())
+        for kind, mine in (("solver", "MySolver"), ("integrator", "MyIntegrator")):
+            self.sh(f"netloft new {kind} steepest_{kind}")
+            for file in (self.folder / f"steepest_{kind}").iterdir():
+                for left in (f"my_{kind}", mine, "SPDX", "/work", "~~~"):
+                    self.assertNotIn(left, file.name + file.read_text())
 
     def test_wrong_names_are_refused_with_the_reason(self):
         self.write("there", "")

@@ -23,13 +23,14 @@ bool runs_v3() { return netloft::best_build(kFolder, "rope").parent_path() != kF
 /// MPI, which PETSc starts, has a thread of its own.
 bool starts_threads(const std::string& plugin) { return plugin == "snes"; }
 
-/// All shipped plugins that hold elements, laws or solvers.
+/// All shipped plugins.
 std::vector<std::string> shipped() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(kFolder)) {
     if (entry.path().extension() != ".so" || starts_threads(entry.path().stem())) continue;
     const auto content = netloft::open_library(entry.path());
-    if (!content.elements.empty() || !content.laws.empty() || !content.solvers.empty())
+    if (!content.elements.empty() || !content.laws.empty() || !content.solvers.empty() ||
+        !content.integrators.empty())
       names.push_back(entry.path().stem());
   }
   std::sort(names.begin(), names.end());
@@ -50,6 +51,7 @@ void expect_conformance(const fs::path& file) {
   for (const auto& type : content.elements) expect_conformance(netloft::check_element(type), file);
   for (const auto& type : content.laws) expect_conformance(netloft::check_law(type), file);
   for (const auto& type : content.solvers) expect_conformance(netloft::check_solver(type), file);
+  for (const auto& type : content.integrators) expect_conformance(netloft::check_integrator(type), file);
 }
 
 TEST_P(Shipped, KeepsItsPromises) { expect_conformance(kFolder / (GetParam() + ".so")); }
@@ -101,6 +103,10 @@ TEST_P(Shipped, GivesTheSameBitsOfItsLawsInEveryBuild) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Shipped, testing::ValuesIn(shipped()),
-                         [](const testing::TestParamInfo<std::string>& plugin) { return plugin.param; });
+                         [](const testing::TestParamInfo<std::string>& plugin) {
+                           std::string name = plugin.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What an integrator promises: its steps follow a motion that is known, at the order and with the estimate it
+// speaks of, gain no energy, remember nothing, and say so when they cannot be made.
+#include "framework/conformance/checklist.hpp"
+#include "framework/conformance/practice_motion.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+namespace netloft {
+
+namespace conformance {
+namespace {
+
+/// One integrator with its defaults.
+struct IntegratorBench {
+  explicit IntegratorBench(const IntegratorType& t, const ConformanceOptions& o)
+      : scheme(t.integrator), type(t), threads_before(count_threads()), parameters(make(o)) {}
+
+  /// OK, or what the first step that failed said; a fault when something came out of `step` that must not.
+  int run(PracticeMotion& motion, const std::vector<double>& lengths, double end) {
+    try {
+      return motion.run(scheme, parameters.data(), lengths, end);
+    } catch (...) {
+      thrown = "an exception came out of `step`";
+      return NETLOFT_ERROR;
+    }
+  }
+  double order() const { return scheme.order(parameters.data()); }
+  double stable_step(double omega) const { return scheme.stable_step(parameters.data(), omega); }
+
+  const netloft_integrator& scheme;
+  const IntegratorType& type;
+  std::size_t threads_before;
+  std::vector<std::string> faults;
+  std::string thrown;
+  ParameterBlock parameters;
+
+ private:
+  ParameterBlock make(const ConformanceOptions& o) {
+    const Values sampled = ParameterSampler(type.parameters, o.seed).parameters(0);
+    Values required;
+    for (const auto& p : type.parameters)
+      if (p.flags & NETLOFT_REQUIRED) required[p.name] = sampled.at(p.name);
+    return ParameterBlock(type.parameters, type.integrator.parameter_bytes, required, faults);
+  }
+};
+
+using Bench = IntegratorBench;
+
+const PracticeSwing kFree{};
+const PracticeSwing kDamped{.damping = 0.2};
+const PracticeSwing kPushed{.push = 1};
+
+Finding up_to(double figure, double limit, std::string detail) {
+  Finding f;
+  f.figure = figure, f.limit = limit, f.passed = figure <= limit, f.detail = std::move(detail);
+  return f;
+}
+
+Finding integrator_defaults_are_allowed(Bench& b) { return judged(b.faults.empty() ? "" : b.faults.front()); }
+
+Finding integrator_lets_no_exception_escape(Bench& b) {
+  for (const int status : {NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN, NETLOFT_ERROR}) {
+    PracticeMotion motion({.fails = status});
+    b.run(motion, {0.01}, 0.03);
+  }
+  return judged(b.thrown);
+}
+
+Finding fills_every_output(Bench& b) {
+  PracticeMotion motion(kFree);
+  if (const int status = b.run(motion, {0.01}, 0.02); status != NETLOFT_OK)
+    return failed("a step of a linear oscillator returned " + std::to_string(status));
+  return motion.is_finite() ? Finding{} : failed("u_new, v_new or a_new holds what is no number");
+}
+
+Finding leaves_the_start_alone(Bench& b) {
+  PracticeMotion motion(kFree);
+  b.run(motion, {0.01}, 0.03);
+  return motion.left_alone() ? Finding{} : failed("u, v or a at the start of a step has changed");
+}
+
+constexpr double kSpan = 2;  // [s] of a motion whose periods are 3 to 6 s
+
+double error_with(Bench& b, const PracticeSwing& like, int steps) {
+  PracticeMotion motion(like);
+  b.run(motion, {kSpan / steps}, kSpan);
+  return motion.t < kSpan * (1 - 1e-9) ? std::numeric_limits<double>::infinity() : motion.error();
+}
+
+/// Power of the step with which the error at the end shrinks.
+double order_of(Bench& b, const PracticeSwing& like) {
+  return std::log2(error_with(b, like, 128) / error_with(b, like, 256));
+}
+
+/// Orders are seen to this.
+constexpr double kOrderSeen = 0.2;
+
+Finding converges(Bench& b) {
+  const double order = order_of(b, kFree), error = error_with(b, kFree, 256);
+  Finding f =
+      up_to(1 - order, kOrderSeen, "order " + std::to_string(order) + " of the error of a free motion");
+  f.passed = f.passed && error < 0.1;
+  return f;
+}
+
+Finding keeps_its_order(Bench& b, const PracticeSwing& like, const char* motion) {
+  const double free = order_of(b, kFree), here = order_of(b, like);
+  return up_to(
+      free - here, kOrderSeen,
+      "order " + std::to_string(here) + " of " + motion + ", " + std::to_string(free) + " of a free one");
+}
+
+Finding keeps_its_order_with_damping(Bench& b) { return keeps_its_order(b, kDamped, "a damped motion"); }
+Finding keeps_its_order_under_a_load(Bench& b) {
+  return keeps_its_order(b, kPushed, "a motion under a load that grows");
+}
+
+/// A step that is too long may be refused, but not be shortened in secret.
+Finding goes_all_the_way(Bench& b) {
+  PracticeMotion motion(kFree);
+  const double stable = b.stable_step(2), h = stable > 0 ? std::min(0.2, 0.5 * stable) : 0.2;
+  if (b.run(motion, {h}, 3) != NETLOFT_OK) return nothing_to_ask("it refuses long steps");
+  return up_to(motion.error(), 1, "of where it is after 3 s in steps of " + std::to_string(h) + " s");
+}
+
+constexpr double kWhere = 0.5;  // [s] where velocities and accelerations are all there
+
+double estimate_with(Bench& b, int steps) {
+  PracticeMotion motion(kFree);
+  b.run(motion, {kWhere / steps}, kWhere);
+  return motion.estimate;
+}
+
+Finding estimate_shrinks_as_said(Bench& b) {
+  const double coarse = estimate_with(b, 50), fine = estimate_with(b, 100);
+  if (coarse == 0 && fine == 0) return nothing_to_ask("it gives no estimate of its errors");
+  const double seen = std::log2(coarse / fine);
+  return up_to(
+      std::abs(seen - b.order()), kOrderSeen,
+      "the estimate shrinks with order " + std::to_string(seen) + ", it says " + std::to_string(b.order()));
+}
+
+Finding estimate_is_honest(Bench& b) {
+  PracticeMotion motion(kFree);
+  b.run(motion, {0.02}, kWhere);
+  if (motion.estimated == 0) return nothing_to_ask("it gives no estimate of its errors");
+  return up_to(motion.error() / motion.estimated, 3, "error after 25 steps over the sum of their estimates");
+}
+
+Finding gains_no_energy(Bench& b) {
+  PracticeMotion motion(kFree);
+  b.run(motion, {0.1}, 200);
+  return up_to(motion.energy(), 1.05, "energy after 2000 steps of a free motion over that of the start");
+}
+
+/// Steps at most as long as it says; if any is stable, long ones of a hundred over the frequency.
+Finding stable_as_it_says(Bench& b) {
+  const double fastest = 2, stable = b.stable_step(fastest);
+  const double h = stable > 0 ? 0.8 * stable : 100 / fastest;
+  PracticeMotion motion(kFree);
+  if (b.run(motion, {h}, 1000 * h) != NETLOFT_OK) return failed("a stable step is refused");
+  return up_to(motion.energy(), 10,
+               "energy after 1000 steps of " + std::to_string(h) + " s over that of the start");
+}
+
+Finding says_when_a_step_fails(Bench& b) {
+  PracticeMotion motion({.fails = NETLOFT_OUTSIDE_DOMAIN});
+  return b.run(motion, {0.01}, 0.01) != NETLOFT_OK ? Finding{}
+                                                   : failed("a step without forces counts as found");
+}
+
+Finding stops_at_an_error(Bench& b) {
+  PracticeMotion motion({.fails = NETLOFT_ERROR});
+  const int status = b.run(motion, {0.01}, 0.01);
+  return status < 0 ? Finding{}
+                    : failed("returned " + std::to_string(status) + " after an error of the host");
+}
+
+bool same_bits(const PracticeMotion& one, const PracticeMotion& two) {
+  const auto same = [](const std::vector<double>& x, const std::vector<double>& y) {
+    return std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
+  };
+  return same(one.u, two.u) && same(one.v, two.v) && same(one.a, two.a);
+}
+
+Finding integrator_has_no_hidden_state(Bench& b) {
+  PracticeMotion first(kDamped), other(kFree), again(kDamped);
+  b.run(first, {0.01, 0.02}, 0.1);
+  b.run(other, {0.03}, 0.09);
+  b.run(again, {0.01, 0.02}, 0.1);
+  return same_bits(first, again) ? Finding{} : failed("the same steps twice, answers differ");
+}
+
+Finding remembers_nothing_in_scratch(Bench& b) {
+  PracticeMotion kept(kDamped), cleared(kDamped);
+  kept.clears_scratch = false;
+  b.run(kept, {0.01}, 0.1);
+  b.run(cleared, {0.01}, 0.1);
+  return same_bits(kept, cleared) ? Finding{}
+                                  : failed("a step depends on what an earlier one left in scratch");
+}
+
+Finding explicit_means_explicit(Bench& b) {
+  if (!b.type.is_explicit()) return nothing_to_ask("it does not say that it is explicit");
+  PracticeMotion motion(kFree);
+  b.run(motion, {0.01}, 0.02);
+  return motion.solves == 0 ? Finding{} : failed("it calls `solve`");
+}
+
+Finding steps_nothing(Bench& b) {
+  PracticeMotion motion({.unknowns = 0});
+  const int status = b.run(motion, {0.01}, 0.02);
+  return status == NETLOFT_OK ? Finding{} : failed("returned " + std::to_string(status));
+}
+
+Finding integrator_starts_no_threads(Bench& b) {
+  if (b.threads_before == 0) return nothing_to_ask("this system does not show the threads of a program");
+  const std::size_t now = count_threads();
+  return now <= b.threads_before ? Finding{}
+                                 : failed(std::to_string(now - b.threads_before) + " more threads");
+}
+
+// Order matters: a check stands below those that it leans on.
+const std::vector<Check<Bench>>& integrator_table() {
+  static const std::vector<Check<Bench>> checks = {
+      {"defaults-are-allowed",
+       integrator_defaults_are_allowed,
+       {},
+       "a default must lie in the range that its own parameter allows"},
+      {"no-exception-escapes",
+       integrator_lets_no_exception_escape,
+       {"defaults-are-allowed"},
+       "catch everything before it crosses the boundary; the layer of integrator.hpp does"},
+      {"fills-every-output",
+       fills_every_output,
+       {"no-exception-escapes"},
+       "a step gives next_u, next_v and next_a, each in full, whatever stood there"},
+      {"leaves-the-start-alone",
+       leaves_the_start_alone,
+       {"fills-every-output"},
+       "a step may be refused and made again: u, v and a are not yours to change"},
+      {"converges",
+       converges,
+       {"fills-every-output"},
+       "masses on springs: shorter steps must come nearer to the motion; are all powers of h there?"},
+      {"keeps-its-order-with-damping",
+       keeps_its_order_with_damping,
+       {"converges"},
+       "at which velocity are forces evaluated? It must be that of the end of the step, or a prediction of "
+       "it"},
+      {"keeps-its-order-under-a-load",
+       keeps_its_order_under_a_load,
+       {"converges"},
+       "at which time are forces evaluated? The first argument of `solve` and `accelerate`"},
+      {"goes-all-the-way",
+       goes_all_the_way,
+       {"converges"},
+       "the step is as long as `h` says; where that is too long, return Step::shorter"},
+      {"estimate-shrinks-as-said",
+       estimate_shrinks_as_said,
+       {"converges"},
+       "`order` is the power of h in `error`, the error of one step, which is one above that of the scheme"},
+      {"estimate-is-honest",
+       estimate_is_honest,
+       {"converges"},
+       "`error` must not be much below the error that a step makes; the control of steps relies on it"},
+      {"gains-no-energy",
+       gains_no_energy,
+       {"converges"},
+       "a free motion must not grow at steps far below its period"},
+      {"stable-as-it-says",
+       stable_as_it_says,
+       {"gains-no-energy"},
+       "`stable_step` promises that shorter steps are stable; 0 promises that all are"},
+      {"says-when-a-step-fails",
+       says_when_a_step_fails,
+       {"no-exception-escapes"},
+       "look at what `solve` and `accelerate` return; Step::shorter says that the step was not found"},
+      {"stops-at-an-error",
+       stops_at_an_error,
+       {"no-exception-escapes"},
+       "an error of the host ends the step with an error; no shorter step will do"},
+      {"no-hidden-state",
+       integrator_has_no_hidden_state,
+       {"fills-every-output"},
+       "no static or mutable variables: the same steps have the same answer, bit for bit"},
+      {"remembers-nothing-in-scratch",
+       remembers_nothing_in_scratch,
+       {"no-hidden-state"},
+       "scratch is room within a step: a march that goes on from a file must go on alike"},
+      {"explicit-means-explicit",
+       explicit_means_explicit,
+       {"fills-every-output"},
+       "leave traits(NETLOFT_EXPLICIT) away, or use `accelerate`"},
+      {"steps-nothing", steps_nothing, {"no-exception-escapes"}, "a scene may have no unknowns at all"},
+      {"starts-no-threads",
+       integrator_starts_no_threads,
+       {},
+       "the host divides the work; a plugin that starts threads takes the processor from it"},
+  };
+  return checks;
+}
+
+/// The least of several repeats, over unknowns and steps.
+TermTiming time_stepping(Bench& b) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kSteps = 100;
+  constexpr std::uint32_t kUnknowns = 300;
+  double least = 1e300;
+  for (int repeat = 0; repeat < 15; ++repeat) {
+    PracticeMotion motion({.unknowns = kUnknowns});
+    const auto start = Clock::now();
+    b.run(motion, {1e-4}, kSteps * 1e-4);
+    const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
+    least = std::min(least, spent.count() / kSteps / kUnknowns);
+  }
+  return {"free motion", std::to_string(kSteps) + " steps", least, "step and unknown"};
+}
+
+}  // namespace
+}  // namespace conformance
+
+ConformanceReport check_integrator(const IntegratorType& type, const ConformanceOptions& options) {
+  using namespace conformance;
+  ConformanceReport report;
+  report.type = type.type;
+  IntegratorBench bench(type, options);
+  Doubtful doubtful;
+  for (const auto& check : integrator_table()) report.checks.push_back(run(check, bench, doubtful));
+  if (options.timings && !doubtful.among({"fills-every-output"})) report.timings = {time_stepping(bench)};
+  return report;
+}
+
+std::vector<std::string> integrator_checks() {
+  std::vector<std::string> names;
+  for (const auto& check : conformance::integrator_table()) names.push_back(check.name);
+  return names;
+}
+
+}  // namespace netloft

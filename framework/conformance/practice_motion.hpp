@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/plugin.h>
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+namespace netloft::conformance {
+
+/// What a practice motion is like.
+struct PracticeSwing {
+  double damping = 0;          // ζ, share of the critical one
+  double push = 0;             // f [m/s²], grows in proportion to time
+  int fails = NETLOFT_OK;      // what every function of the host answers
+  std::uint32_t unknowns = 3;  // with ω = 1, 1.5, 2 … rad/s, and u = 1, ½, ⅓ … m at the start
+};
+
+/// Masses on springs, whose motion is known in full, behind the same functions as a scene:
+///   F = m (a + 2 ζ ω v + ω² u − f t) = 0,  m = 2 kg                                     (1)
+/// for each unknown by itself. With f = 0 or ζ = 0:
+///   u = e^(−ζωt) (A cos ω't + B sin ω't) + f t/ω²,  ω' = ω √(1 − ζ²)                    (2)
+/// Outputs of a step and scratch hold no numbers before it, so that what is left out or kept is seen.
+class PracticeMotion {
+ public:
+  explicit PracticeMotion(const PracticeSwing& like);
+
+  netloft_motion& interface() { return interface_; }
+  /// Steps of these lengths in turn, up to `end` or the first that fails: its status, else OK.
+  int run(const netloft_integrator& scheme, const void* parameters, const std::vector<double>& lengths,
+          double end);
+  /// Largest distance from (2) at the time reached, over the start [m/m].
+  double error() const;
+  /// Energy over that of the start.
+  double energy() const;
+  bool is_finite() const;
+  /// The start of every step is as it was after it.
+  bool left_alone() const { return left_alone_; }
+
+  int solves = 0;
+  double t = 0;
+  double estimate = 0, estimated = 0;  // largest estimate of the last step, sum over all of them [m]
+  bool clears_scratch = true;
+  std::vector<double> u, v, a;
+
+ private:
+  int step(const netloft_integrator& scheme, const void* parameters, double h);
+  double omega(std::size_t i) const { return 1 + 0.5 * static_cast<double>(i); }
+  double exact(std::size_t i) const;
+  double force(std::size_t i, double time, double u_i, double v_i, double a_i) const;
+  void forget_scratch();
+
+  int residual(double time, const double* u_at, const double* v_at, const double* a_at, double* r);
+  int accelerate(double time, const double* u_at, const double* v_at, double* a_at);
+  int solve(double time, const double* v0, double cv, const double* a0, double ca, double* u_at);
+  double* scratch(std::uint32_t index);
+
+  template <auto Member, class Result, class... Args>
+  static Result call(void* host, Args... args) {
+    return (static_cast<PracticeMotion*>(host)->*Member)(args...);
+  }
+
+  PracticeSwing like_;
+  std::size_t n_;
+  netloft_motion interface_{};
+  std::vector<double> start_, next_u_, next_v_, next_a_, error_;
+  std::deque<std::vector<double>> scratch_;
+  bool left_alone_ = true;
+  char message_[256] = "";
+};
+
+}  // namespace netloft::conformance
