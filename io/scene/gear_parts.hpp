@@ -21,6 +21,8 @@ class GearParts {
   /// `plan` has no errors. Reads `[gear]` and `[elements]`.
   GearParts(const io::Plan& plan, TableReader& root, const ElementChoice& elements, Draft& draft);
 
+  /// False after an error: then nothing in the scene can be judged.
+  bool is_divided() const { return mesh_.nodes > 0; }
   /// Panels and ropes, on nodes of their own, and the names of points.
   void add_parts();
   /// Nodes that panels and ropes share become one.

@@ -50,6 +50,7 @@ class SceneReader {
   }
 
   LoadedScene read() {
+    if (gear_ && !gear_->is_divided()) return std::move(out_);
     read_water();
     if (gear_) gear_->add_parts();
     read_parts();
