@@ -80,5 +80,47 @@ class Gears(InFreshFolder):
         self.assertIn("panels", run.err)
 
 
+FLUME = SOURCE / "gear-library/scenes/83-112-flume-3.0kn.toml"
+
+
+class GearScenes(InFreshFolder):
+    """Gears from plans, brought to equilibrium."""
+
+    def run_gear(self, scene, *more):
+        return self.netloft("run", str(scene), "--set", "gear.nodes=500", "--json", *more).json()
+
+    def test_the_flume_at_three_knots_is_met(self):
+        """Measured at 1:8 and given at full scale: 2.0 m (+- 0.1 m), 36 m2 (4 %), 2.4 t; 10 % for a coarse mesh."""
+        run = self.run_gear(FLUME)
+        self.assertEqual(run["status"], "converged")
+        figures = run["gear"]["figures"]
+        self.assertAlmostEqual(figures["mouth/headline_height"], 2.0, delta=0.2)
+        tension = 2 * (figures["ropes/upper-bridle/tension_start"] + figures["ropes/lower-bridle/tension_start"])
+        self.assertAlmostEqual(tension / 9806.65, 2.4, delta=0.24)
+
+    def test_a_changed_gear_is_a_scene_of_three_lines(self):
+        self.write("lighter.toml", f'include = ["{FLUME}"]\n[floats.headline]\nspread = "60 along headrope"\n')
+        lighter, plain = self.run_gear("lighter.toml"), self.run_gear(FLUME)
+        self.assertEqual(lighter["status"], "converged")
+        height = "mouth/headline_height"
+        self.assertGreater(lighter["gear"]["figures"][height], plain["gear"]["figures"][height])
+
+    def test_double_netting_weighs_twice(self):
+        single = self.run_gear(FLUME, "--set", "panels.top-codend.twines=1")["gear"]["figures"]
+        double = self.run_gear(FLUME)["gear"]["figures"]
+        key = "panels/top-codend/mass"
+        self.assertAlmostEqual(double[key], 2 * single[key], delta=1e-9 * double[key])
+
+    def test_wrong_gear_scenes_are_answered(self):
+        for lines, said in (('[gear]\nextend = "half"\n', "extend"), ("[gear]\nfiner = { top-codent = 2 }\n", "top-codend"),
+                            ("[elements.top-codent]\n", "top-codend"), ('[elements.netting]\ntype = "rope/bar"\n', "priour/triangle"),
+                            ('[parts.headrope]\ntype = "rope/bar"\n', "[elements.headrope]"), ('[elements.netting]\ncolour = "red"\n', "colour")):
+            with self.subTest(lines):
+                self.write("wrong.toml", f'include = ["{FLUME}"]\n' + lines)
+                run = self.netloft("run", "wrong.toml")
+                self.assertEqual(run.code, 2)
+                self.assertIn(said, run.err)
+
+
 if __name__ == "__main__":
     unittest.main()
