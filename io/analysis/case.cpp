@@ -22,6 +22,14 @@ constexpr std::size_t kSmall = 200;
 constexpr double kCoarseTolerance = 1e-3;
 
 /// Moves the free nodes; what is held starts where it is held.
+/// "tension only" → "tension only, elements x 2" → "tension only, elements x 4": how much longer they are.
+std::string on_coarser(const std::string& leg) {
+  constexpr std::string_view kLonger = ", elements x ";
+  const auto at = leg.rfind(kLonger);
+  if (at == leg.npos) return leg + std::string(kLonger) + "2";
+  return leg.substr(0, at + kLonger.size()) + std::to_string(2 * std::stoi(leg.substr(at + kLonger.size())));
+}
+
 void set_start(Scene& scene, const std::vector<double>& positions) {
   for (std::size_t d = 0; d < positions.size(); ++d)
     if (scene.held[d / 3] == 0) scene.positions[d] = positions[d];
@@ -186,9 +194,10 @@ std::vector<double> Case::start_from_coarser(const Watch& watch, std::vector<Leg
   direct.detours = watch.detours;
   const Solution s = coarser.solve(direct);
   if (s.legs.empty())
-    legs.push_back({"coarser mesh", loaded_.analysis.solver, s.u.size(), s.status, s.reason, s.books});
+    legs.push_back(
+        {on_coarser("as it is"), loaded_.analysis.solver, s.u.size(), s.status, s.reason, s.books});
   else
-    for (Leg leg : s.legs) leg.name += ", coarser mesh", legs.push_back(leg);
+    for (Leg leg : s.legs) leg.name = on_coarser(leg.name), legs.push_back(leg);
   if (s.status != SolveStatus::converged) return {};
   const auto carried = carried_over(coarser.loaded_, coarser.positions(s.x), loaded_);
   return carried ? assembler_->displacements(*carried) : std::vector<double>{};

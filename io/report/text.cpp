@@ -67,7 +67,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, {:.3g} s\n", plan.unknowns,
                  s.books.iterations, s.books.factorisations, s.books.total_seconds);
   for (const Leg& leg : s.legs)
-    fmt::format_to(out, "    {:<34} {:>7} unknowns {:>4} iterations {:>4} factorisations  {}\n", leg.name,
+    fmt::format_to(out, "    {:<44} {:>7} unknowns {:>4} iterations {:>4} factorisations  {}\n", leg.name,
                    leg.unknowns, leg.books.iterations, leg.books.factorisations, name_of(leg.status));
   const bool with_errors = !result.mesh_note.empty();
   for (const auto& scalar : result.scalars)
