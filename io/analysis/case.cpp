@@ -5,6 +5,7 @@
 #include "framework/problem/settling.hpp"
 #include "io/analysis/coarser.hpp"
 #include "io/analysis/diagnosis.hpp"
+#include "io/analysis/stretch_damping.hpp"
 #include "io/scene/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 
@@ -21,7 +22,6 @@ namespace {
 constexpr std::size_t kSmall = 200;
 constexpr double kCoarseTolerance = 1e-3;
 
-/// Moves the free nodes; what is held starts where it is held.
 /// "tension only" → "tension only, elements x 2" → "tension only, elements x 4": how much longer they are.
 std::string on_coarser(const std::string& leg) {
   constexpr std::string_view kLonger = ", elements x ";
@@ -30,6 +30,7 @@ std::string on_coarser(const std::string& leg) {
   return leg.substr(0, at + kLonger.size()) + std::to_string(2 * std::stoi(leg.substr(at + kLonger.size())));
 }
 
+/// Moves the free nodes; what is held starts where it is held.
 void set_start(Scene& scene, const std::vector<double>& positions) {
   for (std::size_t d = 0; d < positions.size(); ++d)
     if (scene.held[d / 3] == 0) scene.positions[d] = positions[d];
@@ -58,6 +59,8 @@ Case::State Case::assemble() {
   try {
     const Analysis& analysis = loaded_.analysis;
     const bool moves = analysis.kind == AnalysisKind::dynamics || analysis.settles;
+    if (moves && analysis.dynamics.stiffness_damping > 0)
+      damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
     plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
                       moves ? AnalysisKind::dynamics : AnalysisKind::statics);
     if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);

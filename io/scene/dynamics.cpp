@@ -13,7 +13,7 @@ struct DynamicsKeys {
   const char* integrator = nullptr;
   std::int64_t start = 0;
   double duration = 0, step = 0, longest_step = 0, shortest_step = 0, accuracy = 0, output_interval = 0;
-  double mass_damping = 0;
+  double mass_damping = 0, stiffness_damping = 0;
   bool adaptive = false, dense = false, energy_budget = false;
 };
 
@@ -37,6 +37,9 @@ ParameterTable<DynamicsKeys> make_table() {
   t.boolean("dense", &K::dense, "outputs lie between steps; otherwise steps end at them", false);
   t.boolean("energy_budget", &K::energy_budget, "keep account of all energies", true);
   t.real("mass_damping", &K::mass_damping, "1/s", "artificial damping c of the force -c m v",
+         {.lo = 0, .hi = 1e9, .fallback = 0});
+  t.real("stiffness_damping", &K::stiffness_damping, "s",
+         "damping of stretch where a part has none: tension per strain rate over EA",
          {.lo = 0, .hi = 1e9, .fallback = 0});
   return t;
 }
@@ -112,6 +115,7 @@ Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
   d.march.accuracy = k.accuracy, d.march.longest_step = k.longest_step;
   d.march.shortest_step = k.shortest_step, d.march.output_interval = k.output_interval;
   d.march.dense = k.dense, d.march.budget = k.energy_budget, d.march.mass_damping = k.mass_damping;
+  d.stiffness_damping = k.stiffness_damping;
   const IntegratorType& type = registry.integrator(d.integrator);
   if (!k.adaptive && k.step == 0 && !type.is_explicit())
     analysis.error("step", "is 0 with adaptive = false: say how long all steps are");

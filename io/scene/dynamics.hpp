@@ -15,6 +15,7 @@ struct Dynamics {
   std::string integrator = {};
   Values integrator_parameters = {};
   MarchSettings march = {};
+  double stiffness_damping = 0;   // β of Rayleigh's damping β K [s]; α is march.mass_damping
   bool from_equilibrium = false;  // otherwise from the sketch; at rest in both cases
 };
 
