@@ -18,7 +18,7 @@ constexpr double kNear = 0.05;   // of the nodes asked for
 constexpr int kTrials = 8;       // of sizes, until the nodes are near what is asked for
 constexpr double kGrid = 1e-10;  // of a cloth: what is alike to port and to starboard is the same on it
 
-constexpr std::uint32_t kNoNode = ~std::uint32_t{0};
+constexpr int kPartings = 5;  // rounds in which sides that two cloths would share by chance are parted
 
 double finer(const Fineness& fineness, const GearPanel& panel) {
   for (const auto& name : {panel.name, panel.panel->name})
@@ -48,6 +48,8 @@ class Divider {
     find_senses();
     mesh_.panels.resize(gear_.panels.size());
     mesh_.quality = {std::numbers::pi, 0, 0};
+    fill_cloths();
+    for (int trial = 0; trial < kPartings && part_doubled_sides(); ++trial) continue;
     for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) add_cloth(c);
     for (std::size_t r = 0; r < gear_.ropes.size(); ++r) add_rope(r);
     add_points();
@@ -133,18 +135,74 @@ class Divider {
     }
   }
 
+  void fill_cloths() {
+    for (const auto& cloth : cloths_.cloths) {
+      borders_.push_back(border_of(cloth));
+      planes_.push_back(
+          triangulate(on_plane(*gear_.panels[cloth.panel].panel, borders_.back()), size_of(cloth)));
+    }
+  }
+
+  double size_of(const Cloth& cloth) const { return size_ / finer(fineness_, gear_.panels[cloth.panel]); }
+
+  using PlaneSide = std::array<std::uint32_t, 2>;
+
+  /// Sides within a cloth that begin at its border, each once.
+  std::vector<PlaneSide> inner_sides(std::size_t c) const {
+    const auto n = static_cast<std::uint32_t>(borders_[c].nodes.size());
+    std::set<PlaneSide> sides;
+    for (const auto& t : planes_[c].triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
+        const bool is_border = b < n && (b == a + 1 || (a == 0 && b == n - 1));
+        if (a < n && !is_border) sides.insert({a, b});
+      }
+    return {sides.begin(), sides.end()};
+  }
+
+  /// What tells nodes of the gear apart before those within cloths have numbers: a cloth (0: lines) and one.
+  using Tag = std::array<std::size_t, 2>;
+  Tag tag(std::size_t c, std::uint32_t point) const {
+    const auto& nodes = borders_[c].nodes;
+    return point < nodes.size() ? Tag{0, nodes[point]} : Tag{c + 1, point};
+  }
+  std::pair<Tag, Tag> tags(std::size_t c, const PlaneSide& side) const {
+    return std::minmax(tag(c, side[0]), tag(c, side[1]));
+  }
+
+  /// Where two sides of triangles would be one by chance, for they join the same two nodes of the gear but
+  /// are not sewn together, as near sharp corners and where seams end in a point, they get nodes of their
+  /// own. Returns whether there was any.
+  bool part_doubled_sides() {
+    std::map<std::pair<Tag, Tag>, int> times;
+    for (const auto& nodes : line_nodes_)
+      for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
+        ++times[std::minmax(Tag{0, nodes[k]}, Tag{0, nodes[k + 1]})];
+    std::vector<std::vector<PlaneSide>> sides;
+    for (std::size_t c = 0; c < planes_.size(); ++c) {
+      sides.push_back(inner_sides(c));
+      for (const auto& side : sides[c]) ++times[tags(c, side)];
+    }
+    bool was_any = false;
+    for (std::size_t c = 0; c < planes_.size(); ++c) {
+      std::erase_if(sides[c], [&](const PlaneSide& side) { return times[tags(c, side)] < 2; });
+      if (sides[c].empty()) continue;
+      planes_[c] = split_sides(planes_[c], borders_[c].nodes.size(), size_of(cloths_.cloths[c]), sides[c]);
+      was_any = true;
+    }
+    return was_any;
+  }
+
   void add_cloth(std::size_t c) {
     const Cloth& cloth = cloths_.cloths[c];
-    const GearPanel& panel = gear_.panels[cloth.panel];
-    const Border border = border_of(cloth);
-    const PlaneMesh plane = triangulate(on_plane(*panel.panel, border), size_ / finer(fineness_, panel));
-    const auto own = add_own_nodes(cloth, *panel.panel, border, plane);
+    const PlaneMesh& plane = planes_[c];
+    const auto own = add_own_nodes(cloth, *gear_.panels[cloth.panel].panel, borders_[c], plane);
     for (auto t : plane.triangles) {
       rate(plane, t);
       if (senses_[c] < 0) std::swap(t[1], t[2]);
       for (const auto v : t) mesh_.panels[cloth.panel].triangles.push_back(own[v]);
     }
-    add_sets(cloth, border, own);
+    add_sets(cloth, borders_[c], own);
   }
 
   /// Rounded to a grid, for lines that run the other way are divided a rounding error apart.
@@ -282,7 +340,9 @@ class Divider {
   double size_;
   SeamLines lines_;
   std::vector<std::vector<std::uint32_t>> line_nodes_;
-  std::vector<int> senses_;
+  std::vector<Border> borders_;    // by cloth
+  std::vector<PlaneMesh> planes_;  // by cloth
+  std::vector<int> senses_;        // by cloth
   GearMesh mesh_;
 };
 

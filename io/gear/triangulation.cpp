@@ -47,9 +47,26 @@ class Filler {
     mesh_.points = border;
   }
 
+  Filler(PlaneMesh mesh, std::size_t border, double size)
+      : border_(border), size_(size), mesh_(std::move(mesh)) {}
+
   PlaneMesh fill() {
     connect();
     refine();
+    return finish();
+  }
+
+  PlaneMesh add(const std::vector<std::array<std::uint32_t, 2>>& sides) {
+    for (const auto& [a, b] : sides)
+      mesh_.points.push_back(
+          {(mesh_.points[a][0] + mesh_.points[b][0]) / 2, (mesh_.points[a][1] + mesh_.points[b][1]) / 2});
+    connect();
+    collect();
+    return finish();
+  }
+
+ private:
+  PlaneMesh finish() {
     for (int round = 0; round < kRounds; ++round) {
       smooth();
       connect();
@@ -59,7 +76,6 @@ class Filler {
     return std::move(mesh_);
   }
 
- private:
   /// Delaunay triangles of all points, none across the border.
   void connect() {
     cdt_.clear();
@@ -193,6 +209,11 @@ class Filler {
 
 PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size) {
   return Filler(border, size).fill();
+}
+
+PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
+                      const std::vector<std::array<std::uint32_t, 2>>& sides) {
+  return Filler(mesh, border, size).add(sides);
 }
 
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {

@@ -20,6 +20,10 @@ struct PlaneMesh {
 /// Throws std::invalid_argument on a border that crosses itself.
 PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size);
 
+/// The same with a point more in the middle of each of some sides, given by their points; all is smoothed.
+PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
+                      const std::vector<std::array<std::uint32_t, 2>>& sides);
+
 /// Of one triangle [rad].
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
