@@ -42,7 +42,9 @@ class Pen {
  public:
   explicit Pen(PanelPoint start) : at_(start) {}
 
+  /// What is on the middle but for rounding is on the middle.
   void draw(OutlineEdge edge, PanelPoint to) {
+    if (std::abs(to.x) < 1e-9) to.x = 0;
     edge.from = at_, edge.to = to;
     at_ = to;
     if (std::hypot(edge.to.x - edge.from.x, edge.to.y - edge.from.y) > 1e-9)
