@@ -33,6 +33,15 @@ bool turns(const Gear& gear, const EdgeRef& one, const EdgeRef& other) {
   return a == b && is_lateral(a);
 }
 
+/// Meshes outwards from the middle, of panels across it; else from where the inner side begins.
+double outwards(const GearPanel& panel, double U) {
+  return panel.panel->stands == Standing::middle ? std::abs(U) : U;
+}
+
+bool is_to_port(const GearPanel& panel, double U) {
+  return panel.panel->stands == Standing::middle ? U < 0 : panel.is_mirrored;
+}
+
 }  // namespace
 
 Girth::Girth(const Gear& gear, const GearMesh& mesh)
@@ -84,8 +93,7 @@ void Girth::find_closed(const Gear& gear, const GearMesh& mesh) {
 void Girth::find_sides(const Gear& gear, const GearMesh& mesh) {
   for (std::size_t p = 0; p < mesh.panels.size(); ++p)
     for (std::size_t own = 0; own < mesh.panels[p].nodes.size(); ++own) {
-      const bool to_port = gear.panels[p].is_mirrored || mesh.panels[p].meshes[own][0] < 0;
-      side_[mesh.panels[p].nodes[own]] = to_port ? -1 : 1;
+      side_[mesh.panels[p].nodes[own]] = is_to_port(gear.panels[p], mesh.panels[p].meshes[own][0]) ? -1 : 1;
       covered_[mesh.panels[p].nodes[own]] = true;
     }
 }
@@ -104,7 +112,9 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
         aft.push_back({from, to, deep * (panel.meshes[j][1] - panel.meshes[i][1]), 1});  // (1)
         if (sense_[p] < 0 && (closed_[from] || closed_[to])) continue;  // the other panel says where they are
         around.push_back({from, to,
-                          sense_[p] * wide * (std::abs(panel.meshes[j][0]) - std::abs(panel.meshes[i][0])),
+                          sense_[p] * wide *
+                              (outwards(gear.panels[p], panel.meshes[j][0]) -
+                               outwards(gear.panels[p], panel.meshes[i][0])),
                           1});  // (2)
       }
     if (sense_[p] > 0 && gear.panels[p].panel->stands == Standing::middle)
@@ -124,6 +134,7 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
 /// Every node of a lower middle panel says where its middle is; on a net without one the girth is open below.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
+  own_.assign(mesh.nodes, 0);
   for (std::size_t p = 0; p < mesh.panels.size(); ++p) {
     const PanelMesh& panel = mesh.panels[p];
     const double wide = std::sin(kHalfAngle) * gear.panels[p].panel->mesh;
@@ -132,14 +143,16 @@ void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
       const auto node = panel.nodes[own];
       most = std::max(most, around_[node]);
       if (is_bottom && !closed_[node])
-        bottom_.push_back({aft_[node], around_[node] + wide * std::abs(panel.meshes[own][0])});
+        bottom_.push_back({aft_[node], own_[node] = around_[node] + wide * std::abs(panel.meshes[own][0])});
     }
   }
   if (bottom_.empty()) bottom_.push_back({0, std::max(2 * most, 1e-3)});
   std::sort(bottom_.begin(), bottom_.end());
 }
 
-double Girth::half_girth(double aft) const {
+double Girth::half_girth(std::uint32_t node) const {
+  if (own_[node] > 0) return std::max(own_[node], 1e-3);
+  const double aft = aft_[node];
   const auto next = std::lower_bound(bottom_.begin(), bottom_.end(), std::pair{aft, 0.0});
   if (next == bottom_.begin()) return std::max(next->second, 1e-3);
   if (next == bottom_.end()) return std::max(bottom_.back().second, 1e-3);

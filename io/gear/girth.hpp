@@ -19,8 +19,9 @@ class Girth {
   int side(std::uint32_t node) const { return side_[node]; }         // −1 to port, else 1
   /// Whether an end of the bag that is sewn to itself has it.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
-  /// S [m] so far aft.
-  double half_girth(double aft) const;
+  /// S [m] where this node is: by its own way to the middle of a lower panel, else by the nearest such so far
+  /// aft.
+  double half_girth(std::uint32_t node) const;
 
  private:
   void find_senses(const Gear& gear);
@@ -31,6 +32,7 @@ class Girth {
 
   std::vector<int> sense_;  // by panel: the sign in (2)
   std::vector<double> aft_, around_;
+  std::vector<double> own_;  // S by its own way; 0: it has none
   std::vector<int> side_;
   std::vector<bool> covered_, closed_;
   std::vector<std::pair<double, double>> bottom_;  // (a, S), ascending in a

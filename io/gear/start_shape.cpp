@@ -86,8 +86,9 @@ class Shaper {
     const Girth girth(gear_, mesh_);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node) {
       if (!girth.covers(node)) continue;
-      const double half = girth.half_girth(girth.aft(node)), w = half_width(half);
-      const double angle = std::numbers::pi * girth.around(node) / half;  // (3)
+      const double half = girth.half_girth(node), w = half_width(half);
+      const double angle =
+          std::clamp(std::numbers::pi * girth.around(node) / half, 0.0, std::numbers::pi);  // (3)
       x(node, 0) = girth.aft(node);
       x(node, 1) = girth.side(node) * w * std::sin(angle);
       x(node, 2) = girth.is_closed(node) ? 0 : kAspect * w * std::cos(angle);
