@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 
 namespace netloft::io {
 
@@ -35,6 +36,17 @@ void write(const std::string& output, const std::string& picture) {
   if (!file) throw UsageError{output + " cannot be written"};
 }
 
+std::string draw_divided(const Plan& plan, std::size_t nodes) {
+  const Gear gear = make_gear(plan, Extent::whole);
+  Fineness fineness;
+  fineness.nodes = nodes;
+  try {
+    return draw_mesh(plan, gear, divide(gear, fineness));
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  }
+}
+
 }  // namespace
 
 int draw_command(const Options& options) {
@@ -49,7 +61,7 @@ int draw_command(const Options& options) {
   }
   const std::string output = output_of(options);
   check_output(output, plan);
-  write(output, draw_plan(plan));
+  write(output, options.mesh ? draw_divided(plan, options.mesh_nodes) : draw_plan(plan));
   terminal.say("written to " + output);
   return kDone;
 }

@@ -119,6 +119,11 @@ void add_gear_commands(CLI::App& app, Options& o) {
       *app.add_subcommand("check", "say whether a net plan can be sewn, and what to change if not"), o);
   auto* draw = app.add_subcommand("draw", "draw a net plan to scale");
   add_plan_options(*draw, o);
+  auto* mesh = draw->add_flag("--mesh", o.mesh, "in triangles, as it is divided for a simulation");
+  draw->add_option("--nodes", o.mesh_nodes, "about as many, ropes included (2000)")
+      ->needs(mesh)
+      ->check(CLI::Range(3, 1000000))
+      ->type_name("N");
   draw->add_option("-o,--output", o.output, "picture; else the gear's name with .svg, in this folder")
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("FILE.svg");

@@ -23,6 +23,8 @@ struct Options {
   std::vector<std::string> set;      // --set path=value
   std::vector<std::string> plugins;  // --plugins DIR
   bool scene_plugins = false;        // --scene-plugins
+  bool mesh = false;                 // --mesh
+  std::size_t mesh_nodes = 2000;     // draw: --nodes
   int threads = 0;                   // 0: as many as the machine has
   bool json = false;
   std::string color = "auto";

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace netloft::io {
 
@@ -96,7 +97,40 @@ class Draughtsman {
     return picture_.finish(kWidth, line_ + kMargin / 2);
   }
 
+  std::string draw(const Gear& gear, const GearMesh& mesh) {
+    picture_.text({kMargin, kMargin / 2}, plan_.title.empty() ? "Net plan" : plan_.title, kTitle, kInk,
+                  Anchor::start);
+    for (std::size_t p = 0; p < gear.panels.size(); ++p) draw_triangles(gear.panels[p], mesh.panels[p]);
+    for (const auto& panel : panels_) draw_border(panel);
+    line_ = scale_({box_.left, box_.bottom}).y + 3 * kLineHeight;
+    draw_scale();
+    say_quality(mesh);
+    return picture_.finish(kWidth, line_ + kMargin / 2);
+  }
+
  private:
+  void draw_triangles(const GearPanel& panel, const PanelMesh& mesh) {
+    const auto placed = std::find_if(panels_.begin(), panels_.end(), [&](const PlacedPanel& one) {
+      return one.panel == panel.panel && one.is_mirrored == panel.is_mirrored;
+    });
+    if (placed == panels_.end()) return;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
+      for (std::size_t k = 0; k < 3; ++k)
+        sides.insert(std::minmax(mesh.triangles[t + k], mesh.triangles[t + (k + 1) % 3]));
+    for (const auto& [a, b] : sides)
+      picture_.line(place(*placed, {mesh.meshes[a][0], mesh.meshes[a][1]}),
+                    place(*placed, {mesh.meshes[b][0], mesh.meshes[b][1]}), kPale, 0.4);
+  }
+
+  void say_quality(const GearMesh& mesh) {
+    const double degrees = 180 / std::numbers::pi;
+    say(fmt::format("{} nodes, {} triangles, angles {:.0f} to {:.0f}° where meshes are opened by one half",
+                    mesh.nodes, mesh.quality.triangles, degrees * mesh.quality.least_angle,
+                    degrees * mesh.quality.greatest_angle),
+        kInk);
+  }
+
   void draw_border(const PlacedPanel& placed) {
     for (const auto& edge : placed.outline.edges) {
       if (edge.kind == EdgeKind::middle) continue;
@@ -266,5 +300,9 @@ class Draughtsman {
 }  // namespace
 
 std::string draw_plan(const Plan& plan) { return Draughtsman(plan).draw(); }
+
+std::string draw_mesh(const Plan& plan, const Gear& gear, const GearMesh& mesh) {
+  return Draughtsman(plan).draw(gear, mesh);
+}
 
 }  // namespace netloft::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gear/plan.hpp"
+#include "io/gear/gear_mesh.hpp"
 
 #include <string>
 
@@ -10,5 +10,8 @@ namespace netloft::io {
 /// the stretched width, with mesh counts, cuttings, mesh size and twine; edges that are hung on ropes are
 /// drawn thick, with the length of rope; below them the list of ropes, floats and seams, and a scale.
 std::string draw_plan(const Plan& plan);
+
+/// The same panels in triangles: `mesh` of the whole of `gear`, which was made of `plan`.
+std::string draw_mesh(const Plan& plan, const Gear& gear, const GearMesh& mesh);
 
 }  // namespace netloft::io

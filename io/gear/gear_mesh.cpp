@@ -4,18 +4,22 @@
 #include "io/gear/seam_lines.hpp"
 #include "io/gear/triangulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 
 namespace netloft::io {
 
 namespace {
 
-constexpr double kNear = 0.05;   // of the nodes asked for
-constexpr int kTrials = 8;       // of sizes, until the nodes are near what is asked for
+constexpr double kNear = 0.05;  // of the nodes asked for
+constexpr int kTrials = 8;      // of sizes, until the nodes are near what is asked for
+constexpr double kMostNodes = 5e6;
 constexpr double kGrid = 1e-10;  // of a cloth: what is alike to port and to starboard is the same on it
 
 constexpr int kPartings = 5;  // rounds in which sides that two cloths would share by chance are parted
@@ -138,8 +142,18 @@ class Divider {
   void fill_cloths() {
     for (const auto& cloth : cloths_.cloths) {
       borders_.push_back(border_of(cloth));
-      planes_.push_back(
-          triangulate(on_plane(*gear_.panels[cloth.panel].panel, borders_.back()), size_of(cloth)));
+      planes_.push_back(fill(cloth, borders_.back()));
+    }
+  }
+
+  PlaneMesh fill(const Cloth& cloth, const Border& border) const {
+    const GearPanel& panel = gear_.panels[cloth.panel];
+    try {
+      return triangulate(on_plane(*panel.panel, border), size_of(cloth));
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument(
+          fmt::format("panels.{}: its border encloses no netting, {}: do its cuttings meet?",
+                      panel.panel->name, e.what()));
     }
   }
 
@@ -362,19 +376,31 @@ double length_of(const Gear& gear) {
   return length;
 }
 
-/// The size at which the netting alone, in equal triangles, and the ropes have that many nodes:
-///   N = 2 A/(√3 h²) + L/h                                                                        (1)
+/// The size at which the netting alone, were its triangles equal, with what the mesher adds to them, and the
+/// ropes have that many nodes:
+///   N = 1.2 · 2 A/(√3 h²) + L/h                                                                        (1)
+/// The first guess, which lines that are finer than h then correct.
 double size_for(const Gear& gear, const Fineness& fineness) {
   const double n = static_cast<double>(std::max<std::size_t>(fineness.nodes, 3));
-  const double a = 2 / std::numbers::sqrt3 * area_of(gear, fineness), l = length_of(gear);
+  const double a = 1.2 * 2 / std::numbers::sqrt3 * area_of(gear, fineness), l = length_of(gear);
   return (l + std::sqrt(l * l + 4 * n * a)) / (2 * n);
+}
+
+void check_size(const Gear& gear, const Fineness& fineness) {
+  const double netting = area_of(gear, fineness) / std::pow(fineness.size, 2);
+  if (netting + length_of(gear) / fineness.size > kMostNodes)
+    throw std::invalid_argument(
+        fmt::format("elements of {:g} m would have more than {:g} nodes", fineness.size, kMostNodes));
 }
 
 }  // namespace
 
 GearMesh divide(const Gear& gear, const Fineness& fineness) {
   const Cloths cloths = cloths_of(gear);
-  if (fineness.size > 0) return Divider(gear, cloths, fineness, fineness.size).divide();
+  if (fineness.size > 0) {
+    check_size(gear, fineness);
+    return Divider(gear, cloths, fineness, fineness.size).divide();
+  }
   double size = size_for(gear, fineness);
   GearMesh best;
   double nearest = 1e300;

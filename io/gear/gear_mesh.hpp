@@ -49,7 +49,9 @@ struct GearMesh {
   MeshQuality quality;
 };
 
-/// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes.
+/// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes. Throws
+/// std::invalid_argument, with a sentence for the user, on a panel whose border crosses itself and on a size
+/// of which there would be millions.
 GearMesh divide(const Gear& gear, const Fineness& fineness);
 
 }  // namespace netloft::io

@@ -52,6 +52,20 @@ TEST(Drawing, NamesPanelsCountsCuttingsTwinesAndRopes) {
   }
 }
 
+/// Every side of a triangle is a line, and the borders on top of them.
+TEST(Drawing, OfTrianglesHasAllTheirSides) {
+  const auto checked = check_text(kGoodPlan);
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  Fineness fineness;
+  fineness.nodes = 300;
+  const GearMesh mesh = divide(gear, fineness);
+  const std::string svg = draw_mesh(checked.plan, gear, mesh);
+  std::size_t lines = 0;
+  for (auto at = svg.find("<line"); at != std::string::npos; at = svg.find("<line", at + 1)) ++lines;
+  EXPECT_GT(lines, 3 * mesh.quality.triangles / 2);
+  EXPECT_NE(svg.find(std::to_string(mesh.nodes) + " nodes"), std::string::npos);
+}
+
 TEST(Drawing, OfAPlanWithoutPanelsIsAnEmptySheet) {
   EXPECT_NE(draw_plan({}).find("<svg"), std::string::npos);
 }
