@@ -23,7 +23,7 @@ struct Figure {
 /// across. (3) is all the water that goes through netting, once for every wall of netting it goes through.
 /// Forces are those on the gear: `drag` is all that the water does with it, the push on a catch included.
 /// Weight in water is positive of what sinks. Tension at the end of a rope is extrapolated to it from the two
-/// outer bars.
+/// outer bars where it changes steadily, else that of the outer bar.
 ///
 /// Of a half (GearInScene::times = 2) sums are those of the whole, twice those of what was modelled; only
 /// forces across the gear, along y, are of the starboard half alone: those on the other half cancel them.

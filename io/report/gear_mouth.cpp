@@ -57,19 +57,21 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
   return gear.times() * std::abs(dot(gear.current_at(middle), S));
 }
 
-/// Linearly from the middles of the two outer bars, unless one of them is slack.
-double tension_at_end(double outer, double inner, double l_outer, double l_inner) {
-  if (!(outer > 0 && inner > 0)) return outer;
-  return outer + (outer - inner) * l_outer / (l_outer + l_inner);
+/// Linearly from the middles of the two outer bars, from the end inwards, if the third one lies on their
+/// course; else, as where netting pulls at the end, that of the outer bar.
+double tension_at_end(const std::vector<double>& T, const std::vector<double>& l) {
+  if (T.size() < 3 || !(T[0] > 0 && T[1] > 0)) return T[0];
+  const double change = T[0] - T[1], before = T[1] - T[2];
+  if (change * before <= 0 || std::abs(change) > 2 * std::abs(before)) return T[0];
+  return T[0] + change * l[0] / (l[0] + l[1]);
 }
 
 void add_tensions(const GearView& gear, std::uint32_t rope, std::vector<Figure>& figures) {
   const auto T = gear.output(rope, "tension");
   const auto l = gear.rest_lengths(rope);
   if (T.empty()) return;
-  const std::size_t last = T.size() - 1, next = std::min<std::size_t>(1, last);
-  const double start = tension_at_end(T[0], T[next], l[0], l[next]),
-               end = tension_at_end(T[last], T[last - next], l[last], l[last - next]);
+  const double start = tension_at_end(T, l),
+               end = tension_at_end({T.rbegin(), T.rend()}, {l.rbegin(), l.rend()});
   const std::string at = "ropes/" + gear.name(rope) + "/tension_";
   figures.push_back({at + "start", "N", "tension at its start", start});
   figures.push_back({at + "end", "N", "tension at its end", end});
