@@ -109,6 +109,16 @@ class GearMaker {
     return is_whole() && find_edge(plan_, name, {}, "", silent).times() == 2;
   }
 
+  /// Those that are not to starboard or across the middle as well.
+  std::vector<EdgeRef> edges_to_port(const std::string& name) const {
+    auto port = edges_of(name, Side::port);
+    const auto starboard = edges_of(name, Side::starboard);
+    std::erase_if(port, [&](const EdgeRef& ref) {
+      return std::find(starboard.begin(), starboard.end(), ref) != starboard.end();
+    });
+    return port;
+  }
+
   std::vector<EdgeRef> row_of(const std::vector<std::string>& names, Side side) const {
     std::vector<EdgeRef> row;
     for (const auto& name : names) {
@@ -121,8 +131,10 @@ class GearMaker {
   /// From port to starboard: what is there twice, and between them what is there once.
   std::vector<EdgeRef> row_across(const std::vector<std::string>& names) const {
     std::vector<EdgeRef> row;
-    for (auto name = names.rbegin(); name != names.rend(); ++name)
-      if (is_there_twice(*name)) append(row, edges_of(*name, Side::port));
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+      const auto port = edges_to_port(*name);
+      row.insert(row.end(), port.rbegin(), port.rend());
+    }
     for (const auto& name : names) append(row, edges_of(name, Side::starboard));
     return row;
   }
@@ -186,23 +198,21 @@ class GearMaker {
     std::vector<HungEdge> port, starboard;
     for (const auto& hanging : plan_.hangings) {
       if (hanging.rope != rope.name) continue;
-      append_hung(starboard, hanging, across ? Side::starboard : side);
-      if (across && is_there_twice(hanging.edge)) append_hung(port, hanging, Side::port);
+      append_hung(starboard, hanging, edges_of(hanging.edge, across ? Side::starboard : side));
+      if (across) append_hung(port, hanging, edges_to_port(hanging.edge));
     }
     port = {port.rbegin(), port.rend()};
     port.insert(port.end(), starboard.begin(), starboard.end());
     return port;
   }
 
-  void append_hung(std::vector<HungEdge>& hung, const Hanging& hanging, Side side) const {
+  /// Edges take as much of a hanging's length as they have of its twines.
+  void append_hung(std::vector<HungEdge>& hung, const Hanging& hanging,
+                   const std::vector<EdgeRef>& edges) const {
     Diagnostics silent;
     const EdgeSet set = find_edge(plan_, hanging.edge, {}, "", silent);
-    const double whole = hanging.length > 0 ? hanging.length : hanging.ratio * set.stretched();
-    const double length = !is_whole() && set.is_across_middle() ? whole / 2 : whole;
-    const auto edges = edges_of(hanging.edge, side);
-    double stretched = 0;
-    for (const auto& ref : edges) stretched += edge(ref).stretched;
-    for (const auto& ref : edges) hung.push_back({ref, length * edge(ref).stretched / stretched});
+    const double ratio = hanging.length > 0 ? hanging.length / set.stretched() : hanging.ratio;
+    for (const auto& ref : edges) hung.push_back({ref, ratio * edge(ref).stretched * set.panel->mesh});
   }
 
   const OutlineEdge& edge(const EdgeRef& ref) const {

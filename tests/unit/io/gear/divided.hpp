@@ -12,13 +12,13 @@
 namespace netloft::io {
 
 /// The shoelace formula.
-inline double area_of(const Outline& outline) {
+inline double outline_area(const Outline& outline) {
   double sum = 0;
   for (const auto& e : outline.edges) sum += (e.from.x * e.to.y - e.to.x * e.from.y) / 2;
   return sum;
 }
 
-inline double area_of(const PanelMesh& panel, std::size_t triangle) {
+inline double triangle_area(const PanelMesh& panel, std::size_t triangle) {
   std::array<std::array<double, 2>, 3> p;
   for (std::size_t k = 0; k < 3; ++k) p[k] = panel.meshes[panel.triangles[3 * triangle + k]];
   return ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0])) / 2;
@@ -29,10 +29,10 @@ inline void expect_areas(const Gear& gear, const GearMesh& mesh) {
   for (std::size_t p = 0; p < gear.panels.size(); ++p) {
     double sum = 0, turned = 0;
     for (std::size_t t = 0; t < mesh.panels[p].triangles.size() / 3; ++t) {
-      sum += std::abs(area_of(mesh.panels[p], t));
-      turned += area_of(mesh.panels[p], t);
+      sum += std::abs(triangle_area(mesh.panels[p], t));
+      turned += triangle_area(mesh.panels[p], t);
     }
-    const double expected = area_of(gear.panels[p].outline);
+    const double expected = outline_area(gear.panels[p].outline);
     EXPECT_NEAR(sum, expected, 1e-9 * expected) << gear.panels[p].name;
     EXPECT_NEAR(std::abs(turned), expected, 1e-9 * expected) << gear.panels[p].name;
   }
@@ -41,7 +41,7 @@ inline void expect_areas(const Gear& gear, const GearMesh& mesh) {
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Sides of all triangles in gear nodes, in the direction of the triangle, and how often.
-inline std::map<Side, int> sides_of(const GearMesh& mesh) {
+inline std::map<Side, int> directed_sides(const GearMesh& mesh) {
   std::map<Side, int> sides;
   for (const auto& panel : mesh.panels)
     for (std::size_t t = 0; t < panel.triangles.size(); t += 3)
@@ -69,7 +69,7 @@ inline std::set<Side> free_sides(const Gear& gear, const GearMesh& mesh) {
 /// A net without holes and without folds: each side of a triangle belongs to two of them that run along it
 /// in opposite directions (so that all of them show the same face outwards), or to one on a free edge.
 inline void expect_closed_and_oriented(const Gear& gear, const GearMesh& mesh) {
-  const auto sides = sides_of(mesh);
+  const auto sides = directed_sides(mesh);
   const auto free = free_sides(gear, mesh);
   std::size_t free_seen = 0;
   for (const auto& [side, times] : sides) {

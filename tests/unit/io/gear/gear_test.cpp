@@ -261,5 +261,43 @@ TEST(Gear, TheWholeHasTwiceTheAreaOfTheHalf) {
   EXPECT_GT(area(Extent::half), 0);
 }
 
+/// Of a middle panel "fore" is all that lies there: the stretch across the middle and those to either side.
+TEST(Gear, ANameForSeveralStretchesHoldsThoseToPort) {
+  const auto checked = check_text(R"(
+[panels.square]
+mesh = "100 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
+fore = 80
+depth = 20
+sides = "AN"
+[panels.body]
+mesh = "100 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
+fore = [{ name = "bosom", meshes = 20 }, { name = "wing", meshes = 30 }]
+depth = 42
+aft = 20
+sides = "5B1P in"
+[ropes.rib]
+stands = "middle"
+rope = { diameter = "12 mm", EA = "100 kN", density = 1000 }
+length = "4 m"
+[[join]]
+edges = ["square.aft", "body.fore"]
+[[hang]]
+edge = "body.fore"
+on = "rib"
+length = "4 m"
+)");
+  ASSERT_EQ(checked.diagnostics.errors(), 0u) << checked.said();
+  const Gear gear = make_gear(checked.plan, Extent::whole);
+  const Names row = {"body.port-wing", "body.bosom", "body.starboard-wing"};
+  EXPECT_EQ(names(gear, gear.seams[0].edges[1]), row);
+  std::vector<EdgeRef> hung;
+  for (const auto& h : gear.ropes[0].hung) hung.push_back(h.edge);
+  EXPECT_EQ(names(gear, hung), row);
+  EXPECT_NEAR(gear.ropes[0].hung[1].length, 1, 1e-12);  // 20 of 80 meshes
+  EXPECT_NEAR(total(gear.ropes[0].hung), 4, 1e-12);
+}
+
 }  // namespace
 }  // namespace netloft::io
