@@ -19,9 +19,9 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 ///   K_pq = (|d|/2) [a_p a_q A_U + b_p b_q A_V]                                                     (6)
 ///   W = |d| (π/4) t² l₀ (ρ − ρ_w) g                       weight in water, a third per corner      (7)
 /// t [m] twine diameter, ρ [kg/m³] twine density. Of N twines side by side (double netting) there are N |d|/2
-/// bars of each direction, in (4)–(7) and in all other terms; U and V stay those of one. d may be negative: |d| counts, d itself stands in U and V.
-/// Source: Priour 1999; A Finite Element Method for Netting (Springer 2013), as used in the paper's
-/// section 2.4.
+/// bars of each direction, in (4)–(7) and in all other terms; U and V stay those of one. d may be negative:
+/// |d| counts, d itself stands in U and V. Source: Priour 1999; A Finite Element Method for Netting (Springer
+/// 2013), as used in the paper's section 2.4.
 struct Triangle {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
 
