@@ -2,18 +2,19 @@
 #include "solvers/kinsol/kinsol.hpp"
 
 #include <kinsol/kinsol.h>
-#include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <type_traits>
+
+#include "solvers/common/sundials.hpp"
 
 namespace netloft::kinsol {
 
 namespace {
+
+using namespace sundials;
 
 /// The problem as KINSOL's callbacks see it, and what happened in them: no exception may pass through KINSOL.
 struct Host {
@@ -30,21 +31,8 @@ struct Host {
   std::span<double> view(N_Vector v) const { return {N_VGetArrayPointer_Serial(v), problem.size()}; }
 };
 
-/// What KINSOL makes of a returned number: positive, try a shorter step; negative, stop.
-enum { kDone = 0, kRecoverable = 1, kStop = -1 };
-
-template <class Work>
-int guarded(void* host, Work&& work) noexcept {
-  try {
-    return work(*static_cast<Host*>(host));
-  } catch (...) {
-    static_cast<Host*>(host)->failure = std::current_exception();
-    return kStop;
-  }
-}
-
 int compute_residual(N_Vector u, N_Vector r, void* host) {
-  return guarded(host, [&](Host& h) {
+  return guarded<Host>(host, [&](Host& h) {
     double energy = 0;
     return h.problem.evaluate(h.view(u), energy, h.view(r)) == Evaluation::ok ? kDone : kRecoverable;
   });
@@ -52,7 +40,7 @@ int compute_residual(N_Vector u, N_Vector r, void* host) {
 
 /// KINSOL asks for the tangent at every point that it has accepted, and at no other: here it is reported.
 int compute_tangent(N_Vector u, N_Vector, SUNMatrix, void* host, N_Vector, N_Vector) {
-  return guarded(host, [&](Host& h) {
+  return guarded<Host>(host, [&](Host& h) {
     if (h.problem.evaluate(h.view(u), h.energy, h.residual, Matrix::exact) != Evaluation::ok) return kStop;
     h.stopped = !h.problem.progress(h.view(u), h.energy, h.residual);
     return h.stopped ? kStop : kDone;
@@ -60,39 +48,20 @@ int compute_tangent(N_Vector u, N_Vector, SUNMatrix, void* host, N_Vector, N_Vec
 }
 
 int factorise(SUNLinearSolver solver, SUNMatrix) {
-  return guarded(solver->content, [](Host& h) {
+  return guarded<Host>(solver->content, [](Host& h) {
     const Factor factor = h.problem.factorise_indefinite(Matrix::exact, h.parameters.damping);
     return factor == Factor::ok ? kDone : kRecoverable;
   });
 }
 
 int solve_with_factor(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype) {
-  return guarded(solver->content, [&](Host& h) {
+  return guarded<Host>(solver->content, [&](Host& h) {
     h.problem.solve(h.view(b), h.view(x));
     return kDone;
   });
 }
 
-void keep_complaint(int, const char*, const char*, char* message, void* host) {
-  guarded(host, [&](Host& h) {
-    h.complaint = message;
-    return kDone;
-  });
-}
-
-template <class T>
-T* checked(T* made) {
-  if (!made) throw std::bad_alloc();
-  return made;
-}
-
 // --- owners of what KINSOL makes
-struct FreeContext {
-  void operator()(SUNContext c) const { SUNContext_Free(&c); }
-};
-struct FreeVector {
-  void operator()(N_Vector v) const { N_VDestroy(v); }
-};
 struct FreeMatrix {
   void operator()(SUNMatrix m) const { SUNMatFreeEmpty(m); }
 };
@@ -102,21 +71,9 @@ struct FreeLinearSolver {
 struct FreeKinsol {
   void operator()(void* k) const { KINFree(&k); }
 };
-using Context = std::unique_ptr<std::remove_pointer_t<SUNContext>, FreeContext>;
-using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, FreeVector>;
 using MatrixHandle = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, FreeMatrix>;
 using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, FreeLinearSolver>;
 using KinsolMemory = std::unique_ptr<void, FreeKinsol>;
-
-Context make_context() {
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
-  return Context(checked(context));
-}
-
-Vector make_vector(std::span<double> values, SUNContext context) {
-  return Vector(checked(N_VMake_Serial(static_cast<sunindextype>(values.size()), values.data(), context)));
-}
 
 Vector make_scale(std::size_t size, double scale, SUNContext context) {
   Vector v(checked(N_VNew_Serial(static_cast<sunindextype>(size), context)));
@@ -198,7 +155,7 @@ int run(Host& host) {
   const LinearSolver linear_solver = make_linear_solver(host, context.get());
 
   const KinsolMemory kinsol(checked(KINCreate(context.get())));
-  KINSetErrHandlerFn(kinsol.get(), keep_complaint, &host);
+  KINSetErrHandlerFn(kinsol.get(), keep_complaint<Host>, &host);
   check(KINSetUserData(kinsol.get(), &host), host);
   check(KINInit(kinsol.get(), compute_residual, u.get()), host);
   check(KINSetLinearSolver(kinsol.get(), linear_solver.get(), tangent.get()), host);
