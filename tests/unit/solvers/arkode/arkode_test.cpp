@@ -15,6 +15,8 @@ struct Method {
   const char* name;
   double order;
 };
+void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
+
 const Method kMethods[] = {{"tr-bdf2", 2}, {"esdirk3", 3}, {"kvaerno4", 4}};
 
 Values called(const Method& method) { return {{"method", std::string(method.name)}}; }
