@@ -33,6 +33,7 @@ class March {
         budget_(assembler, settings.mass_damping),
         state_(from ? *from : state_at_rest(assembler)),
         next_(state_),
+        shown_(assembler, settings.mass_damping),
         error_(state_.u.size()),
         residual_(assembler.numbering().dofs()),
         corners_(find_corners()) {}
@@ -210,30 +211,41 @@ class March {
     tell(t, nullptr);
   }
 
-  /// Where it is at a time within the last step: the cubic through positions and velocities of its ends.
+  /// Where it is at a time within the last step, and the forces at its end.
   void place_at(double t) {
-    if (t == state_.t) {
-      shown_ = state_.u;
-      problem_.state().set(t, state_.u, state_.v, state_.a);
-    } else {
-      Course course;
-      std::vector<double> v(state_.u.size()), a(v);
-      shown_.resize(v.size());
-      for (std::size_t i = 0; i < v.size(); ++i) {
-        course.knots = {{previous_, {next_.u[i]}, {next_.v[i]}}, {last_, {state_.u[i]}, {state_.v[i]}}};
-        const Course::Moment m = course.at(t);
-        shown_[i] = m.d[0], v[i] = m.v[0], a[i] = m.a[0];
-      }
-      problem_.state().set(t, shown_, v, a);
-    }
+    show(t);
+    problem_.state().set(state_.t, state_.u, state_.v, state_.a);
     assembler_.evaluate(problem_.state().x(),
                         {.residual = residual_.data(), .motion = problem_.state().motion()});
   }
 
+  /// The cubic through positions and velocities of the step's ends.
+  void show(double t) {
+    if (t == state_.t) {
+      shown_u_ = state_.u;
+      shown_.set(t, state_.u, state_.v, state_.a);
+      return;
+    }
+    Course course;
+    std::vector<double> v(state_.u.size()), a(v);
+    shown_u_.resize(v.size());
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      course.knots = {{previous_, {next_.u[i]}, {next_.v[i]}}, {last_, {state_.u[i]}, {state_.v[i]}}};
+      const Course::Moment m = course.at(t);
+      shown_u_[i] = m.d[0], v[i] = m.v[0], a[i] = m.a[0];
+    }
+    shown_.set(t, shown_u_, v, a);
+  }
+
   void tell(double t, const MarchState* state) {
     if (!watch_.on_output) return;
-    watch_.on_output({t, shown_, problem_.state().x(), residual_, problem_.state().motion(),
-                      settings_.budget ? &budget_ : nullptr, state});
+    watch_.on_output({t,
+                      shown_u_,
+                      shown_.x(),
+                      shown_.v(),
+                      {state_.t, problem_.state().x(), residual_, problem_.state().motion()},
+                      settings_.budget ? &budget_ : nullptr,
+                      state});
   }
   void tell_of_step() {
     if (is_over_ || !watch_.on_step) return;
@@ -282,7 +294,8 @@ class March {
   TransientProblem problem_;
   EnergyBudget budget_;
   MarchState state_, next_;  // next_: the end of the step that is tried; after it, the state before
-  std::vector<double> error_, residual_, shown_, corners_;
+  MovingState shown_;        // at the output
+  std::vector<double> error_, residual_, shown_u_, corners_;
   double limit_ = 0, previous_ = 0, last_ = 0;
   double begun_ = wall_seconds(), cpu_begun_ = cpu_seconds();
   bool is_over_ = false;

@@ -36,14 +36,22 @@ struct MarchState {
   std::int64_t steps = 0, rejected = 0;
 };
 
+/// Where forces are asked for, at the end of a step: positions between two ends are smooth but in balance
+/// with nothing, and a stiff twine turns their smallest error into a force.
+struct ForceMoment {
+  double t;                             // [s]
+  std::span<const double> x, residual;  // over all dofs: positions [m], reactions of held ones [N]
+  Kinematics motion;
+};
+
 /// The scene at an output time.
 struct Snapshot {
   double t;
   std::span<const double> u;
-  std::span<const double> x, residual;  // over all dofs: positions [m], reactions of held ones [N]
-  Kinematics motion;
-  const EnergyBudget* budget;  // null if it is not kept; of the last step's end if outputs are dense
-  const MarchState* state;     // to go on from; null: go on from that of an earlier snapshot
+  std::span<const double> x, v;  // over all dofs: positions [m], velocities [m/s]
+  ForceMoment forces;            // at t if a step ends there, else at the end of the step around t
+  const EnergyBudget* budget;    // null if it is not kept; of the last step's end if outputs are dense
+  const MarchState* state;       // to go on from; null: go on from that of an earlier snapshot
 };
 
 /// A step that was made.

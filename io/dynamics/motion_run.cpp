@@ -91,15 +91,22 @@ class MotionRun {
     std::vector<double> residual(assembler.numbering().dofs());
     EnergyBudget budget(assembler, loaded_.analysis.dynamics.march.mass_damping);
     const bool keeps = loaded_.analysis.dynamics.march.budget;
-    describe({from.t, from.u, state.x(), residual, state.motion(), keeps ? &budget : nullptr, nullptr});
+    describe({from.t,
+              from.u,
+              state.x(),
+              state.v(),
+              {from.t, state.x(), residual, state.motion()},
+              keeps ? &budget : nullptr,
+              nullptr});
   }
 
   SeriesState describe(const Snapshot& at) {
     Assembler& assembler = case_.assembler();
     Solution solution;
     solution.x.assign(at.x.begin(), at.x.end()),
-        solution.residual.assign(at.residual.begin(), at.residual.end());
-    const Answer answer = ask_elements(loaded_.scene, assembler, solution.x, at.motion);
+        solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
+    Answer answer = ask_elements(loaded_.scene, assembler, at.forces.x, at.forces.motion);
+    answer.x = solution.x;
     SeriesState state;
     layout_.changing.clear(), layout_.columns.clear();
     state.time = at.t;
@@ -109,6 +116,7 @@ class MotionRun {
       layout_.changing.push_back(cell.spec), state.fields.push_back(std::move(cell.values));
     add_row(at, solution, answer.outputs, state);
     add_gear(answer, state);
+    add_moment_of_forces(at, state);
     if (layout_.mesh.n_points == 0) {
       layout_.mesh = make_mesh(loaded_, assembler), layout_.fixed = label_points(loaded_);
       layout_.fixed.push_back(label_cells(loaded_, assembler));
@@ -124,7 +132,7 @@ class MotionRun {
       const auto held = assembler.reaction(node, solution.residual);
       reaction.insert(reaction.end(), held.begin(), held.end());
     }
-    const std::vector<double> rates(at.motion.v, at.motion.v + solution.x.size());
+    const std::vector<double> rates(at.v.begin(), at.v.end());
     layout_.changing = {{"displacement", "m", "movement from the sketch", Location::kPoint, 3, false},
                         {"velocity", "m/s", "velocity", Location::kPoint, 3, false},
                         {"reaction", "N", "force of what holds the node", Location::kPoint, 3, false}};
@@ -158,6 +166,13 @@ class MotionRun {
       layout_.columns.push_back({kGear + figure.name, figure.unit, figure.doc});
       state.row.push_back(figure.value);
     }
+  }
+
+  /// Where outputs lie between steps, forces are those of the end of a step.
+  void add_moment_of_forces(const Snapshot& at, SeriesState& state) {
+    if (!loaded_.analysis.dynamics.march.dense) return;
+    layout_.columns.push_back({"forces_time", "s", "end of the step that forces and outputs are of"});
+    state.row.push_back(at.forces.t);
   }
 
   void finish() {

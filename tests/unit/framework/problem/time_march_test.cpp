@@ -280,6 +280,24 @@ TEST(March, GivesTheSameOutputsBetweenStepsAsAtTheirEnds) {
   expect_same(u[1], u[0], 1e-4);
 }
 
+/// The spring and the inertia of what a step's end holds balance; a cubic between ends does not know of it.
+TEST(March, TellsForcesOfEndsOfStepsBetweenThem) {
+  const Oscillator o;
+  Moving m(o.scene());
+  MarchSettings s = steps_of(1 / o.omega(), 10 / o.omega());
+  s.output_interval = 0.37 / o.omega(), s.dense = true;
+  std::size_t between = 0;
+  m.watch.on_output = [&](const Snapshot& at) {
+    EXPECT_GE(at.forces.t, at.t);
+    EXPECT_LT(at.forces.t, at.t + s.step * (1 + 1e-9));
+    EXPECT_NEAR(at.forces.residual[0], 0, 1e-4 * o.EA / o.length * 0.1) << at.t;
+    between += at.forces.t > at.t;
+  };
+  const MarchState from = pulled(m, 0.1);
+  m.run("newmark", {}, s, &from);
+  EXPECT_GT(between, 10u);
+}
+
 TEST(March, GoesOnFromAnyOutputToTheSameBits) {
   const Oscillator o;
   for (const bool dense : {false, true}) {
