@@ -107,6 +107,7 @@ ParameterBlock block_of(std::span<const netloft_parameter> table, std::size_t by
 constexpr const char* kStepSolver =
     "chord";  // of the implicit steps of an integrator that is itself a solver
 constexpr Limits kStepLimits{1e-8, 25, std::numeric_limits<double>::infinity(), nullptr};
+constexpr double kStepsFiner = 0.1;  // tolerance of steps over that of the equilibrium they are to find
 
 }  // namespace
 
@@ -125,6 +126,8 @@ Solution Case::settle(const Watch& watch) {
                     kStepLimits,
                     d.march};
   settling.limits.interrupt = watch.interrupt;
+  settling.limits.tolerance =
+      std::min(kStepLimits.tolerance, kStepsFiner * loaded_.analysis.limits.tolerance);
   Limits limits = loaded_.analysis.limits;
   limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
