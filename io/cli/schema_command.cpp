@@ -324,7 +324,6 @@ class PartSchema {
   }
   Json schema() const {
     return {{"type", "object"},
-            {"required", {"type"}},
             {"properties", {{"type", {{"enum", types_}, {"description", "what the part is made of"}}}}},
             {"allOf", checks_},
             {"anyOf", offers_}};
@@ -418,6 +417,9 @@ Json scene_schema(Registry& registry) {
   put(scene, "join", join_schema(), false);
   put(scene, "analysis", analysis, false);
   put(scene, "results", results_schema(), false);
+  // What is included may say it already.
+  scene["if"] = {{"required", {"include"}}};
+  scene["else"]["properties"]["parts"]["additionalProperties"]["required"] = {"type"};
   scene["$defs"] = parts.definitions;
   return scene;
 }

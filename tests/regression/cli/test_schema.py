@@ -61,6 +61,11 @@ class Schema(InFreshFolder):
             with self.subTest(current):
                 self.assertNotEqual(self.faults_of(changed(GOOD, ("[water]", f"[water]\ncurrent = {current}"))), [])
 
+    def test_parts_need_no_type_where_another_file_may_say_it(self):
+        finer = "[parts.net]\ncells = [64, 64]\n"
+        self.assertNotEqual(self.faults_of(finer), [])
+        self.assertEqual(self.faults_of('include = ["panel.toml"]\n' + finer), [])
+
     def test_parts_on_other_parts_fit(self):
         rope = '[parts.more]\ntype = "rope/bar"\non = "rope"\nrope = { diameter = 0.01, EA = 1e3, density = 1e3 }\n'
         self.assertEqual(self.faults_of(rope), [])
