@@ -129,8 +129,8 @@ class Diagnosis {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> first;
     for (std::size_t e = 0; e < family.size(); ++e)
       for (int k = 0; k < 3; ++k) {
-        const auto sides = std::minmax(family.node(e, k), family.node(e, (k + 1) % 3));
-        const auto [known, is_new] = first.try_emplace({sides.first, sides.second}, e);
+        const std::uint32_t from = family.node(e, k), to = family.node(e, (k + 1) % 3);
+        const auto [known, is_new] = first.try_emplace({std::min(from, to), std::max(from, to)}, e);
         if (!is_new && family.part(e) == family.part(known->second) &&
             turns_back(normal(family, known->second), normal(family, e)))
           ++folds[family.part(e)];

@@ -98,6 +98,7 @@ class Filler {
 
   void refine() {
     Mesher mesher(cdt_, Criteria(kShape, kLongest * size_));
+    mesher.clear_seeds();  // CGAL 5.5 reads whether they mark, and sets it only here
     mesher.refine_mesh();
     std::uint32_t next = static_cast<std::uint32_t>(border_);
     for (const auto v : cdt_.finite_vertex_handles()) {
