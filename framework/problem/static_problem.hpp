@@ -28,7 +28,7 @@ struct Balance {
   std::uint32_t worst = 0;    // node of the largest residual
   double floor = 0;           // what rounding of the positions is worth, where it exceeds the tolerance [N]
   bool balanced = false;      // every node within tolerance x scale, or at its round-off floor
-  bool at_round_off = false;  // some node only by the latter
+  bool at_round_off = false;  // only by the latter, or by what is left to gain (verdict.cpp)
 };
 
 /// A step in time as a problem in u: rates follow u, everything else is known.

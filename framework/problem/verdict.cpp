@@ -75,18 +75,23 @@ Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   return shifted == NETLOFT_NOT_POSITIVE ? Stability::unstable : Stability::unknown;
 }
 
-/// Where the solver finds no way on, at a convex place, and what is left to gain is too little for energies
-/// to tell:
+/// Where the solver finds no way on, at a convex place, and the host none either: its own step of Newton's
+/// leads away from balance, for what is slack here is taut there, and what it would gain is too little for
+/// energies to tell:
 ///   ½ r·K⁻¹ r ≤ ε F L                                                                     (1)
 bool has_nothing_to_gain(const Solution& s, StaticProblem& problem) {
   if (s.balance.residual > kFlicker * s.balance.scale || !problem.conservative() ||
       (problem.factorise_at(s.u, 0) != NETLOFT_FACTOR_OK &&
        problem.factorise_at(s.u, kNeutral) != NETLOFT_FACTOR_OK))
     return false;
-  std::vector<double> step(s.u.size());
+  std::vector<double> step(s.u.size()), u = s.u, x, residual;
   if (!solve_for_correction(problem, s.residual, step)) return false;
   const double gain = -0.5 * std::inner_product(step.begin(), step.end(), s.residual.begin(), 0.0);
-  return gain <= kWorthless * s.balance.scale * problem.gear_size();
+  if (gain > kWorthless * s.balance.scale * problem.gear_size()) return false;
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
+  double energy = 0;
+  return !problem.recompute(u, x, residual, energy) ||
+         problem.balance(x, residual).residual > s.balance.residual;
 }
 
 /// Estimates how far s.u is from the equilibrium; the factor that told of its stability is used again.
@@ -137,7 +142,10 @@ void judge(Solution& s, const std::string& ending, StaticProblem& problem, const
   }
   s.status = SolveStatus::converged;
   s.reason = balance_text(s, assembler, scene);
-  if (s.balance.at_round_off) s.reason += "; at the round-off of the positions, which the tolerance is below";
+  if (s.balance.residual <= s.balance.floor && s.balance.at_round_off)
+    s.reason += "; at the round-off of the positions, which the tolerance is below";
+  else if (s.balance.at_round_off)
+    s.reason += "; no step brings it closer, and what one could gain is below the rounding of the energy";
   if (s.stability == Stability::unstable) {
     s.status = SolveStatus::unstable;
     s.reason = "a stationary point, but not a stable one: " + why_unstable(problem, assembler, scene) + "; " +

@@ -62,6 +62,55 @@ TEST(Verdict, CallsWhatTheClassicMethodFindsThereUnstableToo) {
   EXPECT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
 }
 
+/// A solver that moves the last unknown to where it is told, and says that no step leads on.
+double given_up_at = 0;
+SolverType quitter() {
+  SolverType type;
+  type.type = "quitter/quitter";
+  type.solver.solve = [](const void*, netloft_problem* p) -> int {
+    p->u[p->unknowns - 1] = given_up_at;
+    return NETLOFT_STEP_TOO_SHORT;
+  };
+  return type;
+}
+
+Solution given_up(const Scene& scene, double u) {
+  Assembled a(scene);
+  given_up_at = u;
+  return solve_static(a.scene, a.assembler, quitter(), nullptr, {.tolerance = 1e-8}, make_factorisation);
+}
+
+/// Two bars hung side by side; only the second may move, along z. The first is pulled with 100 N, and so is
+/// in balance at 1.01 m. The second is as stiff as 1e8 N when taut and 1 N when slack, and pulled with 50 µN.
+Scene stiff_bar_beside_a_load() {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto nail = s.node(0, 0, 0, kAllAxes), weight = s.node(0, 0, -1.01, kAllAxes);
+  s.rope("bar", {nail, weight}, 1, 1e4);
+  const auto other = s.node(1, 0, 0, kAllAxes), head = s.node(1, 0, -1, 3);
+  s.rope("stiff", {other, head}, 1, 1e8).parameters["rope.EA_compression"] = 1.0;
+  s.part("load", "test/load", {{"z", -5e-5}}, {head});
+  return s.scene;
+}
+
+TEST(Verdict, DoesNotTakeASolversWordThatNoStepLeadsOn) {
+  for (const double off : {1e-3, 1e-5, 5e-8, 1e-9}) {  // r = 1e4 N/m off
+    const Solution s = given_up(standing_bar(100), 0.01 + off);
+    EXPECT_EQ(s.status, SolveStatus::not_converged) << off << ": " << s.reason;
+  }
+}
+
+// Slack by 50 µm it carries 50 µN the wrong way: 1e-4 N are out of balance, 1e-6 of the largest load. A step
+// of 0.1 mm with the stiffness of what is slack makes it taut with 5000 N, and would gain 5e-9 J.
+TEST(Verdict, SeesThatAFlickeringTwineHasNothingToGain) {
+  const Solution s = given_up(stiff_bar_beside_a_load(), 5e-5);
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_TRUE(contains(s.reason, "no step brings it closer")) << s.reason;
+  EXPECT_NEAR(s.balance.residual, 1e-4, 1e-9);
+  EXPECT_EQ(given_up(stiff_bar_beside_a_load(), 5e-4).status, SolveStatus::not_converged)
+      << "too much to gain";
+}
+
 TEST(Verdict, CallsSlackRopeNeutral) {
   Sketch s;
   s.scene.water.gravity = 0;
