@@ -4,88 +4,19 @@
 #include <petscsnes.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <optional>
-#include <string>
+#include <vector>
+
+#include "solvers/common/petsc.hpp"
 
 namespace netloft::snes {
 
 namespace {
 
-void check(PetscErrorCode code) {
-  if (code == 0) return;
-  const char* text = nullptr;
-  PetscErrorMessage(code, &text, nullptr);
-  throw std::runtime_error(std::string("PETSc: ") + (text ? text : "failed"));
-}
-
-/// PETSc for as long as the program runs, in this process alone, and out of the way: no signal handlers, no
-/// options of other programs, no traces on the terminal, no daemon of MPI's.
-void start_petsc() {
-  PetscBool running = PETSC_FALSE;
-  check(PetscInitialized(&running));
-  if (running) return;
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "true"));
-  check(PetscOptionsSetValue(nullptr, "-skip_petscrc", "true"));
-  check(PetscInitializeNoArguments());
-  check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr));
-  std::atexit([] { PetscFinalize(); });
-}
-
-/// Owns what PETSc makes.
-template <class Handle, PetscErrorCode (*Destroy)(Handle*)>
-class Owned {
- public:
-  Owned() = default;
-  Owned(const Owned&) = delete;
-  Owned& operator=(const Owned&) = delete;
-  ~Owned() { Destroy(&handle_); }
-  operator Handle() const { return handle_; }
-  Handle* address() { return &handle_; }
-
- private:
-  Handle handle_ = nullptr;
-};
-using Vector = Owned<Vec, VecDestroy>;
+using namespace petsc;
 using Operator = Owned<Mat, MatDestroy>;
 using Solver = Owned<SNES, SNESDestroy>;
-
-/// Entries of a vector, for reading or for writing, as long as this lives.
-class Entries {
- public:
-  explicit Entries(Vec v) : vector_(v) {
-    check(VecGetLocalSize(v, &size_));
-    check(VecGetArray(v, &begin_));
-  }
-  Entries(const Entries&) = delete;
-  Entries& operator=(const Entries&) = delete;
-  ~Entries() { VecRestoreArray(vector_, &begin_); }
-  operator std::span<double>() const { return {begin_, static_cast<std::size_t>(size_)}; }
-
- private:
-  Vec vector_;
-  PetscInt size_ = 0;
-  double* begin_ = nullptr;
-};
-
-class ReadEntries {
- public:
-  explicit ReadEntries(Vec v) : vector_(v) {
-    check(VecGetLocalSize(v, &size_));
-    check(VecGetArrayRead(v, &begin_));
-  }
-  ReadEntries(const ReadEntries&) = delete;
-  ReadEntries& operator=(const ReadEntries&) = delete;
-  ~ReadEntries() { VecRestoreArrayRead(vector_, &begin_); }
-  operator std::span<const double>() const { return {begin_, static_cast<std::size_t>(size_)}; }
-
- private:
-  Vec vector_;
-  PetscInt size_ = 0;
-  const double* begin_ = nullptr;
-};
 
 /// The problem as PETSc's callbacks see it, and what happened in them: no exception may pass through PETSc.
 struct Host {
@@ -101,19 +32,8 @@ struct Host {
   std::exception_ptr failure;
 };
 
-template <class Work>
-PetscErrorCode guarded(void* host, Work&& work) noexcept {
-  try {
-    work(*static_cast<Host*>(host));
-    return 0;
-  } catch (...) {
-    static_cast<Host*>(host)->failure = std::current_exception();
-    return PETSC_ERR_USER;
-  }
-}
-
 PetscErrorCode compute_residual(SNES snes, Vec u, Vec r, void* host) {
-  return guarded(host, [&](Host& h) {
+  return guarded<Host>(host, [&](Host& h) {
     double energy = 0;
     if (h.problem.evaluate(ReadEntries(u), energy, Entries(r)) != Evaluation::ok)
       check(SNESSetFunctionDomainError(snes));
@@ -136,7 +56,7 @@ SNESConvergedReason report(Host& h, std::span<const double> u) {
 PetscErrorCode judge(SNES snes, PetscInt, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason,
                      void* host) {
   constexpr int kMostRejected = 30;
-  return guarded(host, [&](Host& h) {
+  return guarded<Host>(host, [&](Host& h) {
     Vec solution = nullptr;
     check(SNESGetSolution(snes, &solution));
     const ReadEntries entries(solution);
@@ -150,7 +70,7 @@ PetscErrorCode judge(SNES snes, PetscInt, PetscReal, PetscReal, PetscReal, SNESC
 
 /// The host has the tangent of this point already; PETSc must only know that it is another one.
 PetscErrorCode renew_tangent(SNES, Vec, Mat tangent, Mat, void* host) {
-  return guarded(host, [&](Host&) {
+  return guarded<Host>(host, [&](Host&) {
     check(MatAssemblyBegin(tangent, MAT_FINAL_ASSEMBLY));
     check(MatAssemblyEnd(tangent, MAT_FINAL_ASSEMBLY));
   });
@@ -159,7 +79,7 @@ PetscErrorCode renew_tangent(SNES, Vec, Mat tangent, Mat, void* host) {
 PetscErrorCode multiply(Mat tangent, Vec x, Vec y) {
   void* host = nullptr;
   MatShellGetContext(tangent, &host);
-  return guarded(host, [&](Host& h) {
+  return guarded<Host>(host, [&](Host& h) {
     h.problem.multiply(Matrix::exact, h.parameters.damping, ReadEntries(x), Entries(y));
   });
 }
@@ -167,7 +87,7 @@ PetscErrorCode multiply(Mat tangent, Vec x, Vec y) {
 PetscErrorCode factorise(PC preconditioner) {
   void* host = nullptr;
   PCShellGetContext(preconditioner, &host);
-  const PetscErrorCode code = guarded(host, [&](Host& h) {
+  const PetscErrorCode code = guarded<Host>(host, [&](Host& h) {
     h.refused = h.problem.factorise_indefinite(Matrix::exact, h.parameters.damping) != Factor::ok;
   });
   return code == 0 && static_cast<Host*>(host)->refused ? PETSC_ERR_MAT_LU_ZRPVT : code;
@@ -176,7 +96,7 @@ PetscErrorCode factorise(PC preconditioner) {
 PetscErrorCode solve_with_factor(PC preconditioner, Vec b, Vec x) {
   void* host = nullptr;
   PCShellGetContext(preconditioner, &host);
-  return guarded(host, [&](Host& h) { h.problem.solve(ReadEntries(b), Entries(x)); });
+  return guarded<Host>(host, [&](Host& h) { h.problem.solve(ReadEntries(b), Entries(x)); });
 }
 
 void make_tangent(Host& host, Operator& tangent) {
@@ -228,12 +148,9 @@ Outcome outcome_of(SNESConvergedReason reason) {
 }
 
 Outcome run(Host& host) {
-  const auto n = static_cast<PetscInt>(host.problem.size());
-  Vector u, r;
+  const Vector u(host.problem.u()), r(host.problem.size());
   Operator tangent;
   Solver snes;
-  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, host.problem.u().data(), u.address()));
-  check(VecDuplicate(u, r.address()));
   make_tangent(host, tangent);
   check(SNESCreate(PETSC_COMM_SELF, snes.address()));
   set_strategy(snes, host.parameters.strategy);
@@ -253,7 +170,7 @@ Outcome run(Host& host) {
 }  // namespace
 
 Outcome Snes::solve(const Parameters& parameters, Problem& problem) {
-  start_petsc();
+  start();
   Host host(problem, parameters);
   return run(host);
 }
