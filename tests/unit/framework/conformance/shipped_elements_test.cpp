@@ -21,7 +21,7 @@ const fs::path kFolder = NETLOFT_BINARY_DIR "/lib/netloft";
 bool runs_v3() { return netloft::best_build(kFolder, "rope").parent_path() != kFolder; }
 
 /// MPI, which PETSc starts, has a thread of its own.
-bool starts_threads(const std::string& plugin) { return plugin == "snes"; }
+bool starts_threads(const std::string& plugin) { return plugin == "snes" || plugin == "ts"; }
 
 /// All shipped plugins.
 std::vector<std::string> shipped() {

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "framework/conformance/practice_motion.hpp"
-#include "io/analysis/case.hpp"
-#include "tests/unit/framework/problem/oscillator.hpp"
+#include "tests/unit/solvers/other_integrators.hpp"
 
 namespace netloft::test {
 namespace {
@@ -24,32 +17,23 @@ Values called(const Method& method) { return {{"method", std::string(method.name
 class ArkodeMethod : public testing::TestWithParam<Method> {
  protected:
   const Chosen chosen_{"arkode", called(GetParam())};
-
-  /// A practice motion, whose answer is known, after `n` steps that lead to `end` [s].
-  conformance::PracticeMotion after(int n, double end, const conformance::PracticeSwing& like) const {
-    conformance::PracticeMotion motion(like);
-    EXPECT_EQ(motion.run(chosen_.type.integrator, chosen_.block.data(), {end / n}, end), NETLOFT_OK);
-    return motion;
-  }
 };
 
 TEST_P(ArkodeMethod, HasItsOrderInAMotionWithDamping) {
-  const conformance::PracticeSwing damped{.damping = 0.2};
-  const double coarse = after(160, 4, damped).error(), fine = after(320, 4, damped).error();
-  EXPECT_NEAR(std::log2(coarse / fine), GetParam().order, 0.15) << coarse << " " << fine;
+  EXPECT_NEAR(order_in_a_motion_with_damping(chosen_), GetParam().order, 0.15);
 }
 
 TEST_P(ArkodeMethod, EstimatesErrorsThatShrinkAsItSays) {
-  const double coarse = after(10, 0.5, {}).estimate, fine = after(20, 0.5, {}).estimate;
-  const double said = chosen_.type.integrator.order(chosen_.block.data());
-  EXPECT_NEAR(std::log2(coarse / fine), said, 0.2) << coarse << " " << fine;
+  EXPECT_NEAR(order_of_estimates(chosen_), chosen_.type.integrator.order(chosen_.block.data()), 0.2);
 }
 
-TEST_P(ArkodeMethod, EndsWhatIsFarTooFastForTheStep) { EXPECT_LT(after(100, 1e5, {}).energy(), 1e-6); }
+TEST_P(ArkodeMethod, EndsWhatIsFarTooFastForTheStep) {
+  EXPECT_LT(after(chosen_, 100, 1e5, {}).energy(), 1e-6);
+}
 
 // F(t, u, v, a) = 0 at the end of every step, of a motion with a damping of 0.2 and 1 to 2 rad/s.
 TEST_P(ArkodeMethod, LeavesTheAccelerationThatBelongsToPositionAndVelocity) {
-  const auto motion = after(7, 1, {.damping = 0.2});
+  const auto motion = after(chosen_, 7, 1, {.damping = 0.2});
   for (std::size_t i = 0; i < motion.u.size(); ++i) {
     const double w = 1 + 0.5 * static_cast<double>(i);
     EXPECT_NEAR(motion.a[i], -2 * 0.2 * w * motion.v[i] - w * w * motion.u[i], 1e-12);
@@ -57,39 +41,7 @@ TEST_P(ArkodeMethod, LeavesTheAccelerationThatBelongsToPositionAndVelocity) {
 }
 
 TEST(Arkode, MovesASpringAsItsClosedFormSays) {
-  const Oscillator o;
-  Moving m(o.scene());
-  MarchSettings s;
-  s.duration = 20 / o.omega(), s.step = 0.02 / o.omega(), s.adaptive = false;
-  MarchState from = state_at_rest(m.assembler);
-  from.u[0] = 0.1;
-  const MarchResult r = m.run("arkode", {}, s, &from);
-  ASSERT_EQ(r.status, MarchStatus::finished) << r.reason;
-  EXPECT_NEAR(r.u[0], 0.1 * std::cos(o.omega() * s.duration), 1e-6);
-}
-
-/// Where a scene of the gear library is at its end.
-MarchResult end_of(const std::string& scene, const std::vector<std::string>& overrides) {
-  io::Case c({NETLOFT_SOURCE_DIR "/gear-library/scenes/dynamics/" + scene, overrides, 1}, shipped_plugins());
-  if (c.open() != io::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
-  MarchResult r = c.march({});
-  EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
-  return r;
-}
-
-/// Of four bars as stiff in compression as in tension, and a ball, after 0.5 s.
-MarchResult swing(const std::vector<std::string>& overrides) {
-  std::vector<std::string> all = {"parts.rope.rope.EA=2000", "parts.rope.rope.EA_compression=2000",
-                                  "analysis.duration=0.5",   "analysis.output_interval=0",
-                                  "analysis.solver=chord",   "analysis.tolerance=1e-11"};
-  all.insert(all.end(), overrides.begin(), overrides.end());
-  return end_of("elastic-pendulum.toml", all);
-}
-
-double largest_distance(const MarchResult& a, const MarchResult& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.u.size(); ++i) most = std::max(most, std::abs(a.u[i] - b.u[i]));
-  return most;
+  EXPECT_LT(distance_from_closed_form_of_a_spring("arkode"), 1e-6);
 }
 
 TEST(Arkode, SwingsThePendulumAsGeneralizedAlphaDoes) {
@@ -128,9 +80,7 @@ TEST(Arkode, LetsTheHostChooseTheSteps) {
 }
 
 TEST(Arkode, TakesShorterStepsWhereAStageIsNotFound) {
-  const Chosen chosen("arkode", {});
-  conformance::PracticeMotion motion({.fails = NETLOFT_OUTSIDE_DOMAIN});
-  EXPECT_EQ(motion.run(chosen.type.integrator, chosen.block.data(), {0.01}, 0.01), NETLOFT_OUTSIDE_DOMAIN);
+  EXPECT_EQ(step_where_the_host_answers(NETLOFT_OUTSIDE_DOMAIN, {"arkode", {}}), NETLOFT_OUTSIDE_DOMAIN);
 }
 
 TEST(Arkode, RefusesAMethodThatItDoesNotHave) {

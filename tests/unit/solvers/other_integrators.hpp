@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the tests of time schemes of other libraries (arkode, ts) share.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/conformance/practice_motion.hpp"
+#include "io/analysis/case.hpp"
+#include "tests/unit/framework/problem/oscillator.hpp"
+
+namespace netloft::test {
+
+/// A practice motion, whose answer is known, after `n` steps that lead to `end` [s].
+inline conformance::PracticeMotion after(const Chosen& scheme, int n, double end,
+                                         const conformance::PracticeSwing& like) {
+  conformance::PracticeMotion motion(like);
+  EXPECT_EQ(motion.run(scheme.type.integrator, scheme.block.data(), {end / n}, end), NETLOFT_OK);
+  return motion;
+}
+
+/// What the first step says where every function of the host answers so.
+inline int step_where_the_host_answers(int status, const Chosen& scheme) {
+  conformance::PracticeMotion motion({.fails = status});
+  return motion.run(scheme.type.integrator, scheme.block.data(), {0.01}, 0.01);
+}
+
+/// Power of the step with which the error of a damped motion shrinks.
+inline double order_in_a_motion_with_damping(const Chosen& scheme) {
+  const conformance::PracticeSwing damped{.damping = 0.2};
+  return std::log2(after(scheme, 160, 4, damped).error() / after(scheme, 320, 4, damped).error());
+}
+
+/// The same of the estimate of one step.
+inline double order_of_estimates(const Chosen& scheme) {
+  return std::log2(after(scheme, 10, 0.5, {}).estimate / after(scheme, 20, 0.5, {}).estimate);
+}
+
+/// Where a scene of the gear library is at its end.
+inline MarchResult end_of(const std::string& scene, const std::vector<std::string>& overrides) {
+  io::Case c({NETLOFT_SOURCE_DIR "/gear-library/scenes/dynamics/" + scene, overrides, 1}, shipped_plugins());
+  if (c.open() != io::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
+  MarchResult r = c.march({});
+  EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
+  return r;
+}
+
+/// Of four bars as stiff in compression as in tension, and a ball, after 0.5 s.
+inline MarchResult swing(const std::vector<std::string>& overrides) {
+  std::vector<std::string> all = {"parts.rope.rope.EA=2000", "parts.rope.rope.EA_compression=2000",
+                                  "analysis.duration=0.5",   "analysis.output_interval=0",
+                                  "analysis.solver=chord",   "analysis.tolerance=1e-11"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return end_of("elastic-pendulum.toml", all);
+}
+
+inline double largest_distance(std::span<const double> a, std::span<const double> b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
+inline double largest_distance(const MarchResult& a, const MarchResult& b) {
+  return largest_distance(a.u, b.u);
+}
+
+/// A spring of `Oscillator` let go 0.1 m from its rest, by 1000 steps, over its closed form [m].
+inline double distance_from_closed_form_of_a_spring(const std::string& integrator) {
+  const Oscillator o;
+  Moving m(o.scene());
+  MarchSettings s;
+  s.duration = 20 / o.omega(), s.step = 0.02 / o.omega(), s.adaptive = false;
+  MarchState from = state_at_rest(m.assembler);
+  from.u[0] = 0.1;
+  const MarchResult r = m.run(integrator, {}, s, &from);
+  EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
+  return std::abs(r.u[0] - 0.1 * std::cos(o.omega() * s.duration));
+}
+
+}  // namespace netloft::test
