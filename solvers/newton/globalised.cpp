@@ -109,7 +109,7 @@ class Globalised {
     const Sample first{0, energy_, dot(r_, s_)};
     const double noise = kEnergyNoise * (std::abs(energy_) + std::abs(dot(frozen_, s_)));
     move_trial(1);
-    if (-first.slope <= noise) return accept_blindly(1);
+    if (-first.slope <= noise) return accept_blindly(1) || accept_shortening();
     if (!frozen_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
     LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
     auto found = whole_step_uphill(first);
@@ -158,6 +158,17 @@ class Globalised {
     return false;
   }
 
+  /// (6): takes the trial if the step that is left there, by the matrix of here, is at most half as long. What
+  /// rounding leaves of ‖r‖ in stiff parts then does not hide how far soft ones still are off.
+  bool accept_shortening() {
+    double energy = 0;
+    if (problem_.evaluate(trial_, energy, r_trial_) != Evaluation::ok) return false;
+    left_.resize(s_.size());
+    problem_.solve(r_trial_, left_);
+    if (problem_.step_length(left_) > 0.5 * problem_.step_length(s_)) return false;
+    return accept();
+  }
+
   /// A whole step means that the model is trusted; a short one that it reaches too far.
   void adapt_damping(double t) {
     if (t > 0.9)
@@ -190,7 +201,7 @@ class Globalised {
   double mu_, energy_ = 0;
   bool was_uphill_ = false;
   const char* note_ = "";
-  std::vector<double> r_, s_, trial_, r_trial_;
+  std::vector<double> r_, s_, trial_, r_trial_, left_;
   std::vector<double> frozen_;  // drag at u; empty if every force has an energy
 };
 

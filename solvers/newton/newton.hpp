@@ -16,12 +16,15 @@ namespace netloft::newton {
 ///   m(t) = E(u + t s) + t d(u)·s: drag frozen as a dead load; m'(0) = r·s                (3)
 ///   m(t) ≤ m(0) + c t r·s and |m'(t)| ≤ η |r·s|, or t = 1                                (4)
 ///   m(1) ≤ m(0) − c_up r·s is enough after a step that was not such a one                 (5)
+///   |s'| ≤ |s| / 2, (K + μ M) s' = −r(u + s) with the matrix of u                         (6)
 /// (5) lets an iterate cross the kinks between slack and taut, one step at a time (watched as by Chamberlain
 /// et al. 1982, Math. Programming Study 16). μ falls after a whole step and rises after a short one. With μ₊
 /// = 1 the step cannot raise a convex energy (Levenberg 1944, in the metric of the linear stiffness); with μ
 /// = 0 it is Newton's. An unsymmetric K is not asked whether it is positive definite: μ rises until s leads
-/// downhill. Near the end m has no digits left for (4); then a step counts that does not raise ‖r‖. With
-/// drag, a step that quarters ‖r‖ counts as well: d has then moved little.
+/// downhill. Near the end m has no digits left for (4); then a step counts that does not raise ‖r‖, or that
+/// (6) says halves what is left (the natural monotonicity test of Deuflhard, Newton Methods for Nonlinear
+/// Problems, 2004): in stiff parts rounding alone may keep ‖r‖ where it is. With drag, a step that quarters
+/// ‖r‖ counts as well: d has then moved little.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;
