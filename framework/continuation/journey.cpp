@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/continuation/journey.hpp"
 
+#include "framework/continuation/shape_finder.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +14,14 @@ namespace {
 // An easier scene only gives a start: it need not be exact.
 constexpr double kLegTolerance = 1e-4;
 constexpr int kLegIterations = 200;
+// Relaxation only brings near.
+constexpr double kRelaxed = 1e-2;
 // The scene itself is given up for a detour after so many iterations; after the last one only by the user.
 constexpr int kFirstIterations = 300;
+// Where the stiffest part could carry all of the load with a stretch below the first of these, the scene is
+// given up for softer ones sooner; below the second one they come first, unless the start is near.
+constexpr double kStiff = 1e-3, kVeryStiff = 1e-4;
+constexpr int kFewIterations = 60;
 // Stiffness grows tenfold from stage to stage, from so many times the largest load.
 constexpr double kStiffer = 10, kSoftest = 30;
 constexpr int kMostStages = 9;
@@ -24,6 +32,9 @@ constexpr double kShortestRamp = 1.0 / 64;
 constexpr double kPatience = 12, kLeastPatience = 1;
 // One easier scene may cost so many times the first attempt, and at least so many seconds.
 constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
+// Whoever is to leave a saddle is shaken by this share of an element's size; whoever may stand otherwise, by
+// this one.
+constexpr double kLeaveShare = 0.02, kLookShare = 1;
 // A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
 constexpr double kNearly = 1e-5;
 
@@ -63,37 +74,79 @@ void Journey::book(const Leg& leg) { legs_.push_back(leg); }
 
 Solution Journey::arrive(Displacements start) {
   options_.limits.ask_growth = true;
-  Limits first = options_.limits;
-  first.iterations = std::min(first.iterations, kFirstIterations);
-  Solution best = solve_itself_off_saddles("as it is", start, first);
-  const double first_attempt = wall_seconds() - begun_;
+  begun_ = wall_seconds();
+  const std::vector<Way> ways = ways_from(start);
+  Limits limits = options_.limits;
+  limits.iterations = std::min(options_.limits.iterations, is_stiff() ? kFewIterations : kFirstIterations);
+  Solution best = solve_itself_off_saddles(ways[0].name, *(this->*ways[0].to)(start, {}), limits);
+  be_patient(best.books.iterations >= limits.iterations ? double(kFirstIterations) / limits.iterations : 1);
+  limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
+  for (std::size_t i = 1; i < ways.size() && !has_arrived(best) && !out_of_time(); ++i)
+    if (const auto nearer = (this->*ways[i].to)(start, best))
+      keep_better(best, solve_itself_off_saddles(ways[i].name, *nearer, limits));
+  try_once_more(best, start, limits);
+  if (options_.looks > 0) look_for_other_shapes(best, limits);
+  return finish(std::move(best));
+}
+
+/// In the order in which they promise something; the first one always leads somewhere.
+std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
+  const Way as_it_is{"as it is", &Journey::over_nothing},
+      soft{"from soft to stiff", &Journey::over_stiffness};
+  if (!options_.detours) return {as_it_is};
+  std::vector<Way> ways{as_it_is, {"shaken", &Journey::over_shaking}};
+  const bool soft_first = start.empty() && stretch_of_stiffest() < kVeryStiff;
+  if (is_stiff()) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
+  ways.push_back({"from tension only", &Journey::over_tension_only});
+  ways.push_back({"from still water", &Journey::over_current});
+  if (!is_stiff()) ways.push_back(soft);
+  ways.push_back({"from a relaxed shape", &Journey::over_relaxation});
+  return ways;
+}
+
+/// How much longer the stiffest part would be if it carried all that does not depend on the state: the load
+/// over its stiffness. 1 where the current adds what is not known yet, or nothing loads it.
+double Journey::stretch_of_stiffest() const {
+  const double load = StaticProblem(assembler_, options_.make, options_.limits).dead_load_sum();
+  if (load == 0 || scene_.current.flows()) return 1;
+  return load / std::max(load, largest_stiffness(scene_, registry_));
+}
+
+bool Journey::is_stiff() const { return options_.detours && stretch_of_stiffest() < kStiff; }
+
+/// Others may cost a multiple of the first attempt, `share` times as long as it was.
+void Journey::be_patient(double share) {
+  const double first_attempt = share * (wall_seconds() - begun_);
   patience_ = std::max(kLeastPatience, kPatience * first_attempt);
   leg_patience_ = std::max(kLeastLegPatience, kLegPatience * first_attempt);
-  const std::pair<const char*, Detour> detours[] = {{"shaken", &Journey::over_shaking},
-                                                    {"from tension only", &Journey::over_tension_only},
-                                                    {"from still water", &Journey::over_current},
-                                                    {"from soft to stiff", &Journey::over_stiffness},
-                                                    {"from a relaxed shape", &Journey::over_relaxation}};
-  for (const auto& [name, detour] : detours) {
-    if (has_arrived(best) || out_of_time() || !options_.detours) break;
-    if (const auto nearer = (this->*detour)(start, best))
-      keep_better(best, solve_itself_off_saddles(name, *nearer, first));
+}
+
+/// Where forces flicker (sticking and sliding), no tangent helps, and motion with its damping does. Else with
+/// all the iterations that the user allows.
+void Journey::try_once_more(Solution& best, const Displacements& start, const Limits& before) {
+  if (!options_.detours) return;
+  const auto relaxation = !is_near(best) && !out_of_time() ? other_solver("relaxation") : std::nullopt;
+  if (relaxation)
+    keep_better(best, solve_itself("by relaxation", *relaxation, relaxed_.empty() ? start : relaxed_,
+                                   options_.limits));
+  if (has_arrived(best) || out_of_time() || options_.limits.iterations <= before.iterations) return;
+  const Displacements from = is_near(best) ? shaken(best.u, kLeaveShare) : best.u;
+  keep_better(best, solve_itself_off_saddles("once more", from, options_.limits));
+}
+
+/// From where it stands, shaken by an element's size, each time otherwise.
+void Journey::look_for_other_shapes(Solution& best, const Limits& limits) {
+  patience_ = leg_patience_ = std::numeric_limits<double>::infinity();
+  const StaticProblem problem(assembler_, options_.make, options_.limits);
+  ShapeFinder finder(scene_, assembler_, problem.gear_size(), problem.conservative());
+  finder.add(best);
+  for (int look = 0; look < options_.looks && has_arrived(best) && !out_of_time(); ++look) {
+    ++turn_;
+    Displacements from = shaken(best.u, kLookShare);
+    if (is_stiff()) from = over_stiffness(from, best).value_or(from);
+    finder.add(solve_itself_off_saddles("look " + std::to_string(look + 1), from, limits));
   }
-  if (options_.detours && !is_near(best) && !out_of_time() && options_.limits.iterations > first.iterations)
-    keep_better(best, solve_itself("once more", best.u, options_.limits));
-  // Where forces flicker (sticking and sliding), no tangent helps, and motion with its damping does.
-  const auto relaxation =
-      options_.detours && !is_near(best) && !out_of_time() ? other_solver("relaxation") : std::nullopt;
-  if (relaxation) keep_better(best, solve_itself("by relaxation", *relaxation, start, options_.limits));
-  for (int look = 0; getenv("LOOKS") && look < atoi(getenv("LOOKS")) && has_arrived(best); ++look) {
-    Solution next = solve_itself("look", shaken(best.u), first);
-    double d = 0;
-    for (std::size_t i = 0; i < next.u.size(); ++i) d = std::max(d, std::abs(next.u[i] - best.u[i]));
-    fprintf(stderr, "look %d: %s it %d E %.12g -> %.12g, moved %.3g\n", look, name_of(next.status),
-            (int)next.books.iterations, best.energy, next.energy, d);
-    if (has_arrived(next) && next.energy < best.energy) best = std::move(next);
-  }
-  return finish(std::move(best));
+  best = finder.best();
 }
 
 /// The scene itself, and where that ends at a saddle, again from a little aside.
@@ -101,8 +154,12 @@ Solution Journey::solve_itself_off_saddles(const std::string& name, const Displa
                                            const Limits& limits) {
   Solution s = solve_itself(name, start, limits);
   if (is_at_saddle(s) && options_.detours && !out_of_time())
-    keep_better(s, solve_itself(name + ", shaken", shaken(s.u), limits));
+    keep_better(s, solve_itself(name + ", shaken", shaken(s.u, kLeaveShare), limits));
   return s;
+}
+
+std::optional<Journey::Displacements> Journey::over_nothing(const Displacements& start, const Solution&) {
+  return start;
 }
 
 /// A start without forces shows no way.
@@ -111,17 +168,17 @@ std::optional<Journey::Displacements> Journey::over_shaking(const Displacements&
   if (best.balance.scale > 0) return {};
   Displacements u = start;
   u.resize(best.u.size());
-  return shaken(std::move(u));
+  return shaken(std::move(u), kLeaveShare);
 }
 
-/// Every unknown a little aside, by fractions of multiples of the golden ratio: no symmetry survives it.
-Journey::Displacements Journey::shaken(Displacements u) const {
-  constexpr double kGolden = 0.61803398874989485;
-  constexpr double kShare = 0.02;
+/// Every unknown aside by up to a share of an element's size, by fractions of multiples of the golden ratio:
+/// no symmetry survives it.
+Journey::Displacements Journey::shaken(Displacements u, double share) const {
+  constexpr double kGolden = 0.61803398874989485, kSilver = 0.41421356237309505;
   const double size = StaticProblem(assembler_, options_.make, options_.limits).element_size();
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const double multiple = kGolden * static_cast<double>(i + 1);
-    u[i] += kShare * size * (2 * (multiple - std::floor(multiple)) - 1);
+    const double multiple = kGolden * static_cast<double>(i + 1) + kSilver * turn_;
+    u[i] += share * size * (2 * (multiple - std::floor(multiple)) - 1);
   }
   return u;
 }
@@ -144,7 +201,7 @@ std::optional<Journey::Displacements> Journey::over_stiffness(const Displacement
     const Scene softer = softened(scene_, registry_, cap);
     Solution s = solve_leg(name, softer, options_.solver, u, kLegTolerance);
     if (s.status == SolveStatus::unstable)  // what is pressed gives way while it is soft
-      s = solve_leg(name + ", shaken", softer, options_.solver, shaken(s.u), kLegTolerance);
+      s = solve_leg(name + ", shaken", softer, options_.solver, shaken(s.u, kLeaveShare), kLegTolerance);
     u = s.u;
   }
   return u;
@@ -169,7 +226,8 @@ std::optional<Journey::Displacements> Journey::over_current(const Displacements&
 std::optional<Journey::Displacements> Journey::over_relaxation(const Displacements& start, const Solution&) {
   const auto relaxation = other_solver("relaxation");
   if (!relaxation) return {};
-  return solve_leg("relaxation", scene_, *relaxation, start, 1e-2).u;
+  relaxed_ = solve_leg("relaxation", scene_, *relaxation, start, kRelaxed).u;
+  return relaxed_;
 }
 
 std::optional<SolverUse> Journey::other_solver(const std::string& name) const {

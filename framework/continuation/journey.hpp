@@ -22,6 +22,7 @@ struct JourneyOptions {
   TangentChoice tangent = TangentChoice::exact;
   int threads = 1;
   bool detours = true;  // else the scene itself only
+  int looks = 0;        // for other shapes, from the one that was found
   std::function<void(const IterationRecord&)> on_iteration;
 };
 
@@ -33,7 +34,8 @@ struct JourneyOptions {
 ///   slow to fast     the current from none to all of it, by steps that halve when one fails
 ///   shaken           off a point that is not stable, or that has no forces
 ///   relaxed          a matrix-free solver brings it near, if one is there
-/// Only the scene itself, last of all, is judged.
+/// Only the scene itself, last of all, is judged. Whether it stands in other ways, too, is looked for from
+/// where it stands.
 class Journey {
  public:
   Journey(const Scene& scene, Assembler& assembler, Registry& registry, JourneyOptions options);
@@ -48,15 +50,27 @@ class Journey {
  private:
   using Displacements = std::vector<double>;
 
-  using Detour = std::optional<Displacements> (Journey::*)(const Displacements& start, const Solution& best);
+  /// Where the scene itself is to start from, given where it started at first and the best so far.
+  struct Way {
+    const char* name;
+    std::optional<Displacements> (Journey::*to)(const Displacements& start, const Solution& best);
+  };
 
+  std::vector<Way> ways_from(const Displacements& start) const;
+  double stretch_of_stiffest() const;
+  bool is_stiff() const;
+  void be_patient(double share);
+  void try_once_more(Solution& best, const Displacements& start, const Limits& before);
+
+  std::optional<Displacements> over_nothing(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_shaking(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_tension_only(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_stiffness(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_current(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_relaxation(const Displacements& start, const Solution& best);
 
-  Displacements shaken(Displacements u) const;
+  Displacements shaken(Displacements u, double share) const;
+  void look_for_other_shapes(Solution& best, const Limits& limits);
   Solution solve_itself_off_saddles(const std::string& name, const Displacements& start,
                                     const Limits& limits);
   Solution solve_itself(const std::string& name, const Displacements& start, const Limits& limits);
@@ -76,6 +90,8 @@ class Journey {
   JourneyOptions options_;
   double begun_, patience_, leg_patience_;  // [s]
   std::vector<Leg> legs_;
+  int turn_ = 0;           // each has its own way of shaking
+  Displacements relaxed_;  // where a matrix-free solver brought it; empty: was not asked
 };
 
 }  // namespace netloft

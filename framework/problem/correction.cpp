@@ -41,12 +41,19 @@ bool solve_for_correction(StaticProblem& problem, std::span<const double> residu
   return std::all_of(du.begin(), du.end(), [](double step) { return std::isfinite(step); });
 }
 
+NodeDistance furthest_node(const Scene& scene, const Numbering& numbering, std::span<const double> x,
+                           std::span<const double> y) {
+  NodeDistance furthest;
+  for (std::uint32_t node = 0; node < scene.node_count(); ++node) {
+    const double distance = is_rotation(scene, node) ? 0 : node_distance(numbering, node, x, y);
+    if (distance > furthest.distance) furthest = {distance, node};
+  }
+  return furthest;
+}
+
 double largest_node_distance(const Scene& scene, const Numbering& numbering, std::span<const double> x,
                              std::span<const double> y) {
-  double largest = 0;
-  for (std::uint32_t node = 0; node < scene.node_count(); ++node)
-    if (!is_rotation(scene, node)) largest = std::max(largest, node_distance(numbering, node, x, y));
-  return largest;
+  return furthest_node(scene, numbering, x, y).distance;
 }
 
 }  // namespace netloft

@@ -15,8 +15,15 @@ bool find_correction(StaticProblem& problem, std::span<const double> u, std::spa
 /// The same where the problem holds a good factor of K(u) already.
 bool solve_for_correction(StaticProblem& problem, std::span<const double> residual, std::span<double> du);
 
-/// Largest distance between the places of a node in x and y, vectors over all dofs [m]. Rotations of rigid
+struct NodeDistance {
+  double distance = 0;  // [m]
+  std::uint32_t node = 0;
+};
+
+/// The node whose places in x and y, vectors over all dofs, are furthest from one another. Rotations of rigid
 /// bodies are no places: they count through the nodes that the body carries.
+NodeDistance furthest_node(const Scene& scene, const Numbering& numbering, std::span<const double> x,
+                           std::span<const double> y);
 double largest_node_distance(const Scene& scene, const Numbering& numbering, std::span<const double> x,
                              std::span<const double> y);
 

@@ -126,7 +126,7 @@ void StaticProblem::find_dead_loads() {
   }
   for_nodes(assembler_.numbering(), 0, assembler_.pattern().size, sum,
             [&](std::uint32_t, std::int32_t, std::int32_t, double norm) {
-              dead_load_ = std::max(dead_load_, norm);
+              dead_load_ = std::max(dead_load_, norm), dead_load_sum_ += norm;
             });
 }
 

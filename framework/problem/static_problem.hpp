@@ -71,6 +71,8 @@ class StaticProblem {
   Balance balance(std::span<const double> x, std::span<const double> residual);
   /// Largest nodal sum of the forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }
+  /// Sum of them over all nodes [N].
+  double dead_load_sum() const { return dead_load_sum_; }
   /// From now on this step is the problem, until the next.
   void begin(const StepProblem& step);
   /// The next solution starts without a factor, as if nothing had been solved before.
@@ -116,7 +118,7 @@ class StaticProblem {
   std::vector<double> v_, a_;
   int iterations_before_ = 0;  // of steps that are done
   bool bad_numbers_ = false, met_error_ = false;
-  double begun_ = 0, dead_load_ = 0, element_size_ = 1, gear_size_ = 1;
+  double begun_ = 0, dead_load_ = 0, dead_load_sum_ = 0, element_size_ = 1, gear_size_ = 1;
   char message_[256] = "";
 
   std::vector<double> u_, x_, residual_, gradient_;

@@ -17,6 +17,20 @@ struct Leg {
   Books books;
 };
 
+/// Another place where the gear is in equilibrium that is not unstable.
+struct OtherShape {
+  double energy = 0;     // [J]
+  double distance = 0;   // of its furthest node from where the solution has it [m]
+  std::string furthest;  // that node
+  int times = 1;         // that it was found
+};
+
+/// What was found by looking for other shapes.
+struct Shapes {
+  int looks = 0, times = 1;  // that the solution was found, the first time included
+  std::vector<OtherShape> others;
+};
+
 /// Where a solver ended and what the host makes of it.
 struct Solution {
   SolveStatus status = SolveStatus::not_converged;
@@ -34,6 +48,7 @@ struct Solution {
   std::string factorisation;
   std::vector<std::string> signs;  // of what may be why, where it did not arrive; from who knows the parts
   std::vector<Leg> legs;           // if there were several; `books` is then their sum
+  Shapes shapes;
 };
 
 /// Lets `solver` find the static equilibrium of the assembled scene, from displacements `start` of the

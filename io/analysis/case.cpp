@@ -74,9 +74,9 @@ Case::State Case::assemble() {
 }
 
 Solution Case::solve(const Watch& watch) {
-  Solution s = loaded_.analysis.settles        ? settle(watch)
-               : loaded_.analysis.continuation ? solve_by_journey(watch)
-                                               : solve_plainly(watch);
+  Solution s = loaded_.analysis.settles                                      ? settle(watch)
+               : loaded_.analysis.continuation || loaded_.analysis.looks > 0 ? solve_by_journey(watch)
+                                                                             : solve_plainly(watch);
   if (s.status != SolveStatus::converged) s.signs = diagnose(loaded_.scene, *assembler_, s);
   return s;
 }
@@ -173,7 +173,7 @@ Solution Case::solve_by_journey(const Watch& watch) {
   options.limits = loaded_.analysis.limits, options.limits.interrupt = watch.interrupt;
   options.make = make_factorisation, options.tangent = loaded_.analysis.tangent;
   options.threads = source_.threads, options.on_iteration = watch.on_iteration;
-  options.detours = watch.detours;
+  options.detours = watch.detours && loaded_.analysis.continuation, options.looks = loaded_.analysis.looks;
   Journey journey(loaded_.scene, *assembler_, registry_, options);
   std::vector<Leg> coarser;
   const std::vector<double> start = start_from_coarser(watch, coarser);
@@ -185,11 +185,12 @@ Solution Case::solve_by_journey(const Watch& watch) {
 /// likewise. Empty if there is no such gear, or it is small enough to be solved at once, or did not arrive.
 std::vector<double> Case::start_from_coarser(const Watch& watch, std::vector<Leg>& legs) {
   const auto halved = halved_cells(loaded_);
-  if (halved.empty() || plan_.unknowns < kSmall) return {};
+  if (!loaded_.analysis.continuation || halved.empty() || plan_.unknowns < kSmall) return {};
   CaseSource source = source_;
   source.overrides.insert(source.overrides.end(), halved.begin(), halved.end());
   source.overrides.push_back("analysis.tolerance=" +
                              std::to_string(std::max(kCoarseTolerance, loaded_.analysis.limits.tolerance)));
+  source.overrides.push_back("analysis.looks=0");
   Case coarser(source, registry_);
   const auto start_likewise = [&](LoadedScene& coarse) {
     if (const auto start = carried_over(loaded_, loaded_.scene.positions, coarse))

@@ -161,6 +161,8 @@ void add_commands(CLI::App& app, Options& o) {
       ->type_name("FILE.hdf");
   run->add_flag("--resume", o.resume,
                 "go on with a motion from the .part that a killed or interrupted run left");
+  run->add_option("--looks", o.looks, "look so often for other shapes in which the gear may stand")
+      ->check(CLI::Range(0, 1000));
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);

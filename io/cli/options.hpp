@@ -18,6 +18,7 @@ struct Options {
   std::string output;                // -o
   bool resume = false;               // --resume
   bool error = false;                // --error
+  int looks = -1;                    // --looks; -1: as the scene says
   std::vector<std::int64_t> nodes;   // refine: --nodes
   std::string solver;                // --solver NAME[:key=value[,key=value]]
   std::vector<std::string> set;      // --set path=value

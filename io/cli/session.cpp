@@ -18,6 +18,7 @@ int threads_for(const Options& options) {
 
 CaseSource source_of(const Options& options) {
   CaseSource source{options.target, options.set, threads_for(options)};
+  if (options.looks >= 0) source.overrides.push_back("analysis.looks=" + std::to_string(options.looks));
   if (options.solver.empty()) return source;
   try {
     for (auto& word : solver_overrides(options.solver)) source.overrides.push_back(std::move(word));

@@ -3,6 +3,7 @@
 #include "io/cli/error_json.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/terminal.hpp"
+#include "io/scene/dynamics.hpp"
 #include "io/stability/matrix.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ std::vector<StabilityColumn> wanted_columns(const StabilitySuite& suite, const S
     const auto same = std::find_if(suite.columns.begin(), suite.columns.end(), [&](const auto& column) {
       return column.word.substr(0, column.word.find(':')) == name;
     });
-    columns.push_back({word, same == suite.columns.end() ? std::vector<std::string>{} : same->overrides});
+    columns.push_back({word, same == suite.columns.end() ? std::vector<std::string>{} : same->overrides, {}, ""});
   }
   return columns;
 }
@@ -33,7 +34,7 @@ bool is_there(const StabilityColumn& column, Registry& registry, bool asked_for)
   try {
     solver_overrides(column.word);
     const std::string name = column.word.substr(0, column.word.find(':'));
-    if (name != "auto") registry.solver(name);
+    if (name != "auto" && !is_integrator(registry, name)) registry.solver(name);
     return true;
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};

@@ -62,6 +62,18 @@ Json legs_json(const Solution& s) {
   return legs;
 }
 
+/// Null where nobody looked.
+Json shapes_json(const Shapes& shapes) {
+  if (shapes.looks == 0) return nullptr;
+  Json others = Json::array();
+  for (const OtherShape& other : shapes.others)
+    others.push_back({{"energy", other.energy},
+                      {"distance", other.distance},
+                      {"furthest", other.furthest},
+                      {"times", other.times}});
+  return {{"looks", shapes.looks}, {"times", shapes.times}, {"others", others}};
+}
+
 /// One line per nothing; invalid bytes of a file name are replaced, so that the output is always JSON.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
@@ -96,6 +108,7 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"stability", name_of(s.stability)},
                {"reason", s.reason},
                {"signs", s.signs},
+               {"shapes", shapes_json(s.shapes)},
                {"at_fault", s.status == SolveStatus::converged ? Json(nullptr) : Json(s.at_fault)},
                {"iterations", s.books.iterations},
                {"factorisations", s.books.factorisations},

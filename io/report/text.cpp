@@ -33,6 +33,20 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+const char* plural(int count) { return count == 1 ? "" : "s"; }
+
+void shapes_text(const Shapes& shapes, Out out) {
+  if (shapes.looks == 0) return;
+  fmt::format_to(out, "  looked {} time{} for other shapes: {}; this one came up {} time{}\n", shapes.looks,
+                 plural(shapes.looks),
+                 shapes.others.empty() ? "none" : fmt::format("{} found", shapes.others.size()), shapes.times,
+                 plural(shapes.times));
+  for (const OtherShape& other : shapes.others)
+    fmt::format_to(
+        out, "    it may also stand {:.3g} m away, at {}, with an energy of {:.10g} J (found {} time{})\n",
+        other.distance, other.furthest, other.energy, other.times, plural(other.times));
+}
+
 /// What the tables of a gear say part by part.
 bool is_told_of_gears(const std::string& term) {
   return term == "drag" || term == "weight" || term == "buoyancy" || term == "pressure";
@@ -64,6 +78,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   if (s.stability != Stability::unknown) fmt::format_to(out, ", {} equilibrium", name_of(s.stability));
   fmt::format_to(out, "\n  {}\n", s.reason);
   for (const auto& sign : s.signs) fmt::format_to(out, "  {}\n", sign);
+  shapes_text(s.shapes, out);
   fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, {:.3g} s\n", plan.unknowns,
                  s.books.iterations, s.books.factorisations, s.books.total_seconds);
   for (const Leg& leg : s.legs)

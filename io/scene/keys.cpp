@@ -39,6 +39,10 @@ std::span<const netloft_parameter> analysis_keys() {
         "tangent", &AnalysisKeys::tangent,
         "what counts of the tangent of forces without an energy (drag): all, its symmetric part, nothing",
         {"exact", "symmetric", "elastic"});
+    t.integer("looks", &AnalysisKeys::looks,
+              "how often to look for other shapes in which the gear may stand, each time from the one found, "
+              "shaken by an element's size",
+              0, 1000, 0);
     return t;
   }();
   return table.rows();

@@ -25,6 +25,29 @@ Json history_json(const std::vector<IterationRecord>& history) {
   return all;
 }
 
+Json legs_json(const std::vector<Leg>& legs) {
+  Json all = Json::array();
+  for (const Leg& leg : legs)
+    all.push_back({{"name", leg.name},
+                   {"unknowns", leg.unknowns},
+                   {"status", name_of(leg.status)},
+                   {"iterations", leg.books.iterations},
+                   {"factorisations", leg.books.factorisations},
+                   {"seconds", number(leg.books.total_seconds)},
+                   {"reason", leg.reason}});
+  return all;
+}
+
+Json shapes_json(const Shapes& shapes) {
+  Json others = Json::array();
+  for (const OtherShape& other : shapes.others)
+    others.push_back({{"energy", number(other.energy)},
+                      {"distance", other.distance},
+                      {"furthest", other.furthest},
+                      {"times", other.times}});
+  return {{"looks", shapes.looks}, {"times", shapes.times}, {"others", others}};
+}
+
 Json cell_json(const Cell& c, const Row& row) {
   return {{"name", c.name},
           {"size", c.size},
@@ -45,6 +68,8 @@ Json cell_json(const Cell& c, const Row& row) {
           {"status", c.status},
           {"stability", c.stability},
           {"reason", c.reason},
+          {"legs", legs_json(c.legs)},
+          {"shapes", shapes_json(c.shapes)},
           {"history", history_json(c.history)}};
 }
 

@@ -24,7 +24,9 @@ struct Attempt {
   }
 };
 
-bool is_fit(const SolverType& solver, const Plan& plan) {
+bool is_fit(const Analysis& analysis, const Plan& plan, Registry& registry) {
+  if (analysis.settles) return true;
+  const SolverType& solver = registry.solver(analysis.solver);
   std::uint32_t traits = 0;
   if (plan.conservative) traits |= NETLOFT_CONSERVATIVE;
   if (plan.symmetric) traits |= NETLOFT_SYMMETRIC;
@@ -71,6 +73,10 @@ class SuiteRun {
                   const std::vector<StartStep>& start) {
     Attempt a;
     if (interrupted()) return a;
+    if (!column.sizes.empty() && std::count(begin(column.sizes), end(column.sizes), size) == 0) {
+      a.ran = a.ended.unfit = true, a.why_not = "left out at this size";
+      return a;
+    }
     Case one(source(c, size, column), registry_);
     if (one.open([&](LoadedScene& loaded) { spoil(loaded.scene, start); }) != Case::State::ready) {
       a.why_not = first_error(one.diagnostics());
@@ -79,8 +85,11 @@ class SuiteRun {
     a.ran = true;
     Ended& e = a.ended;
     e.unknowns = one.plan().unknowns, e.conservative = one.plan().conservative;
-    e.unfit = !is_fit(registry_.solver(one.loaded().analysis.solver), one.plan());
-    if (e.unfit) return a;
+    e.unfit = !is_fit(one.loaded().analysis, one.plan(), registry_);
+    if (e.unfit) {
+      a.why_not = "the solver needs an energy, which not all forces here have";
+      return a;
+    }
     e.solution = one.solve({options_.interrupt, {}});
     e.out_of_time = e.solution.books.total_seconds >= seconds_for(size);
     if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
@@ -129,7 +138,8 @@ class SuiteRun {
 
   Cell make_cell(const StabilityCase& c, const std::string& size, const StabilityColumn& column,
                  const std::optional<Reference>& reference, const Attempt& a) const {
-    Cell cell{c.name, size, column.word, c.expected, a.ended.unknowns, {}, "", "", "", 0, 0, 0, 0, {}};
+    Cell cell{c.name, size, column.head(), c.expected, a.ended.unknowns, {}, "", "", "", 0, 0, 0, 0, {},
+              {},     {}};
     if (!a.ran) {
       cell.verdict.where = c.expected == Expected::none ? Where::honest : Where::not_run;
       cell.status = "wrong input", cell.reason = a.why_not;
@@ -138,13 +148,14 @@ class SuiteRun {
     const Solution& s = a.ended.solution;
     cell.verdict = judge(c, reference, a.ended);
     if (a.ended.unfit) {
-      cell.status = "not run", cell.reason = "the solver needs an energy, which not all forces here have";
+      cell.status = "not run", cell.reason = a.why_not;
       return cell;
     }
     cell.status = name_of(s.status), cell.stability = name_of(s.stability), cell.reason = s.reason;
     if (a.ended.grows) cell.stability = "unstable: a small disturbance grows";
     cell.iterations = s.books.iterations, cell.factorisations = s.books.factorisations;
     cell.cpu_seconds = s.books.total_cpu_seconds, cell.energy = s.energy;
+    cell.legs = s.legs, cell.shapes = s.shapes;
     cell.history = thinned(s.history);
     return cell;
   }

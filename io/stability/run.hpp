@@ -16,6 +16,8 @@ struct Cell {
   std::string status, stability, reason;
   int iterations = 0, factorisations = 0;
   double cpu_seconds = 0, energy = 0;
+  std::vector<Leg> legs;                 // what was solved on the way, if it was not solved at once
+  Shapes shapes;                         // those that the solver was told to look for
   std::vector<IterationRecord> history;  // some of it: the first, the last, and some between
 };
 

@@ -31,6 +31,10 @@ struct StabilityCase {
 struct StabilityColumn {
   std::string word;  // "newton:method=classic"
   std::vector<std::string> overrides;
+  std::vector<std::string> sizes;  // that it is run at unless asked for by name; empty: all
+  std::string title;               // at its head; empty: the word
+
+  const std::string& head() const { return title.empty() ? word : title; }
 };
 
 struct StabilitySuite {

@@ -12,7 +12,7 @@ std::vector<Row> run_small(const StabilitySuite& suite, const std::string& solve
   RunOptions options;
   options.sizes = {"small"};
   options.seconds = 60;  // by the wall; machines that test are busy
-  return run_suite(suite, {{solver, {}}}, references, test::shipped_plugins(), options);
+  return run_suite(suite, {{solver, {}, {}, ""}}, references, test::shipped_plugins(), options);
 }
 
 template <class Is>
@@ -29,6 +29,7 @@ bool lies(const Cell& c) {
   return is_lie(c.verdict.where) && c.stability.find("disturbance") == std::string::npos;
 }
 bool is_not_given_up(const Cell& c) { return c.expected == Expected::none && !is_right(c.verdict.where); }
+bool has_not_arrived(const Cell& c) { return !is_right(c.verdict.where); }
 bool is_missed_rope(const Cell& c) {
   return c.name.starts_with("rope/straight") && c.verdict.where != Where::reference;
 }
@@ -49,12 +50,10 @@ TEST(HardCases, NewtonTellsTheTruthAboutAllOfThem) {
   EXPECT_EQ(rows_where(rows, is_missed_rope), "");
 }
 
-TEST(HardCases, AutoGivesUpInTimeWhereThereIsNoEquilibrium) {
-  auto suite = shipped_suite();
-  std::erase_if(suite.cases, [](const StabilityCase& c) { return c.expected != Expected::none; });
-  const auto rows = run_small(suite, "auto");
-  EXPECT_EQ(rows.size(), 5u);
-  EXPECT_EQ(rows_where(rows, is_not_given_up), "");
+TEST(HardCases, AutoArrivesAtAllThatHaveAnEquilibriumAndGivesUpInTimeWhereThereIsNone) {
+  const auto rows = run_small(shipped_suite(), "auto");
+  EXPECT_GE(rows.size(), 100u);
+  EXPECT_EQ(rows_where(rows, has_not_arrived), "");
 }
 
 }  // namespace

@@ -26,13 +26,13 @@ struct Travelled {
   double away = 0;  // of node 1 from the line [m]
 };
 
-Travelled travel(const Scene& scene, Limits limits = {}) {
+Travelled travel(const Scene& scene, Limits limits = {}, int looks = 0) {
   Registry& registry = shipped_plugins();
   const Plan plan = make_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
   JourneyOptions options;
   options.solver.type = &registry.solver("newton");
-  options.limits = limits, options.make = make_factorisation;
+  options.limits = limits, options.make = make_factorisation, options.looks = looks;
   Travelled t{Journey(scene, assembler, registry, options).arrive({}), 0};
   const auto at = [&](int axis) {
     return t.solution.x[static_cast<std::size_t>(assembler.numbering().index(1, axis))];
@@ -47,6 +47,60 @@ TEST(Journey, LeavesAPointThatIsInBalanceAndNotStable) {
   EXPECT_NEAR(t.away, std::sqrt(1 - 0.81), 1e-6) << "the bars buckle until nothing presses them";
   ASSERT_GT(t.solution.legs.size(), 1u);
   EXPECT_EQ(t.solution.legs.front().status, SolveStatus::unstable);
+}
+
+/// An arch of the same two bars in the plane, standing up on its feet under a small load.
+Scene arch() {
+  Scene scene = pressed_bars();
+  scene.water = {0, 9.81};
+  scene.positions[5] = 0.43;
+  scene.held[1] = kAxisY;
+  scene.parts[0].parameters["rope.diameter"] = 0.01;
+  return scene;
+}
+
+TEST(Journey, FindsTheOtherShapesOfAGearAndKeepsThatOfTheLeastEnergy) {
+  const Solution standing = travel(arch()).solution, hanging = travel(arch(), {}, 12).solution;
+  ASSERT_EQ(standing.status, SolveStatus::converged) << standing.reason;
+  ASSERT_EQ(hanging.status, SolveStatus::converged) << hanging.reason;
+  EXPECT_EQ(standing.shapes.looks, 0);
+  EXPECT_LT(hanging.energy, standing.energy);
+  EXPECT_EQ(hanging.shapes.looks, 12);
+  ASSERT_EQ(hanging.shapes.others.size(), 1u);
+  const OtherShape& other = hanging.shapes.others[0];
+  EXPECT_NEAR(other.distance, 2 * std::sqrt(1 - 0.81), 1e-3);
+  EXPECT_EQ(other.furthest, "bars node 1");
+  EXPECT_EQ(other.energy, standing.energy);
+  EXPECT_GT(other.times, 0);
+}
+
+TEST(Journey, FindsNoOtherShapeOfAGearThatHasOne) {
+  Scene scene = pressed_bars();
+  scene.positions[6] = 2.2;  // pulled
+  const Solution s = travel(scene, {}, 5).solution;
+  EXPECT_EQ(s.shapes.looks, 5);
+  EXPECT_EQ(s.shapes.times, 6);
+  EXPECT_TRUE(s.shapes.others.empty());
+}
+
+/// A heavy rope of 20 bars that is 10 percent too long, folded to one side, `EA` in newtons.
+Scene slack_rope(double EA) {
+  Sketch s;
+  s.scene.water = {0, 9.81};
+  std::vector<std::uint32_t> chain;
+  for (int i = 0; i <= 20; ++i) chain.push_back(s.node(i, i % 2, 0.1 * i, i % 20 == 0 ? kAllAxes : 0));
+  s.rope("rope", chain, 1.1, EA).parameters["rope.diameter"] = 0.02;
+  return s.scene;
+}
+
+TEST(Journey, GoesFromSoftToStiffFirstWhereTheLoadBarelyStretchesWhatCarriesIt) {
+  const Solution soft = travel(slack_rope(1e4)).solution, stiff = travel(slack_rope(1e10)).solution;
+  ASSERT_EQ(soft.status, SolveStatus::converged) << soft.reason;
+  ASSERT_EQ(stiff.status, SolveStatus::converged) << stiff.reason;
+  EXPECT_TRUE(soft.legs.empty());
+  ASSERT_FALSE(stiff.legs.empty());
+  EXPECT_EQ(stiff.legs.front().name.substr(0, 9), "stiffness");
+  EXPECT_EQ(stiff.legs.back().name, "from soft to stiff");
 }
 
 TEST(Journey, AddsUpWhatAllItsLegsCost) {

@@ -35,6 +35,20 @@ TEST_F(SuiteFolder, ACaseTakesWhatItsFileSaysAndAddsItsOwn) {
   EXPECT_EQ(suite.columns[0].word, "newton");
 }
 
+TEST_F(SuiteFolder, AColumnHasATitleAndSizesOfItsOwnOrThoseOfAll) {
+  write("rope.toml", std::string(kHead) + "[[case]]\nname = \"slack\"\nexpected = \"unique\"\n");
+  write("solvers.toml",
+        "[[solver]]\nuse = \"auto\"\n[[solver]]\nuse = \"auto\"\ntitle = \"auto, 4 looks\"\n"
+        "sizes = [\"small\"]\nset = [\"analysis.looks=4\"]\n");
+  const auto columns = read_suite(folder_, 1, diagnostics_).columns;
+  ASSERT_EQ(errors(), "");
+  ASSERT_EQ(columns.size(), 2u);
+  EXPECT_EQ(columns[0].head(), "auto");
+  EXPECT_TRUE(columns[0].sizes.empty());
+  EXPECT_EQ(columns[1].head(), "auto, 4 looks");
+  EXPECT_EQ(columns[1].sizes, std::vector<std::string>{"small"});
+}
+
 TEST_F(SuiteFolder, ADrawnCaseIsManyAndAnotherNumberChangesAllOfThem) {
   write("rope.toml",
         std::string(kHead) +
