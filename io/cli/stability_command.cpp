@@ -24,7 +24,8 @@ std::vector<StabilityColumn> wanted_columns(const StabilitySuite& suite, const S
     const auto same = std::find_if(suite.columns.begin(), suite.columns.end(), [&](const auto& column) {
       return column.word.substr(0, column.word.find(':')) == name;
     });
-    columns.push_back({word, same == suite.columns.end() ? std::vector<std::string>{} : same->overrides, {}, ""});
+    columns.push_back(
+        {word, same == suite.columns.end() ? std::vector<std::string>{} : same->overrides, {}, ""});
   }
   return columns;
 }

@@ -104,11 +104,10 @@ std::vector<StabilityColumn> read_columns(const fs::path& file, Diagnostics& dia
   const Document document = Document::load(file, {}, diagnostics);
   TableReader root(document.root(), diagnostics);
   for (auto& table : root.tables("solver", Presence::required, "the columns of the matrix"))
-    columns.push_back(
-        {table.text("use", {.doc = "solver, as --solver takes it"}),
-         read_words(table, "set", "values of the scene, path=value"),
-         read_words(table, "sizes", "sizes that it is run at; all if left out"),
-         table.text("title", {.doc = "head of the column; else its solver", .fallback = ""})});
+    columns.push_back({table.text("use", {.doc = "solver, as --solver takes it"}),
+                       read_words(table, "set", "values of the scene, path=value"),
+                       read_words(table, "sizes", "sizes that it is run at; all if left out"),
+                       table.text("title", {.doc = "head of the column; else its solver", .fallback = ""})});
   root.finish();
   return columns;
 }

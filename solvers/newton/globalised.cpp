@@ -158,8 +158,8 @@ class Globalised {
     return false;
   }
 
-  /// (6): takes the trial if the step that is left there, by the matrix of here, is at most half as long. What
-  /// rounding leaves of ‖r‖ in stiff parts then does not hide how far soft ones still are off.
+  /// (6): takes the trial if the step that is left there, by the matrix of here, is at most half as long.
+  /// What rounding leaves of ‖r‖ in stiff parts then does not hide how far soft ones still are off.
   bool accept_shortening() {
     double energy = 0;
     if (problem_.evaluate(trial_, energy, r_trial_) != Evaluation::ok) return false;
