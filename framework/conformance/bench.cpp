@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/conformance/bench.hpp"
 
+#include "framework/conformance/checks.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -148,6 +150,12 @@ std::size_t count_threads() {
   std::error_code none;
   const std::filesystem::directory_iterator tasks("/proc/self/task", none), end;
   return none ? 0 : static_cast<std::size_t>(std::distance(begin(tasks), end));
+}
+
+Finding no_more_threads_than(std::size_t before) {
+  if (before == 0) return nothing_to_ask("this system does not show the threads of a program");
+  const std::size_t now = count_threads();
+  return now <= before ? Finding{} : failed(std::to_string(now - before) + " more threads");
 }
 
 States moved(const States& from, const std::vector<double>& direction, const std::vector<double>& step) {

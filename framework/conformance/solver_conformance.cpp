@@ -178,10 +178,7 @@ Finding solves_nothing(SolverBench& b) {
 }
 
 Finding solver_starts_no_threads(SolverBench& b) {
-  if (b.threads_before == 0) return nothing_to_ask("this system does not show the threads of a program");
-  const std::size_t now = count_threads();
-  return now <= b.threads_before ? Finding{}
-                                 : failed(std::to_string(now - b.threads_before) + " more threads");
+  return no_more_threads_than(b.threads_before);
 }
 
 // Order matters: a check stands below those that it leans on.
