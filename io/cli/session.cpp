@@ -55,7 +55,8 @@ namespace {
 std::string way_of(const Analysis& analysis) {
   if (!analysis.continuation) return "";
   return std::string(analysis.automatic ? "chosen by auto, " : "") +
-         "from coarser meshes where cells can be halved, over easier scenes where it does not arrive";
+         "from coarser meshes where cells can be halved, over easier scenes where it does not arrive "
+         "(from soft to stiff first where the load would hardly stretch it)";
 }
 
 }  // namespace
