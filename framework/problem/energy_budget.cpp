@@ -159,12 +159,25 @@ std::vector<std::string> EnergyBudget::names() const {
 
 std::vector<double> EnergyBudget::values() const {
   std::vector<double> values = {kinetic_};
-  double gained = kinetic_ - first_kinetic_ + entrained_, spent = damped_;
-  for (const auto& s : stored_) values.push_back(s.value), gained += s.value - s.first;
+  for (const auto& s : stored_) values.push_back(s.value);
   values.push_back(entrained_);
-  for (const auto& w : work_) values.push_back(w.value), spent += w.value;
-  values.insert(values.end(), {damped_, holds_, winches_, holds_ + winches_ - gained - spent});
+  for (const auto& w : work_) values.push_back(w.value);
+  values.insert(values.end(), {damped_, holds_, winches_, numerical()});
   return values;
+}
+
+double EnergyBudget::numerical() const {  // (7)
+  double gained = kinetic_ - first_kinetic_ + entrained_, spent = damped_;
+  for (const auto& s : stored_) gained += s.value - s.first;
+  for (const auto& w : work_) spent += w.value;
+  return holds_ + winches_ - gained - spent;
+}
+
+EnergyBudget::Totals EnergyBudget::totals() const {
+  Totals all{kinetic_, 0, numerical(), {holds_, winches_}};
+  for (const auto& s : stored_) all.stored += s.value;
+  for (const auto& w : work_) all.given.push_back(-w.value);
+  return all;
 }
 
 std::vector<double> EnergyBudget::sums() const {

@@ -33,6 +33,12 @@ class EnergyBudget {
   /// Names and values [J], in one order.
   std::vector<std::string> names() const;
   std::vector<double> values() const;
+  /// What there is and what has been done so far, for who asks whether it can be.
+  struct Totals {
+    double kinetic = 0, stored = 0, numerical = 0;
+    std::vector<double> given;  // by holds, by winches, by each force without an energy; negative: taken
+  };
+  Totals totals() const;
   /// Everything that `begin` at the same state does not find, and back.
   std::vector<double> sums() const;
   void set_sums(std::span<const double> sums);
@@ -59,6 +65,7 @@ class EnergyBudget {
   bool sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
                  std::vector<double>& force);
   bool find_entrained();
+  double numerical() const;
   double done(const std::vector<double>& before, const std::vector<double>& after) const;
 
   Assembler& assembler_;

@@ -18,6 +18,13 @@ bool look(netloft_problem& problem, std::span<const double> u, std::vector<doubl
   return problem.progress(problem.host, u.data(), energy, residual.data(), "in motion") != NETLOFT_GO_ON;
 }
 
+/// What a march says that has gone on for as long as it might.
+std::string why_not_at_rest(const MarchResult& r) {
+  return r.reason +
+         " without coming to rest: schemes that damp fast motions do, as generalized-alpha, or newmark "
+         "with chi = -0.3";
+}
+
 int settle(const void* parameters, netloft_problem* problem) {
   const Settling& s = *static_cast<const Settling*>(parameters);
   std::vector<double> residual(problem->unknowns);
@@ -26,11 +33,16 @@ int settle(const void* parameters, netloft_problem* problem) {
     return step.steps % s.look_every == 0 && look(*problem, u, residual);
   };
   const MarchState from = state_at_rest(*s.assembler, {problem->u, problem->unknowns});
+  const double begun = wall_seconds();
+  MarchSettings how = s.march;
+  how.judged = false;  // where it arrives is judged, not how it came there
   const MarchResult r =
-      march(*s.scene, *s.assembler, s.integrator, s.solver, s.make, s.limits, s.march, watch, &from);
+      march(*s.scene, *s.assembler, s.integrator, s.solver, s.make, s.limits, how, watch, &from);
   std::copy(r.u.begin(), r.u.end(), problem->u);
   if (r.status == MarchStatus::stopped || r.status == MarchStatus::interrupted) return NETLOFT_STOPPED;
-  std::snprintf(problem->message, problem->message_size, "%s", r.reason.c_str());
+  const bool moved_on = r.status == MarchStatus::finished || wall_seconds() - begun > s.limits.seconds;
+  const std::string why = moved_on ? why_not_at_rest(r) : r.reason;
+  std::snprintf(problem->message, problem->message_size, "%s", why.c_str());
   return NETLOFT_SOLVER_ERROR;
 }
 

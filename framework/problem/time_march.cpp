@@ -10,6 +10,7 @@ namespace netloft {
 namespace {
 
 constexpr double kBelowLimit = 0.9;  // of the stable step that an estimated frequency allows
+constexpr int kLookEvery = 16;       // short steps to one that is judged, where no budget is kept
 
 std::string seconds(double t) {
   char text[32];
@@ -61,10 +62,13 @@ class March {
         return fail("there are no forces at the start: " + assembler_.fault_sentence(scene_));
     }
     next_.u.resize(state_.u.size()), next_.v = next_.a = next_.u;
-    if (settings_.budget) {
+    if (settings_.budget || settings_.judged)
       if (!budget_.begin(state_.t, state_.u, state_.v, state_.a)) return fail_at_fault();
-      if (!state_.budget.empty()) budget_.set_sums(state_.budget);
-    }
+    if (!state_.budget.empty()) budget_.set_sums(state_.budget);
+    if (state_.judged.empty())
+      judge_.begin(budget_.totals(), problem_.least_load() * element_size());
+    else
+      judge_.set_sums(state_.judged);
     find_limit();
     if (state_.h == 0) state_.h = first_step();
     last_ = previous_ = state_.t;
@@ -153,10 +157,47 @@ class March {
     ++state_.steps;
     result_.shortest = state_.steps == 1 ? h : std::min(result_.shortest, h);
     result_.longest = std::max(result_.longest, h);
-    if (settings_.budget && !budget_.advance(t, state_.u, state_.v, state_.a)) return fail_at_fault();
+    if (is_looked_at() && !keep_account()) return fail_at_fault();
     problem_.state().set(t, state_.u, state_.v, state_.a);
     if (!assembler_.remember(problem_.state().x(), problem_.state().motion())) return fail_at_fault();
+    if (settings_.judged && judge_.is_lost(t >= settings_.duration))
+      return fail_at(judge_.sentence() + "; " + fastest_node());
     return true;
+  }
+
+  /// Steps that one which is looked at stands for: several where stability makes them short and many.
+  int look_every() const {
+    const bool any_is_stable = integrator_.type->integrator.stable_step(integrator_.parameters, 1) == 0;
+    return settings_.budget || any_is_stable ? 1 : kLookEvery;
+  }
+  bool is_looked_at() const {
+    return settings_.budget || (settings_.judged && state_.steps % look_every() == 0);
+  }
+
+  /// Of the step from next_, as it is after a step, to state_.
+  bool keep_account() {
+    if (!settings_.budget && !budget_.begin(previous_, next_.u, next_.v, next_.a)) return false;
+    const EnergyBudget::Totals before = budget_.totals();
+    if (!budget_.advance(state_.t, state_.u, state_.v, state_.a)) return false;
+    judge_.note(before, budget_.totals(), look_every());
+    return true;
+  }
+
+  std::string fastest_node() const {
+    const auto node = [&](std::size_t i) {
+      return assembler_.numbering().node(static_cast<std::int32_t>(i));
+    };
+    double fastest = 0;
+    std::uint32_t which = 0;
+    for (std::size_t i = 0; i < state_.v.size();) {
+      const std::uint32_t at = node(i);
+      double sum = 0;
+      for (; i < state_.v.size() && node(i) == at; ++i) sum += state_.v[i] * state_.v[i];
+      if (!(sum <= fastest)) fastest = sum, which = at;
+    }
+    char speed[32];
+    std::snprintf(speed, sizeof speed, "%.3g m/s", std::sqrt(fastest));
+    return assembler_.node_name(scene_, which) + " moves at " + speed;
   }
 
   /// Ends of steps: outputs, corners of what moves the scene, the end.
@@ -199,6 +240,7 @@ class March {
     if (settings_.budget) budget_.refresh();
     state_.memory = assembler_.memory();
     if (settings_.budget) state_.budget = budget_.sums();
+    state_.judged = judge_.sums();
     place_at(t);
     problem_.note_loads(residual_);
     state_.least_load = problem_.least_load();
@@ -293,6 +335,7 @@ class March {
   const MarchWatch& watch_;
   TransientProblem problem_;
   EnergyBudget budget_;
+  EnergyJudge judge_;
   MarchState state_, next_;  // next_: the end of the step that is tried; after it, the state before
   MovingState shown_;        // at the output
   std::vector<double> error_, residual_, shown_u_, corners_;
@@ -316,6 +359,17 @@ MarchState state_at_rest(const Assembler& assembler, std::span<const double> u) 
   std::copy(u.begin(), u.end(), state.u.begin());
   state.v.assign(state.u.size(), 0.0);
   return state;
+}
+
+const char* name_of(MarchStatus status) {
+  switch (status) {
+    case MarchStatus::finished:
+      return "finished";
+    case MarchStatus::interrupted:
+      return "interrupted";
+    default:
+      return "not finished";
+  }
 }
 
 }  // namespace netloft

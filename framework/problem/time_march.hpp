@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/problem/energy_budget.hpp"
+#include "framework/problem/energy_judge.hpp"
 #include "framework/problem/transient_problem.hpp"
 
 namespace netloft {
@@ -16,6 +16,7 @@ struct MarchSettings {
   double output_interval = 0;                                     // [s]; 0: the beginning and the end
   bool dense = false;       // outputs between steps; otherwise steps end at them
   bool budget = true;       // keep the energy budget
+  bool judged = true;       // fail once there is energy that nobody gave
   double mass_damping = 0;  // c of the force −c M v [1/s]
 };
 
@@ -31,6 +32,7 @@ struct MarchState {
   std::vector<double> u, v, a;  // of the unknowns [m], [m/s], [m/s²]
   std::vector<double> memory;   // of the elements
   std::vector<double> budget;   // sums of it [J]
+  std::vector<double> judged;   // sums of who judges it [J]
   double least_load = 0;        // [N]
   std::size_t outputs = 0;      // written before
   std::int64_t steps = 0, rejected = 0;
@@ -62,6 +64,7 @@ struct StepRecord {
 };
 
 enum class MarchStatus { finished, stopped, failed, interrupted };
+const char* name_of(MarchStatus status);
 
 struct MarchResult {
   MarchStatus status = MarchStatus::failed;
@@ -84,6 +87,8 @@ struct MarchWatch {
 /// they are dense) and where a guide or the current has a corner. With error control, a step is rejected if
 /// its estimate exceeds the accuracy, and the next one is
 ///   h ← h · 0.9 (accuracy/error)^(1/order), within [1/5, 2] h                              (1)
+/// A march whose energy comes out of nothing (energy_judge.hpp) has failed, however smoothly it steps on.
+/// Without an energy budget only every 16th step is looked at where stability makes steps short.
 MarchResult march(const Scene& scene, Assembler& assembler, IntegratorChoice integrator, SolverChoice solver,
                   const MakeFactorisation& make, const Limits& limits, const MarchSettings& settings,
                   const MarchWatch& watch, const MarchState* from = nullptr);

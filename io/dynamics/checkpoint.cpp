@@ -14,6 +14,7 @@ void write_checkpoint(Tree& tree, const MarchState& s, const std::string& scene)
   tree.write_reals(kAt + "a", s.a, "m/s2", "accelerations, as the integrator left them");
   tree.write_reals(kAt + "memory", s.memory, "1", "what elements remember");
   tree.write_reals(kAt + "budget", s.budget, "J", "sums of the energy budget");
+  tree.write_reals(kAt + "judged", s.judged, "J", "sums of who judges whether energy comes out of nothing");
   tree.write_real(kAt + "load", s.least_load, "N", "what tolerances are a part of, at the least");
   tree.write_ints(kAt + "counts",
                   std::vector<std::int64_t>{static_cast<std::int64_t>(s.outputs), s.steps, s.rejected}, "1",
@@ -32,6 +33,7 @@ MarchState read_checkpoint(const Reader& reader, const std::string& scene) {
   s.t = time.at(0), s.h = time.at(1);
   s.u = reader.reals(kAt + "u"), s.v = reader.reals(kAt + "v"), s.a = reader.reals(kAt + "a");
   s.memory = reader.reals(kAt + "memory"), s.budget = reader.reals(kAt + "budget");
+  s.judged = reader.reals(kAt + "judged");
   s.least_load = reader.real(kAt + "load");
   s.outputs = static_cast<std::size_t>(counts.at(0)), s.steps = counts.at(1), s.rejected = counts.at(2);
   return s;

@@ -11,21 +11,6 @@
 
 namespace netloft::io {
 
-namespace {
-
-const char* name_of(MarchStatus status) {
-  switch (status) {
-    case MarchStatus::finished:
-      return "finished";
-    case MarchStatus::interrupted:
-      return "interrupted";
-    default:
-      return "not finished";
-  }
-}
-
-}  // namespace
-
 double real_time_factor(const MotionResult& result) {
   const double wall = result.march.books.total_seconds;
   return wall > 0 ? (result.march.t - result.resumed_from) / wall : 0;

@@ -14,17 +14,6 @@ namespace {
 
 const std::string kEnergy = "energy/", kGear = "gear/";
 
-const char* name_of(MarchStatus status) {
-  switch (status) {
-    case MarchStatus::finished:
-      return "finished";
-    case MarchStatus::interrupted:
-      return "interrupted";
-    default:
-      return "not finished";
-  }
-}
-
 /// One run; the file is made at the first output, when it is known what an output holds.
 class MotionRun {
  public:

@@ -161,5 +161,13 @@ TEST(Settling, FindsItByGeneralizedAlphaToo) {
   EXPECT_LT(distance(newton.u, settled.u), 1e-3 * std::sqrt(double(newton.u.size())));
 }
 
+/// The trapezoidal rule lets stiff twines ring on.
+TEST(Settling, NamesSchemesThatComeToRestWhereOneDoesNot) {
+  const Solution s = equilibrium_by("newmark", {"analysis.duration=20", "analysis.mass_damping=0.01"});
+  EXPECT_EQ(s.status, SolveStatus::not_converged);
+  EXPECT_NE(s.reason.find("without coming to rest"), std::string::npos) << s.reason;
+  EXPECT_NE(s.reason.find("generalized-alpha"), std::string::npos) << s.reason;
+}
+
 }  // namespace
 }  // namespace netloft

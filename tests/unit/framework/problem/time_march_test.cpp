@@ -176,8 +176,13 @@ TEST(CentralDifference, IsStableBelowItsLimitAndNotAbove) {
   const Oscillator o;
   for (const double c : {1.98, 2.02}) {
     Moving m(o.scene());
+    std::vector<double> u;
+    m.watch.on_output = [&](const Snapshot& s) { u.push_back(s.u[0]); };
     const double h = c / o.omega();
-    const auto u = path(m, "central-difference", {}, steps_of(h, 200 * h), pulled(m, 1e-3));
+    const MarchState from = pulled(m, 1e-3);
+    MarchSettings s = steps_of(h, 200 * h);
+    s.judged = false;
+    m.run("central-difference", {}, s, &from);
     const double largest = *std::max_element(u.begin(), u.end());
     EXPECT_EQ(largest < 0.02, c < 2) << largest;
   }
@@ -278,6 +283,86 @@ TEST(March, GivesTheSameOutputsBetweenStepsAsAtTheirEnds) {
     u[dense] = path(m, "newmark", {}, s, pulled(m, 0.1));
   }
   expect_same(u[1], u[0], 1e-4);
+}
+
+struct Steps {
+  const char* name;
+  const char* integrator;
+  Values values;
+  double limit;  // of h ω
+  int count = 3000;
+};
+
+const Values kFixedPoint = {{"corrector", std::string("fixed-point")}, {"corrections", std::int64_t{500}}};
+class Judged : public testing::TestWithParam<std::tuple<Steps, bool>> {
+ protected:
+  MarchResult march_at(double share_of_limit) {
+    const auto& [steps, budget] = GetParam();
+    const Oscillator o;
+    Moving m(o.scene());
+    const double h = share_of_limit * steps.limit / o.omega();
+    MarchSettings s = steps_of(h, steps.count * h);
+    s.budget = budget, s.output_interval = 0;
+    const MarchState from = pulled(m, 0.1);
+    return m.run(steps.integrator, steps.values, s, &from);
+  }
+};
+class Unstable : public Judged {};
+
+TEST_P(Judged, FinishesBelowTheLimit) {
+  const MarchResult r = march_at(0.97);
+  EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
+}
+
+TEST_P(Unstable, IsLostAboveTheLimit) {
+  const MarchResult r = march_at(1.05);
+  EXPECT_EQ(r.status, MarchStatus::failed) << r.reason;
+  EXPECT_NE(r.reason.find("the motion is lost"), std::string::npos) << r.reason;
+  EXPECT_NE(r.reason.find("bar node 1 moves at"), std::string::npos) << r.reason;
+  EXPECT_LT(r.t, 200 * 1.05 * 2 / Oscillator().omega());
+}
+
+const Steps kCentral{"CentralDifference", "central-difference", {}, 2};
+const Steps kSettled{"FixedPoint", "newmark", kFixedPoint, 1 / 0.65, 50};
+std::string name_of_steps(const testing::TestParamInfo<std::tuple<Steps, bool>>& tested) {
+  return std::string(std::get<0>(tested.param).name) + (std::get<1>(tested.param) ? "" : "WithoutABudget");
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Judged,
+                         testing::Combine(testing::Values(kCentral, kSettled,
+                                                          Steps{"Newmark", "newmark", {}, 1e2},
+                                                          Steps{"Damped", "newmark", {{"chi", -0.3}}, 1},
+                                                          Steps{"Alpha", "generalized-alpha", {}, 1e2}),
+                                          testing::Bool()),
+                         name_of_steps);
+INSTANTIATE_TEST_SUITE_P(Schemes, Unstable, testing::Combine(testing::Values(kCentral), testing::Bool()),
+                         name_of_steps);
+
+TEST(March, JudgesNothingWhereNobodyAsks) {
+  const Oscillator o;
+  Moving m(o.scene());
+  MarchSettings s = steps_of(2.1 / o.omega(), 30 * 2.1 / o.omega());
+  s.judged = false;
+  const MarchState from = pulled(m, 0.1);
+  EXPECT_EQ(m.run("central-difference", {}, s, &from).status, MarchStatus::finished);
+}
+
+/// What was made and given before an output is known after it.
+TEST(March, IsLostAtTheSameStepWhenItGoesOnFromAnOutput) {
+  const Oscillator o;
+  const double h = 2.0005 / o.omega();
+  Moving m(o.scene());
+  std::vector<MarchState> kept;
+  m.watch.on_output = [&](const Snapshot& s) { kept.push_back(*s.state); };
+  MarchState from = pulled(m, 0.1);
+  from.v[0] = 1e-4;
+  const MarchResult whole = m.run("central-difference", {}, steps_of(h, 3000 * h), &from);
+  ASSERT_NE(whole.reason.find("lost"), std::string::npos) << whole.reason;
+  ASSERT_GT(kept.size(), 3u);
+  Moving again(o.scene());
+  const MarchResult rest = again.run("central-difference", {}, steps_of(h, 3000 * h), &kept[kept.size() - 2]);
+  EXPECT_EQ(rest.t, whole.t);
+  EXPECT_EQ(rest.reason, whole.reason);
 }
 
 /// The spring and the inertia of what a step's end holds balance; a cubic between ends does not know of it.
