@@ -127,6 +127,20 @@ Finding goes_all_the_way(Bench& b) {
   return up_to(motion.error(), 1, "of where it is after 3 s in steps of " + std::to_string(h) + " s");
 }
 
+double error_between(Bench& b, int steps) {
+  PracticeMotion motion(kFree);
+  b.run(motion, {kSpan / steps}, kSpan);
+  return motion.error_between;
+}
+
+/// A cubic has no more than four.
+Finding answers_between_steps(Bench& b) {
+  const double ends = std::min(4.0, order_of(b, kFree));
+  const double here = std::log2(error_between(b, 128) / error_between(b, 256));
+  return up_to(ends - here, kOrderSeen,
+               "order " + std::to_string(here) + " within steps, " + std::to_string(ends) + " at their ends");
+}
+
 constexpr double kWhere = 0.5;  // [s] where velocities and accelerations are all there
 
 double estimate_with(Bench& b, int steps) {
@@ -217,12 +231,7 @@ Finding steps_nothing(Bench& b) {
   return status == NETLOFT_OK ? Finding{} : failed("returned " + std::to_string(status));
 }
 
-Finding integrator_starts_no_threads(Bench& b) {
-  if (b.threads_before == 0) return nothing_to_ask("this system does not show the threads of a program");
-  const std::size_t now = count_threads();
-  return now <= b.threads_before ? Finding{}
-                                 : failed(std::to_string(now - b.threads_before) + " more threads");
-}
+Finding integrator_starts_no_threads(Bench& b) { return no_more_threads_than(b.threads_before); }
 
 // Order matters: a check stands below those that it leans on.
 const std::vector<Check<Bench>>& integrator_table() {
@@ -256,6 +265,10 @@ const std::vector<Check<Bench>>& integrator_table() {
        keeps_its_order_under_a_load,
        {"converges"},
        "at which time are forces evaluated? The first argument of `solve` and `accelerate`"},
+      {"answers-between-steps",
+       answers_between_steps,
+       {"converges"},
+       "outputs between steps lie on the cubic through both ends: next_v has to be the rate of next_u there"},
       {"goes-all-the-way",
        goes_all_the_way,
        {"converges"},

@@ -21,6 +21,8 @@ struct PracticeSwing {
 ///   F = m (a + 2 ζ ω v + ω² u − f t) = 0,  m = 2 kg                                     (1)
 /// for each unknown by itself. With f = 0 or ζ = 0:
 ///   u = e^(−ζωt) (A cos ω't + B sin ω't) + f t/ω²,  ω' = ω √(1 − ζ²)                    (2)
+/// Between ends of steps the host draws the cubic through positions and velocities, after a quarter of a step
+///   u = (27 uₙ + 5 uₙ₊₁)/32 + h (9 vₙ − 3 vₙ₊₁)/64                                         (3)
 /// Outputs of a step and scratch hold no numbers before it, so that what is left out or kept is seen.
 class PracticeMotion {
  public:
@@ -41,13 +43,15 @@ class PracticeMotion {
   int solves = 0;
   double t = 0;
   double estimate = 0, estimated = 0;  // largest estimate of the last step, sum over all of them [m]
+  double error_between = 0;            // largest within a step, of the cubic (3) [m]
   bool clears_scratch = true;
   std::vector<double> u, v, a;
 
  private:
   int step(const netloft_integrator& scheme, const void* parameters, double h);
   double omega(std::size_t i) const { return 1 + 0.5 * static_cast<double>(i); }
-  double exact(std::size_t i) const;
+  double exact(std::size_t i, double time) const;
+  void note_quarter(double h);
   double force(std::size_t i, double time, double u_i, double v_i, double a_i) const;
   void forget_scratch();
 

@@ -21,6 +21,7 @@ enum class Flaw {
   goes_half,
   old_velocity,
   old_time,
+  halves_velocity,
   stops_short,
   wrong_order,
   boasts,
@@ -74,18 +75,20 @@ struct Wrong {
   static Step solve(const Parameters& p, Motion& m, double h) {
     const double beta = 0.5 * p.share, gamma = 0.5;
     const double ca = 1 / (beta * h * h), cv = gamma * h * ca;
+    const double shown = has(Flaw::halves_velocity) ? 0.5 : 1;  // part of the velocity that is given out
     auto v0 = m.scratch(0), a0 = m.scratch(1);
     for (std::size_t i = 0; i < m.size(); ++i) {
+      const double v = m.v()[i] / shown;
       const double known =
-          m.u()[i] + (has(Flaw::goes_half) ? 0.5 : 1) * h * m.v()[i] + h * h * (0.5 - beta) * m.a()[i];
+          m.u()[i] + (has(Flaw::goes_half) ? 0.5 : 1) * h * v + h * h * (0.5 - beta) * m.a()[i];
       a0[i] = -ca * known;
-      v0[i] = m.v()[i] + h * (1 - gamma) * m.a()[i] - cv * known;
+      v0[i] = v + h * (1 - gamma) * m.a()[i] - cv * known;
       m.next_u()[i] = m.u()[i];
     }
     if (!is_solved(m, m.t() + (has(Flaw::old_time) ? 0 : h), v0, cv, a0, ca)) return Step::shorter;
     for (std::size_t i = 0; i < m.size(); ++i) {
       m.next_a()[i] = a0[i] + ca * m.next_u()[i];
-      m.next_v()[i] = (v0[i] + cv * m.next_u()[i]) * (has(Flaw::feeds) ? 1 + 0.5 * h * h * h : 1);
+      m.next_v()[i] = shown * (v0[i] + cv * m.next_u()[i]) * (has(Flaw::feeds) ? 1 + 0.5 * h * h * h : 1);
     }
     return Step::found;
   }
@@ -145,6 +148,7 @@ NETLOFT_PLUGIN("wrong_integrators", "1", "Integrators that are wrong in one plac
   add<Flaw::goes_half>(plugin, "goes_half", "converges");
   add<Flaw::old_velocity>(plugin, "old_velocity", "keeps-its-order-with-damping", NETLOFT_EXPLICIT);
   add<Flaw::old_time>(plugin, "old_time", "keeps-its-order-under-a-load");
+  add<Flaw::halves_velocity>(plugin, "halves_velocity", "answers-between-steps");
   add<Flaw::stops_short>(plugin, "stops_short", "goes-all-the-way");
   add<Flaw::wrong_order>(plugin, "wrong_order", "estimate-shrinks-as-said");
   add<Flaw::boasts>(plugin, "boasts", "estimate-is-honest");
