@@ -15,8 +15,8 @@ namespace netloft {
 /// W [J] is a work too small to speak of; ten, because a stable scheme may overshoot in its first steps, if
 /// they are far longer than the periods it skips, and takes the energy back in those that follow. Of the
 /// scenes in gear-library/scenes/dynamics, by all schemes and accuracies, motions whose path is found within
-/// 2 % make up to 0.15 of what they are given; those that make ½ all go on to make 3 to 3·10⁸ times as much
-/// as was given, and lose their path by 8 % of its extent or more.
+/// 2 % make up to 0.15 of what they are given; those that make ½ all go on to make 0.8 to 3·10⁸ times as
+/// much as was given, and lose their path by 4 % of its extent or more.
 class EnergyJudge {
  public:
   void begin(const EnergyBudget::Totals& at, double negligible) {
