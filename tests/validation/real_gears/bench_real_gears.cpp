@@ -21,7 +21,7 @@ struct Wish {
   Start start;
   test::Solving how{{}, {.tolerance = 1e-9}};
   std::vector<std::string> settings;
-  bool history = false;
+  bool history = false, staged = false;
 };
 
 Value value_of(const netloft_parameter& p, const std::string& text) {
@@ -58,6 +58,7 @@ void describe(CLI::App& app, Wish& wish) {
                "start from FEMNET's answer, not from the drawing");
   app.add_option("--noise", wish.start.noise, "shake the start by so much [m]");
   app.add_option("--seed", wish.start.seed, "of the noise");
+  app.add_flag("--stages", wish.staged, "from soft to stiff with tensions as unknowns, then the solver");
   app.add_flag("--history", wish.history, "print every iteration");
 }
 
@@ -74,6 +75,12 @@ void print_row(const NeutralCase& gear, const SolvedGear& s) {
               s.solved.plan.unknowns, n.books.iterations, n.books.factorisations, s.cpu_seconds,
               gear.femnet.cpu_seconds / s.cpu_seconds, s.furthest.distance, s.residual_over_tension(),
               name_of(n.status));
+}
+
+void print_stages(const SolvedGear& s) {
+  for (const Leg& leg : s.stages)
+    std::printf("    %-34s %3d factorisations, %.4f s, %s\n", leg.name.c_str(), leg.books.factorisations,
+                leg.books.total_cpu_seconds, name_of(leg.status));
 }
 
 /// Nodes that ended elsewhere than the reference has them, the ten furthest.
@@ -111,8 +118,10 @@ int run(const Wish& wish) {
   for (const auto& file : neutral_files(wish.folder)) {
     const NeutralCase gear = read_neutral_case(file);
     if (gear.name.find(wish.gear) == std::string::npos) continue;
-    const SolvedGear s = solve(gear, wish.modelling, wish.start, wish.how);
+    const bool staged = wish.staged && !gear.triangles.empty();
+    const SolvedGear s = (staged ? solve_in_stages : solve)(gear, wish.modelling, wish.start, wish.how);
     print_row(gear, s);
+    print_stages(s);
     if (s.solved.solution.status != SolveStatus::converged || s.furthest.distance > 1e-3)
       print_ending(gear, s);
     if (wish.history) print_history(s.solved.solution);

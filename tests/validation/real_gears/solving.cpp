@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/validation/real_gears/solving.hpp"
 
+#include "io/analysis/tension_stages.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -41,17 +44,14 @@ double energy_at(Assembler& assembler, const std::vector<Vector>& positions) {
   return found ? energy : std::nan("");
 }
 
-}  // namespace
-
-SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
-                 const test::Solving& how) {
-  plugins();
+Scene scene_of(const NeutralCase& gear, const Modelling& modelling, const Start& start) {
   Scene scene = make_scene(gear, modelling);
   if (start.at_reference) place_nodes(scene, gear.reference.positions);
   if (start.noise > 0) add_noise(scene, start);
-  const double begun = cpu_seconds();
-  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}};
-  s.cpu_seconds = cpu_seconds() - begun;
+  return scene;
+}
+
+void compare(SolvedGear& s, const NeutralCase& gear) {
   const Solution& solution = s.solved.solution;
   s.positions = nodal(gear, *s.solved.assembler, solution.x);
   s.out_of_balance = out_of_balance(gear, *s.solved.assembler, solution.residual);
@@ -60,6 +60,34 @@ SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Star
   s.energy_above_reference =
       energy_at(*s.solved.assembler, s.positions) - energy_at(*s.solved.assembler, gear.reference.positions);
   s.largest_tension = largest_tension(gear, s.positions);
+}
+
+}  // namespace
+
+SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                 const test::Solving& how) {
+  plugins();
+  Scene scene = scene_of(gear, modelling, start);
+  const double begun = cpu_seconds();
+  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}, {}};
+  s.cpu_seconds = cpu_seconds() - begun;
+  compare(s, gear);
+  return s;
+}
+
+SolvedGear solve_in_stages(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                           const test::Solving& how) {
+  plugins();
+  Scene scene = scene_of(gear, modelling, start);
+  const double begun = cpu_seconds();
+  const io::StagedSolution staged = io::solve_in_stages(scene, plugins(), make_factorisation, how.threads,
+                                                        {.tolerance = how.limits.tolerance});
+  scene.positions = staged.positions;
+  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}, {}};
+  s.cpu_seconds = cpu_seconds() - begun;
+  s.stages = staged.legs;
+  for (const Leg& leg : staged.legs) s.solved.solution.books.add(leg.books);
+  compare(s, gear);
   return s;
 }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/registry.hpp"
+#include "framework/scene/scene.hpp"
+
+#include <vector>
+
+namespace netloft::io {
+
+/// What has one tension and keeps its line: a bar of a rope, or all bars of one direction of a triangle of
+/// netting.
+///   w = Σ c_i x_i,  l = ‖w‖,  t = w/l,  ε = l/l₀ − 1                                    (1)
+///   T = EA ε where taut, EA_c ε where pressed;  forces n c_i T t on its nodes           (2)
+/// x positions of the nodes [m]; l₀ unstretched length [m]; EA, EA_c stiffness in tension and compression
+/// [N]; n bars that are alike [1].
+struct AxialMember {
+  std::uint32_t part = 0;  // of the scene
+  std::uint32_t nodes = 2;
+  std::array<std::uint32_t, 3> node{};
+  std::array<double, 3> c{};
+  double l0 = 0, EA = 0, EA_compression = 0, count = 1;
+};
+
+/// The members of all parts of type rope/bar and priour/triangle.
+std::vector<AxialMember> axial_members(const Scene& scene, Registry& registry);
+
+/// The same scene in which these have next to no stiffness: all other forces are left.
+Scene without_axial_stiffness(const Scene& scene, Registry& registry);
+
+}  // namespace netloft::io

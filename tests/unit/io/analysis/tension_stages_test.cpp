@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/analysis/tension_stages.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/support/sample_scenes.hpp"
+#include "tests/verification/solving.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace netloft::io {
+namespace {
+
+/// Solved in stages, and by newton from the sketch: the same place, with nothing left for newton to do.
+void expect_same_place(const Scene& scene, double size) {
+  const StagedSolution staged = solve_in_stages(scene, test::shipped_plugins(), make_factorisation, 1);
+  EXPECT_TRUE(staged.arrived);
+  Scene there = scene;
+  there.positions = staged.positions;
+  const test::Solved confirmed = test::solve(there, {{}, {.tolerance = 1e-8}}), direct = test::solve(scene);
+  EXPECT_EQ(confirmed.solution.books.iterations, 0);
+  ASSERT_EQ(confirmed.solution.status, SolveStatus::converged) << confirmed.solution.reason;
+  ASSERT_EQ(direct.solution.status, SolveStatus::converged) << direct.solution.reason;
+  double furthest = 0;
+  for (std::size_t i = 0; i < direct.solution.x.size(); ++i)
+    furthest = std::max(furthest, std::abs(direct.solution.x[i] - confirmed.solution.x[i]));
+  EXPECT_LT(furthest, 1e-6 * size);
+}
+
+TEST(TensionStages, LeadARopeToWhereItHangs) { expect_same_place(sample::hanging_rope(40), 100); }
+
+TEST(TensionStages, LeadAPanelThatStartsSlackToWhereItHangs) {
+  expect_same_place(sample::hanging_panel(8, 30), 48);
+}
+
+TEST(TensionStages, RefuseNodesThatMoveOtherwise) {
+  Scene scene = sample::hanging_rope(4);
+  scene.frames[0] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  EXPECT_THROW(solve_in_stages(scene, test::shipped_plugins(), make_factorisation, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace netloft::io
