@@ -10,6 +10,8 @@ namespace {
 
 // What carries nothing keeps this share of what the busiest part may have.
 constexpr double kLeastTension = 1e-4;
+// Whoever calls has a solver for what is not there by then.
+constexpr int kLastIterations = 30;
 
 TensionStage first_stage(const TensionStages& stages, std::size_t parts) {
   TensionStage stage;
@@ -41,7 +43,7 @@ TensionStage next_stage(std::vector<double> share, double multiple) {
 TensionStage last_stage(double tolerance, std::size_t parts) {
   TensionStage stage = next_stage(std::vector<double>(parts, 1.0), 0);
   stage.name = "as it is, by tensions";
-  stage.settled_turn = 0, stage.tolerance = tolerance;
+  stage.settled_turn = 0, stage.tolerance = tolerance, stage.iterations = kLastIterations;
   return stage;
 }
 
