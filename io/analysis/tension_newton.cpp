@@ -109,7 +109,10 @@ Leg TensionNewton::solve(const TensionStage& stage) {
       leg.status = SolveStatus::converged;
       break;
     }
-    if (books_.iterations++ >= stage.iterations) break;
+    const bool called_off =
+        (stage.interrupt && stage.interrupt->load()) || wall_seconds() - wall > stage.seconds;
+    if (called_off || books_.iterations >= stage.iterations) break;
+    ++books_.iterations;
     if (stage.from_afar && before > 0) damping_ *= std::clamp(norm / before, kLargestDrop, kLeastDrop);
     damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
     if (!find_step()) {

@@ -15,6 +15,8 @@ struct TensionStage {
   double settled_turn = 0;     // done when no taut member turns more in a whole step; 0: not asked
   double tolerance = 1e-9;     // else when no residual exceeds so much of the largest reaction
   int iterations = 60;
+  double seconds = std::numeric_limits<double>::infinity();
+  const std::atomic<bool>* interrupt = nullptr;
 };
 
 /// Newton's method with the tension of every member as an unknown of its own: a point is positions u and

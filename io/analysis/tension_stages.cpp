@@ -53,7 +53,11 @@ StagedSolution solve_in_stages(const Scene& scene, Registry& registry, MakeFacto
                                const TensionStages& stages) {
   TensionNewton newton(scene, registry, std::move(make), threads);
   StagedSolution solution;
-  const auto run = [&](const TensionStage& stage) { solution.legs.push_back(newton.solve(stage)); };
+  const double begun = wall_seconds();
+  const auto run = [&](TensionStage stage) {
+    stage.seconds = stages.seconds - (wall_seconds() - begun), stage.interrupt = stages.interrupt;
+    solution.legs.push_back(newton.solve(stage));
+  };
   run(first_stage(stages, scene.parts.size()));
   for (const double multiple : stages.stiffness) run(next_stage(shares(newton, multiple), multiple));
   run(last_stage(stages.tolerance, scene.parts.size()));

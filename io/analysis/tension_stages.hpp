@@ -7,9 +7,11 @@ namespace netloft::io {
 /// How a scene is brought from a drawing to its equilibrium over softer ones.
 struct TensionStages {
   double softest = 7e-4;  // share of all stiffness with which the drawing is solved
-  std::vector<double> stiffness{
-      5, 20, 80, 320, 1280, 5120, 20480};  // at the most, of each part over the tension it had before
-  double tolerance = 1e-9;                 // of the scene itself: largest residual over largest reaction
+  /// At the most, of each part over the tension it had before.
+  std::vector<double> stiffness{5, 20, 80, 320, 1280, 5120, 20480};
+  double tolerance = 1e-9;  // of the scene itself: largest residual over the largest reaction
+  double seconds = std::numeric_limits<double>::infinity();  // for all stages
+  const std::atomic<bool>* interrupt = nullptr;
 };
 
 /// Where it ended, and every stage.
