@@ -177,9 +177,7 @@ Finding solves_nothing(SolverBench& b) {
   return outcome == NETLOFT_STOPPED ? Finding{} : failed("returned outcome " + std::to_string(outcome));
 }
 
-Finding solver_starts_no_threads(SolverBench& b) {
-  return no_more_threads_than(b.threads_before);
-}
+Finding solver_starts_no_threads(SolverBench& b) { return no_more_threads_than(b.threads_before); }
 
 // Order matters: a check stands below those that it leans on.
 const std::vector<Check<SolverBench>>& solver_table() {
