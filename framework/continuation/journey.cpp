@@ -13,18 +13,20 @@ namespace {
 
 // An easier scene only gives a start: it need not be exact.
 constexpr double kLegTolerance = 1e-4;
-constexpr int kLegIterations = 200;
 // Relaxation only brings near.
 constexpr double kRelaxed = 1e-2;
 // The scene itself is given up for a detour after so many iterations; after the last one only by the user.
 constexpr int kFirstIterations = 300;
-// Where the stiffest part could carry all of the load with a stretch below the first of these, the scene is
-// given up for softer ones sooner; below the second one they come first, unless the start is near.
-constexpr double kStiff = 1e-3, kVeryStiff = 1e-4;
+// Where the stiffest part could carry all of the load with a stretch below the first of these, the way from
+// soft to stiff comes before others; below the second one, the scene is given up for it sooner; below the
+// third one it comes first, unless the start is near.
+constexpr double kRatherStiff = 1e-2, kStiff = 1e-3, kVeryStiff = 1e-4;
 constexpr int kFewIterations = 60;
-// Stiffness grows tenfold from stage to stage, from so many times the largest load.
-constexpr double kStiffer = 10, kSoftest = 30;
-constexpr int kMostStages = 9;
+// Stiffness grows from so many times the largest load, tenfold at first; after stages of few iterations by
+// larger steps, after one that does not arrive by smaller ones. What stands at a saddle goes back so far.
+constexpr double kStiffer = 10, kSoftest = 30, kMostStiffer = 100, kLeastStiffer = 1.3, kBack = 1e-3;
+constexpr int kShortStage = 15, kLongStage = 200;
+constexpr double kWeakest = 1e-9;
 // A ramp of the current gives up at steps of this share.
 constexpr double kShortestRamp = 1.0 / 64;
 // Detours may cost so many times the first attempt, and at least so many seconds: what has no equilibrium
@@ -74,7 +76,7 @@ void Journey::book(const Leg& leg) { legs_.push_back(leg); }
 
 Solution Journey::arrive(Displacements start) {
   options_.limits.ask_growth = true;
-  begun_ = wall_seconds();
+  begun_cpu_ = cpu_seconds();
   const std::vector<Way> ways = ways_from(start);
   Limits limits = options_.limits;
   limits.iterations = std::min(options_.limits.iterations, is_stiff() ? kFewIterations : kFirstIterations);
@@ -95,28 +97,28 @@ std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
       soft{"from soft to stiff", &Journey::over_stiffness};
   if (!options_.detours) return {as_it_is};
   std::vector<Way> ways{as_it_is, {"shaken", &Journey::over_shaking}};
-  const bool soft_first = start.empty() && stretch_of_stiffest() < kVeryStiff;
-  if (is_stiff()) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
+  const double stretch = stretch_of_stiffest();
+  const bool soft_first = start.empty() && stretch < kVeryStiff, soft_soon = stretch < kRatherStiff;
+  if (soft_soon) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
   ways.push_back({"from tension only", &Journey::over_tension_only});
   ways.push_back({"from still water", &Journey::over_current});
-  if (!is_stiff()) ways.push_back(soft);
+  if (!soft_soon) ways.push_back(soft);
   ways.push_back({"from a relaxed shape", &Journey::over_relaxation});
   return ways;
 }
 
-/// How much longer the stiffest part would be if it carried all that does not depend on the state: the load
-/// over its stiffness. 1 where the current adds what is not known yet, or nothing loads it.
+/// How much longer the stiffest part would be if it carried all that drives the gear: the load over its
+/// stiffness. 1 where nothing does.
 double Journey::stretch_of_stiffest() const {
-  const double load = StaticProblem(assembler_, options_.make, options_.limits).dead_load_sum();
-  if (load == 0 || scene_.current.flows()) return 1;
-  return load / std::max(load, largest_stiffness(scene_, registry_));
+  const double load = StaticProblem(assembler_, options_.make, options_.limits).driving_load().sum;
+  return load == 0 ? 1 : load / std::max(load, largest_stiffness(scene_, registry_));
 }
 
 bool Journey::is_stiff() const { return options_.detours && stretch_of_stiffest() < kStiff; }
 
 /// Others may cost a multiple of the first attempt, `share` times as long as it was.
 void Journey::be_patient(double share) {
-  const double first_attempt = share * (wall_seconds() - begun_);
+  const double first_attempt = share * (cpu_seconds() - begun_cpu_);
   patience_ = std::max(kLeastPatience, kPatience * first_attempt);
   leg_patience_ = std::max(kLeastLegPatience, kLegPatience * first_attempt);
 }
@@ -149,12 +151,18 @@ void Journey::look_for_other_shapes(Solution& best, const Limits& limits) {
   best = finder.best();
 }
 
-/// The scene itself, and where that ends at a saddle, again from a little aside.
+/// The scene itself, and where that ends at a saddle, again from a little aside; if it is stiff, by way of
+/// softer ones.
 Solution Journey::solve_itself_off_saddles(const std::string& name, const Displacements& start,
                                            const Limits& limits) {
   Solution s = solve_itself(name, start, limits);
-  if (is_at_saddle(s) && options_.detours && !out_of_time())
-    keep_better(s, solve_itself(name + ", shaken", shaken(s.u, kLeaveShare), limits));
+  if (!is_at_saddle(s) || !options_.detours || out_of_time()) return s;
+  Displacements aside = shaken(s.u, kLeaveShare);
+  if (is_stiff()) {
+    const double stiffest = largest_stiffness(scene_, registry_);
+    aside = stiffened(std::move(aside), kBack * stiffest, stiffest);
+  }
+  keep_better(s, solve_itself(name + ", shaken", aside, limits));
   return s;
 }
 
@@ -192,19 +200,34 @@ std::optional<Journey::Displacements> Journey::over_tension_only(const Displacem
 
 std::optional<Journey::Displacements> Journey::over_stiffness(const Displacements& start, const Solution&) {
   const double stiffest = largest_stiffness(scene_, registry_);
-  const double load = StaticProblem(assembler_, options_.make, options_.limits).dead_load();
-  double cap = std::max(kSoftest * load, stiffest * std::pow(kStiffer, -kMostStages));
-  if (stiffest <= cap) return {};
-  Displacements u = start;
-  for (; cap < stiffest && !out_of_time(); cap *= kStiffer) {
-    const std::string name = "stiffness up to " + std::to_string(std::llround(cap)) + " N";
-    const Scene softer = softened(scene_, registry_, cap);
-    Solution s = solve_leg(name, softer, options_.solver, u, kLegTolerance);
-    if (s.status == SolveStatus::unstable)  // what is pressed gives way while it is soft
-      s = solve_leg(name + ", shaken", softer, options_.solver, shaken(s.u, kLeaveShare), kLegTolerance);
-    u = s.u;
+  const double load = StaticProblem(assembler_, options_.make, options_.limits).driving_load().largest;
+  const double softest = std::max(kSoftest * load, kWeakest * stiffest);
+  if (stiffest <= softest) return {};
+  return stiffened(start, softest, stiffest);
+}
+
+/// From where all stiffness is at most `cap` to where it is just below `stiffest` [N].
+Journey::Displacements Journey::stiffened(Displacements u, double cap, double stiffest) {
+  double done = 0;
+  for (double factor = kStiffer; cap < stiffest && !out_of_time(); cap = done * factor) {
+    const Solution s = solve_stage(u, cap);
+    if (is_near(s)) {
+      u = s.u, done = cap;
+      if (s.books.iterations <= kShortStage) factor = std::min(factor * std::sqrt(kStiffer), kMostStiffer);
+    } else if (done == 0 || (factor = std::sqrt(factor)) < kLeastStiffer) {
+      return s.u;
+    }
   }
   return u;
+}
+
+/// What is pressed may give way while it is soft.
+Solution Journey::solve_stage(const Displacements& start, double cap) {
+  const std::string name = "stiffness up to " + std::to_string(std::llround(cap)) + " N";
+  const Scene softer = softened(scene_, registry_, cap);
+  const Solution s = solve_leg(name, softer, options_.solver, start, kLegTolerance, kLongStage);
+  if (s.status != SolveStatus::unstable) return s;
+  return solve_leg(name + ", shaken", softer, options_.solver, shaken(s.u, kLeaveShare), kLegTolerance);
 }
 
 std::optional<Journey::Displacements> Journey::over_current(const Displacements& start, const Solution&) {
@@ -248,7 +271,7 @@ Solution Journey::solve_itself(const std::string& name, const SolverUse& solver,
   const SolverType& type = *solver.type;
   const ParameterBlock parameters(type.parameters, type.solver.parameter_bytes, solver.parameters, faults);
   Limits left = limits;
-  left.seconds = seconds_left();
+  left.seconds = seconds_left(), left.cpu_seconds = patience_left();
   Solution s = solve_static(scene_, assembler_, type, parameters.data(), left, options_.make,
                             options_.on_iteration, start);
   legs_.push_back({name, type.type, s.u.size(), s.status, s.reason, s.books});
@@ -256,33 +279,39 @@ Solution Journey::solve_itself(const std::string& name, const SolverUse& solver,
 }
 
 Solution Journey::solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,
-                            const Displacements& start, double tolerance) {
+                            const Displacements& start, double tolerance, int iterations) {
   std::vector<std::string> faults;
   const ParameterBlock parameters(solver.type->parameters, solver.type->solver.parameter_bytes,
                                   solver.parameters, faults);
   const Plan plan = make_plan(easier, registry_, options_.tangent);
   Assembler assembler(easier, plan, options_.threads);
-  Solution s = solve_static(easier, assembler, *solver.type, parameters.data(), limits_of_leg(tolerance),
-                            options_.make, options_.on_iteration, start);
+  Solution s =
+      solve_static(easier, assembler, *solver.type, parameters.data(), limits_of_leg(tolerance, iterations),
+                   options_.make, options_.on_iteration, start);
   legs_.push_back({name, solver.type->type, s.u.size(), s.status, s.reason, s.books});
   return s;
 }
 
-Limits Journey::limits_of_leg(double tolerance) const {
+Limits Journey::limits_of_leg(double tolerance, int iterations) const {
   Limits limits = options_.limits;
   limits.tolerance = std::max(tolerance, limits.tolerance);
   limits.ask_growth = false;
-  limits.iterations = std::min(kLegIterations, limits.iterations);
-  limits.seconds = std::min(seconds_left(), leg_patience_);
+  limits.iterations = std::min(iterations, limits.iterations);
+  limits.seconds = seconds_left(), limits.cpu_seconds = std::min(patience_left(), leg_patience_);
   return limits;
 }
 
+/// Of what the user allows, by the clock on the wall [s].
 double Journey::seconds_left() const {
-  return std::max(0.0, std::min(options_.limits.seconds, patience_) - (wall_seconds() - begun_));
+  return std::max(0.0, options_.limits.seconds - (wall_seconds() - begun_));
 }
 
+/// Of what all attempts together are worth, by that of the processor: other programs do not count [s].
+double Journey::patience_left() const { return std::max(0.0, patience_ - (cpu_seconds() - begun_cpu_)); }
+
 bool Journey::out_of_time() const {
-  return seconds_left() == 0 || (options_.limits.interrupt && options_.limits.interrupt->load());
+  return seconds_left() == 0 || patience_left() == 0 ||
+         (options_.limits.interrupt && options_.limits.interrupt->load());
 }
 
 Solution Journey::finish(Solution solution) const {

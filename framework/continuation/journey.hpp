@@ -30,7 +30,7 @@ struct JourneyOptions {
 /// and the next one starts where it ended. Any solver will do; it never knows. What the easier scenes are is
 /// told by the roles of parameters and by the water, so that nothing here knows of nets.
 ///   no compression   tension only is a convex problem under dead loads (Priour 2013)
-///   soft to stiff    stiffness capped, the cap raised tenfold
+///   soft to stiff    stiffness capped, the cap raised step by step
 ///   slow to fast     the current from none to all of it, by steps that halve when one fails
 ///   shaken           off a point that is not stable, or that has no forces
 ///   relaxed          a matrix-free solver brings it near, if one is there
@@ -77,10 +77,13 @@ class Journey {
   Solution solve_itself(const std::string& name, const SolverUse& solver, const Displacements& start,
                         const Limits& limits);
   Solution solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,
-                     const Displacements& start, double tolerance);
+                     const Displacements& start, double tolerance, int iterations = 200);
+  Displacements stiffened(Displacements u, double cap, double stiffest);
+  Solution solve_stage(const Displacements& start, double cap);
   std::optional<SolverUse> other_solver(const std::string& name) const;
-  Limits limits_of_leg(double tolerance) const;
+  Limits limits_of_leg(double tolerance, int iterations) const;
   double seconds_left() const;
+  double patience_left() const;
   bool out_of_time() const;
   Solution finish(Solution solution) const;
 
@@ -88,7 +91,7 @@ class Journey {
   Assembler& assembler_;
   Registry& registry_;
   JourneyOptions options_;
-  double begun_, patience_, leg_patience_;  // [s]
+  double begun_, begun_cpu_ = 0, patience_, leg_patience_;  // by the wall and of the processor [s]
   std::vector<Leg> legs_;
   int turn_ = 0;           // each has its own way of shaking
   Displacements relaxed_;  // where a matrix-free solver brought it; empty: was not asked

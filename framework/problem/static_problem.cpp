@@ -77,6 +77,7 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
       limits_(limits),
       on_iteration_(std::move(on_iteration)),
       begun_(wall_seconds()),
+      begun_cpu_(cpu_seconds()),
       u_(static_cast<std::size_t>(assembler.pattern().size), 0.0),
       x_(assembler.start()),
       residual_(assembler.numbering().dofs()) {
@@ -114,20 +115,36 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
 
 void StaticProblem::keep_message(const char* text) { std::snprintf(message_, sizeof message_, "%s", text); }
 
-/// Largest nodal sum of the forces that do not depend on the state.
-void StaticProblem::find_dead_loads() {
+std::vector<double> StaticProblem::sum_of_terms(bool (*counts)(std::uint32_t traits)) {
   std::vector<double> term(residual_.size()), sum(residual_.size(), 0.0);
   for (std::size_t f = 0; f < assembler_.families().size(); ++f) {
     const auto& terms = assembler_.families()[f]->active_terms();
     for (std::size_t t = 0; t < terms.size(); ++t) {
-      if (!(terms[t].traits & NETLOFT_CONSTANT) || !assembler_.evaluate_term(x_, f, t, term)) continue;
+      if (!counts(terms[t].traits) || !assembler_.evaluate_term(x_, f, t, term)) continue;
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term[i];
     }
   }
+  return sum;
+}
+
+void StaticProblem::find_dead_loads() {
+  const auto sum = sum_of_terms([](std::uint32_t traits) { return (traits & NETLOFT_CONSTANT) != 0; });
   for_nodes(assembler_.numbering(), 0, assembler_.pattern().size, sum,
             [&](std::uint32_t, std::int32_t, std::int32_t, double norm) {
-              dead_load_ = std::max(dead_load_, norm), dead_load_sum_ += norm;
+              dead_load_ = std::max(dead_load_, norm);
             });
+}
+
+StaticProblem::DrivingLoad StaticProblem::driving_load() {
+  const auto sum = sum_of_terms([](std::uint32_t traits) {
+    return (traits & NETLOFT_CONSTANT) != 0 || (traits & NETLOFT_CONSERVATIVE) == 0;
+  });
+  DrivingLoad load;
+  for_nodes(assembler_.numbering(), 0, assembler_.pattern().size, sum,
+            [&](std::uint32_t, std::int32_t, std::int32_t, double norm) {
+              load.largest = std::max(load.largest, norm), load.sum += norm;
+            });
+  return load;
 }
 
 void StaticProblem::find_element_size() {
@@ -300,6 +317,8 @@ int StaticProblem::progress(const double* u, double energy, const double* residu
     stop_ = Stop::iterations;
   else if (record.seconds >= limits_.seconds)
     stop_ = Stop::time;
+  else if (cpu_seconds() - begun_cpu_ >= limits_.cpu_seconds)
+    stop_ = Stop::share;
   else if (has_run_away(x_))
     stop_ = Stop::ran_away;
   if (stop_ != Stop::none) return stop_ == Stop::arrived ? NETLOFT_ARRIVED : NETLOFT_GIVE_UP;

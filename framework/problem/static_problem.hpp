@@ -18,6 +18,7 @@ struct Limits {
   double seconds = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* interrupt = nullptr;
   bool ask_growth = false;  // whether a small disturbance grows, where forces have no energy: dear
+  double cpu_seconds = std::numeric_limits<double>::infinity();  // that one attempt of several may take
 };
 
 /// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
@@ -46,7 +47,7 @@ struct StepProblem {
 /// Counts and times every call, decides on convergence, keeps matrices and factors.
 class StaticProblem {
  public:
-  enum class Stop { none, arrived, iterations, time, interrupted, ran_away };
+  enum class Stop { none, arrived, iterations, time, share, interrupted, ran_away };
 
   StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
@@ -71,8 +72,12 @@ class StaticProblem {
   Balance balance(std::span<const double> x, std::span<const double> residual);
   /// Largest nodal sum of the forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }
-  /// Sum of them over all nodes [N].
-  double dead_load_sum() const { return dead_load_sum_; }
+  /// Nodal sums of the forces that drive the gear at the start: those that do not depend on the state, and
+  /// those without an energy (drag, pressure).
+  struct DrivingLoad {
+    double largest = 0, sum = 0;  // over nodes [N]
+  };
+  DrivingLoad driving_load();
   /// From now on this step is the problem, until the next.
   void begin(const StepProblem& step);
   /// The next solution starts without a factor, as if nothing had been solved before.
@@ -102,6 +107,7 @@ class StaticProblem {
   std::span<const double> shifted(int matrix, double shift);
   MatrixClass matrix_class(bool may_be_indefinite) const;
   netloft_factor factorise_as(MatrixClass kind, std::span<const double> values);
+  std::vector<double> sum_of_terms(bool (*counts)(std::uint32_t traits));
   void find_dead_loads();
   void find_element_size();
 
@@ -118,7 +124,7 @@ class StaticProblem {
   std::vector<double> v_, a_;
   int iterations_before_ = 0;  // of steps that are done
   bool bad_numbers_ = false, met_error_ = false;
-  double begun_ = 0, dead_load_ = 0, dead_load_sum_ = 0, element_size_ = 1, gear_size_ = 1;
+  double begun_ = 0, begun_cpu_ = 0, dead_load_ = 0, element_size_ = 1, gear_size_ = 1;
   char message_[256] = "";
 
   std::vector<double> u_, x_, residual_, gradient_;
