@@ -6,10 +6,12 @@
 #include "io/analysis/coarser.hpp"
 #include "io/analysis/diagnosis.hpp"
 #include "io/analysis/stretch_damping.hpp"
+#include "io/analysis/tension_stages.hpp"
 #include "io/scene/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -146,7 +148,7 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
   limits.interrupt = interrupt;
   std::optional<MarchState> at_rest;
   if (!from && a.dynamics.from_equilibrium) {
-    const Solution s = find_equilibrium(interrupt);
+    const Solution s = find_equilibrium(interrupt, Limits{}.tolerance);
     if (s.status != SolveStatus::converged) {
       MarchResult none;
       none.reason = "there is no equilibrium to start from: " + s.reason, none.u = s.u;
@@ -158,13 +160,18 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
                         make_factorisation, limits, a.dynamics.march, watch, from);
 }
 
-/// Where everything is at rest at t = 0, as a start.
-Solution Case::find_equilibrium(const std::atomic<bool>* interrupt) {
+/// Where everything is at rest at t = 0, as a start; of coarser meshes first.
+Solution Case::find_equilibrium(const std::atomic<bool>* interrupt, double tolerance) {
   const SolverType& newton = registry_.solver("newton");
   const auto parameters = block_of(newton.parameters, newton.solver.parameter_bytes, {});
   Limits limits;
+  limits.tolerance = tolerance;
   limits.interrupt = interrupt, limits.seconds = loaded_.analysis.limits.seconds;
-  return solve_static(loaded_.scene, *assembler_, newton, parameters.data(), limits, make_factorisation);
+  std::vector<Leg> coarser;
+  const auto start = start_from_coarser(
+      [&](Case& coarse) { return coarse.find_equilibrium(interrupt, kCoarseTolerance); }, coarser);
+  return solve_static(loaded_.scene, *assembler_, newton, parameters.data(), limits, make_factorisation, {},
+                      start);
 }
 
 Solution Case::solve_by_journey(const Watch& watch) {
@@ -175,17 +182,22 @@ Solution Case::solve_by_journey(const Watch& watch) {
   options.threads = source_.threads, options.on_iteration = watch.on_iteration;
   options.detours = watch.detours && loaded_.analysis.continuation, options.looks = loaded_.analysis.looks;
   Journey journey(loaded_.scene, *assembler_, registry_, options);
-  std::vector<Leg> coarser;
-  const std::vector<double> start = start_from_coarser(watch, coarser);
-  for (const Leg& leg : coarser) journey.book(leg);
+  std::vector<Leg> before;
+  std::vector<double> start;
+  if (loaded_.analysis.in_stages)
+    start = start_in_stages(watch, before);
+  else if (loaded_.analysis.continuation)
+    start = start_from_coarser([&](Case& coarse) { return coarse.solve(watch); }, before);
+  for (const Leg& leg : before) journey.book(leg);
   return journey.arrive(start);
 }
 
 /// Grid sequencing: where the same gear in half as many cells across and along comes to rest, it being solved
 /// likewise. Empty if there is no such gear, or it is small enough to be solved at once, or did not arrive.
-std::vector<double> Case::start_from_coarser(const Watch& watch, std::vector<Leg>& legs) {
+std::vector<double> Case::start_from_coarser(const std::function<Solution(Case&)>& solve,
+                                             std::vector<Leg>& legs) {
   const auto halved = halved_cells(loaded_);
-  if (!loaded_.analysis.continuation || halved.empty() || plan_.unknowns < kSmall) return {};
+  if (halved.empty() || plan_.unknowns < kSmall) return {};
   CaseSource source = source_;
   source.overrides.insert(source.overrides.end(), halved.begin(), halved.end());
   source.overrides.push_back("analysis.tolerance=" +
@@ -197,9 +209,7 @@ std::vector<double> Case::start_from_coarser(const Watch& watch, std::vector<Leg
       set_start(coarse.scene, *start);
   };
   if (coarser.open(start_likewise) != State::ready) return {};
-  Watch direct = watch;
-  direct.detours = watch.detours;
-  const Solution s = coarser.solve(direct);
+  const Solution s = solve(coarser);
   if (s.legs.empty())
     legs.push_back(
         {on_coarser("as it is"), loaded_.analysis.solver, s.u.size(), s.status, s.reason, s.books});
@@ -208,6 +218,21 @@ std::vector<double> Case::start_from_coarser(const Watch& watch, std::vector<Leg
   if (s.status != SolveStatus::converged) return {};
   const auto carried = carried_over(coarser.loaded_, coarser.positions(s.x), loaded_);
   return carried ? assembler_->displacements(*carried) : std::vector<double>{};
+}
+
+/// From soft to stiff, tensions being unknowns of their own. Empty where nodes are on bodies or slide in
+/// frames, which that does not know, or where it strayed.
+std::vector<double> Case::start_in_stages(const Watch& watch, std::vector<Leg>& legs) {
+  const Scene& scene = loaded_.scene;
+  if (!scene.bodies.empty() || !scene.frames.empty()) return {};
+  const Limits& limits = loaded_.analysis.limits;
+  const StagedSolution staged = solve_in_stages(
+      scene, registry_, make_factorisation, source_.threads,
+      {.tolerance = limits.tolerance, .seconds = limits.seconds, .interrupt = watch.interrupt});
+  legs.insert(legs.end(), staged.legs.begin(), staged.legs.end());
+  const bool is_somewhere = std::all_of(begin(staged.positions), end(staged.positions),
+                                        [](double coordinate) { return std::isfinite(coordinate); });
+  return is_somewhere ? assembler_->displacements(staged.positions) : std::vector<double>{};
 }
 
 std::vector<double> Case::positions(std::span<const double> x) const {

@@ -69,8 +69,9 @@ class Case {
   Solution solve_plainly(const Watch& watch);
   Solution solve_by_journey(const Watch& watch);
   Solution settle(const Watch& watch);
-  Solution find_equilibrium(const std::atomic<bool>* interrupt);
-  std::vector<double> start_from_coarser(const Watch& watch, std::vector<Leg>& legs);
+  Solution find_equilibrium(const std::atomic<bool>* interrupt, double tolerance);
+  std::vector<double> start_in_stages(const Watch& watch, std::vector<Leg>& legs);
+  std::vector<double> start_from_coarser(const std::function<Solution(Case&)>& solve, std::vector<Leg>& legs);
 
   CaseSource source_;
   Registry& registry_;

@@ -54,6 +54,9 @@ namespace {
 /// What the program does around the solver.
 std::string way_of(const Analysis& analysis) {
   if (!analysis.continuation) return "";
+  if (analysis.in_stages)
+    return "from soft to stiff first, tensions being unknowns, then over easier scenes where it does not "
+           "arrive";
   return std::string(analysis.automatic ? "chosen by auto, " : "") +
          "from coarser meshes where cells can be halved, over easier scenes where it does not arrive "
          "(from soft to stiff first where the load would hardly stretch it)";

@@ -57,7 +57,8 @@ Analysis from_keys(const AnalysisKeys& keys) {
   a.solver = keys.solver;
   a.automatic = a.solver == "auto";
   if (a.automatic) a.solver = "newton";
-  a.continuation = keys.continuation == 1 || (keys.continuation == 0 && a.automatic);
+  a.in_stages = keys.continuation == 3;
+  a.continuation = keys.continuation == 1 || a.in_stages || (keys.continuation == 0 && a.automatic);
   a.tangent = static_cast<TangentChoice>(keys.tangent);
   a.limits = {keys.tolerance, static_cast<int>(keys.max_iterations), keys.max_seconds, nullptr};
   a.kind = static_cast<AnalysisKind>(keys.kind);

@@ -27,8 +27,8 @@ std::span<const netloft_parameter> analysis_keys() {
     t.choice(
         "continuation", &AnalysisKeys::continuation,
         "over coarser meshes and easier scenes (tension only, stiffness or current raised by steps) where "
-        "that helps; default: with solver auto",
-        {"default", "on", "off"});
+        "that helps; default: with solver auto; tensions: from soft to stiff first, tensions being unknowns",
+        {"default", "on", "off", "tensions"});
     t.real("tolerance", &AnalysisKeys::tolerance, "1", "largest nodal residual over the largest nodal load",
            {.lo = 1e-16, .hi = 1, .fallback = 1e-10});
     t.integer("max_iterations", &AnalysisKeys::max_iterations, "iterations after which the solver gives up",

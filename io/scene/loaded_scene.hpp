@@ -52,6 +52,7 @@ struct Analysis {
   std::string solver;         // the plugin that is to work
   bool automatic = false;     // the user left the choice to the program: solver = "auto"
   bool continuation = false;  // over coarser meshes and easier scenes, where that helps
+  bool in_stages = false;     // from soft to stiff before that, with tensions as unknowns
   int looks = 0;              // for other shapes
   Values solver_parameters;
   Limits limits;

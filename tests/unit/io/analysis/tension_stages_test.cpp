@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/analysis/tension_stages.hpp"
+
+#include "io/analysis/case.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/verification/solving.hpp"
@@ -31,6 +33,24 @@ TEST(TensionStages, LeadARopeToWhereItHangs) { expect_same_place(sample::hanging
 
 TEST(TensionStages, LeadAPanelThatStartsSlackToWhereItHangs) {
   expect_same_place(sample::hanging_panel(8, 30), 48);
+}
+
+Solution run(const std::string& continuation) {
+  Case one({NETLOFT_SOURCE_DIR "/gear-library/scenes/verification/tractrix-between-rings.toml",
+            {"analysis.continuation=" + continuation}},
+           test::shipped_plugins());
+  EXPECT_EQ(one.open(), Case::State::ready) << one.diagnostics().render(false);
+  return one.solve();
+}
+
+TEST(TensionStages, AreAContinuationThatScenesMayAskFor) {
+  const Solution staged = run("tensions"), as_ever = run("default");
+  ASSERT_EQ(staged.status, SolveStatus::converged) << staged.reason;
+  ASSERT_EQ(as_ever.status, SolveStatus::converged) << as_ever.reason;
+  ASSERT_GT(staged.legs.size(), 2u);
+  EXPECT_EQ(staged.legs.front().name, "soft, from the start");
+  EXPECT_LT(staged.books.factorisations, as_ever.books.factorisations);
+  for (std::size_t i = 0; i < staged.x.size(); ++i) ASSERT_NEAR(staged.x[i], as_ever.x[i], 1e-5);
 }
 
 TEST(TensionStages, RefuseNodesThatMoveOtherwise) {
