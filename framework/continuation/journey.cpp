@@ -77,6 +77,7 @@ void Journey::book(const Leg& leg) { legs_.push_back(leg); }
 Solution Journey::arrive(Displacements start) {
   options_.limits.ask_growth = true;
   begun_cpu_ = cpu_seconds();
+  stretch_ = stretch_of_stiffest();
   const std::vector<Way> ways = ways_from(start);
   Limits limits = options_.limits;
   limits.iterations = std::min(options_.limits.iterations, is_stiff() ? kFewIterations : kFirstIterations);
@@ -97,8 +98,7 @@ std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
       soft{"from soft to stiff", &Journey::over_stiffness};
   if (!options_.detours) return {as_it_is};
   std::vector<Way> ways{as_it_is, {"shaken", &Journey::over_shaking}};
-  const double stretch = stretch_of_stiffest();
-  const bool soft_first = start.empty() && stretch < kVeryStiff, soft_soon = stretch < kRatherStiff;
+  const bool soft_first = start.empty() && stretch_ < kVeryStiff, soft_soon = stretch_ < kRatherStiff;
   if (soft_soon) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
   ways.push_back({"from tension only", &Journey::over_tension_only});
   ways.push_back({"from still water", &Journey::over_current});
@@ -114,7 +114,7 @@ double Journey::stretch_of_stiffest() const {
   return load == 0 ? 1 : load / std::max(load, largest_stiffness(scene_, registry_));
 }
 
-bool Journey::is_stiff() const { return options_.detours && stretch_of_stiffest() < kStiff; }
+bool Journey::is_stiff() const { return options_.detours && stretch_ < kStiff; }
 
 /// Others may cost a multiple of the first attempt, `share` times as long as it was.
 void Journey::be_patient(double share) {

@@ -93,6 +93,7 @@ class Journey {
   JourneyOptions options_;
   double begun_, begun_cpu_ = 0, patience_, leg_patience_;  // by the wall and of the processor [s]
   std::vector<Leg> legs_;
+  double stretch_ = 1;     // of the stiffest part, under all that drives the gear
   int turn_ = 0;           // each has its own way of shaking
   Displacements relaxed_;  // where a matrix-free solver brought it; empty: was not asked
 };
