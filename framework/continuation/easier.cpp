@@ -6,14 +6,15 @@
 
 namespace netloft {
 
-namespace {
-
-/// The value a real parameter of a part has, given or by default.
 double value_of(const Part& part, const ElementType& type, const netloft_parameter& parameter) {
   std::vector<std::string> faults;
   const ParameterBlock block(type.parameters, type.element.parameter_bytes, part.parameters, faults);
   return faults.empty() ? block.number(parameter) : 0.0;
 }
+
+bool is_in_newtons(const netloft_parameter& parameter) { return std::strcmp(parameter.unit, "N") == 0; }
+
+namespace {
 
 /// Calls visit(part, type, parameter) for every real parameter that has the role.
 template <class PartOf, class Visit>
@@ -24,8 +25,6 @@ void for_role(PartOf& parts, Registry& registry, std::uint32_t role, Visit&& vis
       if (parameter.flags & role) visit(part, type, parameter);
   }
 }
-
-bool is_in_newtons(const netloft_parameter& parameter) { return std::strcmp(parameter.unit, "N") == 0; }
 
 /// Largest stiffness in newtons of the parts of each name; a part and its companions share a name.
 std::map<std::string, double> stiffness_by_name(const Scene& scene, Registry& registry) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/analysis/axial_members.hpp"
 
+#include "framework/continuation/easier.hpp"
+
+#include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <optional>
 
 namespace netloft::io {
 
@@ -10,46 +13,50 @@ namespace {
 
 constexpr double kNextToNothing = 1e-12;  // of the stiffness
 
-/// How a type of element calls its stiffnesses.
-struct Naming {
-  std::string_view type, EA, EA_compression;
+/// The stiffnesses of what is as stiff as EA where taut and as EA_c where pressed; by their roles.
+struct Axial {
+  const netloft_parameter *EA = nullptr, *EA_compression = nullptr;
 };
-constexpr Naming kRope{"rope/bar", "rope.EA", "rope.EA_compression"};
-constexpr Naming kNetting{"priour/triangle", "twine.EA", "twine.EA_compression"};
 
-const Naming* naming_of(const Part& part) {
-  for (const Naming* naming : {&kRope, &kNetting})
-    if (part.type == naming->type) return naming;
-  return nullptr;
+std::optional<Axial> axial_of(const ElementType& type) {
+  Axial axial;
+  int stiffnesses = 0;
+  for (const auto& parameter : type.parameters) {
+    if (!is_in_newtons(parameter)) continue;
+    if (parameter.flags & NETLOFT_STIFFNESS) axial.EA = &parameter, ++stiffnesses;
+    if (parameter.flags & NETLOFT_COMPRESSION) axial.EA_compression = &parameter;
+  }
+  if (stiffnesses != 1 || !axial.EA_compression) return {};
+  return axial;
 }
 
-double value_of(const Part& part, const ElementType& type, std::string_view name) {
-  std::vector<std::string> faults;
-  const ParameterBlock block(type.parameters, type.element.parameter_bytes, part.parameters, faults);
-  for (const auto& parameter : type.parameters)
-    if (faults.empty() && name == parameter.name) return block.number(parameter);
-  return 0;
+const std::vector<double>* find_data(const Part& part, const char* name) {
+  const auto at = part.data.find(name);
+  return at == part.data.end() ? nullptr : &at->second;
 }
 
 void add_bars(std::vector<AxialMember>& members, const Part& rope, AxialMember member) {
-  const auto& lengths = rope.data.at("rest_length");
-  for (std::size_t e = 0; e < lengths.size(); ++e) {
+  const auto *lengths = find_data(rope, "rest_length"), *parallel = find_data(rope, "parallel");
+  if (!lengths) return;
+  for (std::size_t e = 0; e < lengths->size(); ++e) {
     member.node = {rope.nodes[2 * e], rope.nodes[2 * e + 1], 0};
     member.c = {-1, 1, 0};
-    member.l0 = lengths[e];
+    member.l0 = (*lengths)[e], member.count = parallel ? (*parallel)[e] : 1;
     members.push_back(member);
   }
 }
 
-/// The two directions of twines of each triangle (plugins/priour/triangle.hpp, (1) to (3)).
+/// The two directions of twines of each triangle, by the twine coordinates of its corners (Priour 1999).
 void add_twines(std::vector<AxialMember>& members, const Part& netting, AxialMember member) {
-  const auto& lengths = netting.data.at("bar_length");
+  const auto *lengths = find_data(netting, "bar_length"), *all_u = find_data(netting, "u"),
+             *all_v = find_data(netting, "v");
+  if (!lengths || !all_u || !all_v) return;
   member.nodes = 3;
-  for (std::size_t e = 0; e < lengths.size(); ++e) {
-    const double *u = &netting.data.at("u")[3 * e], *v = &netting.data.at("v")[3 * e];
+  for (std::size_t e = 0; e < lengths->size(); ++e) {
+    const double *u = &(*all_u)[3 * e], *v = &(*all_v)[3 * e];
     const double d = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
     member.node = {netting.nodes[3 * e], netting.nodes[3 * e + 1], netting.nodes[3 * e + 2]};
-    member.l0 = lengths[e], member.count = std::abs(d) / 2;
+    member.l0 = (*lengths)[e], member.count = std::abs(d) / 2;
     member.c = {(v[1] - v[2]) / d, (v[2] - v[0]) / d, (v[0] - v[1]) / d};
     members.push_back(member);
     member.c = {(u[2] - u[1]) / d, (u[0] - u[2]) / d, (u[1] - u[0]) / d};
@@ -63,26 +70,29 @@ std::vector<AxialMember> axial_members(const Scene& scene, Registry& registry) {
   std::vector<AxialMember> members;
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
     const Part& part = scene.parts[p];
-    const Naming* naming = naming_of(part);
-    if (!naming) continue;
     const ElementType& type = registry.element(part.type);
+    const auto axial = axial_of(type);
+    if (!axial) continue;
     AxialMember member;
     member.part = p;
-    member.EA = value_of(part, type, naming->EA);
-    member.EA_compression = value_of(part, type, naming->EA_compression);
-    (naming == &kRope ? add_bars : add_twines)(members, part, member);
+    member.EA = value_of(part, type, *axial->EA);
+    member.EA_compression = value_of(part, type, *axial->EA_compression);
+    if (type.element.stencil == NETLOFT_BAR) add_bars(members, part, member);
+    if (type.element.stencil == NETLOFT_TRIANGLE) add_twines(members, part, member);
   }
   return members;
 }
 
 Scene without_axial_stiffness(const Scene& scene, Registry& registry) {
   Scene loose = scene;
-  for (Part& part : loose.parts)
-    if (const Naming* naming = naming_of(part)) {
-      const ElementType& type = registry.element(part.type);
-      for (const auto name : {naming->EA, naming->EA_compression})
-        part.parameters[std::string(name)] = kNextToNothing * value_of(part, type, name);
-    }
+  for (const AxialMember& member : axial_members(scene, registry)) {
+    Part& part = loose.parts[member.part];
+    const ElementType& type = registry.element(part.type);
+    const Axial axial = *axial_of(type);
+    part.parameters[axial.EA->name] = std::max(axial.EA->lo, kNextToNothing * member.EA);
+    part.parameters[axial.EA_compression->name] =
+        std::max(axial.EA_compression->lo, kNextToNothing * member.EA_compression);
+  }
   return loose;
 }
 

@@ -21,7 +21,9 @@ struct AxialMember {
   double l0 = 0, EA = 0, EA_compression = 0, count = 1;
 };
 
-/// The members of all parts of type rope/bar and priour/triangle.
+/// The members of all parts that have them: elements on bars or triangles, shipped or not, with one stiffness
+/// in newtons and one of what is slack, by the roles of their parameters. What else a law may do with these
+/// is not known here: where it ends is a start, not an answer.
 std::vector<AxialMember> axial_members(const Scene& scene, Registry& registry);
 
 /// The same scene in which these have next to no stiffness: all other forces are left.

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 namespace netloft::io {
 namespace {
@@ -51,6 +52,28 @@ TEST(TensionStages, AreAContinuationThatScenesMayAskFor) {
   EXPECT_EQ(staged.legs.front().name, "soft, from the start");
   EXPECT_LT(staged.books.factorisations, as_ever.books.factorisations);
   for (std::size_t i = 0; i < staged.x.size(); ++i) ASSERT_NEAR(staged.x[i], as_ever.x[i], 1e-5);
+}
+
+// Ropes, netting in triangles and netting in bars say by the roles of their parameters that they are such; a
+// seabed and bending do not.
+TEST(AxialMembers, AreThoseOfWhateverHasOneStiffnessInNewtonsAndOneWhenSlack) {
+  const auto members_of = [](const std::string& scene, std::vector<std::string> overrides) {
+    Case one({NETLOFT_SOURCE_DIR "/gear-library/scenes/" + scene, std::move(overrides)},
+             test::shipped_plugins());
+    EXPECT_EQ(one.open(), Case::State::ready) << one.diagnostics().render(false);
+    std::map<std::string, std::size_t> count;
+    for (const AxialMember& m : axial_members(one.loaded().scene, test::shipped_plugins()))
+      ++count[one.loaded().scene.parts[m.part].type];
+    return count;
+  };
+  using Count = std::map<std::string, std::size_t>;
+  EXPECT_EQ(members_of("dead-weight-panel.toml", {"parts.net.cells=[4,4]"}),
+            (Count{{"priour/triangle", 64}}));
+  EXPECT_GT(members_of("dead-weight-panel.toml",
+                       {"parts.net.cells=[4,4]", "parts.net.type=lumped/net"})["lumped/net"],
+            0u);
+  EXPECT_EQ(members_of("verification/catenary-on-seabed.toml", {}).count("seabed/plane"), 0u);
+  EXPECT_EQ(members_of("verification/cantilever.toml", {}).count("rope/bending"), 0u);
 }
 
 TEST(TensionStages, RefuseNodesThatMoveOtherwise) {
