@@ -10,6 +10,7 @@ namespace netloft::io {
 namespace {
 
 constexpr std::size_t kNodesKept = 16;
+constexpr double kMoreDigits = 0.1;
 
 double distance_from(const Reference& reference, const std::vector<double>& x) {
   double largest = 0;
@@ -118,10 +119,16 @@ const char* name_of(Where where) {
   }
 }
 
+bool is_closer(const Ended& ended, const Reference& reference) {
+  return distance_from(reference, ended.positions) <= kSameShape &&
+         ended.solution.balance.residual < kMoreDigits * reference.residual;
+}
+
 Reference make_reference(const Ended& ended, std::string found_by) {
   const std::vector<double>& x = ended.positions;
   const Balance& b = ended.solution.balance;
-  Reference r{ended.unknowns, ended.solution.energy, diagonal(x), b.scale, 0, {}, std::move(found_by)};
+  Reference r{ended.unknowns, ended.solution.energy, diagonal(x), b.scale, 0, {}, std::move(found_by),
+              b.residual};
   r.noise = b.floor * r.size;
   const std::size_t nodes = x.size() / 3, step = std::max<std::size_t>(1, nodes / kNodesKept);
   for (std::size_t n = step / 2; n < nodes; n += step)

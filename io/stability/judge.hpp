@@ -21,6 +21,7 @@ struct Reference {
   double noise = 0;   // what rounding of the positions is worth in energy [J]
   std::vector<Node> nodes;
   std::string found_by;  // "newton from the sketch"
+  double residual = 0;   // largest nodal one [N]
 };
 
 /// Where a solver ended, as the host sees it.
@@ -71,6 +72,9 @@ bool is_arrival(Where where);  // at an equilibrium that the case accepts
 bool is_right(Where where);    // arrival, or an honest failure where there is nothing to arrive at
 bool is_lie(Where where);      // success was claimed where there was none
 const char* name_of(Where where);
+
+/// At the same place as the reference, and in balance to more digits.
+bool is_closer(const Ended& ended, const Reference& reference);
 
 /// Reference out of a solution.
 Reference make_reference(const Ended& ended, std::string found_by);

@@ -17,6 +17,7 @@ Reference from_json(const Json& json) {
   r.unknowns = json.at("unknowns"), r.found_by = json.at("found_by");
   r.energy = json.at("energy"), r.size = json.at("size");
   r.load = json.at("load"), r.noise = json.at("noise");
+  r.residual = json.value("residual", 0.0);
   for (const auto& n : json.at("nodes")) r.nodes.push_back({n.at(0), {n.at(1), n.at(2), n.at(3)}});
   return r;
 }
@@ -24,8 +25,8 @@ Reference from_json(const Json& json) {
 Json to_json(const Reference& r) {
   Json nodes = Json::array();
   for (const auto& n : r.nodes) nodes.push_back({n.node, n.x[0], n.x[1], n.x[2]});
-  return {{"unknowns", r.unknowns}, {"energy", r.energy},     {"size", r.size}, {"load", r.load},
-          {"noise", r.noise},       {"found_by", r.found_by}, {"nodes", nodes}};
+  return {{"unknowns", r.unknowns}, {"energy", r.energy},     {"size", r.size},         {"load", r.load},
+          {"noise", r.noise},       {"residual", r.residual}, {"found_by", r.found_by}, {"nodes", nodes}};
 }
 
 }  // namespace

@@ -131,9 +131,9 @@ class SuiteRun {
     if (!a.arrived()) return known;
     const Reference found = make_reference(a.ended, found_by);
     if (!known) return found;
-    return a.ended.conservative && found.energy < known->energy - energy_noise(*known, a.ended.solution)
-               ? found
-               : known;
+    const bool lower =
+        a.ended.conservative && found.energy < known->energy - energy_noise(*known, a.ended.solution);
+    return lower || is_closer(a.ended, *known) ? found : known;
   }
 
   Cell make_cell(const StabilityCase& c, const std::string& size, const StabilityColumn& column,

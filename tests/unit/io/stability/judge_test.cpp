@@ -43,6 +43,16 @@ TEST(Judge, OtherwiseTheSameShapeIsEnough) {
   EXPECT_EQ(where(ended_at(-100, 1.4e-4)), Where::another);
 }
 
+TEST(Judge, OfTwoAtOnePlaceTheOneWithMoreDigitsIsCloser) {
+  Ended rough = ended_at(-100), fine = ended_at(-100), elsewhere = ended_at(-100, 1);
+  rough.solution.balance.residual = 1e-6;
+  fine.solution.balance.residual = elsewhere.solution.balance.residual = 1e-9;
+  const Reference known = make_reference(rough, "hand");
+  EXPECT_TRUE(is_closer(fine, known));
+  EXPECT_FALSE(is_closer(rough, known));
+  EXPECT_FALSE(is_closer(elsewhere, known));
+}
+
 TEST(Judge, EnergyTellsBetterFromWorse) {
   EXPECT_EQ(where(ended_at(-101, 1)), Where::lower);
   EXPECT_EQ(where(ended_at(-99, 1)), Where::higher);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Ropes of straight bars against the same bars hung one below another in extended precision.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "io/analysis/case.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::test {
+namespace {
+
+using Real = long double;
+
+/// n bars between two points at one height, `span` [m] apart: with the horizontal tension H and the lift V of
+/// the first point, bar k carries
+///   T_k = (H, V − w l₀ (k + ½)),  x_(k+1) = x_k + l₀ (1 + |T_k|/EA) (H, −V_k)/|T_k|                     (1)
+/// half the weight of a bar at each of its ends. V is half of all weight; H is found by bisection.
+struct HungBars {
+  int n;
+  Real length, span, w, EA;
+  std::vector<std::array<Real, 2>> x;
+
+  Real reach(Real H) {
+    const Real l0 = length / n, V = w * length / 2;
+    x.assign(1, {0, 0});
+    for (int k = 0; k < n; ++k) {
+      const Real down = V - w * l0 * (k + Real{0.5}), T = std::hypot(H, down), l = l0 * (1 + T / EA);
+      x.push_back({x.back()[0] + l * H / T, x.back()[1] - l * down / T});
+    }
+    return x.back()[0];
+  }
+  void hang() {
+    Real low = 1e-9L * w * length / n, high = 1e3L * w * length;
+    for (int i = 0; i < 200; ++i) {
+      const Real middle = std::sqrt(low * high);
+      (reach(middle) < span ? low : high) = middle;
+    }
+    reach(high);
+  }
+};
+
+/// Largest distance of a node from where it belongs [m].
+double furthest(const std::vector<std::string>& overrides, HungBars bars) {
+  io::CaseSource source{NETLOFT_SOURCE_DIR "/tests/stability/scenes/rope.toml", overrides, 1};
+  source.overrides.push_back("parts.rope.cells=" + std::to_string(bars.n));
+  source.overrides.push_back("analysis.solver=auto");
+  io::Case rope(source, shipped_plugins());
+  EXPECT_EQ(rope.open(), io::Case::State::ready);
+  const Solution s = rope.solve({});
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+  const std::vector<double> x = rope.positions(s.x);
+  bars.hang();
+  double furthest = 0;
+  for (std::size_t k = 0; k < bars.x.size(); ++k)
+    furthest = std::max(furthest, std::hypot(x[3 * k] - static_cast<double>(bars.x[k][0]), x[3 * k + 1],
+                                             x[3 * k + 2] - static_cast<double>(bars.x[k][1])));
+  std::printf("%d bars: furthest %.1e m\n", bars.n, furthest);
+  return furthest;
+}
+
+constexpr Real kWeight = (3000.0L - 1025.0L) * 9.81L * std::numbers::pi_v<Real> * 0.01L * 0.01L;  // [N/m]
+
+TEST(FoldedRope, HangsToTheLastDigitsWhereItsTensionIsNearlyNothing) {
+  // Odd numbers would leave a bar in the middle that is longer than the ends are apart.
+  const std::vector<std::string> ends = {"parts.rope.sketch=[[0,0,0],[0.001,0,0]]"};
+  for (const int n : {66, 266, 4000}) EXPECT_LT(furthest(ends, {n, 100, 0.001L, kWeight, 1e6L, {}}), 1e-10);
+}
+
+TEST(FoldedRope, UnfoldedItDoesTheSame) {
+  for (const int n : {67, 4000}) EXPECT_LT(furthest({}, {n, 100, 80, kWeight, 1e6L, {}}), 1e-10);
+}
+
+}  // namespace
+}  // namespace netloft::test
