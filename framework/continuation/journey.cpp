@@ -39,6 +39,8 @@ constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
 constexpr double kLeaveShare = 0.02, kLookShare = 1;
 // A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
 constexpr double kNearly = 1e-5;
+// A residual of this share of the largest load: as many iterations again may well be enough.
+constexpr double kOnItsWay = 0.03;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
 
@@ -48,6 +50,11 @@ bool is_near(const Solution& s) { return has_arrived(s) || s.status == SolveStat
 bool is_at_saddle(const Solution& s) {
   return s.status == SolveStatus::unstable ||
          (s.status == SolveStatus::not_converged && s.balance.residual < kNearly * s.balance.scale);
+}
+
+/// Where a few more iterations promise more than another way.
+bool is_on_its_way(const Solution& s) {
+  return !has_arrived(s) && s.balance.residual < kOnItsWay * s.balance.scale;
 }
 
 /// Of two that did not arrive the one to tell of: a stationary point before anything else, then the smaller
@@ -83,7 +90,10 @@ Solution Journey::arrive(Displacements start) {
   limits.iterations = std::min(options_.limits.iterations, is_stiff() ? kFewIterations : kFirstIterations);
   Solution best = solve_itself_off_saddles(ways[0].name, *(this->*ways[0].to)(start, {}), limits);
   be_patient(best.books.iterations >= limits.iterations ? double(kFirstIterations) / limits.iterations : 1);
+  const bool goes_on = best.books.iterations >= limits.iterations && is_on_its_way(best);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
+  if (goes_on)
+    keep_better(best, solve_itself_off_saddles(std::string(ways[0].name) + ", further", best.u, limits));
   for (std::size_t i = 1; i < ways.size() && !has_arrived(best) && !out_of_time(); ++i)
     if (const auto nearer = (this->*ways[i].to)(start, best))
       keep_better(best, solve_itself_off_saddles(ways[i].name, *nearer, limits));

@@ -103,6 +103,16 @@ TEST(Journey, GoesFromSoftToStiffFirstWhereTheLoadBarelyStretchesWhatCarriesIt) 
   EXPECT_EQ(stiff.legs.back().name, "from soft to stiff");
 }
 
+TEST(Journey, GoesOnWhereItIsNearlyThereBeforeItTriesOtherWays) {
+  Limits limits;
+  limits.iterations = travel(slack_rope(1e4)).solution.books.iterations - 2;
+  const Solution s = travel(slack_rope(1e4), limits).solution;
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  ASSERT_EQ(s.legs.size(), 2u);
+  EXPECT_EQ(s.legs.front().status, SolveStatus::not_converged);
+  EXPECT_EQ(s.legs.back().name, "as it is, further");
+}
+
 TEST(Journey, AddsUpWhatAllItsLegsCost) {
   const Solution s = travel(pressed_bars()).solution;
   int factorisations = 0;
