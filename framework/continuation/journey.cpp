@@ -41,6 +41,10 @@ constexpr double kLeaveShare = 0.02, kLookShare = 1;
 constexpr double kNearly = 1e-5;
 // A residual of this share of the largest load: as many iterations again may well be enough.
 constexpr double kOnItsWay = 0.03;
+// Who has not been asked to looks for other shapes after so many iterations, so often, while all iterations
+// times unknowns are no more than this: a second or two.
+constexpr double kLongWay = 100, kLookWork = 1e7;
+constexpr int kOwnLooks = 6;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
 
@@ -98,7 +102,7 @@ Solution Journey::arrive(Displacements start) {
     if (const auto nearer = (this->*ways[i].to)(start, best))
       keep_better(best, solve_itself_off_saddles(ways[i].name, *nearer, limits));
   try_once_more(best, start, limits);
-  if (options_.looks > 0) look_for_other_shapes(best, limits);
+  if (options_.looks != 0) look_for_other_shapes(best, start, limits);
   return finish(std::move(best));
 }
 
@@ -146,19 +150,37 @@ void Journey::try_once_more(Solution& best, const Displacements& start, const Li
   keep_better(best, solve_itself_off_saddles("once more", from, options_.limits));
 }
 
-/// From where it stands, shaken by an element's size, each time otherwise.
-void Journey::look_for_other_shapes(Solution& best, const Limits& limits) {
+void Journey::look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits) {
+  const bool as_suits = options_.looks == JourneyOptions::kLooksThatSuit;
+  if (as_suits && work() < kLongWay * static_cast<double>(best.u.size())) return;
+  const int looks = as_suits ? kOwnLooks : options_.looks;
+  const double worth = as_suits ? kLookWork : std::numeric_limits<double>::infinity();
   patience_ = leg_patience_ = std::numeric_limits<double>::infinity();
   const StaticProblem problem(assembler_, options_.make, options_.limits);
   ShapeFinder finder(scene_, assembler_, problem.gear_size(), problem.conservative());
   finder.add(best);
-  for (int look = 0; look < options_.looks && has_arrived(best) && !out_of_time(); ++look) {
-    ++turn_;
-    Displacements from = shaken(best.u, kLookShare);
-    if (is_stiff()) from = over_stiffness(from, best).value_or(from);
-    finder.add(solve_itself_off_saddles("look " + std::to_string(look + 1), from, limits));
-  }
+  for (int look = 1; look <= looks && work() <= worth && has_arrived(best) && !out_of_time(); ++look)
+    finder.add(
+        solve_itself_off_saddles("look " + std::to_string(look), start_of_look(look, start, best), limits));
   best = finder.best();
+}
+
+/// At first where it stands with nothing pressed; then from where it was found, shaken by an element's size,
+/// each time otherwise.
+Journey::Displacements Journey::start_of_look(int look, const Displacements& start, const Solution& best) {
+  if (look == 1)
+    if (const auto convex = over_tension_only(start, best)) return *convex;
+  ++turn_;
+  Displacements from = shaken(best.u, kLookShare);
+  return is_stiff() ? over_stiffness(from, best).value_or(from) : from;
+}
+
+/// Iterations of all legs, each times its unknowns.
+double Journey::work() const {
+  double sum = 0;
+  for (const Leg& leg : legs_)
+    sum += static_cast<double>(leg.books.iterations) * static_cast<double>(leg.unknowns);
+  return sum;
 }
 
 /// The scene itself, and where that ends at a saddle, again from a little aside; if it is stiff, by way of

@@ -23,6 +23,8 @@ struct JourneyOptions {
   int threads = 1;
   bool detours = true;  // else the scene itself only
   int looks = 0;        // for other shapes, from the one that was found
+  // In the place of a number: some after a long way, as long as they cost little.
+  static constexpr int kLooksThatSuit = -1;
   std::function<void(const IterationRecord&)> on_iteration;
 };
 
@@ -70,7 +72,9 @@ class Journey {
   std::optional<Displacements> over_relaxation(const Displacements& start, const Solution& best);
 
   Displacements shaken(Displacements u, double share) const;
-  void look_for_other_shapes(Solution& best, const Limits& limits);
+  void look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits);
+  Displacements start_of_look(int look, const Displacements& start, const Solution& best);
+  double work() const;
   Solution solve_itself_off_saddles(const std::string& name, const Displacements& start,
                                     const Limits& limits);
   Solution solve_itself(const std::string& name, const Displacements& start, const Limits& limits);

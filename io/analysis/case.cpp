@@ -76,9 +76,9 @@ Case::State Case::assemble() {
 }
 
 Solution Case::solve(const Watch& watch) {
-  Solution s = loaded_.analysis.settles                                      ? settle(watch)
-               : loaded_.analysis.continuation || loaded_.analysis.looks > 0 ? solve_by_journey(watch)
-                                                                             : solve_plainly(watch);
+  Solution s = loaded_.analysis.settles                                       ? settle(watch)
+               : loaded_.analysis.continuation || loaded_.analysis.looks != 0 ? solve_by_journey(watch)
+                                                                              : solve_plainly(watch);
   if (s.status != SolveStatus::converged) s.signs = diagnose(loaded_.scene, *assembler_, s);
   return s;
 }
@@ -180,7 +180,8 @@ Solution Case::solve_by_journey(const Watch& watch) {
   options.limits = loaded_.analysis.limits, options.limits.interrupt = watch.interrupt;
   options.make = make_factorisation, options.tangent = loaded_.analysis.tangent;
   options.threads = source_.threads, options.on_iteration = watch.on_iteration;
-  options.detours = watch.detours && loaded_.analysis.continuation, options.looks = loaded_.analysis.looks;
+  options.detours = watch.detours && loaded_.analysis.continuation;
+  options.looks = watch.detours ? loaded_.analysis.looks : std::max(0, loaded_.analysis.looks);
   Journey journey(loaded_.scene, *assembler_, registry_, options);
   std::vector<Leg> before;
   std::vector<double> start;

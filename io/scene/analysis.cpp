@@ -62,7 +62,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
   a.tangent = static_cast<TangentChoice>(keys.tangent);
   a.limits = {keys.tolerance, static_cast<int>(keys.max_iterations), keys.max_seconds, nullptr};
   a.kind = static_cast<AnalysisKind>(keys.kind);
-  a.looks = static_cast<int>(keys.looks);
+  a.looks = keys.looks < 0 && !a.automatic ? 0 : static_cast<int>(keys.looks);
   return a;
 }
 

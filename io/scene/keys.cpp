@@ -39,10 +39,12 @@ std::span<const netloft_parameter> analysis_keys() {
         "tangent", &AnalysisKeys::tangent,
         "what counts of the tangent of forces without an energy (drag): all, its symmetric part, nothing",
         {"exact", "symmetric", "elastic"});
-    t.integer("looks", &AnalysisKeys::looks,
-              "how often to look for other shapes in which the gear may stand, each time from the one found, "
-              "shaken by an element's size",
-              0, 1000, 0);
+    t.integer(
+        "looks", &AnalysisKeys::looks,
+        "how often to look for other shapes in which the gear may stand, from where nothing is pressed and "
+        "from the one found, shaken; -1: with solver auto up to four times after a long way, if that is "
+        "cheap",
+        -1, 1000, -1);
     return t;
   }();
   return table.rows();

@@ -17,7 +17,7 @@ struct AnalysisKeys {
   std::int64_t max_iterations = 0;
   double max_seconds = 0;
   std::int64_t tangent = 0;
-  std::int64_t looks = 0;
+  std::int64_t looks = -1;
 };
 
 /// `[gear]`, but for the table `finer`.

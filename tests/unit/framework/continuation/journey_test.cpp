@@ -83,6 +83,31 @@ TEST(Journey, FindsNoOtherShapeOfAGearThatHasOne) {
   EXPECT_TRUE(s.shapes.others.empty());
 }
 
+/// A folded chain of netting-like bars that is as stiff pressed as pulled: many shapes, and a long way to
+/// any.
+Scene crumpled_chain(int bars) {
+  Sketch s;
+  s.scene.water = {0, 9.81};
+  std::vector<std::uint32_t> chain;
+  for (int i = 0; i <= bars; ++i)
+    chain.push_back(s.node(0.02 * i, (i * 7 % 5) - 2.0, (i * 3 % 7) - 3.0, i % bars == 0 ? kAllAxes : 0));
+  const Values more = {{"rope.diameter", 0.02}, {"rope.EA_compression", 3e7}};
+  auto& part = s.rope("chain", chain, 1, 3e7);
+  part.parameters.insert(more.begin(), more.end());
+  return s.scene;
+}
+
+TEST(Journey, LooksForOtherShapesByItselfAfterALongWayOnly) {
+  const Solution near = travel(arch(), {}, JourneyOptions::kLooksThatSuit).solution,
+                 far = travel(crumpled_chain(60), {}, JourneyOptions::kLooksThatSuit).solution;
+  ASSERT_EQ(near.status, SolveStatus::converged) << near.reason;
+  ASSERT_EQ(far.status, SolveStatus::converged) << far.reason;
+  EXPECT_LT(near.books.iterations, 100);
+  EXPECT_EQ(near.shapes.looks, 0);
+  EXPECT_GT(far.books.iterations, 100);
+  EXPECT_GT(far.shapes.looks, 0);
+}
+
 /// A heavy rope of 20 bars that is 10 percent too long, folded to one side, `EA` in newtons.
 Scene slack_rope(double EA) {
   Sketch s;
