@@ -106,6 +106,18 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
   for (std::ptrdiff_t i = 0; i < count; ++i) y[i] -= a * x[i];
 }
 
+/// x ← a x, yⱼ ← yⱼ − bⱼ x for each of some columns; rows go on to the next multiple of kTileRows.
+template <class Register>
+NETLOFT_INLINE void scale_and_subtract(double a, double* x, std::ptrdiff_t count, const double* b, double* y,
+                                       std::ptrdiff_t columns, std::ptrdiff_t stride) {
+  using V = typename Register::V;
+  for (std::ptrdiff_t i = 0; i < count; i += Register::kLanes) {
+    const V scaled = *reinterpret_cast<const V*>(x + i) * a;
+    *reinterpret_cast<V*>(x + i) = scaled;
+    for (std::ptrdiff_t j = 0; j < columns; ++j) *reinterpret_cast<V*>(y + j * stride + i) -= scaled * b[j];
+  }
+}
+
 /// One pivot: its row, the column of L, and the rest of the columns before `end`.
 template <class Register>
 NETLOFT_INLINE Elimination eliminate_pivot(const FrontPanels& f, std::ptrdiff_t k, std::ptrdiff_t end,
@@ -118,12 +130,11 @@ NETLOFT_INLINE Elimination eliminate_pivot(const FrontPanels& f, std::ptrdiff_t 
     return {static_cast<std::int32_t>(k), pivot == 0 && below == 0};
   exchanged[k] = static_cast<std::int32_t>(row);
   if (row != k) exchange(f.left + k, f.left + row, n, stride);
-  const double reciprocal = 1 / pivot;
-  for (std::ptrdiff_t i = k + 1; i < rows; ++i) column[i] *= reciprocal;
-  for (std::ptrdiff_t j = k + 1; j < end; ++j) {
-    double* other = f.left + j * stride;
-    subtract(other[k], column + k + 1, rows - k - 1, other + k + 1);
-  }
+  double row_of_U[kBlock];
+  for (std::ptrdiff_t j = k + 1; j < end; ++j) row_of_U[j - k - 1] = f.left[k + j * stride];
+  double* below_pivot = column + k + 1;
+  scale_and_subtract<Register>(1 / pivot, below_pivot, rows - k - 1, row_of_U, below_pivot + stride,
+                               end - k - 1, stride);
   return {};
 }
 
@@ -177,8 +188,8 @@ NETLOFT_INLINE void solve_upper(const FrontPanels& f, const std::int32_t* exchan
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kBlock, n);
     for (; done < end; ++done)
-      for (std::ptrdiff_t j = done + 1; j < end; ++j)
-        subtract(f.left[j + done * across], f.upper + done * stride, u, f.upper + j * stride);
+      scale_and_subtract<Register>(1, f.upper + done * stride, u, f.left + done + 1 + done * across,
+                                   f.upper + (done + 1) * stride, end - done - 1, stride);
     const std::ptrdiff_t width = eliminated_together(end), begin = end - width,
                          last = std::min(end + width, n);
     if (end < n)
