@@ -67,23 +67,54 @@ NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::pt
   std::ptrdiff_t j = 0;
   for (; j + kColumns <= n; j += kColumns, b.at += kColumns * b.across)
     subtract_columns<Register, kColumns>(m, k, a, lda, b, c + j * ldc, ldc);
+  for (; j + 4 <= n; j += 4, b.at += 4 * b.across)
+    subtract_columns<Register, 4>(m, k, a, lda, b, c + j * ldc, ldc);
   for (; j + 2 <= n; j += 2, b.at += 2 * b.across)
     subtract_columns<Register, 2>(m, k, a, lda, b, c + j * ldc, ldc);
   if (j < n) subtract_columns<Register, 1>(m, k, a, lda, b, c + j * ldc, ldc);
 }
 
-template <class Register>
-NETLOFT_INLINE double sum_of_squares(const double* x, std::ptrdiff_t count) {
-  typename Register::V sums = {};
-  std::ptrdiff_t i = 0;
-  for (; i + Register::kLanes <= count; i += Register::kLanes) {
-    const typename Register::V part = *reinterpret_cast<const typename Register::V*>(x + i);
-    sums += part * part;
+/// X ← X S T⁻¹, S diagonal, T upper triangular with ones on its diagonal, both of kWidth columns: row by row
+/// in the registers. Adds the squares of all X to `squares`; rows go on to the next multiple of kTileRows.
+template <class Register, int kWidth>
+NETLOFT_INLINE void solve_rows_of_block(std::ptrdiff_t rows, double* x, std::ptrdiff_t stride, Factor T,
+                                        const double* S, double& squares) {
+  using V = typename Register::V;
+  V sum = {};
+  for (std::ptrdiff_t i = 0; i < rows; i += Register::kLanes) {
+    V row[kWidth];
+    for (int j = 0; j < kWidth; ++j) row[j] = *reinterpret_cast<const V*>(x + i + j * stride);
+    for (int k = 0; k < kWidth; ++k) {
+      row[k] *= S[k];
+      sum += row[k] * row[k];
+      for (int j = k + 1; j < kWidth; ++j) row[j] -= row[k] * T.at[k * T.down + j * T.across];
+    }
+    for (int j = 0; j < kWidth; ++j) *reinterpret_cast<V*>(x + i + j * stride) = row[j];
   }
-  double sum = 0;
-  for (int lane = 0; lane < Register::kLanes; ++lane) sum += sums[lane];
-  for (; i < count; ++i) sum += x[i] * x[i];
-  return sum;
+  for (int lane = 0; lane < Register::kLanes; ++lane) squares += sum[lane];
+}
+
+template <class Register>
+NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, double* x, std::ptrdiff_t stride,
+                                Factor T, const double* S, double& squares) {
+  switch (width) {
+    case 1:
+      return solve_rows_of_block<Register, 1>(rows, x, stride, T, S, squares);
+    case 2:
+      return solve_rows_of_block<Register, 2>(rows, x, stride, T, S, squares);
+    case 3:
+      return solve_rows_of_block<Register, 3>(rows, x, stride, T, S, squares);
+    case 4:
+      return solve_rows_of_block<Register, 4>(rows, x, stride, T, S, squares);
+    case 5:
+      return solve_rows_of_block<Register, 5>(rows, x, stride, T, S, squares);
+    case 6:
+      return solve_rows_of_block<Register, 6>(rows, x, stride, T, S, squares);
+    case 7:
+      return solve_rows_of_block<Register, 7>(rows, x, stride, T, S, squares);
+    default:
+      return solve_rows_of_block<Register, 8>(rows, x, stride, T, S, squares);
+  }
 }
 
 NETLOFT_INLINE std::ptrdiff_t row_of_largest(const double* column, std::ptrdiff_t from, std::ptrdiff_t to) {
@@ -106,35 +137,60 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
   for (std::ptrdiff_t i = 0; i < count; ++i) y[i] -= a * x[i];
 }
 
-/// x ← a x, yⱼ ← yⱼ − bⱼ x for each of some columns; rows go on to the next multiple of kTileRows.
-template <class Register>
-NETLOFT_INLINE void scale_and_subtract(double a, double* x, std::ptrdiff_t count, const double* b, double* y,
-                                       std::ptrdiff_t columns, std::ptrdiff_t stride) {
-  using V = typename Register::V;
-  for (std::ptrdiff_t i = 0; i < count; i += Register::kLanes) {
-    const V scaled = *reinterpret_cast<const V*>(x + i) * a;
-    *reinterpret_cast<V*>(x + i) = scaled;
-    for (std::ptrdiff_t j = 0; j < columns; ++j) *reinterpret_cast<V*>(y + j * stride + i) -= scaled * b[j];
-  }
-}
-
-/// One pivot: its row, the column of L, and the rest of the columns before `end`.
-template <class Register>
-NETLOFT_INLINE Elimination eliminate_pivot(const FrontPanels& f, std::ptrdiff_t k, std::ptrdiff_t end,
-                                           double least_pivot, std::int32_t* exchanged) {
-  const std::ptrdiff_t n = f.pivots, rows = n + f.others, stride = left_stride(n, f.others);
+/// One pivot among the rows of A₁₁: its row, its column of L, and the rest of the columns before `end`.
+NETLOFT_INLINE bool eliminate_pivot(const FrontPanels& f, std::ptrdiff_t k, std::ptrdiff_t end,
+                                    std::int32_t* exchanged) {
+  const std::ptrdiff_t n = f.pivots, stride = left_stride(n, f.others);
   double* column = f.left + k * stride;
   const std::ptrdiff_t row = row_of_largest(column, k, n);
-  const double pivot = column[row], below = std::sqrt(sum_of_squares<Register>(column + n, f.others));
-  if (!(std::abs(pivot) > least_pivot * below) || !std::isfinite(1 / pivot))
-    return {static_cast<std::int32_t>(k), pivot == 0 && below == 0};
+  if (column[row] == 0) return false;
   exchanged[k] = static_cast<std::int32_t>(row);
   if (row != k) exchange(f.left + k, f.left + row, n, stride);
-  double row_of_U[kBlock];
-  for (std::ptrdiff_t j = k + 1; j < end; ++j) row_of_U[j - k - 1] = f.left[k + j * stride];
-  double* below_pivot = column + k + 1;
-  scale_and_subtract<Register>(1 / pivot, below_pivot, rows - k - 1, row_of_U, below_pivot + stride,
-                               end - k - 1, stride);
+  const double reciprocal = 1 / column[k];
+  for (std::ptrdiff_t i = k + 1; i < n; ++i) column[i] *= reciprocal;
+  for (std::ptrdiff_t j = k + 1; j < end; ++j) {
+    double* other = f.left + j * stride;
+    subtract(other[k], column + k + 1, n - k - 1, other + k + 1);
+  }
+  return true;
+}
+
+/// L₂₁ in the columns from `begin` to `end`. -> the sum of its squares
+template <class Register>
+NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
+  const double* U = f.left + begin + begin * stride;
+  double T[kBlock * kBlock], S[kBlock], squares = 0;
+  for (std::ptrdiff_t k = 0; k < end - begin; ++k) {
+    S[k] = 1 / U[k + k * stride];
+    for (std::ptrdiff_t j = k + 1; j < end - begin; ++j) T[k * kBlock + j] = U[k + j * stride];
+  }
+  solve_block<Register>(end - begin, f.others, f.left + f.pivots + begin * stride, stride, {T, kBlock, 1}, S,
+                        squares);
+  return squares;
+}
+
+/// Whether column k of A₂₁ has nothing left when those from `begin` to k have been eliminated.
+template <class Register>
+NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k) {
+  const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
+  if (k > begin) solve_below<Register>(f, begin, k);
+  double* column = f.left + f.pivots + k * stride;
+  for (std::ptrdiff_t j = begin; j < k; ++j)
+    subtract(f.left[j + k * stride], f.left + f.pivots + j * stride, f.others, column);
+  for (std::ptrdiff_t i = 0; i < f.others; ++i)
+    if (column[i] != 0) return false;
+  return true;
+}
+
+template <class Register>
+NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
+                                           double least_pivot, std::int32_t* exchanged) {
+  for (std::ptrdiff_t k = begin; k < end; ++k)
+    if (!eliminate_pivot(f, k, end, exchanged))
+      return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k)};
+  const double squares = solve_below<Register>(f, begin, end);
+  if (!(least_pivot * least_pivot * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
   return {};
 }
 
@@ -165,10 +221,10 @@ NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, double least_piv
   const std::ptrdiff_t n = f.pivots, rows = n + f.others, stride = left_stride(n, f.others);
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kBlock, n);
-    for (; done < end; ++done)
-      if (const Elimination e = eliminate_pivot<Register>(f, done, end, least_pivot, exchanged);
-          e.stopped_at >= 0)
-        return e;
+    if (const Elimination e = eliminate_block<Register>(f, done, end, least_pivot, exchanged);
+        e.stopped_at >= 0)
+      return e;
+    done = end;
     if (end == n) break;
     const std::ptrdiff_t width = eliminated_together(end), begin = end - width,
                          last = std::min(end + width, n);
@@ -183,13 +239,15 @@ NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, double least_piv
 template <class Register>
 NETLOFT_INLINE void solve_upper(const FrontPanels& f, const std::int32_t* exchanged) {
   const std::ptrdiff_t n = f.pivots, u = f.others, across = left_stride(n, u), stride = upper_stride(u);
+  constexpr double kOnes[kBlock] = {1, 1, 1, 1, 1, 1, 1, 1};
+  double unused = 0;
   for (std::ptrdiff_t k = 0; k < n; ++k)
     if (exchanged[k] != k) exchange(f.upper + k * stride, f.upper + exchanged[k] * stride, u, 1);
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kBlock, n);
-    for (; done < end; ++done)
-      scale_and_subtract<Register>(1, f.upper + done * stride, u, f.left + done + 1 + done * across,
-                                   f.upper + (done + 1) * stride, end - done - 1, stride);
+    solve_block<Register>(end - done, u, f.upper + done * stride, stride,
+                          {f.left + done + done * across, across, 1}, kOnes, unused);
+    done = end;
     const std::ptrdiff_t width = eliminated_together(end), begin = end - width,
                          last = std::min(end + width, n);
     if (end < n)

@@ -25,15 +25,15 @@ constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t other
 
 /// How the elimination of a front ended.
 struct Elimination {
-  std::int32_t stopped_at = -1;  // pivot that is too small beside the rest of its column; -1: none
-  bool column_is_zero = false;   // the rest of it is zero, too
+  std::int32_t stopped_at = -1;  // pivot that is zero, or too small as one up to this; -1: none
+  bool column_is_zero = false;   // and so is all of its column
 };
 
 /// The dense work on a front, for the instructions this processor has:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
-/// P exchanges rows of A₁₁ alone, the largest entry of a column becomes its pivot. It stops at a pivot of
-/// less than `least_pivot` times the largest entry of A₂₁'s part of the column.
+/// P exchanges rows of A₁₁ alone, the largest entry of a column becomes its pivot. It stops where some
+/// columns of L₂₁ together have a norm of more than 1/least_pivot.
 struct FrontKernels {
   /// (1); `exchanged[k]` is the row that row k was exchanged with.
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
