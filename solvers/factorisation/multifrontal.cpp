@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -15,7 +17,7 @@
 namespace netloft {
 namespace {
 
-constexpr double kLeastPivot = 1e-8;      // of the norm of what is below it
+constexpr double kLeastPivot = 1e-8;      // one over the norm of some columns of L
 constexpr double kLargestError = 1e-9;    // (2), or another code has to do it
 constexpr double kErrorToRefine = 1e-12;  // (2), that is left as it is
 
@@ -54,7 +56,9 @@ class MultifrontalFactorisation final : public Factorisation {
  private:
   enum class State { none, own, spare };
 
+  void forget_room();
   void make_room();
+  bool has_room();
   bool gather(std::span<const double> values);
   Elimination eliminate_all(std::size_t& front);
   Elimination eliminate(std::size_t front);
@@ -93,25 +97,40 @@ void MultifrontalFactorisation::analyse(const SparsePattern& pattern) {
   assert(!pattern.symmetric);
   state_ = State::none;
   spare_.reset();
-  panels_.clear(), updates_[0].clear(), updates_[1].clear();
+  forget_room();
   tree_ = pattern.size > 0 ? make_front_tree(pattern, method_) : FrontTree{};
   pattern_ = &pattern;
 }
 
+void MultifrontalFactorisation::forget_room() {
+  panels_.clear();
+  for (Room& updates : updates_) updates.clear();
+}
+
 void MultifrontalFactorisation::make_room() {
   const auto size = static_cast<std::size_t>(pattern_->size);
-  panels_.resize(tree_.panels);
   for (int parity : {0, 1}) updates_[parity].resize(tree_.stack[parity]);
   values_.resize(pattern_->entries()), exchanged_.resize(size);
   for (auto* v : {&by_place_, &rhs_, &residual_, &sums_}) v->resize(size);
   of_front_.assign(static_cast<std::size_t>(tree_.most_unknowns) + kTileRows, 0.0);
+  panels_.resize(tree_.panels);
+}
+
+bool MultifrontalFactorisation::has_room() {
+  try {
+    if (panels_.is_empty()) make_room();
+    return true;
+  } catch (const std::bad_alloc&) {
+    forget_room();
+    return false;
+  }
 }
 
 FactorResult MultifrontalFactorisation::factorise(std::span<const double> values) {
   assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
   state_ = State::none, is_checked_ = false;
   if (pattern_->size > 0) {
-    if (panels_.is_empty()) make_room();
+    if (!has_room()) return {FactorStatus::out_of_memory};
     if (!gather(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};
     std::size_t front = 0;
     const Elimination e = eliminate_all(front);

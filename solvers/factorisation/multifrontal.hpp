@@ -18,7 +18,7 @@ using MakeSpare = std::function<std::unique_ptr<Factorisation>()>;
 /// `analyse`, and nothing is scaled, sorted or delayed afterwards: what other codes do so costs more than the
 /// arithmetic where matrices have some thousand unknowns. The price is that pivots may be poor. So a matrix
 /// goes to the factorisation that `make_spare` makes
-/// - if a pivot is less than 1e-8 of what is below it, beyond the pivots of its front;
+/// - if a pivot is zero, or less than 1e-8 of what is below it beyond the pivots of its front;
 /// - if in the first solve after a factorisation the backward error (2) of Oettli and Prager (1964) is larger
 ///   than 1e-9 even after a step of iterative refinement.
 /// A column of zeros makes the matrix singular at its unknown. From the second `factorise` on neither
