@@ -8,6 +8,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace netloft {
 
@@ -426,16 +427,37 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
   }
 }
 
-/// Adds the blocks of a full square.
-void add_square_blocks(const std::int32_t* map, std::size_t nodes, std::size_t count, const double* tangent,
-                       double* values) {
-  for (std::size_t P = 0; P < nodes; ++P)
-    for (std::size_t Q = 0; Q < nodes; ++Q, map += kLanes)
-      for (std::size_t r = 0; r < 3; ++r)
-        for (std::size_t c = 0; c < 3; ++c)
-          for (std::size_t lane = 0; lane < count; ++lane)
-            values[static_cast<std::size_t>(map[lane]) + 3 * r + c] +=
-                tangent[((3 * P + r) * 3 * nodes + 3 * Q + c) * kLanes + lane];
+/// Adds the blocks of a full square, corner by corner, together with those of a packed lower triangle.
+template <int Nodes>
+void add_square_blocks(const std::int32_t* map, std::size_t count, const double* __restrict square,
+                       const double* __restrict packed_tangent, double* values) {
+  for (int P = 0; P < Nodes; ++P)
+    for (int Q = 0; Q < Nodes; ++Q, map += kLanes) {
+      const double *unsymmetric[9], *symmetric[9];
+      for (int i = 0; i < 9; ++i) {
+        const auto row = static_cast<std::size_t>(3 * P + i / 3),
+                   column = static_cast<std::size_t>(3 * Q + i % 3);
+        unsymmetric[i] = square + (row * 3 * Nodes + column) * kLanes;
+        symmetric[i] = packed_tangent + (packed(std::max(row, column)) + std::min(row, column)) * kLanes;
+      }
+      for (std::size_t lane = 0; lane < count; ++lane)
+        for (int i = 0; i < 9; ++i) values[map[lane] + i] += unsymmetric[i][lane] + symmetric[i][lane];
+    }
+}
+
+/// Calls add(nodes of an element), known at compile time.
+template <class Add>
+void with_nodes(std::size_t dofs, const Add& add) {
+  switch (dofs) {
+    case 3:
+      return add(std::integral_constant<int, 1>{});
+    case 6:
+      return add(std::integral_constant<int, 2>{});
+    case 9:
+      return add(std::integral_constant<int, 3>{});
+    default:
+      return add(std::integral_constant<int, 4>{});
+  }
 }
 
 }  // namespace
@@ -462,25 +484,15 @@ void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* v
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
   const std::int32_t* map = &tiling.block_map[tile * tiling.blocks_per_element * kLanes];
+  const double* packed_tangent = w.packed_tangent.data();
   if (pattern_.symmetric) {
-    add_twins(tiling, tile, map, w.packed_tangent.data(), values);
-    switch (dofs) {
-      case 3:
-        return add_lower_blocks<1>(map, count, w.packed_tangent.data(), values);
-      case 6:
-        return add_lower_blocks<2>(map, count, w.packed_tangent.data(), values);
-      case 9:
-        return add_lower_blocks<3>(map, count, w.packed_tangent.data(), values);
-      default:
-        return add_lower_blocks<4>(map, count, w.packed_tangent.data(), values);
-    }
+    add_twins(tiling, tile, map, packed_tangent, values);
+    with_nodes(dofs, [&](auto nodes) { add_lower_blocks<nodes>(map, count, packed_tangent, values); });
+  } else {
+    with_nodes(dofs, [&](auto nodes) {
+      add_square_blocks<nodes>(map, count, w.square_tangent.data(), packed_tangent, values);
+    });
   }
-  for (std::size_t r = 0; r < dofs; ++r)
-    for (std::size_t c = 0; c < dofs; ++c)
-      for (std::size_t lane = 0; lane < count; ++lane)
-        w.square_tangent[(r * dofs + c) * kLanes + lane] +=
-            w.packed_tangent[(packed(std::max(r, c)) + std::min(r, c)) * kLanes + lane];
-  add_square_blocks(map, dofs / 3, count, w.square_tangent.data(), values);
 }
 
 void Assembler::report(std::size_t family, const netloft_tile& t, int status, Workspace& w) {

@@ -46,36 +46,44 @@ TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactori
   residual_.resize(x_.size()), mixed_.resize(x_.size());
   values_.resize(rest_->value_slots()), step_.resize(static_cast<std::size_t>(pattern.size));
   for (const AxialMember& m : members_) stiffness_[m.part] = std::max(stiffness_[m.part], m.EA);
-  find_places();
+  for (const AxialMember& m : members_) places_.push_back(places_of(m));
+  lines_.resize(members_.size()), changes_.resize(members_.size());
+  update_lines();
 }
 
-void TensionNewton::find_places() {
+TensionNewton::Places TensionNewton::places_of(const AxialMember& m) const {
   const Numbering& numbering = rest_->numbering();
   const SparsePattern& pattern = rest_->pattern();
-  places_.resize(members_.size());
-  for (std::size_t e = 0; e < members_.size(); ++e) {
-    const AxialMember& m = members_[e];
-    places_[e].fill(-1);
-    for (std::uint32_t row = 0; row < 3 * m.nodes; ++row)
-      for (std::uint32_t column = 0; column < 3 * m.nodes; ++column) {
-        const auto i = numbering.index(m.node[row / 3], static_cast<int>(row % 3));
-        const auto j = numbering.index(m.node[column / 3], static_cast<int>(column % 3));
-        const bool kept = i < pattern.size && j < pattern.size && (!pattern.symmetric || i >= j);
-        if (kept) places_[e][9 * row + column] = static_cast<std::int32_t>(find_slot(pattern, i, j));
-      }
-  }
+  Places places;
+  places.dof.fill(0), places.block.fill(-1);
+  for (std::uint32_t i = 0; i < 3 * m.nodes; ++i)
+    places.dof[i] = numbering.index(m.node[i / 3], static_cast<int>(i % 3));
+  for (std::uint32_t row = 0; row < 3 * m.nodes; ++row)
+    for (std::uint32_t column = 0; column < 3 * m.nodes; ++column) {
+      const std::int32_t i = places.dof[row], j = places.dof[column];
+      const bool kept = i < pattern.size && j < pattern.size && (!pattern.symmetric || i >= j);
+      if (!kept) continue;
+      const auto slot = static_cast<std::int32_t>(find_slot(pattern, i, j));
+      places.block[3 * (row / 3) + column / 3] = slot - static_cast<std::int32_t>(3 * (row % 3) + column % 3);
+    }
+  return places;
 }
 
-TensionNewton::Line TensionNewton::line(const AxialMember& m) const {
+TensionNewton::Line TensionNewton::line(std::size_t e) const {
+  const AxialMember& m = members_[e];
+  const Places& at = places_[e];
   Line line{};
   for (std::uint32_t k = 0; k < m.nodes; ++k)
-    for (int axis = 0; axis < 3; ++axis)
-      line.t[static_cast<std::size_t>(axis)] +=
-          m.c[k] * x_[static_cast<std::size_t>(rest_->numbering().index(m.node[k], axis))];
-  line.l = norm_of(line.t);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      line.t[axis] += m.c[k] * x_[static_cast<std::size_t>(at.dof[3 * k + axis])];
+  line.l = std::sqrt(dot(line.t, line.t));
   for (double& t : line.t) t /= line.l;
   line.strain = line.l / m.l0 - 1;
   return line;
+}
+
+void TensionNewton::update_lines() {
+  for (std::size_t e = 0; e < members_.size(); ++e) lines_[e] = line(e);
 }
 
 /// k of (1).
@@ -92,7 +100,7 @@ double TensionNewton::own_tension(std::size_t e, double strain) const {
 
 void TensionNewton::follow_positions() {
   tension_.resize(members_.size());
-  for (std::size_t e = 0; e < members_.size(); ++e) tension_[e] = own_tension(e, line(members_[e]).strain);
+  for (std::size_t e = 0; e < members_.size(); ++e) tension_[e] = own_tension(e, lines_[e].strain);
 }
 
 Leg TensionNewton::solve(const TensionStage& stage) {
@@ -144,19 +152,23 @@ bool TensionNewton::assemble() {
 
 void TensionNewton::add_member(std::size_t e) {
   const AxialMember& m = members_[e];
-  const Line now = line(m);
-  const double k = stiffness_now(e), T = tension_[e];
+  const Places& at = places_[e];
+  const Line& now = lines_[e];
+  const double k = stiffness_now(e), T = tension_[e], own = own_tension(e, now.strain),
+               linear = k * now.strain;
   const double all = T / now.l + damping_ * share_[m.part] * m.EA / m.l0, along = k / m.l0 - T / now.l;
-  for (std::uint32_t i = 0; i < 3 * m.nodes; ++i) {
-    const double ci = m.count * m.c[i / 3], ti = now.t[i % 3];
-    const auto at =
-        static_cast<std::size_t>(rest_->numbering().index(m.node[i / 3], static_cast<int>(i % 3)));
-    residual_[at] += ci * own_tension(e, now.strain) * ti;
-    mixed_[at] += ci * k * now.strain * ti;
-    for (std::uint32_t j = 0; j < 3 * m.nodes; ++j)
-      if (const auto place = places_[e][9 * i + j]; place >= 0)
-        values_[static_cast<std::size_t>(place)] +=
-            ci * m.c[j / 3] * (along * ti * now.t[j % 3] + (i % 3 == j % 3 ? all : 0.0));
+  std::array<double, 9> K;
+  for (std::size_t i = 0; i < 9; ++i) K[i] = along * now.t[i / 3] * now.t[i % 3] + (i % 4 == 0 ? all : 0.0);
+  for (std::uint32_t p = 0; p < m.nodes; ++p) {
+    const double c = m.count * m.c[p];
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      const auto dof = static_cast<std::size_t>(at.dof[3 * p + axis]);
+      residual_[dof] += c * own * now.t[axis];
+      mixed_[dof] += c * linear * now.t[axis];
+    }
+    for (std::uint32_t q = 0; q < m.nodes; ++q)
+      if (const std::int32_t block = at.block[3 * p + q]; block >= 0)
+        for (std::size_t i = 0; i < 9; ++i) values_[static_cast<std::size_t>(block) + i] += c * m.c[q] * K[i];
   }
 }
 
@@ -182,17 +194,20 @@ bool TensionNewton::find_step() {
   ++books_.solves;
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -mixed_[i];
   factorisation_->solve(step_, step_);
+  update_changes();
   return std::isfinite(norm_of(step_));
 }
 
-/// Σ c s of a member.
-std::array<double, 3> TensionNewton::change_of(const AxialMember& m) const {
-  std::array<double, 3> change{};
-  for (std::uint32_t i = 0; i < 3 * m.nodes; ++i) {
-    const auto at =
-        static_cast<std::size_t>(rest_->numbering().index(m.node[i / 3], static_cast<int>(i % 3)));
-    if (at < step_.size()) change[i % 3] += m.c[i / 3] * step_[at];
-  }
+void TensionNewton::update_changes() {
+  for (std::size_t e = 0; e < members_.size(); ++e) changes_[e] = change_of(e);
+}
+
+TensionNewton::Vector TensionNewton::change_of(std::size_t e) const {
+  const AxialMember& m = members_[e];
+  Vector change{};
+  for (std::uint32_t i = 0; i < 3 * m.nodes; ++i)
+    if (const auto dof = static_cast<std::size_t>(places_[e].dof[i]); dof < step_.size())
+      change[i % 3] += m.c[i / 3] * step_[dof];
   return change;
 }
 
@@ -200,10 +215,9 @@ double TensionNewton::largest_turn(bool taut_only) const {
   double largest = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {
     if (taut_only && tension_[e] <= 0) continue;
-    const Line now = line(members_[e]);
-    const auto change = change_of(members_[e]);
-    const double along = dot(change, now.t);
-    const double across = std::sqrt(std::max(0.0, dot(change, change) - along * along));
+    const Line& now = lines_[e];
+    const double along = dot(changes_[e], now.t);
+    const double across = std::sqrt(std::max(0.0, dot(changes_[e], changes_[e]) - along * along));
     largest = std::max(largest, across / std::max(now.l, members_[e].l0));
   }
   return largest;
@@ -213,14 +227,14 @@ double TensionNewton::largest_turn(bool taut_only) const {
 void TensionNewton::take(double a, bool from_afar) {
   if (!from_afar)
     for (std::size_t e = 0; e < members_.size(); ++e) {
-      const AxialMember& m = members_[e];
-      const Line now = line(m);
-      const double strain = now.strain + dot(now.t, change_of(m)) / m.l0;
+      const Line& now = lines_[e];
+      const double strain = now.strain + dot(now.t, changes_[e]) / members_[e].l0;
       const double next = tension_[e] <= 0 && strain > 0 ? own_tension(e, std::min(strain, kStrainOfTaut))
                                                          : stiffness_now(e) * strain;
       tension_[e] += a * (next - tension_[e]);
     }
   for (std::size_t i = 0; i < step_.size(); ++i) x_[i] += a * step_[i];
+  update_lines();
   if (from_afar) follow_positions();
 }
 

@@ -54,10 +54,18 @@ class TensionNewton {
     double l, strain;
     std::array<double, 3> t;
   };
-  Line line(const AxialMember& member) const;
+  using Vector = std::array<double, 3>;
+  /// Where a member's nodes stand, 3 each, and the blocks of their pairs, row by row, among the values; -1:
+  /// none.
+  struct Places {
+    std::array<std::int32_t, 9> dof, block;
+  };
+  Line line(std::size_t member) const;
   double stiffness_now(std::size_t member) const;
   double own_tension(std::size_t member, double strain) const;
-  void find_places();
+  Places places_of(const AxialMember& member) const;
+  void update_lines();
+  void update_changes();
   void follow_positions();
   bool assemble();
   void add_member(std::size_t member);
@@ -66,15 +74,17 @@ class TensionNewton {
   double largest_turn(bool taut_only) const;
   void take(double a, bool from_afar);
   void adapt(double a);
-  std::array<double, 3> change_of(const AxialMember& member) const;
+  Vector change_of(std::size_t member) const;
 
   Scene loose_;
   Plan plan_;
   std::unique_ptr<Assembler> rest_;  // all but the members
   std::unique_ptr<Factorisation> factorisation_;
   std::vector<AxialMember> members_;
-  std::vector<std::array<std::int32_t, 81>> places_;  // of each member's entries among the values; -1: none
-  std::vector<double> stiffness_, share_;             // by part
+  std::vector<Places> places_;
+  std::vector<Line> lines_;                // at x_
+  std::vector<Vector> changes_;            // Σ c s, by the whole step
+  std::vector<double> stiffness_, share_;  // by part
   std::vector<double> x_, tension_, mixed_, residual_, values_, step_;
   double damping_ = 0;
   Books books_;

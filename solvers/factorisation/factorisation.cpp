@@ -3,17 +3,26 @@
 
 #include "solvers/factorisation/cholmod.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
+#include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
 #include "solvers/factorisation/umfpack.hpp"
 
 namespace netloft {
 
+namespace {
+
+std::unique_ptr<Factorisation> make_spare() {
+  if (has_mumps()) return make_mumps_factorisation(MatrixClass::unsymmetric);
+  return make_umfpack_factorisation();
+}
+
+}  // namespace
+
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind) {
   if (kind == MatrixClass::positive_definite) return make_cholmod_factorisation();
+  if (kind == MatrixClass::unsymmetric) return make_multifrontal_factorisation(make_spare);
   if (has_mumps()) return make_mumps_factorisation(kind);
-  auto umfpack = make_umfpack_factorisation();
-  return kind == MatrixClass::unsymmetric ? std::move(umfpack)
-                                          : make_factorisation_of_lower_triangle(std::move(umfpack));
+  return make_factorisation_of_lower_triangle(make_umfpack_factorisation());
 }
 
 }  // namespace netloft

@@ -6,8 +6,9 @@
 
 namespace netloft {
 
-/// The factorisation to use: CHOLMOD for positive definite matrices, MUMPS for the others, or UMFPACK where
-/// there is no MUMPS. Fits `MakeFactorisation`.
+/// The factorisation to use: CHOLMOD for positive definite matrices, our own multifrontal one for unsymmetric
+/// ones, MUMPS for the others and for what our own hands over, or UMFPACK where there is no MUMPS. Fits
+/// `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
 }  // namespace netloft

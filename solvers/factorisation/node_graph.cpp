@@ -94,4 +94,18 @@ NodeGraph make_node_graph(const SparsePattern& pattern) {
   return graph;
 }
 
+cholmod_sparse view_of(NodeGraph& graph) {
+  cholmod_sparse view{};
+  view.nrow = view.ncol = static_cast<std::size_t>(graph.size);
+  view.nzmax = graph.row.size();
+  view.p = graph.column_start.data();
+  view.i = graph.row.data();
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_PATTERN;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.packed = 1;
+  return view;
+}
+
 }  // namespace netloft

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cholmod.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -23,5 +25,8 @@ struct NodeGraph {
 
 /// Takes symmetric patterns and unsymmetric ones, of which it keeps the union with the transpose.
 NodeGraph make_node_graph(const SparsePattern& pattern);
+
+/// As CHOLMOD reads it: the lower triangle of a pattern.
+cholmod_sparse view_of(NodeGraph& graph);
 
 }  // namespace netloft

@@ -9,19 +9,9 @@
 namespace netloft {
 namespace {
 
-cholmod_sparse view_of(NodeGraph& graph) {
-  cholmod_sparse view{};
-  view.nrow = view.ncol = static_cast<std::size_t>(graph.size);
-  view.nzmax = graph.row.size();
-  view.p = graph.column_start.data();
-  view.i = graph.row.data();
-  view.stype = -1;
-  view.itype = CHOLMOD_INT;
-  view.xtype = CHOLMOD_PATTERN;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.packed = 1;
-  return view;
-}
+// Nodes. On nets of 100 to 600 nodes METIS made factorisations of 1.02 to 1.7 times the operations, and took
+// as long as two of them.
+constexpr std::int32_t kWorthMetis = 700;
 
 std::vector<std::int32_t> expand_to_unknowns(const NodeGraph& graph, const int* vertex_order) {
   std::vector<std::int32_t> unknowns;
@@ -55,6 +45,7 @@ NodeOrdering order_by(int method, const char* name, NodeGraph& graph) {
 NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method) {
   const SingleThreadScope single_thread;
   NodeGraph graph = make_node_graph(pattern);
+  if (method == OrderingMethod::best && graph.size < kWorthMetis) method = OrderingMethod::amd;
   if (method == OrderingMethod::amd) return order_by(CHOLMOD_AMD, "AMD", graph);
   NodeOrdering metis = order_by(CHOLMOD_METIS, "METIS", graph);
   if (method == OrderingMethod::metis) return metis;

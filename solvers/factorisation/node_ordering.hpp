@@ -17,7 +17,8 @@ struct NodeOrdering {
   double flops = 0;                   // of a Cholesky factorisation of the node graph, one number per node
 };
 
-/// Orders the node graph of `pattern`; `best` tries both methods and takes the fewer operations.
+/// Orders the node graph of `pattern`; `best` tries both methods and takes the fewer operations, of some
+/// hundred nodes AMD's.
 /// Throws std::runtime_error when the memory runs out.
 NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method = OrderingMethod::best);
 

@@ -17,6 +17,7 @@
 #include "framework/scene/plan.hpp"
 #include "solvers/factorisation/cholmod.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
+#include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
 #include "solvers/factorisation/umfpack.hpp"
 #include "tests/support/sample_scenes.hpp"
@@ -103,11 +104,14 @@ void compare_indefinite(const char* what, const TestMatrix& m) {
   table.add("UMFPACK best", measure(*make_factorisation_of_lower_triangle(make_umfpack_factorisation()), m));
 }
 
+std::unique_ptr<Factorisation> make_umfpack() { return make_umfpack_factorisation(); }
+
 void compare_unsymmetric(const char* what, const TestMatrix& m) {
   Table table(what, m);
   if (has_mumps())
     table.add("MUMPS LU best", measure(*make_mumps_factorisation(MatrixClass::unsymmetric), m));
   table.add("UMFPACK best", measure(*make_umfpack_factorisation(), m));
+  table.add("multifrontal LU best", measure(*make_multifrontal_factorisation(make_umfpack), m));
 }
 
 /// A tangent of the panel across a current of `speed`, out of balance as in an iteration, plus `shift` times

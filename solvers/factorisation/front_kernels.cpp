@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/factorisation/front_kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft {
+namespace {
+
+#define NETLOFT_INLINE [[gnu::always_inline]] inline
+
+constexpr std::ptrdiff_t kBlock = 8;  // pivots that are eliminated one by one before the rest is updated
+
+/// As many doubles as one register holds, anywhere in memory, and how many columns a tile has so that its
+/// sums and a column of A stay in the registers.
+struct Two {
+  typedef double V __attribute__((vector_size(16), aligned(8), may_alias));
+  static constexpr int kLanes = 2, kTileColumns = 3;
+};
+struct Four {
+  typedef double V __attribute__((vector_size(32), aligned(8), may_alias));
+  static constexpr int kLanes = 4, kTileColumns = 6;
+};
+struct Eight {
+  typedef double V __attribute__((vector_size(64), aligned(8), may_alias));
+  static constexpr int kLanes = 8, kTileColumns = 8;
+};
+
+/// Entry (p, j) at at[p·down + j·across].
+struct Factor {
+  const double* at;
+  std::ptrdiff_t down, across;
+};
+
+template <class Register, int kColumns>
+NETLOFT_INLINE void subtract_tile(std::ptrdiff_t k, const double* a, std::ptrdiff_t lda, Factor b, double* c,
+                                  std::ptrdiff_t ldc) {
+  constexpr int kParts = static_cast<int>(kTileRows) / Register::kLanes;
+  typename Register::V sum[kColumns][kParts];
+  for (int j = 0; j < kColumns; ++j)
+    for (int i = 0; i < kParts; ++i)
+      sum[j][i] = *reinterpret_cast<const typename Register::V*>(c + j * ldc + i * Register::kLanes);
+  for (std::ptrdiff_t p = 0; p < k; ++p, a += lda, b.at += b.down) {
+    typename Register::V column[kParts];
+    for (int i = 0; i < kParts; ++i)
+      column[i] = *reinterpret_cast<const typename Register::V*>(a + i * Register::kLanes);
+    for (int j = 0; j < kColumns; ++j)
+      for (int i = 0; i < kParts; ++i) sum[j][i] -= column[i] * b.at[j * b.across];
+  }
+  for (int j = 0; j < kColumns; ++j)
+    for (int i = 0; i < kParts; ++i)
+      *reinterpret_cast<typename Register::V*>(c + j * ldc + i * Register::kLanes) = sum[j][i];
+}
+
+template <class Register, int kColumns>
+NETLOFT_INLINE void subtract_columns(std::ptrdiff_t m, std::ptrdiff_t k, const double* a, std::ptrdiff_t lda,
+                                     Factor b, double* c, std::ptrdiff_t ldc) {
+  for (std::ptrdiff_t i = 0; i < m; i += kTileRows)
+    subtract_tile<Register, kColumns>(k, a + i, lda, b, c + i, ldc);
+}
+
+/// C ← C − A B, C m × n, k columns in A; rows go on to the next multiple of kTileRows.
+template <class Register>
+NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::ptrdiff_t k, const double* a,
+                                     std::ptrdiff_t lda, Factor b, double* c, std::ptrdiff_t ldc) {
+  constexpr int kColumns = Register::kTileColumns;
+  std::ptrdiff_t j = 0;
+  for (; j + kColumns <= n; j += kColumns, b.at += kColumns * b.across)
+    subtract_columns<Register, kColumns>(m, k, a, lda, b, c + j * ldc, ldc);
+  for (; j + 4 <= n; j += 4, b.at += 4 * b.across)
+    subtract_columns<Register, 4>(m, k, a, lda, b, c + j * ldc, ldc);
+  for (; j + 2 <= n; j += 2, b.at += 2 * b.across)
+    subtract_columns<Register, 2>(m, k, a, lda, b, c + j * ldc, ldc);
+  if (j < n) subtract_columns<Register, 1>(m, k, a, lda, b, c + j * ldc, ldc);
+}
+
+/// X ← X S T⁻¹, S diagonal, T upper triangular with ones on its diagonal, both of kWidth columns: row by row
+/// in the registers. Adds the squares of all X to `squares`; rows go on to the next multiple of kTileRows.
+template <class Register, int kWidth>
+NETLOFT_INLINE void solve_rows_of_block(std::ptrdiff_t rows, double* x, std::ptrdiff_t stride, Factor T,
+                                        const double* S, double& squares) {
+  using V = typename Register::V;
+  V sum = {};
+  for (std::ptrdiff_t i = 0; i < rows; i += Register::kLanes) {
+    V row[kWidth];
+    for (int j = 0; j < kWidth; ++j) row[j] = *reinterpret_cast<const V*>(x + i + j * stride);
+    for (int k = 0; k < kWidth; ++k) {
+      row[k] *= S[k];
+      sum += row[k] * row[k];
+      for (int j = k + 1; j < kWidth; ++j) row[j] -= row[k] * T.at[k * T.down + j * T.across];
+    }
+    for (int j = 0; j < kWidth; ++j) *reinterpret_cast<V*>(x + i + j * stride) = row[j];
+  }
+  for (int lane = 0; lane < Register::kLanes; ++lane) squares += sum[lane];
+}
+
+template <class Register>
+NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, double* x, std::ptrdiff_t stride,
+                                Factor T, const double* S, double& squares) {
+  switch (width) {
+    case 1:
+      return solve_rows_of_block<Register, 1>(rows, x, stride, T, S, squares);
+    case 2:
+      return solve_rows_of_block<Register, 2>(rows, x, stride, T, S, squares);
+    case 3:
+      return solve_rows_of_block<Register, 3>(rows, x, stride, T, S, squares);
+    case 4:
+      return solve_rows_of_block<Register, 4>(rows, x, stride, T, S, squares);
+    case 5:
+      return solve_rows_of_block<Register, 5>(rows, x, stride, T, S, squares);
+    case 6:
+      return solve_rows_of_block<Register, 6>(rows, x, stride, T, S, squares);
+    case 7:
+      return solve_rows_of_block<Register, 7>(rows, x, stride, T, S, squares);
+    default:
+      return solve_rows_of_block<Register, 8>(rows, x, stride, T, S, squares);
+  }
+}
+
+NETLOFT_INLINE std::ptrdiff_t row_of_largest(const double* column, std::ptrdiff_t from, std::ptrdiff_t to) {
+  std::ptrdiff_t row = from;
+  for (std::ptrdiff_t i = from + 1; i < to; ++i)
+    if (std::abs(column[i]) > std::abs(column[row])) row = i;
+  return row;
+}
+
+NETLOFT_INLINE void exchange(double* x, double* y, std::ptrdiff_t count, std::ptrdiff_t stride) {
+  for (std::ptrdiff_t i = 0; i < count * stride; i += stride) {
+    const double kept = x[i];
+    x[i] = y[i];
+    y[i] = kept;
+  }
+}
+
+/// y ← y − a x
+NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, double* y) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) y[i] -= a * x[i];
+}
+
+/// One pivot among the rows of A₁₁: its row, its column of L, and the rest of the columns before `end`.
+NETLOFT_INLINE bool eliminate_pivot(const FrontPanels& f, std::ptrdiff_t k, std::ptrdiff_t end,
+                                    std::int32_t* exchanged) {
+  const std::ptrdiff_t n = f.pivots, stride = left_stride(n, f.others);
+  double* column = f.left + k * stride;
+  const std::ptrdiff_t row = row_of_largest(column, k, n);
+  if (column[row] == 0) return false;
+  exchanged[k] = static_cast<std::int32_t>(row);
+  if (row != k) exchange(f.left + k, f.left + row, n, stride);
+  const double reciprocal = 1 / column[k];
+  for (std::ptrdiff_t i = k + 1; i < n; ++i) column[i] *= reciprocal;
+  for (std::ptrdiff_t j = k + 1; j < end; ++j) {
+    double* other = f.left + j * stride;
+    subtract(other[k], column + k + 1, n - k - 1, other + k + 1);
+  }
+  return true;
+}
+
+/// L₂₁ in the columns from `begin` to `end`. -> the sum of its squares
+template <class Register>
+NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
+  const double* U = f.left + begin + begin * stride;
+  double T[kBlock * kBlock], S[kBlock], squares = 0;
+  for (std::ptrdiff_t k = 0; k < end - begin; ++k) {
+    S[k] = 1 / U[k + k * stride];
+    for (std::ptrdiff_t j = k + 1; j < end - begin; ++j) T[k * kBlock + j] = U[k + j * stride];
+  }
+  solve_block<Register>(end - begin, f.others, f.left + f.pivots + begin * stride, stride, {T, kBlock, 1}, S,
+                        squares);
+  return squares;
+}
+
+/// Whether column k of A₂₁ has nothing left when those from `begin` to k have been eliminated.
+template <class Register>
+NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k) {
+  const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
+  if (k > begin) solve_below<Register>(f, begin, k);
+  double* column = f.left + f.pivots + k * stride;
+  for (std::ptrdiff_t j = begin; j < k; ++j)
+    subtract(f.left[j + k * stride], f.left + f.pivots + j * stride, f.others, column);
+  for (std::ptrdiff_t i = 0; i < f.others; ++i)
+    if (column[i] != 0) return false;
+  return true;
+}
+
+template <class Register>
+NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
+                                           double least_pivot, std::int32_t* exchanged) {
+  for (std::ptrdiff_t k = begin; k < end; ++k)
+    if (!eliminate_pivot(f, k, end, exchanged))
+      return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k)};
+  const double squares = solve_below<Register>(f, begin, end);
+  if (!(least_pivot * least_pivot * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
+  return {};
+}
+
+/// How many pivots have been eliminated together when those before `end` are done, blocks drawn together in
+/// pairs, pairs in pairs and so on: as many columns are next, and updated by all of these at once.
+NETLOFT_INLINE std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
+
+/// U of the rows from `begin` to `end` in the columns from `end` to `last`.
+template <class Register>
+NETLOFT_INLINE void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
+                               std::ptrdiff_t last) {
+  const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
+  for (; begin < end; begin += kBlock) {
+    const std::ptrdiff_t next = begin + kBlock;
+    for (std::ptrdiff_t j = end; j < last; ++j) {
+      double* column = f.left + j * stride;
+      for (std::ptrdiff_t k = begin; k < next; ++k)
+        subtract(column[k], f.left + k * stride + k + 1, next - k - 1, column + k + 1);
+    }
+    subtract_product<Register>(end - next, last - end, kBlock, f.left + next + begin * stride, stride,
+                               {f.left + begin + end * stride, 1, stride}, f.left + next + end * stride,
+                               stride);
+  }
+}
+
+template <class Register>
+NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, double least_pivot, std::int32_t* exchanged) {
+  const std::ptrdiff_t n = f.pivots, rows = n + f.others, stride = left_stride(n, f.others);
+  for (std::ptrdiff_t done = 0; done < n;) {
+    const std::ptrdiff_t end = std::min(done + kBlock, n);
+    if (const Elimination e = eliminate_block<Register>(f, done, end, least_pivot, exchanged);
+        e.stopped_at >= 0)
+      return e;
+    done = end;
+    if (end == n) break;
+    const std::ptrdiff_t width = eliminated_together(end), begin = end - width,
+                         last = std::min(end + width, n);
+    solve_rows<Register>(f, begin, end, last);
+    subtract_product<Register>(rows - end, last - end, width, f.left + end + begin * stride, stride,
+                               {f.left + begin + end * stride, 1, stride}, f.left + end + end * stride,
+                               stride);
+  }
+  return {};
+}
+
+template <class Register>
+NETLOFT_INLINE void solve_upper(const FrontPanels& f, const std::int32_t* exchanged) {
+  const std::ptrdiff_t n = f.pivots, u = f.others, across = left_stride(n, u), stride = upper_stride(u);
+  constexpr double kOnes[kBlock] = {1, 1, 1, 1, 1, 1, 1, 1};
+  double unused = 0;
+  for (std::ptrdiff_t k = 0; k < n; ++k)
+    if (exchanged[k] != k) exchange(f.upper + k * stride, f.upper + exchanged[k] * stride, u, 1);
+  for (std::ptrdiff_t done = 0; done < n;) {
+    const std::ptrdiff_t end = std::min(done + kBlock, n);
+    solve_block<Register>(end - done, u, f.upper + done * stride, stride,
+                          {f.left + done + done * across, across, 1}, kOnes, unused);
+    done = end;
+    const std::ptrdiff_t width = eliminated_together(end), begin = end - width,
+                         last = std::min(end + width, n);
+    if (end < n)
+      subtract_product<Register>(u, last - end, width, f.upper + begin * stride, stride,
+                                 {f.left + end + begin * across, across, 1}, f.upper + end * stride, stride);
+  }
+}
+
+template <class Register>
+NETLOFT_INLINE Elimination eliminate(const FrontPanels& f, double least_pivot, std::int32_t* exchanged) {
+  const Elimination e = eliminate_left<Register>(f, least_pivot, exchanged);
+  if (e.stopped_at < 0) solve_upper<Register>(f, exchanged);
+  return e;
+}
+
+template <class Register>
+NETLOFT_INLINE void update(const FrontPanels& f, double* C) {
+  const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u);
+  subtract_product<Register>(u, u, n, f.left + n, left_stride(n, u), {f.upper, stride, 1}, C, stride);
+}
+
+template <class Register>
+NETLOFT_INLINE void forward(const FrontPanels& f, double* y) {
+  const std::ptrdiff_t n = f.pivots, rows = n + f.others, stride = left_stride(n, f.others);
+  for (std::ptrdiff_t begin = 0; begin < n; begin += kBlock) {
+    const std::ptrdiff_t end = std::min(begin + kBlock, n);
+    for (std::ptrdiff_t k = begin; k < end; ++k)
+      subtract(y[k], f.left + k * stride + k + 1, end - k - 1, y + k + 1);
+    subtract_columns<Register, 1>(rows - end, end - begin, f.left + end + begin * stride, stride,
+                                  {y + begin, 1, 0}, y + end, 0);
+  }
+}
+
+/// y₁[k …] ← y₁[k …] − (U₁₂ y₂)[k …], kColumns of them.
+template <class Register, int kColumns>
+NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const double* x,
+                                  std::ptrdiff_t count, double* y) {
+  typename Register::V sum[kColumns] = {};
+  std::ptrdiff_t i = 0;
+  for (; i + Register::kLanes <= count; i += Register::kLanes)
+    for (int j = 0; j < kColumns; ++j)
+      sum[j] += *reinterpret_cast<const typename Register::V*>(a + j * stride + i) *
+                *reinterpret_cast<const typename Register::V*>(x + i);
+  for (int j = 0; j < kColumns; ++j) {
+    double total = 0;
+    for (int lane = 0; lane < Register::kLanes; ++lane) total += sum[j][lane];
+    for (std::ptrdiff_t rest = i; rest < count; ++rest) total += a[j * stride + rest] * x[rest];
+    y[j] -= total;
+  }
+}
+
+template <class Register>
+NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
+  const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u), down = left_stride(n, u);
+  std::ptrdiff_t k = 0;
+  for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, u, y + k);
+  for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, u, y + k);
+  for (k = n - 1; k >= 0; --k) {
+    y[k] /= f.left[k + k * down];
+    subtract(y[k], f.left + k * down, k, y);
+  }
+}
+
+/// The same for one set of instructions.
+#define NETLOFT_KERNELS(name, Register, ...)                                                                 \
+  struct name {                                                                                              \
+    __VA_ARGS__ static Elimination eliminate(const FrontPanels& f, double least, std::int32_t* exchanged) {  \
+      return netloft::eliminate<Register>(f, least, exchanged);                                              \
+    }                                                                                                        \
+    __VA_ARGS__ static void update(const FrontPanels& f, double* C) { netloft::update<Register>(f, C); }     \
+    __VA_ARGS__ static void forward(const FrontPanels& f, double* y) { netloft::forward<Register>(f, y); }   \
+    __VA_ARGS__ static void backward(const FrontPanels& f, double* y) { netloft::backward<Register>(f, y); } \
+    static constexpr FrontKernels all{eliminate, update, forward, backward};                                 \
+  };
+
+NETLOFT_KERNELS(Plain, Two, )
+#if defined(__x86_64__)
+NETLOFT_KERNELS(Avx2, Four, [[gnu::target("avx2,fma")]])
+NETLOFT_KERNELS(Avx512, Eight, [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma")]])
+#endif
+
+}  // namespace
+
+std::vector<FrontKernels> front_kernels_here() {
+  std::vector<FrontKernels> here{Plain::all};
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (avx2) here.push_back(Avx2::all);
+  if (avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    here.push_back(Avx512::all);
+#endif
+  return here;
+}
+
+const FrontKernels& front_kernels() {
+  static const FrontKernels best = front_kernels_here().back();
+  return best;
+}
+
+}  // namespace netloft

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "framework/problem/factorisation.hpp"
+#include "solvers/factorisation/node_ordering.hpp"
+
+namespace netloft {
+
+/// A dense piece of the elimination: n pivots, and the u other unknowns that they are coupled with by then.
+struct Front {
+  std::int32_t first = 0;    // of its pivots, in the order of elimination
+  std::int32_t pivots = 0;   // n
+  std::int32_t others = 0;   // u
+  std::int32_t parent = -1;  // front of the first of the others
+  std::size_t indices = 0;   // of the others, in FrontTree::other and FrontTree::place
+  std::size_t panels = 0;    // in the factors
+  std::size_t update = 0;    // in the stack of its parity
+  std::size_t entries = 0;   // of the matrix, in FrontTree::source and FrontTree::target
+};
+
+/// How a matrix of symmetric pattern is eliminated front by front (Duff and Reid 1983): every front adds up
+/// its entries of the matrix and what its children leave, eliminates its pivots, and leaves
+///   C = Σ C_child − L₂₁ U₁₂                                               (1)
+/// to its parent. Children come before parents. Updates lie on two stacks, by the parity of a front's depth:
+/// children are on top of the one when their parent pushes its own onto the other.
+struct FrontTree {
+  std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
+  std::vector<Front> fronts;          // and one more, where all ends
+  std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
+  std::vector<std::int32_t> place;    // of each of them among the unknowns of its parent, pivots first
+  std::vector<std::int32_t> child_start, child;
+  std::vector<std::uint8_t> parity;    // of the depth of each front
+  std::vector<std::uint32_t> source;   // entry of the pattern ...
+  std::vector<std::uint32_t> target;   // ... and its place in the panels of its front
+  std::size_t panels = 0, stack[2]{};  // doubles
+  std::int32_t most_unknowns = 0;      // of a front
+  double entries = 0, flops = 0;       // of the factors
+  std::string ordering;
+};
+
+/// Orders `pattern`, draws small fronts together as CHOLMOD does its supernodes, and works out where
+/// everything goes. Throws std::runtime_error when it cannot.
+FrontTree make_front_tree(const SparsePattern& pattern, OrderingMethod method);
+
+}  // namespace netloft

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/factorisation/multifrontal.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "solvers/factorisation/finite_values.hpp"
+#include "solvers/factorisation/front_kernels.hpp"
+#include "solvers/factorisation/front_tree.hpp"
+
+namespace netloft {
+namespace {
+
+constexpr double kLeastPivot = 1e-8;      // one over the norm of some columns of L
+constexpr double kLargestError = 1e-9;    // (2), or another code has to do it
+constexpr double kErrorToRefine = 1e-12;  // (2), that is left as it is
+
+/// Doubles, not set to anything, that begin with a cache line.
+class Room {
+ public:
+  void resize(std::size_t count) {
+    all_.reset();
+    all_.reset(new double[count + kLine]);
+    void* begin = all_.get();
+    std::size_t bytes = (count + kLine) * sizeof(double);
+    begin_ = static_cast<double*>(std::align(kLine * sizeof(double), count * sizeof(double), begin, bytes));
+  }
+  void clear() { all_.reset(), begin_ = nullptr; }
+  bool is_empty() const { return begin_ == nullptr; }
+  double* at(std::size_t i) { return begin_ + i; }
+
+ private:
+  static constexpr std::size_t kLine = 8;
+  std::unique_ptr<double[]> all_;
+  double* begin_ = nullptr;
+};
+
+class MultifrontalFactorisation final : public Factorisation {
+ public:
+  MultifrontalFactorisation(MakeSpare make_spare, OrderingMethod method)
+      : make_spare_(std::move(make_spare)), method_(method) {}
+
+  std::string description() const override;
+  void analyse(const SparsePattern& pattern) override;
+  FactorResult factorise(std::span<const double> values) override;
+  void solve(std::span<const double> rhs, std::span<double> x) override;
+  double factor_entries() const override { return tree_.entries; }
+  double factor_flops() const override { return tree_.flops; }
+
+ private:
+  enum class State { none, own, spare };
+
+  void forget_room();
+  void make_room();
+  bool has_room();
+  bool gather(std::span<const double> values);
+  Elimination eliminate_all(std::size_t& front);
+  Elimination eliminate(std::size_t front);
+  FrontPanels panels_of(std::size_t front);
+  double* update_of(std::size_t front);
+  void add_entries(std::size_t front);
+  void add_child(std::size_t child, const FrontPanels& parent, double* parent_update);
+  FactorResult hand_over();
+  void solve_alone(std::span<double> x);
+  void forward(std::size_t front);
+  void backward(std::size_t front);
+  double find_residual(std::span<const double> x, std::span<const double> rhs);
+  void check(std::span<double> x);
+
+  MakeSpare make_spare_;
+  OrderingMethod method_;
+  const SparsePattern* pattern_ = nullptr;
+  FrontTree tree_;
+  const FrontKernels& kernels_ = front_kernels();
+  std::vector<double> values_;  // of the entries
+  Room panels_, updates_[2];
+  std::vector<std::int32_t> exchanged_;  // rows, by place
+  std::vector<double> by_place_, of_front_, rhs_, residual_, sums_;
+  SparsePattern spare_pattern_;  // with values_ as they are
+  std::unique_ptr<Factorisation> spare_;
+  State state_ = State::none;
+  bool is_checked_ = false;
+};
+
+std::string MultifrontalFactorisation::description() const {
+  const std::string text = "multifrontal LU";
+  return tree_.ordering.empty() ? text : text + ", " + tree_.ordering + " on the node graph";
+}
+
+void MultifrontalFactorisation::analyse(const SparsePattern& pattern) {
+  assert(!pattern.symmetric);
+  state_ = State::none;
+  spare_.reset();
+  forget_room();
+  tree_ = pattern.size > 0 ? make_front_tree(pattern, method_) : FrontTree{};
+  pattern_ = &pattern;
+}
+
+void MultifrontalFactorisation::forget_room() {
+  panels_.clear();
+  for (Room& updates : updates_) updates.clear();
+}
+
+void MultifrontalFactorisation::make_room() {
+  const auto size = static_cast<std::size_t>(pattern_->size);
+  for (int parity : {0, 1}) updates_[parity].resize(tree_.stack[parity]);
+  values_.resize(pattern_->entries()), exchanged_.resize(size);
+  for (auto* v : {&by_place_, &rhs_, &residual_, &sums_}) v->resize(size);
+  of_front_.assign(static_cast<std::size_t>(tree_.most_unknowns) + kTileRows, 0.0);
+  panels_.resize(tree_.panels);
+}
+
+bool MultifrontalFactorisation::has_room() {
+  try {
+    if (panels_.is_empty()) make_room();
+    return true;
+  } catch (const std::bad_alloc&) {
+    forget_room();
+    return false;
+  }
+}
+
+FactorResult MultifrontalFactorisation::factorise(std::span<const double> values) {
+  assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
+  state_ = State::none, is_checked_ = false;
+  if (pattern_->size > 0) {
+    if (!has_room()) return {FactorStatus::out_of_memory};
+    if (!gather(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};
+    std::size_t front = 0;
+    const Elimination e = eliminate_all(front);
+    if (e.column_is_zero)
+      return {FactorStatus::singular, tree_.unknown[tree_.fronts[front].first + e.stopped_at]};
+    if (e.stopped_at >= 0) return hand_over();
+  }
+  state_ = State::own;
+  return {};
+}
+
+/// False if some are not finite.
+bool MultifrontalFactorisation::gather(std::span<const double> values) {
+  const std::int32_t* slot = pattern_->slot.empty() ? nullptr : pattern_->slot.data();
+  bool finite = true;
+  for (std::size_t e = 0; e < values_.size(); ++e) {
+    values_[e] = values[slot ? static_cast<std::size_t>(slot[e]) : e];
+    finite &= std::abs(values_[e]) <= std::numeric_limits<double>::max();
+  }
+  return finite;
+}
+
+Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
+  for (front = 0; front + 1 < tree_.fronts.size(); ++front)
+    if (const Elimination e = eliminate(front); e.stopped_at >= 0) return e;
+  return {};
+}
+
+FrontPanels MultifrontalFactorisation::panels_of(std::size_t front) {
+  const Front& f = tree_.fronts[front];
+  double* left = panels_.at(f.panels);
+  return {f.pivots, f.others, left, left + f.pivots * left_stride(f.pivots, f.others)};
+}
+
+double* MultifrontalFactorisation::update_of(std::size_t front) {
+  return updates_[tree_.parity[front]].at(tree_.fronts[front].update);
+}
+
+Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
+  const Front& f = tree_.fronts[front];
+  const FrontPanels panels = panels_of(front);
+  double* update = update_of(front);
+  std::fill(panels_.at(f.panels), panels_.at(tree_.fronts[front + 1].panels), 0.0);
+  std::fill_n(update, f.others * upper_stride(f.others), 0.0);
+  add_entries(front);
+  for (std::int32_t c = tree_.child_start[front]; c < tree_.child_start[front + 1]; ++c)
+    add_child(static_cast<std::size_t>(tree_.child[c]), panels, update);
+  const Elimination e = kernels_.eliminate(panels, kLeastPivot, exchanged_.data() + f.first);
+  if (e.stopped_at < 0) kernels_.update(panels, update);
+  return e;
+}
+
+void MultifrontalFactorisation::add_entries(std::size_t front) {
+  double* panels = panels_.at(tree_.fronts[front].panels);
+  for (std::size_t k = tree_.fronts[front].entries; k < tree_.fronts[front + 1].entries; ++k)
+    panels[tree_.target[k]] += values_[tree_.source[k]];
+}
+
+/// The sum of (1) of the tree.
+void MultifrontalFactorisation::add_child(std::size_t child, const FrontPanels& parent,
+                                          double* parent_update) {
+  const Front& f = tree_.fronts[child];
+  const std::int32_t n = parent.pivots, *place = tree_.place.data() + f.indices;
+  const std::ptrdiff_t from_stride = upper_stride(f.others), stride = upper_stride(parent.others),
+                       left = left_stride(n, parent.others);
+  const std::ptrdiff_t among_pivots = std::lower_bound(place, place + f.others, n) - place;
+  const double* from = update_of(child);
+  for (std::ptrdiff_t j = 0; j < among_pivots; ++j, from += from_stride) {
+    double* to = parent.left + place[j] * left;
+    for (std::ptrdiff_t i = 0; i < f.others; ++i) to[place[i]] += from[i];
+  }
+  for (std::ptrdiff_t j = among_pivots; j < f.others; ++j, from += from_stride) {
+    double *upper = parent.upper + (place[j] - n), *to = parent_update + (place[j] - n) * stride - n;
+    for (std::ptrdiff_t i = 0; i < among_pivots; ++i) upper[place[i] * stride] += from[i];
+    for (std::ptrdiff_t i = among_pivots; i < f.others; ++i) to[place[i]] += from[i];
+  }
+}
+
+/// Lets the spare factorise the same values.
+FactorResult MultifrontalFactorisation::hand_over() {
+  if (!spare_) {
+    spare_pattern_ = *pattern_;
+    spare_pattern_.slot.clear();
+    spare_ = make_spare_();
+    spare_->analyse(spare_pattern_);
+  }
+  const FactorResult result = spare_->factorise(values_);
+  if (result.status == FactorStatus::ok) state_ = State::spare;
+  return result;
+}
+
+void MultifrontalFactorisation::solve(std::span<const double> rhs, std::span<double> x) {
+  assert(state_ != State::none);
+  if (pattern_->size == 0) return;
+  assert(rhs.size() == static_cast<std::size_t>(pattern_->size) && x.size() == rhs.size());
+  if (state_ == State::spare) return spare_->solve(rhs, x);
+  if (!is_checked_) std::copy(rhs.begin(), rhs.end(), rhs_.begin());
+  if (x.data() != rhs.data()) std::copy(rhs.begin(), rhs.end(), x.begin());
+  solve_alone(x);
+  if (!is_checked_) check(x);
+}
+
+void MultifrontalFactorisation::solve_alone(std::span<double> x) {
+  for (std::size_t k = 0; k < by_place_.size(); ++k) by_place_[k] = x[tree_.unknown[k]];
+  const std::size_t fronts = tree_.fronts.size() - 1;
+  for (std::size_t front = 0; front < fronts; ++front) forward(front);
+  for (std::size_t front = fronts; front-- > 0;) backward(front);
+  for (std::size_t k = 0; k < by_place_.size(); ++k) x[tree_.unknown[k]] = by_place_[k];
+}
+
+void MultifrontalFactorisation::forward(std::size_t front) {
+  const Front& f = tree_.fronts[front];
+  double *own = by_place_.data() + f.first, *y = of_front_.data();
+  const std::int32_t *exchanged = exchanged_.data() + f.first, *other = tree_.other.data() + f.indices;
+  for (std::int32_t k = 0; k < f.pivots; ++k) std::swap(own[k], own[exchanged[k]]);
+  std::copy_n(own, f.pivots, y);
+  std::fill_n(y + f.pivots, f.others, 0.0);
+  kernels_.forward(panels_of(front), y);
+  std::copy_n(y, f.pivots, own);
+  for (std::int32_t i = 0; i < f.others; ++i) by_place_[other[i]] += y[f.pivots + i];
+}
+
+void MultifrontalFactorisation::backward(std::size_t front) {
+  const Front& f = tree_.fronts[front];
+  double *own = by_place_.data() + f.first, *y = of_front_.data();
+  const std::int32_t* other = tree_.other.data() + f.indices;
+  std::copy_n(own, f.pivots, y);
+  for (std::int32_t i = 0; i < f.others; ++i) y[f.pivots + i] = by_place_[other[i]];
+  kernels_.backward(panels_of(front), y);
+  std::copy_n(y, f.pivots, own);
+}
+
+/// b − A x, and (2).
+double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
+  for (std::size_t i = 0; i < rhs.size(); ++i) residual_[i] = rhs[i], sums_[i] = std::abs(rhs[i]);
+  for (std::int32_t column = 0; column < pattern_->size; ++column)
+    for (std::int32_t e = pattern_->column_start[column]; e < pattern_->column_start[column + 1]; ++e) {
+      const double product = values_[e] * x[column];
+      residual_[pattern_->row[e]] -= product;
+      sums_[pattern_->row[e]] += std::abs(product);
+    }
+  double error = 0;
+  for (std::size_t i = 0; i < rhs.size(); ++i) {
+    if (!std::isfinite(sums_[i])) return std::numeric_limits<double>::infinity();
+    if (std::abs(residual_[i]) > error * sums_[i]) error = std::abs(residual_[i]) / sums_[i];
+  }
+  return error;
+}
+
+void MultifrontalFactorisation::check(std::span<double> x) {
+  is_checked_ = true;
+  double error = find_residual(x, rhs_);
+  if (error > kErrorToRefine) {
+    solve_alone(residual_);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual_[i];
+    error = find_residual(x, rhs_);
+  }
+  // A spare that cannot either leaves what there is.
+  if (!(error <= kLargestError) && hand_over().status == FactorStatus::ok) spare_->solve(rhs_, x);
+}
+
+}  // namespace
+
+std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_spare, OrderingMethod method) {
+  return std::make_unique<MultifrontalFactorisation>(std::move(make_spare), method);
+}
+
+}  // namespace netloft

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/factorisation/multifrontal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+
+#include "solvers/factorisation/umfpack.hpp"
+#include "tests/unit/solvers/factorisation/net_matrix.hpp"
+
+namespace netloft {
+namespace {
+
+constexpr double kRoundOff = 1e-14;  // backward error of a stable factorisation: some tens of eps
+
+/// UMFPACK, and how often it was asked.
+class Spare final : public Factorisation {
+ public:
+  explicit Spare(int& asked) : asked_(asked) {}
+  std::string description() const override { return inner_->description(); }
+  void analyse(const SparsePattern& pattern) override { inner_->analyse(pattern); }
+  FactorResult factorise(std::span<const double> values) override {
+    ++asked_;
+    return inner_->factorise(values);
+  }
+  void solve(std::span<const double> rhs, std::span<double> x) override { inner_->solve(rhs, x); }
+
+ private:
+  int& asked_;
+  std::unique_ptr<Factorisation> inner_ = make_umfpack_factorisation();
+};
+
+class Multifrontal : public testing::Test {
+ protected:
+  std::unique_ptr<Factorisation> make(OrderingMethod method = OrderingMethod::best) {
+    return make_multifrontal_factorisation([this] { return std::make_unique<Spare>(handed_over_); }, method);
+  }
+  int handed_over_ = 0;
+};
+
+std::vector<double> made_up_vector(std::int32_t size) {
+  std::vector<double> b(size);
+  for (std::int32_t i = 0; i < size; ++i) b[i] = std::cos(0.3 * i);
+  return b;
+}
+
+double error_of_solving_again(Factorisation& factorisation, const TestMatrix& matrix) {
+  EXPECT_EQ(factorisation.factorise(matrix.value).status, FactorStatus::ok);
+  const auto b = made_up_vector(matrix.pattern.size);
+  std::vector<double> x(b.size());
+  factorisation.solve(b, x);
+  return matrix.backward_error(x, b);
+}
+
+double error_of_solving(Factorisation& factorisation, const TestMatrix& matrix) {
+  factorisation.analyse(matrix.pattern);
+  return error_of_solving_again(factorisation, matrix);
+}
+
+/// Values of a net's pattern that have nothing to do with one another, but for the diagonal.
+TestMatrix make_random_matrix(NetOptions options, unsigned seed, double diagonal) {
+  options.symmetric = false;
+  TestMatrix matrix = make_net_matrix(options);
+  std::mt19937 random(seed);
+  for (std::int32_t c = 0; c < matrix.pattern.size; ++c)
+    for (std::int32_t e = matrix.pattern.column_start[c]; e < matrix.pattern.column_start[c + 1]; ++e)
+      matrix.value[e] =
+          static_cast<double>(random()) / 0x1p31 - 1 + (matrix.pattern.row[e] == c ? diagonal : 0);
+  return matrix;
+}
+
+TEST_F(Multifrontal, SolvesThreeEquationsAsByHand) {
+  // [4 2 0; -2 5 3; 0 1 10] x = [8; 17; 32]  ->  x = [1; 2; 3]
+  const TestMatrix matrix = make_dense_matrix({{4, 2, 0}, {-2, 5, 3}, {0, 1, 10}}, false);
+  const auto factorisation = make();
+  factorisation->analyse(matrix.pattern);
+  ASSERT_EQ(factorisation->factorise(matrix.value).status, FactorStatus::ok);
+  std::vector<double> x{8, 17, 32};
+  factorisation->solve(x, x);
+  EXPECT_NEAR(x[0], 1, 1e-14);
+  EXPECT_NEAR(x[1], 2, 1e-14);
+  EXPECT_NEAR(x[2], 3, 1e-14);
+}
+
+TEST_F(Multifrontal, SolvesRandomMatricesAsADenseFactorisationDoes) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const int rings = 2 + static_cast<int>(seed % 7), around = 3 + static_cast<int>(seed % 5);
+    const TestMatrix m =
+        make_random_matrix({.rings = rings, .nodes_per_ring = around, .diagonals = seed % 2 == 0}, seed, 8);
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(m.pattern.size, m.pattern.size);
+    for (std::int32_t c = 0; c < m.pattern.size; ++c)
+      for (std::int32_t e = m.pattern.column_start[c]; e < m.pattern.column_start[c + 1]; ++e)
+        dense(m.pattern.row[e], c) = m.value[e];
+    const auto b = made_up_vector(m.pattern.size);
+    const Eigen::VectorXd expected =
+        dense.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), dense.rows()));
+    const auto factorisation = make();
+    factorisation->analyse(m.pattern);
+    ASSERT_EQ(factorisation->factorise(m.value).status, FactorStatus::ok);
+    Eigen::VectorXd x(dense.rows());
+    factorisation->solve(b, {x.data(), b.size()});
+    EXPECT_LT((x - expected).norm(), 1e-11 * expected.norm()) << seed;
+  }
+  EXPECT_EQ(handed_over_, 0);
+}
+
+TEST_F(Multifrontal, SolvesANetWithSkewDragWithEachOrdering) {
+  const TestMatrix net = make_net_matrix({.symmetric = false, .ground = 10, .skew = 3});
+  for (const OrderingMethod method : {OrderingMethod::amd, OrderingMethod::metis, OrderingMethod::best})
+    EXPECT_LT(error_of_solving(*make(method), net), kRoundOff);
+  EXPECT_EQ(handed_over_, 0);
+}
+
+TEST_F(Multifrontal, SolvesALargeNetAlone) {
+  const TestMatrix net = make_net_matrix({.rings = 60, .nodes_per_ring = 60, .symmetric = false, .skew = 3});
+  EXPECT_LT(error_of_solving(*make(), net), kRoundOff);
+  EXPECT_EQ(handed_over_, 0);
+}
+
+TEST_F(Multifrontal, SolvesWithFixedUnknowns) {
+  const TestMatrix net = make_net_matrix({.symmetric = false, .skew = 1, .is_fixed = [](int node, int axis) {
+                                            return node < 20 || (node % 5 == 0 && axis == 1);
+                                          }});
+  EXPECT_LT(error_of_solving(*make(), net), kRoundOff);
+}
+
+TEST_F(Multifrontal, SolvesPartsThatDoNotHangTogether) {
+  const TestMatrix matrix =
+      make_dense_matrix({{2, 0, 0, 0}, {0, 1, 3, 0}, {0, 4, 5, 0}, {0, 0, 0, 7}}, false);
+  TestMatrix apart = matrix;  // the same without its zeros
+  apart.pattern.column_start = {0, 1, 3, 5, 6};
+  apart.pattern.row = {0, 1, 2, 1, 2, 3};
+  apart.value = {2, 1, 4, 3, 5, 7};
+  EXPECT_LT(error_of_solving(*make(), matrix), kRoundOff);
+  EXPECT_LT(error_of_solving(*make(), apart), kRoundOff);
+}
+
+TEST_F(Multifrontal, SolvesAPatternThatIsNotSymmetric) {
+  TestMatrix matrix;  // [1 2 0; 0 3 0; 4 0 5]
+  matrix.pattern.size = 3, matrix.pattern.symmetric = false, matrix.pattern.node = {0, 1, 2};
+  matrix.pattern.column_start = {0, 2, 4, 5};
+  matrix.pattern.row = {0, 2, 0, 1, 2};
+  matrix.value = {1, 4, 2, 3, 5};
+  EXPECT_LT(error_of_solving(*make(), matrix), kRoundOff);
+}
+
+TEST_F(Multifrontal, ReadsValuesWhereThePatternSaysThatTheyStand) {
+  TestMatrix net = make_net_matrix({.symmetric = false, .skew = 1});
+  const auto solve = [this](const TestMatrix& matrix) {
+    const auto factorisation = make();
+    factorisation->analyse(matrix.pattern);
+    EXPECT_EQ(factorisation->factorise(matrix.value).status, FactorStatus::ok);
+    auto x = made_up_vector(matrix.pattern.size);
+    factorisation->solve(x, x);
+    return x;
+  };
+  const auto x = solve(net);
+  const std::size_t entries = net.pattern.entries();
+  net.pattern.slots = entries + 1;  // back to front, behind a value that nobody uses
+  std::vector<double> moved(entries + 1, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t e = 0; e < entries; ++e) {
+    net.pattern.slot.push_back(static_cast<std::int32_t>(entries - e));
+    moved[entries - e] = net.value[e];
+  }
+  net.value = moved;
+  EXPECT_EQ(solve(net), x);
+}
+
+TEST_F(Multifrontal, ManagesNoUnknownAndOne) {
+  const auto factorisation = make();
+  const TestMatrix nothing = make_dense_matrix({}, false);
+  factorisation->analyse(nothing.pattern);
+  EXPECT_EQ(factorisation->factorise(nothing.value).status, FactorStatus::ok);
+  factorisation->solve({}, {});
+
+  const TestMatrix one = make_dense_matrix({{-4}}, false);
+  factorisation->analyse(one.pattern);
+  ASSERT_EQ(factorisation->factorise(one.value).status, FactorStatus::ok);
+  std::vector<double> x{2};
+  factorisation->solve(x, x);
+  EXPECT_DOUBLE_EQ(x[0], -0.5);
+}
+
+TEST_F(Multifrontal, NamesTheUnknownWithoutStiffness) {
+  const TestMatrix net = make_net_matrix({.symmetric = false, .axial = 0, .geometric = 0});
+  const auto factorisation = make();
+  factorisation->analyse(net.pattern);
+  for (const std::int32_t unknown : {0, 17, net.pattern.size - 1}) {
+    TestMatrix broken = net;
+    for (std::int32_t e = net.pattern.column_start[unknown]; e < net.pattern.column_start[unknown + 1]; ++e)
+      broken.value[e] = 0;
+    const FactorResult result = factorisation->factorise(broken.value);
+    EXPECT_EQ(result.status, FactorStatus::singular);
+    EXPECT_EQ(result.column, unknown);
+  }
+}
+
+TEST_F(Multifrontal, ReportsEqualRowsAsSingular) {
+  const TestMatrix matrix = make_dense_matrix({{1, 2}, {1, 2}}, false);
+  const auto factorisation = make();
+  factorisation->analyse(matrix.pattern);
+  EXPECT_EQ(factorisation->factorise(matrix.value).status, FactorStatus::singular);
+}
+
+TEST_F(Multifrontal, RefusesValuesThatAreNotFinite) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
+    TestMatrix matrix = make_dense_matrix({{1, 2}, {3, 4}}, false);
+    matrix.value[2] = bad;
+    const auto factorisation = make();
+    factorisation->analyse(matrix.pattern);
+    const FactorResult result = factorisation->factorise(matrix.value);
+    EXPECT_EQ(result.status, FactorStatus::failed);
+    EXPECT_EQ(result.column, 1);
+  }
+}
+
+TEST_F(Multifrontal, GoesOnAfterAFailureAndWithNewValues) {
+  const TestMatrix net = make_net_matrix({.symmetric = false, .skew = 1}),
+                   other = make_net_matrix({.symmetric = false, .ground = 7, .skew = -2});
+  const auto factorisation = make();
+  factorisation->analyse(net.pattern);
+  const std::vector<double> zeros(net.value.size(), 0);
+  ASSERT_EQ(factorisation->factorise(zeros).status, FactorStatus::singular);
+  EXPECT_LT(error_of_solving_again(*factorisation, net), kRoundOff);
+  ASSERT_EQ(factorisation->factorise(zeros).status, FactorStatus::singular);
+  EXPECT_LT(error_of_solving_again(*factorisation, other), kRoundOff);
+  EXPECT_LT(error_of_solving(*factorisation, net), kRoundOff);
+  EXPECT_EQ(handed_over_, 0);
+}
+
+TEST_F(Multifrontal, GivesTheSameBitsEveryTime) {
+  const TestMatrix net = make_net_matrix({.symmetric = false, .ground = -50, .skew = 1});
+  const auto solve_with = [&](Factorisation& factorisation) {
+    EXPECT_EQ(factorisation.factorise(net.value).status, FactorStatus::ok);
+    auto x = made_up_vector(net.pattern.size);
+    factorisation.solve(x, x);
+    return x;
+  };
+  const auto first = make(), second = make();
+  first->analyse(net.pattern), second->analyse(net.pattern);
+  const auto x = solve_with(*first);
+  EXPECT_EQ(solve_with(*first), x);
+  EXPECT_EQ(solve_with(*second), x);
+}
+
+/// The same with other stiffness of each node by itself.
+TestMatrix with_own_blocks(TestMatrix matrix, double factor) {
+  for (std::int32_t c = 0; c < matrix.pattern.size; ++c)
+    for (std::int32_t e = matrix.pattern.column_start[c]; e < matrix.pattern.column_start[c + 1]; ++e)
+      if (matrix.pattern.node[matrix.pattern.row[e]] == matrix.pattern.node[c]) matrix.value[e] *= factor;
+  return matrix;
+}
+
+// No node has a pivot of its own: those of the neighbours are wanted, most of them in other fronts.
+TEST_F(Multifrontal, HandsOverWhatNeedsPivotsOfOtherFrontsAndNothingElse) {
+  const TestMatrix good = make_random_matrix({.rings = 20, .nodes_per_ring = 20}, 5, 8);
+  const TestMatrix poor = with_own_blocks(make_random_matrix({.rings = 20, .nodes_per_ring = 20}, 5, 0), 0);
+  const auto factorisation = make();
+  factorisation->analyse(good.pattern);
+  EXPECT_LT(error_of_solving_again(*factorisation, good), kRoundOff);
+  EXPECT_EQ(handed_over_, 0);
+  EXPECT_LT(error_of_solving_again(*factorisation, poor), 1e-12);
+  EXPECT_EQ(handed_over_, 1);
+  EXPECT_LT(error_of_solving_again(*factorisation, good), kRoundOff);
+  EXPECT_EQ(handed_over_, 1);
+}
+
+// Pivots of 1e-7 beside ones are just let pass, and the errors they make grow from front to front.
+TEST_F(Multifrontal, RefinesOrHandsOverWhatPoorPivotsHaveSpoilt) {
+  const TestMatrix net = make_random_matrix({.rings = 40, .nodes_per_ring = 40}, 7, 0);
+  for (const double own : {1e-3, 1e-5, 1e-7, 1e-9, 1e-14})
+    EXPECT_LT(error_of_solving(*make(), with_own_blocks(net, own)), 1e-9) << own;
+  EXPECT_GT(handed_over_, 0);
+}
+
+TEST_F(Multifrontal, KnowsTheSizeOfAFactorThatIsDense) {
+  const TestMatrix matrix = make_dense_matrix({{4, 1, 1}, {2, 4, 1}, {1, 2, 4}}, false);
+  const auto factorisation = make();
+  factorisation->analyse(matrix.pattern);
+  EXPECT_EQ(factorisation->factor_entries(), 9);  // L without its diagonal of ones, and U
+  EXPECT_EQ(factorisation->factor_flops(), 18);   // 2/3 n³
+}
+
+}  // namespace
+}  // namespace netloft
