@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/newton/aside_search.hpp"
+#include "solvers/newton/least_curvature.hpp"
 #include "solvers/newton/line_search.hpp"
 #include "solvers/newton/methods.hpp"
 
@@ -20,6 +22,9 @@ double dot(std::span<const double> a, std::span<const double> b) {
 constexpr double kEnergyNoise = 1e-13;
 // Damping never needs to exceed the metric itself by much, and below the lower end it no longer matters.
 constexpr double kLargestDamping = 64, kSmallestDamping = 1e-12;
+// K is hardly indefinite where the second of these makes it positive definite; only asked where damping is
+// below the first.
+constexpr double kHardlyDamped = 1e-6, kHardly = 1e-7;
 
 class Globalised {
  public:
@@ -31,6 +36,7 @@ class Globalised {
         s_(problem.size()),
         trial_(problem.size()),
         r_trial_(problem.size()),
+        curvature_(problem.symmetric() ? problem.size() : 0),
         frozen_(problem.conservative() ? 0 : problem.size()) {}
 
   Outcome run() {
@@ -40,7 +46,9 @@ class Globalised {
     while (problem_.progress(problem_.u(), energy_, r_, note_)) {
       if (!freeze_drag()) return Outcome::left_domain;
       if (!(std::exchange(first, false) && find_short_step()) && !find_step()) return Outcome::linear_solve;
-      if (!search_line()) {
+      const bool moved = search_line();
+      if (std::exchange(at_saddle_, false) && leave_saddle()) continue;
+      if (!moved) {
         if (mu_ >= kLargestDamping) return Outcome::step_too_short;
         mu_ = std::clamp(mu_ * 16, 1e-6, kLargestDamping);
       }
@@ -73,6 +81,8 @@ class Globalised {
   bool find_symmetric_step() {
     note_ = "";
     Factor factor = problem_.factorise(Matrix::exact, mu_);
+    if (factor == Factor::ok) may_be_hardly_ = true;
+    if (factor == Factor::not_positive && (may_be_hardly_ = is_hardly_indefinite())) factor = Factor::ok;
     if (factor == Factor::not_positive) {
       note_ = "convex part";
       if (problem_.evaluate(problem_.u(), Matrix::convex) != Evaluation::ok) return false;
@@ -84,6 +94,30 @@ class Globalised {
     if (factor != Factor::ok) return false;
     solve_for_step();
     return true;
+  }
+
+  /// Whether K + σM is positive definite with a small σ: then (7) tells more of K than K₊ does. Where it was
+  /// not the last time, it is not asked again before K itself is.
+  bool is_hardly_indefinite() {
+    if (!frozen_.empty() || !may_be_hardly_ || mu_ >= kHardlyDamped ||
+        problem_.factorise(Matrix::exact, kHardly) != Factor::ok)
+      return false;
+    mu_ = kHardly, at_saddle_ = true;
+    note_ = "hardly indefinite";
+    return true;
+  }
+
+  /// Moves u along the v of (7) to where the energy no longer falls; false if it never does.
+  bool leave_saddle() {
+    if (!(curvature_.find(problem_, kHardly) < 0)) return false;
+    std::copy_n(curvature_.direction().begin(), s_.size(), s_.begin());
+    const double one_element = (dot(r_, s_) > 0 ? -1 : 1) / problem_.step_length(s_);
+    for (double& v : s_) v *= one_element;
+    const auto found = AsideSearch{}([&](double t) { return merit(t); }, {0, energy_, dot(r_, s_)},
+                                     kEnergyNoise * std::abs(energy_));
+    if (!found) return false;
+    move_trial(found->t);
+    return accept();
   }
 
   /// Solves (2) for s with an unsymmetric matrix, raising μ until s leads downhill.
@@ -199,9 +233,10 @@ class Globalised {
   const Newton::Parameters& p_;
   Problem& problem_;
   double mu_, energy_ = 0;
-  bool was_uphill_ = false;
+  bool was_uphill_ = false, may_be_hardly_ = true, at_saddle_ = false;
   const char* note_ = "";
   std::vector<double> r_, s_, trial_, r_trial_, left_;
+  LeastCurvature curvature_;
   std::vector<double> frozen_;  // drag at u; empty if every force has an energy
 };
 

@@ -17,6 +17,7 @@ namespace netloft::newton {
 ///   m(t) ≤ m(0) + c t r·s and |m'(t)| ≤ η |r·s|, or t = 1                                (4)
 ///   m(1) ≤ m(0) − c_up r·s is enough after a step that was not such a one                 (5)
 ///   |s'| ≤ |s| / 2, (K + μ M) s' = −r(u + s) with the matrix of u                         (6)
+///   u + t v, K v = λ M v with the least λ < 0, m'(t) ≈ 0                                   (7)
 /// (5) lets an iterate cross the kinks between slack and taut, one step at a time (watched as by Chamberlain
 /// et al. 1982, Math. Programming Study 16). μ falls after a whole step and rises after a short one. With μ₊
 /// = 1 the step cannot raise a convex energy (Levenberg 1944, in the metric of the linear stiffness); with μ
@@ -25,6 +26,9 @@ namespace netloft::newton {
 /// (6) says halves what is left (the natural monotonicity test of Deuflhard, Newton Methods for Nonlinear
 /// Problems, 2004): in stiff parts rounding alone may keep ‖r‖ where it is. With drag, a step that quarters
 /// ‖r‖ counts as well: d has then moved little.
+/// (7) follows (2) where K is indefinite and K + 1e-7 M is not, which then is the matrix of (2): a saddle
+/// that symmetry hides, such as a plane net's whose edge would fold (a direction of negative curvature: J. J.
+/// Moré and D. C. Sorensen, Math. Programming 16, 1979).
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;

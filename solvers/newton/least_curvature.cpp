@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/newton/least_curvature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace netloft::newton {
+
+namespace {
+
+using Few = std::array<double, LeastCurvature::kSteps>;
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+void add(std::span<double> y, double factor, std::span<const double> x) {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += factor * x[i];
+}
+
+/// The upper left n × n of a tridiagonal matrix T: its diagonal a, and b beside it.
+struct Tridiagonal {
+  std::span<const double> a, b;
+  std::size_t n() const { return a.size(); }
+
+  /// Pivots of θ − T: all positive above its largest eigenvalue, and only there.
+  bool find_pivots(double theta, Few& pivots) const {
+    for (std::size_t i = 0; i < n(); ++i) {
+      pivots[i] = theta - a[i] - (i > 0 ? b[i - 1] * b[i - 1] / pivots[i - 1] : 0);
+      if (!(pivots[i] > 0)) return false;
+    }
+    return true;
+  }
+
+  /// From above, by bisection between the largest entry and Gershgorin's bound.
+  double largest_eigenvalue() const {
+    double low = *std::max_element(a.begin(), a.end()), high = low * (1 + 1e-12);
+    for (std::size_t i = 0; i + 1 < n(); ++i) high += 2 * std::abs(b[i]);
+    Few pivots{};
+    for (int i = 0; i < 100 && high - low > 1e-14 * high; ++i) {
+      const double middle = 0.5 * (low + high);
+      (find_pivots(middle, pivots) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  /// By inverse iteration just above θ.
+  Few eigenvector(double theta) const {
+    Few y{}, pivots{};
+    std::fill_n(y.begin(), n(), 1.0);
+    while (!find_pivots(theta, pivots)) theta *= 1 + 1e-14;
+    for (int round = 0; round < 3; ++round) {
+      for (std::size_t i = 1; i < n(); ++i) y[i] += b[i - 1] / pivots[i - 1] * y[i - 1];
+      for (std::size_t i = n(); i-- > 0;) y[i] = (y[i] + (i + 1 < n() ? b[i] * y[i + 1] : 0)) / pivots[i];
+      const double norm = std::sqrt(dot(y, y));
+      for (double& share : y) share /= norm;
+    }
+    return y;
+  }
+};
+
+}  // namespace
+
+LeastCurvature::LeastCurvature(std::size_t size) : size_(size) {
+  basis_.reserve(kSteps * size), images_.reserve(kSteps * size), w_.reserve(size);
+}
+
+double LeastCurvature::find(Problem& problem, double shift) {
+  start(problem);
+  std::size_t lengthened = 0;
+  for (; lengthened < length_; ++lengthened) lengthen(problem);
+  if (lengthened == 0) return std::numeric_limits<double>::quiet_NaN();
+  const Tridiagonal T{{a_.data(), lengthened}, b_};
+  const double theta = T.largest_eigenvalue();
+  const Few y = T.eigenvector(theta);
+  std::fill(w_.begin(), w_.end(), 0.0);
+  for (std::size_t i = 0; i < lengthened; ++i) add(w_, y[i], basis(i));
+  return 1 / theta - shift;  // (2)
+}
+
+/// With a share of every direction, the same on every machine: fractions of multiples of the golden ratio.
+void LeastCurvature::start(Problem& problem) {
+  constexpr double kGolden = 0.61803398874989485;
+  w_.resize(size_), basis_.resize(kSteps * size_), images_.resize(kSteps * size_);
+  length_ = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const double multiple = kGolden * static_cast<double>(i + 1);
+    w_[i] = 2 * (multiple - std::floor(multiple)) - 1;
+  }
+  problem.multiply(Matrix::none, 1, w_, image(0));
+  problem.solve(image(0), w_);
+  keep_orthogonal(problem);
+}
+
+/// One more entry of a, and, if there is room, one more vector with its entry of b.
+void LeastCurvature::lengthen(Problem& problem) {
+  const std::size_t last = length_ - 1;
+  problem.solve(image(last), w_);
+  a_[last] = dot(w_, image(last));
+  if (length_ < kSteps) keep_orthogonal(problem);
+}
+
+/// Adds w to the basis, less what is in it already; twice, for what rounding leaves.
+void LeastCurvature::keep_orthogonal(Problem& problem) {
+  for (int time = 0; time < 2; ++time)
+    for (std::size_t i = 0; i < length_; ++i) add(w_, -dot(w_, image(i)), basis(i));
+  problem.multiply(Matrix::none, 1, w_, image(length_));
+  const double norm = std::sqrt(dot(w_, image(length_)));
+  if (!(norm > 0) || !std::isfinite(norm)) return;
+  if (length_ > 0) b_[length_ - 1] = norm;
+  for (double& v : image(length_)) v /= norm;
+  std::transform(w_.begin(), w_.end(), basis(length_).begin(), [&](double v) { return v / norm; });
+  ++length_;
+}
+
+}  // namespace netloft::newton
