@@ -14,8 +14,8 @@ namespace netloft::io {
 namespace {
 
 constexpr double kLeastDamping = 1e-13, kMostDamping = 1;
-constexpr double kDrop = 0.2;                                // of damping with a whole step
-constexpr double kLargestDrop = 0.05, kLeastDrop = 1 / 0.7;  // of damping with the residual, from afar
+constexpr double kDrop = 0.1;                                // of damping with a whole step
+constexpr double kLargestDrop = 0.06, kLeastDrop = 1 / 0.7;  // of damping with the residual, from afar
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kStrainOfTaut = 1e-3;  // at the most, of a member the step makes taut
 

@@ -17,7 +17,7 @@ TensionStage first_stage(const TensionStages& stages, std::size_t parts) {
   TensionStage stage;
   stage.name = "soft, from the start";
   stage.share.assign(parts, stages.softest);
-  stage.from_afar = true, stage.damping = 0.2, stage.farthest_turn = 7, stage.tolerance = 0.1;
+  stage.from_afar = true, stage.damping = 0.2, stage.farthest_turn = 7, stage.tolerance = 0.15;
   return stage;
 }
 
@@ -35,15 +35,16 @@ TensionStage next_stage(std::vector<double> share, double multiple) {
   TensionStage stage;
   stage.name = "stiffness up to " + std::to_string(std::llround(multiple)) + " x tension";
   stage.share = std::move(share);
-  stage.damping = 5e-5, stage.farthest_turn = 0.25, stage.settled_turn = 0.5;
-  stage.tolerance = 1;
+  stage.damping = 9e-5, stage.farthest_turn = 0.25, stage.settled_turn = 1;
+  stage.tolerance = 5;
   return stage;
 }
 
 TensionStage last_stage(double tolerance, std::size_t parts) {
   TensionStage stage = next_stage(std::vector<double>(parts, 1.0), 0);
   stage.name = "as it is, by tensions";
-  stage.settled_turn = 0, stage.tolerance = tolerance, stage.iterations = kLastIterations;
+  stage.damping = 2e-5, stage.settled_turn = 0, stage.tolerance = tolerance,
+  stage.iterations = kLastIterations;
   return stage;
 }
 
@@ -59,7 +60,8 @@ StagedSolution solve_in_stages(const Scene& scene, Registry& registry, MakeFacto
     solution.legs.push_back(newton.solve(stage));
   };
   run(first_stage(stages, scene.parts.size()));
-  for (const double multiple : stages.stiffness) run(next_stage(shares(newton, multiple), multiple));
+  for (double multiple = stages.first; multiple < stages.last; multiple *= stages.ratio)
+    run(next_stage(shares(newton, multiple), multiple));
   run(last_stage(stages.tolerance, scene.parts.size()));
   solution.arrived = solution.legs.back().status == SolveStatus::converged;
   solution.positions = newton.positions();

@@ -7,8 +7,8 @@ namespace netloft::io {
 /// How a scene is brought from a drawing to its equilibrium over softer ones.
 struct TensionStages {
   double softest = 7e-4;  // share of all stiffness with which the drawing is solved
-  /// At the most, of each part over the tension it had before.
-  std::vector<double> stiffness{5, 20, 80, 320, 1280, 5120, 20480};
+  /// At the most, of each part over the tension it had before: from the first by this ratio up to the last.
+  double first = 5, ratio = 4.6, last = 2e4;
   double tolerance = 1e-9;  // of the scene itself: largest residual over the largest reaction
   double seconds = std::numeric_limits<double>::infinity();  // for all stages
   const std::atomic<bool>* interrupt = nullptr;

@@ -84,14 +84,15 @@ struct Row {
 Row print_row(io::Case& scene, const Solution& s, double cpu) {
   const Books& finest = s.legs.empty() ? s.books : s.legs.back().books;
   const double unit = factorisation_time(scene, s.x);
-  std::printf("  %8zu %5d %5d %6d %9.3f %7.1f %8.2f   %s\n", s.u.size(), s.books.iterations,
-              finest.iterations, finest.factorisations, cpu, cpu / unit, gibibytes(), name_of(s.status));
+  std::printf("  %8zu %5d %5d %6d %6d %7.1f %9.3f %7.1f %8.2f   %s\n", s.u.size(), s.books.iterations,
+              finest.iterations, finest.factorisations, s.books.factorisations,
+              s.books.factorisation_seconds / unit, cpu, cpu / unit, gibibytes(), name_of(s.status));
   std::fflush(stdout);
   return {static_cast<double>(s.u.size()), cpu};
 }
 
 void print_head(const char* what) {
-  std::printf("%s\n  unknowns    it.  finest  fact.     CPU s   units  GiB\n", what);
+  std::printf("%s\n  unknowns    it.  finest  fact.    all    like     CPU s   units  GiB\n", what);
 }
 
 Row arrive(const char* file, const Overrides& overrides) {
@@ -195,7 +196,8 @@ int main(int count, char** arguments) {
   using namespace netloft;
   const double largest = count > 1 ? std::atof(arguments[1]) : 1e5;
   std::printf(
-      "units: CPU time over that of one factorisation of the same tangent; finest: the scene's own mesh\n");
+      "units: CPU time over that of one factorisation of the same tangent; finest: the scene's own mesh;\n"
+      "all: factorisations on all meshes; like: their time, as if all were of the scene's own tangent\n");
   panels("hanging panel, from the flat sketch", "gear-library/scenes/dead-weight-panel.toml", largest);
   panels("stretched panel", "gear-library/scenes/verification/stretched-panel.toml", largest);
   print_head("body of a pelagic trawl at 1.5 m/s from its sketch; then at half a per cent more");
