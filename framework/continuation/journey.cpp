@@ -13,8 +13,8 @@ namespace {
 
 // An easier scene only gives a start: it need not be exact.
 constexpr double kLegTolerance = 1e-4;
-// Relaxation only brings near.
-constexpr double kRelaxed = 1e-2;
+// Relaxation only brings near; where things stick and slide, so near that they do so no longer.
+constexpr double kRelaxed = 1e-2, kRelaxedToStick = 1e-5;
 // The scene itself is given up for a detour after so many iterations; after the last one only by the user.
 constexpr int kFirstIterations = 300;
 // Where the stiffest part could carry all of the load with a stretch below the first of these, the way from
@@ -91,7 +91,8 @@ Solution Journey::arrive(Displacements start) {
   stretch_ = stretch_of_stiffest();
   const std::vector<Way> ways = ways_from(start);
   Limits limits = options_.limits;
-  limits.iterations = std::min(options_.limits.iterations, is_stiff() ? kFewIterations : kFirstIterations);
+  limits.iterations =
+      std::min(options_.limits.iterations, is_stiff() || sticks() ? kFewIterations : kFirstIterations);
   Solution best = solve_itself_off_saddles(ways[0].name, *(this->*ways[0].to)(start, {}), limits);
   be_patient(best.books.iterations >= limits.iterations ? double(kFirstIterations) / limits.iterations : 1);
   const bool goes_on = best.books.iterations >= limits.iterations && is_on_its_way(best);
@@ -114,10 +115,12 @@ std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
   std::vector<Way> ways{as_it_is, {"shaken", &Journey::over_shaking}};
   const bool soft_first = start.empty() && stretch_ < kVeryStiff, soft_soon = stretch_ < kRatherStiff;
   if (soft_soon) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
+  const Way relaxed{"from a relaxed shape", &Journey::over_relaxation};
+  if (sticks()) ways.insert(ways.begin() + 1, relaxed);
   ways.push_back({"from tension only", &Journey::over_tension_only});
   ways.push_back({"from still water", &Journey::over_current});
   if (!soft_soon) ways.push_back(soft);
-  ways.push_back({"from a relaxed shape", &Journey::over_relaxation});
+  if (!sticks()) ways.push_back(relaxed);
   return ways;
 }
 
@@ -127,6 +130,10 @@ double Journey::stretch_of_stiffest() const {
   const double load = StaticProblem(assembler_, options_.make, options_.limits).driving_load().sum;
   return load == 0 ? 1 : load / std::max(load, largest_stiffness(scene_, registry_));
 }
+
+/// Some elements remember: dry friction. Where it flickers, no tangent helps, and motion with its damping
+/// does.
+bool Journey::sticks() const { return options_.detours && !assembler_.memory().empty(); }
 
 bool Journey::is_stiff() const { return options_.detours && stretch_ < kStiff; }
 
@@ -152,7 +159,8 @@ void Journey::try_once_more(Solution& best, const Displacements& start, const Li
 
 void Journey::look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits) {
   const bool as_suits = options_.looks == JourneyOptions::kLooksThatSuit;
-  if (as_suits && work() < kLongWay * static_cast<double>(best.u.size())) return;
+  // What sticks stands in any number of ways.
+  if (as_suits && (sticks() || work() < kLongWay * static_cast<double>(best.u.size()))) return;
   const int looks = as_suits ? kOwnLooks : options_.looks;
   const double worth = as_suits ? kLookWork : std::numeric_limits<double>::infinity();
   patience_ = leg_patience_ = std::numeric_limits<double>::infinity();
@@ -281,7 +289,8 @@ std::optional<Journey::Displacements> Journey::over_current(const Displacements&
 std::optional<Journey::Displacements> Journey::over_relaxation(const Displacements& start, const Solution&) {
   const auto relaxation = other_solver("relaxation");
   if (!relaxation) return {};
-  relaxed_ = solve_leg("relaxation", scene_, *relaxation, start, kRelaxed).u;
+  if (sticks()) leg_patience_ = patience_;
+  relaxed_ = solve_leg("relaxation", scene_, *relaxation, start, sticks() ? kRelaxedToStick : kRelaxed).u;
   return relaxed_;
 }
 

@@ -61,6 +61,7 @@ class Journey {
   std::vector<Way> ways_from(const Displacements& start) const;
   double stretch_of_stiffest() const;
   bool is_stiff() const;
+  bool sticks() const;
   void be_patient(double share);
   void try_once_more(Solution& best, const Displacements& start, const Limits& before);
 

@@ -306,7 +306,7 @@ int StaticProblem::progress(const double* u, double energy, const double* residu
   place(u);
   std::copy_n(residual, u_.size(), residual_.begin());
   const Balance b = balance(x_, residual_);
-  const bool falls = !history_.empty() && b.residual < kFalls * history_.back().residual;
+  const bool falls = !step_.state && !history_.empty() && b.residual < kFalls * history_.back().residual;
   IterationRecord record{books_.iterations,       b.residual, b.scale, energy, books_.factorisations,
                          wall_seconds() - begun_, ""};
   std::snprintf(record.note, sizeof record.note, "%s", note ? note : "");
