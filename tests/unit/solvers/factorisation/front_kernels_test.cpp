@@ -49,6 +49,7 @@ struct DenseFront {
   }
   /// −A₂₁ A₁₁⁻¹ A₁₂
   Matrix schur_complement() const {
+    if (u == 0) return Matrix(0, 0);
     return -A.bottomLeftCorner(u, n) * A.topLeftCorner(n, n).fullPivLu().solve(A.topRightCorner(n, u));
   }
 };
