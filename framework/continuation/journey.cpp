@@ -41,8 +41,8 @@ constexpr double kLeaveShare = 0.02, kLookShare = 1;
 constexpr double kNearly = 1e-5;
 // A residual of this share of the largest load: as many iterations again may well be enough.
 constexpr double kOnItsWay = 0.03;
-// Who has not been asked to looks for other shapes after so many iterations, so often, while all iterations
-// times unknowns are no more than this: a second or two.
+// Unasked, other shapes are looked for after so many iterations, so often, while all iterations times
+// unknowns are no more than this: a second or two.
 constexpr double kLongWay = 100, kLookWork = 1e7;
 constexpr int kOwnLooks = 6;
 
@@ -157,6 +157,7 @@ void Journey::try_once_more(Solution& best, const Displacements& start, const Li
   keep_better(best, solve_itself_off_saddles("once more", from, options_.limits));
 }
 
+/// As often as was asked for, or as suits; the best becomes that of the least energy.
 void Journey::look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits) {
   const bool as_suits = options_.looks == JourneyOptions::kLooksThatSuit;
   // What sticks stands in any number of ways.
