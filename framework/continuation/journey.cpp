@@ -117,6 +117,7 @@ std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
   if (soft_soon) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
   const Way relaxed{"from a relaxed shape", &Journey::over_relaxation};
   if (sticks()) ways.insert(ways.begin() + 1, relaxed);
+  if (options_.own_start.find) ways.push_back({options_.own_start.name.c_str(), &Journey::over_own_start});
   ways.push_back({"from tension only", &Journey::over_tension_only});
   ways.push_back({"from still water", &Journey::over_current});
   if (!soft_soon) ways.push_back(soft);
@@ -230,6 +231,10 @@ Journey::Displacements Journey::shaken(Displacements u, double share) const {
     u[i] += share * size * (2 * (multiple - std::floor(multiple)) - 1);
   }
   return u;
+}
+
+std::optional<Journey::Displacements> Journey::over_own_start(const Displacements& start, const Solution&) {
+  return options_.own_start.find(start, seconds_left(), legs_);
 }
 
 std::optional<Journey::Displacements> Journey::over_tension_only(const Displacements& start,

@@ -14,6 +14,16 @@ struct SolverUse {
   Values parameters;
 };
 
+/// A start for the scene itself that whoever calls can find by what nothing here knows: what its elements
+/// are.
+struct OwnStart {
+  std::string name;
+  /// From displacements (empty: the sketch), within so many seconds; what was solved is added to `legs`.
+  std::function<std::optional<std::vector<double>>(const std::vector<double>& from, double seconds,
+                                                   std::vector<Leg>& legs)>
+      find;
+};
+
 /// How a journey is made.
 struct JourneyOptions {
   SolverUse solver;
@@ -26,6 +36,7 @@ struct JourneyOptions {
   // In the place of a number: some after a long way, as long as they cost little.
   static constexpr int kLooksThatSuit = -1;
   std::function<void(const IterationRecord&)> on_iteration;
+  OwnStart own_start;  // none: no such way
 };
 
 /// Solves a scene from its start, and where that does not arrive, over easier scenes: each is solved in turn
@@ -36,6 +47,7 @@ struct JourneyOptions {
 ///   slow to fast     the current from none to all of it, by steps that halve when one fails
 ///   shaken           off a point that is not stable, or that has no forces
 ///   relaxed          a matrix-free solver brings it near, if one is there
+///   own              a start that whoever calls can find
 /// Only the scene itself, last of all, is judged. Whether it stands in other ways, too, is looked for from
 /// where it stands.
 class Journey {
@@ -67,6 +79,7 @@ class Journey {
 
   std::optional<Displacements> over_nothing(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_shaking(const Displacements& start, const Solution& best);
+  std::optional<Displacements> over_own_start(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_tension_only(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_stiffness(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_current(const Displacements& start, const Solution& best);

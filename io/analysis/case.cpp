@@ -6,6 +6,7 @@
 #include "io/analysis/coarser.hpp"
 #include "io/analysis/diagnosis.hpp"
 #include "io/analysis/stretch_damping.hpp"
+#include "io/analysis/tension_cones.hpp"
 #include "io/analysis/tension_stages.hpp"
 #include "io/scene/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
@@ -182,15 +183,49 @@ Solution Case::solve_by_journey(const Watch& watch) {
   options.threads = source_.threads, options.on_iteration = watch.on_iteration;
   options.detours = watch.detours && loaded_.analysis.continuation;
   options.looks = watch.detours ? loaded_.analysis.looks : std::max(0, loaded_.analysis.looks);
-  Journey journey(loaded_.scene, *assembler_, registry_, options);
   std::vector<Leg> before;
-  std::vector<double> start;
+  std::optional<std::vector<double>> start;
   if (loaded_.analysis.in_stages)
     start = start_in_stages(watch, before);
-  else if (loaded_.analysis.continuation)
+  else if (options.detours && loaded_.scene.current.flows() && suits_cones())
+    start = start_in_cones(watch, {}, options.limits.seconds, before);
+  else if (options.detours && suits_cones())
+    options.own_start = {"from tension only, in cones", [&](const auto& from, double seconds, auto& legs) {
+                           return start_in_cones(watch, from, seconds, legs);
+                         }};
+  if (!start && loaded_.analysis.continuation)
     start = start_from_coarser([&](Case& coarse) { return coarse.solve(watch); }, before);
+  Journey journey(loaded_.scene, *assembler_, registry_, options);
   for (const Leg& leg : before) journey.book(leg);
-  return journey.arrive(start);
+  return journey.arrive(start.value_or(std::vector<double>{}));
+}
+
+/// Members of which some must be slack, as there are more than their nodes have unknowns: which ones, an
+/// interior-point method finds in few steps, whatever the start. Not where bodies or frames carry nodes, and
+/// not where things stick.
+bool Case::suits_cones() const {
+  const Scene& scene = loaded_.scene;
+  return scene.bodies.empty() && scene.frames.empty() && assembler_->memory().empty() &&
+         axial_members(scene, registry_).size() > plan_.unknowns;
+}
+
+std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, const std::vector<double>& from,
+                                                        double seconds, std::vector<Leg>& legs) {
+  Scene scene = loaded_.scene;
+  if (!from.empty()) {
+    std::vector<double> x = assembler_->start();
+    assembler_->place(from, x);
+    set_start(scene, positions(x));
+  }
+  const double load = StaticProblem(*assembler_, make_factorisation, {}).driving_load().sum;
+  if (load == 0) return {};
+  TensionCones cones(scene, registry_, make_factorisation, source_.threads);
+  legs.push_back(cones.solve({.tension = load,
+                              .seconds = seconds,
+                              .interrupt = watch.interrupt,
+                              .on_iteration = watch.on_iteration}));
+  if (legs.back().status != SolveStatus::converged) return {};
+  return assembler_->displacements(cones.positions());
 }
 
 /// Grid sequencing: where the same gear in half as many cells across and along comes to rest, it being solved

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,9 @@ class Case {
   Solution solve_by_journey(const Watch& watch);
   Solution settle(const Watch& watch);
   Solution find_equilibrium(const std::atomic<bool>* interrupt, double tolerance);
+  bool suits_cones() const;
+  std::optional<std::vector<double>> start_in_cones(const Watch& watch, const std::vector<double>& from,
+                                                    double seconds, std::vector<Leg>& legs);
   std::vector<double> start_in_stages(const Watch& watch, std::vector<Leg>& legs);
   std::vector<double> start_from_coarser(const std::function<Solution(Case&)>& solve, std::vector<Leg>& legs);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/problem/verdict.hpp"
-#include "io/analysis/axial_members.hpp"
+#include "io/analysis/member_net.hpp"
 
 namespace netloft::io {
 
@@ -47,25 +47,11 @@ class TensionNewton {
   /// Stiffness of the members of each part [N]; zero where there are none.
   const std::vector<double>& stiffness_by_part() const { return stiffness_; }
   /// Positions of the nodes of the scene, 3 each [m].
-  std::vector<double> positions() const;
+  std::vector<double> positions() const { return net_.positions(); }
 
  private:
-  struct Line {
-    double l, strain;
-    std::array<double, 3> t;
-  };
-  using Vector = std::array<double, 3>;
-  /// Where a member's nodes stand, 3 each, and the blocks of their pairs, row by row, among the values; -1:
-  /// none.
-  struct Places {
-    std::array<std::int32_t, 9> dof, block;
-  };
-  Line line(std::size_t member) const;
   double stiffness_now(std::size_t member) const;
   double own_tension(std::size_t member, double strain) const;
-  Places places_of(const AxialMember& member) const;
-  void update_lines();
-  void update_changes();
   void follow_positions();
   bool assemble();
   void add_member(std::size_t member);
@@ -74,18 +60,12 @@ class TensionNewton {
   double largest_turn(bool taut_only) const;
   void take(double a, bool from_afar);
   void adapt(double a);
-  Vector change_of(std::size_t member) const;
 
-  Scene loose_;
-  Plan plan_;
-  std::unique_ptr<Assembler> rest_;  // all but the members
+  MemberNet net_;
   std::unique_ptr<Factorisation> factorisation_;
-  std::vector<AxialMember> members_;
-  std::vector<Places> places_;
-  std::vector<Line> lines_;                // at x_
-  std::vector<Vector> changes_;            // Σ c s, by the whole step
-  std::vector<double> stiffness_, share_;  // by part
-  std::vector<double> x_, tension_, mixed_, residual_, values_, step_;
+  std::vector<MemberNet::Vector> changes_;  // Σ c s, by the whole step
+  std::vector<double> stiffness_, share_;   // by part
+  std::vector<double> tension_, mixed_, residual_, values_, step_;
   double damping_ = 0;
   Books books_;
 };

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+#include "framework/scene/plan.hpp"
+#include "io/analysis/axial_members.hpp"
+
+#include <memory>
+#include <span>
+
+namespace netloft::io {
+
+/// The members of a scene, and all its other forces by an assembler of their own: what solvers stand on that
+/// treat the tension of a member as an unknown. Positions are a vector over all dofs [m], the unknowns first.
+class MemberNet {
+ public:
+  using Vector = std::array<double, 3>;
+  /// A member at the positions of now: length [m], strain [1], w [m] and its direction, no numbers where w is
+  /// zero.
+  struct Line {
+    double l, strain;
+    Vector w, t;
+  };
+
+  /// Bodies and frames of its own make std::invalid_argument.
+  MemberNet(const Scene& scene, Registry& registry, int threads);
+
+  const std::vector<AxialMember>& members() const { return members_; }
+  std::size_t size() const { return members_.size(); }
+  std::size_t dofs() const { return x_.size(); }
+  std::size_t unknowns() const { return static_cast<std::size_t>(pattern().size); }
+  const SparsePattern& pattern() const { return rest_->pattern(); }
+  const Line& line(std::size_t member) const { return lines_[member]; }
+
+  /// All forces but those of the members, over all dofs [N], and their tangent [N/m]; false where there are
+  /// none.
+  bool evaluate(std::vector<double>& residual, std::vector<double>& values);
+  /// Adds n c f to the forces.
+  void add_force(std::size_t member, const Vector& f, std::vector<double>& residual) const;
+  /// Adds n c cᵀ K, K row by row, to the tangent.
+  void add_block(std::size_t member, const std::array<double, 9>& K, std::vector<double>& values) const;
+
+  /// Σ c s: by how much a step of the unknowns changes the w of a member [m].
+  Vector change_of(std::size_t member, std::span<const double> step) const;
+  /// x ← x + a s.
+  void move(std::span<const double> step, double a);
+  /// Of the nodes of the scene, 3 each [m].
+  std::vector<double> positions() const;
+
+ private:
+  /// Where a member's nodes stand, 3 each, and the blocks of their pairs, row by row, among the values; -1:
+  /// none.
+  struct Places {
+    std::array<std::int32_t, 9> dof, block;
+  };
+  Places places_of(const AxialMember& member) const;
+  Line line_of(std::size_t member) const;
+  void update_lines();
+
+  Scene loose_;
+  Plan plan_;
+  std::unique_ptr<Assembler> rest_;  // all but the members
+  std::vector<AxialMember> members_;
+  std::vector<Places> places_;
+  std::vector<Line> lines_;  // at x_
+  std::vector<double> x_;
+};
+
+/// √Σ v².
+double norm_of(std::span<const double> v);
+double dot(const MemberNet::Vector& a, const MemberNet::Vector& b);
+
+}  // namespace netloft::io

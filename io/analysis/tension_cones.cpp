@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/analysis/tension_cones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kRoom = 0.1;  // of z0 above what it must at least be, at the start
+constexpr double kToBoundary = 0.98;
+constexpr double kForces = 1e-6;  // largest force that may be left over the first tension
+// So many steps in a row of at most this length: it does not come on.
+constexpr double kTiny = 0.02;
+constexpr int kTinySteps = 5;
+
+double largest_of(std::span<const double> v) {
+  double largest = 0;
+  for (const double a : v) largest = std::max(largest, std::abs(a));
+  return largest;
+}
+
+}  // namespace
+
+TensionCones::TensionCones(const Scene& scene, Registry& registry, MakeFactorisation make, int threads)
+    : net_(scene, registry, threads), make_(std::move(make)), step_(net_.unknowns()) {
+  factorisation_ =
+      make_(net_.pattern().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+}
+
+Leg TensionCones::solve(const ConeOptions& options) {
+  const double wall = wall_seconds(), cpu = cpu_seconds();
+  books_ = {};
+  Leg leg{"tension only, in cones", "cones", net_.unknowns(), SolveStatus::not_converged, "", {}};
+  {
+    Timed timed(books_.analysis_seconds);
+    factorisation_->analyse(net_.pattern());
+  }
+  begin(options.tension);
+  for (int tiny = 0; tiny < kTinySteps && assemble();) {
+    const double left = largest_of({residual_.data(), net_.unknowns()});
+    if (mu_ <= options.tolerance * options.tension && left <= kForces * options.tension) {
+      leg.status = SolveStatus::converged;
+      break;
+    }
+    if (!goes_on(options, left, wall) || !factorise()) break;
+    ++books_.iterations;
+    const double a = step();
+    if (!std::isfinite(a)) break;
+    take(a);
+    tiny = a <= kTiny ? tiny + 1 : 0;
+  }
+  char reason[64];
+  std::snprintf(reason, sizeof reason, "tension still to be told from slackness %.2g N", mu_);
+  leg.reason = reason;
+  books_.total_seconds = wall_seconds() - wall;
+  books_.total_cpu_seconds = books_.solver_cpu_seconds = cpu_seconds() - cpu;
+  leg.books = books_;
+  return leg;
+}
+
+/// On the path of (2), wherever the nodes are; (1) need not hold.
+void TensionCones::begin(double mu) {
+  members_.clear();
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    members_.push_back({std::max(1.0, net_.line(e).l / net_.members()[e].l0) + kRoom, {}});
+    const cone::Point z = z_of(e), mirrored = cone::mirrored(z);
+    const double share = mu / cone::determinant(z);
+    for (std::size_t i = 0; i < 4; ++i) members_[e].y[i] = share * mirrored[i];
+  }
+}
+
+cone::Point TensionCones::z_of(std::size_t e) const {
+  const auto& w = net_.line(e).w;
+  const double l0 = net_.members()[e].l0;
+  return {members_[e].z0, w[0] / l0, w[1] / l0, w[2] / l0};
+}
+
+/// z·y of a bar, the mean over all length of bars.
+double TensionCones::mean_complementarity() const {
+  double sum = 0, length = 0;
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const double weight = net_.members()[e].count * net_.members()[e].l0;
+    sum += weight * cone::dot(z_of(e), members_[e].y), length += weight;
+  }
+  return sum / length;
+}
+
+/// Matrix of (3), r + Σ n c q, and the scaling of all members.
+bool TensionCones::assemble() {
+  Timed timed(books_.assembly_seconds);
+  ++books_.residuals, ++books_.matrices;
+  if (!net_.evaluate(residual_, values_)) return false;
+  scaling_.clear();
+  for (std::size_t e = 0; e < net_.size(); ++e) add_member(e);
+  mu_ = mean_complementarity();
+  return std::isfinite(norm_of(residual_)) && std::isfinite(mu_);
+}
+
+void TensionCones::add_member(std::size_t e) {
+  const AxialMember& m = net_.members()[e];
+  const cone::Point& y = members_[e].y;
+  const cone::Scaling& H = scaling_.emplace_back(z_of(e), y);
+  std::array<double, 9> K;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      K[3 * i + j] =
+          (H.squared(i + 1, j + 1) - H.squared(0, i + 1) * H.squared(0, j + 1) / (m.EA + H.squared(0, 0))) /
+          m.l0;
+  net_.add_block(e, K, values_);
+  net_.add_force(e, {-y[1], -y[2], -y[3]}, residual_);
+}
+
+/// Where other forces make it indefinite it is factorised as what it is.
+bool TensionCones::factorise() {
+  Timed timed(books_.factorisation_seconds);
+  ++books_.factorisations;
+  const FactorStatus status = factorisation_->factorise(values_).status;
+  if (status != FactorStatus::not_positive_definite) return status == FactorStatus::ok;
+  ++books_.factorisations, ++books_.refused_factorisations;
+  factorisation_ = make_(MatrixClass::symmetric);
+  factorisation_->analyse(net_.pattern());
+  return factorisation_->factorise(values_).status == FactorStatus::ok;
+}
+
+/// (5) and (6): the length of the step.
+double TensionCones::step() {
+  solve_for_step(predictor());
+  const double reached = std::min(1.0, longest_step());
+  const double sigma = (1 - reached) * (1 - reached) * (1 - reached);
+  solve_for_step(corrector(sigma * mu_));
+  return std::min(1.0, kToBoundary * longest_step());
+}
+
+std::vector<cone::Point> TensionCones::predictor() const {
+  std::vector<cone::Point> g;
+  for (const Member& m : members_) g.push_back({-m.y[0], -m.y[1], -m.y[2], -m.y[3]});
+  return g;
+}
+
+std::vector<cone::Point> TensionCones::corrector(double mu) const {
+  std::vector<cone::Point> g;
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const cone::Scaling& W = scaling_[e];
+    const cone::Point v = W.unscaled(members_[e].y), vv = cone::product(v, v),
+                      second = cone::product(W.scaled(members_[e].dz), W.unscaled(members_[e].dy));
+    cone::Point rest;
+    for (std::size_t i = 0; i < 4; ++i) rest[i] = (i == 0 ? mu : 0) - vv[i] - second[i];
+    g.push_back(W.scaled(cone::quotient(rest, v)));
+  }
+  return g;
+}
+
+/// ζ of (4), `along` h·δw/l₀ less; without it δz₀.
+double TensionCones::zeta(std::size_t e, double g0, double along) const {
+  const double EA = net_.members()[e].EA, H00 = scaling_[e].squared(0, 0),
+               rho = 1 + members_[e].y[0] / EA - members_[e].z0;
+  return rho + (g0 - H00 * rho - along) / (EA + H00);
+}
+
+void TensionCones::solve_for_step(const std::vector<cone::Point>& g) {
+  Timed timed(books_.solve_seconds);
+  ++books_.solves;
+  std::vector<double> rhs = residual_;
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const cone::Scaling& H = scaling_[e];
+    const double z = zeta(e, g[e][0], 0);
+    net_.add_force(
+        e, {H.squared(0, 1) * z - g[e][1], H.squared(0, 2) * z - g[e][2], H.squared(0, 3) * z - g[e][3]},
+        rhs);
+  }
+  for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -rhs[i];
+  factorisation_->solve(step_, step_);
+  for (std::size_t e = 0; e < net_.size(); ++e) set_step(e, g[e]);
+}
+
+/// δz and δy of a member, by what the solve has for its nodes: δy = g − H δz.
+void TensionCones::set_step(std::size_t e, const cone::Point& g) {
+  const cone::Scaling& H = scaling_[e];
+  const MemberNet::Vector change = net_.change_of(e, step_);
+  cone::Point &dz = members_[e].dz, &dy = members_[e].dy;
+  for (std::size_t k = 0; k < 3; ++k) dz[k + 1] = change[k] / net_.members()[e].l0;
+  dz[0] = zeta(e, g[0], H.squared(0, 1) * dz[1] + H.squared(0, 2) * dz[2] + H.squared(0, 3) * dz[3]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    dy[i] = g[i];
+    for (std::size_t j = 0; j < 4; ++j) dy[i] -= H.squared(i, j) * dz[j];
+  }
+}
+
+/// Up to where the first z or y leaves K.
+double TensionCones::longest_step() const {
+  double longest = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < net_.size(); ++e)
+    longest = std::min({longest, cone::step_to_boundary(z_of(e), members_[e].dz),
+                        cone::step_to_boundary(members_[e].y, members_[e].dy)});
+  return std::isfinite(norm_of(step_)) ? longest : std::numeric_limits<double>::quiet_NaN();
+}
+
+void TensionCones::take(double a) {
+  for (Member& m : members_) {
+    m.z0 += a * m.dz[0];
+    for (std::size_t i = 0; i < 4; ++i) m.y[i] += a * m.dy[i];
+  }
+  net_.move(step_, a);
+}
+
+/// Within the limits; tells who looks on.
+bool TensionCones::goes_on(const ConeOptions& options, double left, double begun) {
+  const double seconds = wall_seconds() - begun;
+  if (options.on_iteration)
+    options.on_iteration(
+        {books_.iterations, left, options.tension, 0, books_.factorisations, seconds, "in cones"});
+  return books_.iterations < options.iterations && seconds < options.seconds &&
+         !(options.interrupt && options.interrupt->load());
+}
+
+}  // namespace netloft::io

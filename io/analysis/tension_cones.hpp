@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/verdict.hpp"
+#include "io/analysis/member_net.hpp"
+#include "io/analysis/second_order_cone.hpp"
+
+namespace netloft::io {
+
+/// What is asked of an interior-point solve.
+struct ConeOptions {
+  double tension = 0;       // first μ of (2) [N]: what drives the gear, all in all
+  double tolerance = 1e-9;  // last μ over the first one
+  int iterations = 60;
+  double seconds = std::numeric_limits<double>::infinity();
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(const IterationRecord&)> on_iteration;
+};
+
+/// Where a scene comes to rest if its members bear tension only, by an interior-point method. That a member
+/// is slack or taut is the complementarity of two points of a second-order cone K, its place in which is
+/// worked out along with all others, so that no step has to guess who is slack. With r all other forces and
+/// members of axial_members.hpp:
+///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
+///   z ∘ y = μ e,  μ → 0                                                                     (2)
+/// At μ = 0 either T = 0 and the member is as short as it likes, or w has length l₀ (1 + T/EA) and q = T t.
+/// Under dead loads these are the conditions of a convex problem, which has one energy (Y. Kanno, M. Ohsaki,
+/// J. Ito, "Large-deformation and friction analysis of non-linear elastic cable networks by second-order cone
+/// programming", Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2), scaled by W (W z =
+/// W⁻¹ y, H = W²), T, q and z₀ eliminated member by member, h = (H₁₀, H₂₀, H₃₀), H̄ the rest:
+///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀)]) s = −(r + Σ n c [q − ḡ + h ζ])               (3)
+///   ζ = ρ + (g₀ − H₀₀ ρ)/(EA + H₀₀),  ρ = 1 + T/EA − z₀                                     (4)
+///   g = −y to see how far one comes (a₀), then W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)), v = W z,
+///   σ = (1 − a₀)³, with the same matrix                                                     (5)
+///   0.98 of the way to the boundary of K, at most a whole step                              (6)
+/// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
+/// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag, whose law is none of a
+/// convex problem, is linearised at every step like all of r.
+class TensionCones {
+ public:
+  /// Bodies and frames of its own make std::invalid_argument.
+  TensionCones(const Scene& scene, Registry& registry, MakeFactorisation make, int threads);
+
+  /// From the positions of the scene. Not converged: iterations are spent, or steps have become tiny.
+  Leg solve(const ConeOptions& options);
+
+  /// Positions of the nodes of the scene, 3 each [m].
+  std::vector<double> positions() const { return net_.positions(); }
+
+ private:
+  struct Member {
+    double z0;  // its w/l₀ is that of the net
+    cone::Point y;
+    cone::Point dz{}, dy{};  // the step
+  };
+
+  void begin(double mu);
+  cone::Point z_of(std::size_t member) const;
+  double mean_complementarity() const;
+  bool assemble();
+  void add_member(std::size_t member);
+  bool factorise();
+  void solve_for_step(const std::vector<cone::Point>& g);
+  void set_step(std::size_t member, const cone::Point& g);
+  double zeta(std::size_t member, double g0, double along) const;
+  double longest_step() const;
+  std::vector<cone::Point> predictor() const;
+  std::vector<cone::Point> corrector(double mu) const;
+  double step();
+  void take(double a);
+  bool goes_on(const ConeOptions& options, double mu, double wall);
+
+  MemberNet net_;
+  MakeFactorisation make_;
+  std::unique_ptr<Factorisation> factorisation_;
+  std::vector<Member> members_;
+  std::vector<cone::Scaling> scaling_;
+  std::vector<double> residual_, values_, step_;
+  double mu_ = 0;
+  Books books_;
+};
+
+}  // namespace netloft::io
