@@ -24,6 +24,10 @@ namespace {
 // Below so many unknowns a coarser mesh costs as much as it saves; it need not be solved better than this.
 constexpr std::size_t kSmall = 200;
 constexpr double kCoarseTolerance = 1e-3;
+// Stiffness of what is slack over the load, in a gear that may as well bear tension only.
+constexpr double kNextToNothing = 5e-4;
+// Load over stiffness of a gear in which what is slack is soon found to have its place.
+constexpr double kSoftEnough = 1e-4;
 
 /// "tension only" → "tension only, elements x 2" → "tension only, elements x 4": how much longer they are.
 std::string on_coarser(const std::string& leg) {
@@ -187,7 +191,7 @@ Solution Case::solve_by_journey(const Watch& watch) {
   std::optional<std::vector<double>> start;
   if (loaded_.analysis.in_stages)
     start = start_in_stages(watch, before);
-  else if (options.detours && loaded_.scene.current.flows() && suits_cones())
+  else if (options.detours && suits_cones() && (loaded_.scene.current.flows() || bears_tension_only()))
     start = start_in_cones(watch, {}, options.limits.seconds, before);
   else if (options.detours && suits_cones())
     options.own_start = {"from tension only, in cones", [&](const auto& from, double seconds, auto& legs) {
@@ -209,6 +213,21 @@ bool Case::suits_cones() const {
          axial_members(scene, registry_).size() > plan_.unknowns;
 }
 
+/// What is slack bears nothing, or next to nothing of the load, and the gear is not so stiff that finding its
+/// place again is the longer part of the way.
+bool Case::bears_tension_only() const {
+  double pressed = 0, stiffest = 0;
+  for (const AxialMember& m : axial_members(loaded_.scene, registry_))
+    pressed = std::max(pressed, m.EA_compression), stiffest = std::max(stiffest, m.EA);
+  const double load = driving_load();
+  return pressed == 0 || (pressed <= kNextToNothing * load && load >= kSoftEnough * stiffest);
+}
+
+/// All that drives the gear [N].
+double Case::driving_load() const {
+  return StaticProblem(*assembler_, make_factorisation, {}).driving_load().sum;
+}
+
 std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, const std::vector<double>& from,
                                                         double seconds, std::vector<Leg>& legs) {
   Scene scene = loaded_.scene;
@@ -217,7 +236,7 @@ std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, cons
     assembler_->place(from, x);
     set_start(scene, positions(x));
   }
-  const double load = StaticProblem(*assembler_, make_factorisation, {}).driving_load().sum;
+  const double load = driving_load();
   if (load == 0) return {};
   TensionCones cones(scene, registry_, make_factorisation, source_.threads);
   legs.push_back(cones.solve({.tension = load,

@@ -72,6 +72,8 @@ class Case {
   Solution settle(const Watch& watch);
   Solution find_equilibrium(const std::atomic<bool>* interrupt, double tolerance);
   bool suits_cones() const;
+  bool bears_tension_only() const;
+  double driving_load() const;
   std::optional<std::vector<double>> start_in_cones(const Watch& watch, const std::vector<double>& from,
                                                     double seconds, std::vector<Leg>& legs);
   std::vector<double> start_in_stages(const Watch& watch, std::vector<Leg>& legs);
