@@ -91,8 +91,8 @@ Solution Journey::arrive(Displacements start) {
   stretch_ = stretch_of_stiffest();
   const std::vector<Way> ways = ways_from(start);
   Limits limits = options_.limits;
-  limits.iterations =
-      std::min(options_.limits.iterations, is_stiff() || sticks() ? kFewIterations : kFirstIterations);
+  const bool few = is_stiff() || sticks() || options_.own_start.soon;
+  limits.iterations = std::min(options_.limits.iterations, few ? kFewIterations : kFirstIterations);
   Solution best = solve_itself_off_saddles(ways[0].name, *(this->*ways[0].to)(start, {}), limits);
   be_patient(best.books.iterations >= limits.iterations ? double(kFirstIterations) / limits.iterations : 1);
   const bool goes_on = best.books.iterations >= limits.iterations && is_on_its_way(best);
@@ -117,7 +117,9 @@ std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
   if (soft_soon) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
   const Way relaxed{"from a relaxed shape", &Journey::over_relaxation};
   if (sticks()) ways.insert(ways.begin() + 1, relaxed);
-  if (options_.own_start.find) ways.push_back({options_.own_start.name.c_str(), &Journey::over_own_start});
+  const OwnStart& own = options_.own_start;
+  if (own.find)
+    ways.insert(own.soon ? ways.begin() + 1 : ways.end(), {own.name.c_str(), &Journey::over_own_start});
   ways.push_back({"from tension only", &Journey::over_tension_only});
   ways.push_back({"from still water", &Journey::over_current});
   if (!soft_soon) ways.push_back(soft);

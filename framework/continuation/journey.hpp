@@ -18,6 +18,7 @@ struct SolverUse {
 /// are.
 struct OwnStart {
   std::string name;
+  bool soon = false;  // before all other ways, after fewer iterations of the scene itself
   /// From displacements (empty: the sketch), within so many seconds; what was solved is added to `legs`.
   std::function<std::optional<std::vector<double>>(const std::vector<double>& from, double seconds,
                                                    std::vector<Leg>& legs)>

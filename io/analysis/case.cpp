@@ -189,16 +189,24 @@ Solution Case::solve_by_journey(const Watch& watch) {
   options.looks = watch.detours ? loaded_.analysis.looks : std::max(0, loaded_.analysis.looks);
   std::vector<Leg> before;
   std::optional<std::vector<double>> start;
+  const auto from_coarser = [&](std::vector<Leg>& legs) {
+    return start_from_coarser([&](Case& coarse) { return coarse.solve(watch); }, legs);
+  };
+  const bool in_cones = options.detours && !loaded_.analysis.in_stages && suits_cones();
   if (loaded_.analysis.in_stages)
     start = start_in_stages(watch, before);
-  else if (options.detours && suits_cones() && (loaded_.scene.current.flows() || bears_tension_only()))
+  else if (in_cones && (loaded_.scene.current.flows() || bears_tension_only()))
     start = start_in_cones(watch, {}, options.limits.seconds, before);
-  else if (options.detours && suits_cones())
-    options.own_start = {"from tension only, in cones", [&](const auto& from, double seconds, auto& legs) {
+  else if (in_cones)
+    options.own_start = {"from tension only, in cones", false,
+                         [&](const auto& from, double seconds, auto& legs) {
                            return start_in_cones(watch, from, seconds, legs);
                          }};
-  if (!start && loaded_.analysis.continuation)
-    start = start_from_coarser([&](Case& coarse) { return coarse.solve(watch); }, before);
+  if (start && in_cones)
+    options.own_start = {"from coarser meshes", true,
+                         [&](const auto&, double, auto& legs) { return std::optional(from_coarser(legs)); }};
+  else if (!start && loaded_.analysis.continuation)
+    start = from_coarser(before);
   Journey journey(loaded_.scene, *assembler_, registry_, options);
   for (const Leg& leg : before) journey.book(leg);
   return journey.arrive(start.value_or(std::vector<double>{}));

@@ -16,6 +16,9 @@ constexpr double kForces = 1e-6;  // largest force that may be left over the fir
 // So many steps in a row of at most this length: it does not come on.
 constexpr double kTiny = 0.02;
 constexpr int kTinySteps = 5;
+// D of (3), over the first tension: tenfold after a short step, a tenth after a long one.
+constexpr double kShort = 0.05, kLong = 0.5, kRise = 10, kFall = 0.1;
+constexpr double kLeastDamping = 1e-6, kMostDamping = 1e-2, kNoDamping = 1e-9;
 
 double largest_of(std::span<const double> v) {
   double largest = 0;
@@ -40,6 +43,7 @@ Leg TensionCones::solve(const ConeOptions& options) {
     factorisation_->analyse(net_.pattern());
   }
   begin(options.tension);
+  damping_ = 0;
   for (int tiny = 0; tiny < kTinySteps && assemble();) {
     const double left = largest_of({residual_.data(), net_.unknowns()});
     if (mu_ <= options.tolerance * options.tension && left <= kForces * options.tension) {
@@ -51,6 +55,7 @@ Leg TensionCones::solve(const ConeOptions& options) {
     const double a = step();
     if (!std::isfinite(a)) break;
     take(a);
+    adapt(a, options.tension);
     tiny = a <= kTiny ? tiny + 1 : 0;
   }
   char reason[64];
@@ -109,7 +114,8 @@ void TensionCones::add_member(std::size_t e) {
     for (std::size_t j = 0; j < 3; ++j)
       K[3 * i + j] =
           (H.squared(i + 1, j + 1) - H.squared(0, i + 1) * H.squared(0, j + 1) / (m.EA + H.squared(0, 0))) /
-          m.l0;
+              m.l0 +
+          (i == j ? damping_ / m.l0 : 0);
   net_.add_block(e, K, values_);
   net_.add_force(e, {-y[1], -y[2], -y[3]}, residual_);
 }
@@ -205,6 +211,15 @@ void TensionCones::take(double a) {
     for (std::size_t i = 0; i < 4; ++i) m.y[i] += a * m.dy[i];
   }
   net_.move(step_, a);
+}
+
+/// Drag may leave what is slack with no place to be, or push it out of any: D holds it where steps become
+/// short.
+void TensionCones::adapt(double a, double tension) {
+  if (a < kShort)
+    damping_ = std::clamp(kRise * damping_, kLeastDamping * tension, kMostDamping * tension);
+  else if (a > kLong)
+    damping_ = kFall * damping_ < kNoDamping * tension ? 0 : kFall * damping_;
 }
 
 /// Within the limits; tells who looks on.

@@ -27,14 +27,15 @@ struct ConeOptions {
 /// J. Ito, "Large-deformation and friction analysis of non-linear elastic cable networks by second-order cone
 /// programming", Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2), scaled by W (W z =
 /// W⁻¹ y, H = W²), T, q and z₀ eliminated member by member, h = (H₁₀, H₂₀, H₃₀), H̄ the rest:
-///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀)]) s = −(r + Σ n c [q − ḡ + h ζ])               (3)
+///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀) + D I]) s = −(r + Σ n c [q − ḡ + h ζ])         (3)
 ///   ζ = ρ + (g₀ − H₀₀ ρ)/(EA + H₀₀),  ρ = 1 + T/EA − z₀                                     (4)
 ///   g = −y to see how far one comes (a₀), then W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)), v = W z,
 ///   σ = (1 − a₀)³, with the same matrix                                                     (5)
 ///   0.98 of the way to the boundary of K, at most a whole step                              (6)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
 /// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag, whose law is none of a
-/// convex problem, is linearised at every step like all of r.
+/// convex problem, is linearised at every step like all of r; D [N], zero at first, grows where that leaves
+/// steps short (Levenberg's damping).
 class TensionCones {
  public:
   /// Bodies and frames of its own make std::invalid_argument.
@@ -67,6 +68,7 @@ class TensionCones {
   std::vector<cone::Point> corrector(double mu) const;
   double step();
   void take(double a);
+  void adapt(double a, double tension);
   bool goes_on(const ConeOptions& options, double mu, double wall);
 
   MemberNet net_;
@@ -75,7 +77,7 @@ class TensionCones {
   std::vector<Member> members_;
   std::vector<cone::Scaling> scaling_;
   std::vector<double> residual_, values_, step_;
-  double mu_ = 0;
+  double mu_ = 0, damping_ = 0;  // [N]
   Books books_;
 };
 
