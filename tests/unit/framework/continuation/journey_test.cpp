@@ -26,13 +26,14 @@ struct Travelled {
   double away = 0;  // of node 1 from the line [m]
 };
 
-Travelled travel(const Scene& scene, Limits limits = {}, int looks = 0) {
+Travelled travel(const Scene& scene, Limits limits = {}, int looks = 0, OwnStart own_start = {}) {
   Registry& registry = shipped_plugins();
   const Plan plan = make_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
   JourneyOptions options;
   options.solver.type = &registry.solver("newton");
   options.limits = limits, options.make = make_factorisation, options.looks = looks;
+  options.own_start = std::move(own_start);
   Travelled t{Journey(scene, assembler, registry, options).arrive({}), 0};
   const auto at = [&](int axis) {
     return t.solution.x[static_cast<std::size_t>(assembler.numbering().index(1, axis))];
@@ -135,6 +136,26 @@ TEST(Journey, GoesOnWhereItIsNearlyThereBeforeItTriesOtherWays) {
   ASSERT_EQ(s.legs.size(), 2u);
   EXPECT_EQ(s.legs.front().status, SolveStatus::not_converged);
   EXPECT_EQ(s.legs.back().name, "as it is, further");
+}
+
+TEST(Journey, TakesTheStartThatItsCallerKnowsBeforeItsOwnWaysIfThatIsToBeSoon) {
+  const Scene scene = slack_rope(1e10);
+  const std::vector<double> there = travel(scene).solution.u;
+  Limits few;
+  few.iterations = 2;
+  std::array<std::size_t, 2> legs{};
+  for (const bool soon : {true, false}) {
+    const OwnStart own{"from elsewhere", soon, [&](const auto& from, double seconds, auto&) {
+                         EXPECT_TRUE(from.empty());
+                         EXPECT_GT(seconds, 0);
+                         return std::optional(there);
+                       }};
+    const Solution s = travel(scene, few, 0, own).solution;
+    ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+    EXPECT_EQ(s.legs.back().name, "from elsewhere");
+    legs[soon] = s.legs.size();
+  }
+  EXPECT_LT(legs[true], legs[false]);
 }
 
 TEST(Journey, AddsUpWhatAllItsLegsCost) {

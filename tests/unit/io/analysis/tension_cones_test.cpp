@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/analysis/tension_cones.hpp"
+
+#include "io/analysis/case.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/support/sample_scenes.hpp"
+#include "tests/unit/framework/assembler/sketch.hpp"
+#include "tests/verification/solving.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace netloft::io {
+namespace {
+
+constexpr cone::Point kZ{1.7, 0.3, -0.9, 1.1}, kY{5, -2, 1, 3.5};
+
+TEST(Cone, ScalingMapsBothPointsToOne) {
+  const cone::Scaling W(kZ, kY);
+  const cone::Point of_z = W.scaled(kZ), of_y = W.unscaled(kY), twice = W.scaled(W.scaled(kZ));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(of_z[i], of_y[i], 1e-13);
+    EXPECT_NEAR(twice[i], kY[i], 1e-12) << "W W z = y";
+    double squared = 0;
+    for (std::size_t j = 0; j < 4; ++j) squared += W.squared(i, j) * kZ[j];
+    EXPECT_NEAR(squared, kY[i], 1e-12);
+  }
+}
+
+TEST(Cone, QuotientUndoesTheProduct) {
+  const cone::Point x{0.2, -4, 1, 3}, again = cone::quotient(cone::product(kY, x), kY);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(again[i], x[i], 1e-14);
+}
+
+TEST(Cone, StepEndsWhereThePointWouldLeave) {
+  const cone::Point d{-1, 0.2, 0.5, 0.1}, outward{1, 0.5, 0.5, 0.5};
+  const double a = cone::step_to_boundary(kZ, d);
+  cone::Point there = kZ;
+  for (std::size_t i = 0; i < 4; ++i) there[i] += a * d[i];
+  EXPECT_NEAR(cone::determinant(there), 0, 1e-14);
+  EXPECT_GT(there[0], 0);
+  EXPECT_EQ(cone::step_to_boundary(kZ, outward), std::numeric_limits<double>::infinity());
+}
+
+struct Found {
+  Leg leg;
+  std::vector<double> positions;
+};
+
+Found find(const Scene& scene, ConeOptions options = {.tension = 1000}) {
+  TensionCones cones(scene, test::shipped_plugins(), make_factorisation, 1);
+  const Leg leg = cones.solve(options);
+  return {leg, cones.positions()};
+}
+
+/// A weight of 100 N in sea water that hangs on two ropes from one point, of 3 m and 2 m, both drawn far too
+/// long and aslant.
+Scene two_ropes(double EA) {
+  test::Sketch s;
+  const auto top = s.node(0, 0, 0, kAllAxes), weight = s.node(5, -4, 1);
+  s.rope("long", {top, weight}, 3, EA).parameters["rope.density"] = 1025.0;
+  s.rope("short", {top, weight}, 2, EA).parameters["rope.density"] = 1025.0;
+  s.part("weight", "float/float", {{"float.buoyancy", -100.0}, {"float.diameter", 0.1}}, {weight})
+      .data["share"] = {1};
+  return s.scene;
+}
+
+// The shorter rope bears all: l = l₀ (1 + P/EA).
+TEST(TensionCones, TellTheRopeThatBearsFromTheSlackOne) {
+  for (const double EA : {1e3, 1e5, 1e8}) {
+    const Found found = find(two_ropes(EA));
+    ASSERT_EQ(found.leg.status, SolveStatus::converged) << found.leg.reason;
+    EXPECT_NEAR(found.positions[5], -2 * (1 + 100 / EA), 1e-6);
+    EXPECT_NEAR(std::hypot(found.positions[3], found.positions[4]), 0, 1e-4);
+    EXPECT_LT(found.leg.books.iterations, 20);
+  }
+}
+
+TEST(TensionCones, LeadAPanelThatStartsSlackToWhereItHangs) {
+  Scene panel = sample::hanging_panel(8, 30);
+  for (Part& part : panel.parts) part.parameters["twine.EA_compression"] = 0.0;
+  const Found found = find(panel);
+  ASSERT_EQ(found.leg.status, SolveStatus::converged) << found.leg.reason;
+  Scene there = panel;
+  there.positions = found.positions;
+  const test::Solved confirmed = test::solve(there, {{}, {.tolerance = 1e-5}}), direct = test::solve(panel);
+  ASSERT_EQ(confirmed.solution.status, SolveStatus::converged) << confirmed.solution.reason;
+  EXPECT_LE(confirmed.solution.books.iterations, 2);
+  EXPECT_NEAR(confirmed.lowest_z(), direct.lowest_z(), 1e-4);
+}
+
+TEST(TensionCones, SayThatTheyHaveNotArrivedWhereIterationsAreSpent) {
+  const Found found = find(sample::hanging_panel(8, 30), {.tension = 1000, .iterations = 3});
+  EXPECT_EQ(found.leg.status, SolveStatus::not_converged);
+  EXPECT_EQ(found.leg.books.iterations, 3);
+  EXPECT_NE(found.leg.reason.find("slackness"), std::string::npos);
+}
+
+TEST(TensionCones, RefuseNodesThatMoveOtherwise) {
+  Scene scene = sample::hanging_rope(4);
+  scene.frames[0] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  EXPECT_THROW(find(scene), std::invalid_argument);
+}
+
+Solution run(const std::string& file, std::vector<std::string> overrides) {
+  Case one({NETLOFT_SOURCE_DIR + ("/" + file), std::move(overrides)}, test::shipped_plugins());
+  EXPECT_EQ(one.open(), Case::State::ready) << one.diagnostics().render(false);
+  return one.solve();
+}
+
+constexpr const char* kTrawl = "tests/stability/scenes/pelagic-trawl.toml";
+
+TEST(TensionCones, AreTheWayOfATrawlInACurrentByItself) {
+  const Solution s = run(kTrawl, {}), plain = run(kTrawl, {"analysis.continuation=off"});
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  ASSERT_EQ(plain.status, SolveStatus::converged) << plain.reason;
+  ASSERT_EQ(s.legs.size(), 2u);
+  EXPECT_EQ(s.legs.front().name, "tension only, in cones");
+  EXPECT_LT(s.books.factorisations, plain.books.factorisations);
+}
+
+// Ropes alone have nothing to tell apart, and the panel's slack twines bear too much of its load.
+TEST(TensionCones, AreLeftOutWhereNothingNeedsThem) {
+  for (const char* file :
+       {"gear-library/scenes/verification/catenary-wire.toml", "gear-library/scenes/dead-weight-panel.toml"})
+    for (const Leg& leg : run(file, {}).legs) EXPECT_NE(leg.solver, "cones") << file;
+}
+
+}  // namespace
+}  // namespace netloft::io
