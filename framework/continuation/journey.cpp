@@ -48,7 +48,7 @@ constexpr double kLongWay = 100, kLookWork = 1e7;
 constexpr int kOwnLooks = 6;
 // The motion may take so many steps, and so much of the time that all ways together are worth.
 constexpr int kMotionSteps = 2000;
-constexpr double kMotionPatience = 0.5;
+constexpr double kMotionPatience = 0.4;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
 
@@ -121,15 +121,15 @@ std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
   const bool soft_first = start.empty() && stretch_ < kVeryStiff, soft_soon = stretch_ < kRatherStiff;
   if (soft_soon) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
   const Way relaxed{"from a relaxed shape", &Journey::over_relaxation};
-  const Way moved{"from where it moves to", &Journey::over_motion};
+  const Way moved{"from where it moves to", &Journey::over_motion},
+      moved_on{"from where it moves on to", &Journey::over_more_motion};
   if (sticks())
     ways.insert(ways.begin() + 1, relaxed);
   else
-    ways.insert(is_conservative_ ? ways.end() : ways.begin() + 1, moved);
+    ways.insert(is_conservative_ ? ways.end() : ways.begin() + 1, {moved, moved_on});
   ways.push_back({"from tension only", &Journey::over_tension_only});
   ways.push_back({"from still water", &Journey::over_current});
   if (!soft_soon) ways.push_back(soft);
-  if (!sticks()) ways.push_back({"from where it moves on to", &Journey::over_more_motion});
   if (!sticks()) ways.push_back(relaxed);
   return ways;
 }
