@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace netloft {
 
@@ -45,6 +46,9 @@ constexpr double kOnItsWay = 0.03;
 // unknowns are no more than this: a second or two.
 constexpr double kLongWay = 100, kLookWork = 1e7;
 constexpr int kOwnLooks = 6;
+// The motion may take so many steps, and so much of the time that all ways together are worth.
+constexpr int kMotionSteps = 2000;
+constexpr double kMotionPatience = 0.4;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
 
@@ -89,6 +93,7 @@ Solution Journey::arrive(Displacements start) {
   options_.limits.ask_growth = true;
   begun_cpu_ = cpu_seconds();
   stretch_ = stretch_of_stiffest();
+  is_conservative_ = StaticProblem(assembler_, options_.make, options_.limits).conservative();
   const std::vector<Way> ways = ways_from(start);
   Limits limits = options_.limits;
   const bool few = is_stiff() || sticks() || options_.own_start.soon;
@@ -116,7 +121,12 @@ std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
   const bool soft_first = start.empty() && stretch_ < kVeryStiff, soft_soon = stretch_ < kRatherStiff;
   if (soft_soon) ways.insert(soft_first ? ways.begin() : ways.end(), soft);
   const Way relaxed{"from a relaxed shape", &Journey::over_relaxation};
-  if (sticks()) ways.insert(ways.begin() + 1, relaxed);
+  const Way moved{"from where it moves to", &Journey::over_motion},
+      moved_on{"from where it moves on to", &Journey::over_more_motion};
+  if (sticks())
+    ways.insert(ways.begin() + 1, relaxed);
+  else
+    ways.insert(is_conservative_ ? ways.end() : ways.begin() + 1, {moved, moved_on});
   const OwnStart& own = options_.own_start;
   if (own.find)
     ways.insert(own.soon ? ways.begin() + 1 : ways.end(), {own.name.c_str(), &Journey::over_own_start});
@@ -205,6 +215,8 @@ Solution Journey::solve_itself_off_saddles(const std::string& name, const Displa
   if (is_stiff()) {
     const double stiffest = largest_stiffness(scene_, registry_);
     aside = stiffened(std::move(aside), kBack * stiffest, stiffest);
+  } else if (!is_conservative_) {
+    aside = over_motion(aside, s).value_or(aside);
   }
   keep_better(s, solve_itself(name + ", shaken", aside, limits));
   return s;
@@ -300,6 +312,22 @@ std::optional<Journey::Displacements> Journey::over_relaxation(const Displacemen
   if (sticks()) leg_patience_ = patience_;
   relaxed_ = solve_leg("relaxation", scene_, *relaxation, start, sticks() ? kRelaxedToStick : kRelaxed).u;
   return relaxed_;
+}
+
+/// To where it comes to rest when nothing but its linear stiffness resists it.
+std::optional<Journey::Displacements> Journey::over_motion(const Displacements& start, const Solution&) {
+  auto motion = other_solver("ptc");
+  if (!motion) return {};
+  motion->parameters["method"] = std::string("implicit");
+  const double before = std::exchange(leg_patience_, kMotionPatience * patience_);
+  const Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance, kMotionSteps);
+  leg_patience_ = before;
+  moved_ = is_near(s) ? Displacements{} : s.u;
+  return s.u;
+}
+
+std::optional<Journey::Displacements> Journey::over_more_motion(const Displacements&, const Solution& best) {
+  return moved_.empty() ? std::nullopt : over_motion(Displacements(moved_), best);
 }
 
 std::optional<SolverUse> Journey::other_solver(const std::string& name) const {

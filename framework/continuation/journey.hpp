@@ -47,6 +47,7 @@ struct JourneyOptions {
 ///   soft to stiff    stiffness capped, the cap raised step by step
 ///   slow to fast     the current from none to all of it, by steps that halve when one fails
 ///   shaken           off a point that is not stable, or that has no forces
+///   moved            along the motion that its linear stiffness resists, off points that are not stable, too
 ///   relaxed          a matrix-free solver brings it near, if one is there
 ///   own              a start that whoever calls can find
 /// Only the scene itself, last of all, is judged. Whether it stands in other ways, too, is looked for from
@@ -84,6 +85,8 @@ class Journey {
   std::optional<Displacements> over_tension_only(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_stiffness(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_current(const Displacements& start, const Solution& best);
+  std::optional<Displacements> over_motion(const Displacements& start, const Solution& best);
+  std::optional<Displacements> over_more_motion(const Displacements& start, const Solution& best);
   std::optional<Displacements> over_relaxation(const Displacements& start, const Solution& best);
 
   Displacements shaken(Displacements u, double share) const;
@@ -112,9 +115,11 @@ class Journey {
   JourneyOptions options_;
   double begun_, begun_cpu_ = 0, patience_, leg_patience_;  // by the wall and of the processor [s]
   std::vector<Leg> legs_;
-  double stretch_ = 1;     // of the stiffest part, under all that drives the gear
+  double stretch_ = 1;  // of the stiffest part, under all that drives the gear
+  bool is_conservative_ = true;
   int turn_ = 0;           // each has its own way of shaking
   Displacements relaxed_;  // where a matrix-free solver brought it; empty: was not asked
+  Displacements moved_;    // where it was still moving; empty: it came to rest, or was not asked
 };
 
 }  // namespace netloft

@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace netloft {
 
 namespace {
 
 constexpr int kDecades = 9, kPowers = 60, kMeasured = 20;
+// Growth that still falls by this from one measure to the next may be passing: so often it is measured again.
+constexpr double kFalls = 1e-3;
+constexpr int kMeasures = 16;
 
 /// y = A x, of a matrix that may be stored as its lower triangle.
 void multiply(const SparsePattern& p, std::span<const double> values, std::span<const double> x,
@@ -65,25 +69,49 @@ bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> 
   return factorisation->factorise(values).status == FactorStatus::ok;
 }
 
-/// Growth of a scattered vector under powers of (2), averaged over the last of them.
+/// A scattered vector under powers of (2).
+class Powers {
+ public:
+  Powers(const SparsePattern& p, std::span<const double> sigma_M_minus_K, Factorisation& plus)
+      : p_(p), minus_(sigma_M_minus_K), plus_(plus), y_(scattered(static_cast<std::size_t>(p.size))) {}
+
+  /// Growth per power, averaged over so many.
+  double grow(int powers) {
+    double logarithm = 0;
+    for (int k = 0; k < powers; ++k) {
+      multiply(p_, minus_, y_, z_);
+      plus_.solve(z_, y_);
+      const double length = norm(y_);
+      if (!(length > 0) || !std::isfinite(length))
+        return length > 0 ? std::numeric_limits<double>::infinity() : 0;
+      logarithm += std::log(length);
+      for (double& v : y_) v /= length;
+    }
+    return std::exp(logarithm / powers);
+  }
+
+ private:
+  const SparsePattern& p_;
+  std::span<const double> minus_;
+  Factorisation& plus_;
+  std::vector<double> y_, z_;
+};
+
+/// Growth under powers of (2): over the last of them, or where it settles.
 double growth_at(double sigma, const SparsePattern& p, std::span<const double> K, std::span<const double> M,
                  Factorisation& factorisation) {
   std::vector<double> plus(K.size()), minus(K.size());
   for (std::size_t i = 0; i < K.size(); ++i) plus[i] = K[i] + sigma * M[i], minus[i] = sigma * M[i] - K[i];
   if (factorisation.factorise(plus).status != FactorStatus::ok)
     return std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> y = scattered(static_cast<std::size_t>(p.size)), z;
-  double logarithm = 0;
-  for (int k = 0; k < kPowers; ++k) {
-    const double before = norm(y);
-    multiply(p, minus, y, z);
-    factorisation.solve(z, y);
-    const double after = norm(y);
-    if (!(after > 0) || !std::isfinite(after)) return after > 0 ? std::numeric_limits<double>::infinity() : 0;
-    if (k >= kPowers - kMeasured) logarithm += std::log(after / before);
-    for (double& v : y) v /= after;
+  Powers powers(p, minus, factorisation);
+  powers.grow(kPowers - kMeasured);
+  double growth = powers.grow(kMeasured);
+  for (int measure = 1; growth > kGrows && measure < kMeasures; ++measure) {
+    const double before = std::exchange(growth, powers.grow(kMeasured));
+    if (growth > (1 - kFalls) * before) break;
   }
-  return std::exp(logarithm / kMeasured);
+  return growth;
 }
 
 }  // namespace
@@ -93,12 +121,16 @@ double largest_growth(Assembler& assembler, std::span<const double> x, const Mak
   if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}) ||
       !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
     return std::numeric_limits<double>::quiet_NaN();
-  const SparsePattern& pattern = assembler.pattern();
+  return largest_growth(assembler.pattern(), K, M, make);
+}
+
+double largest_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
+                      const MakeFactorisation& make) {
   if (is_symmetric_part_positive(pattern, K, make)) return 0;  // (3)
   const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   double largest = 0, sigma = 1;
-  for (int decade = 0; decade < kDecades; ++decade, sigma /= 10) {
+  for (int decade = 0; decade < kDecades && largest <= kGrows; ++decade, sigma /= 10) {
     const double growth = growth_at(sigma, pattern, K, M, *factorisation);
     if (std::isnan(growth)) return growth;
     largest = std::max(largest, growth);

@@ -34,31 +34,53 @@ struct Slice {
   double n, arm;
 };
 
+/// A front at `depth` from a corner, the others being at `first` and `second` from it [meshes]; with m it
+/// moves away from that corner (1) or towards it (−1).
+struct Cut {
+  double depth, first, second, away;
+};
+
+/// (5) of the corner that the front cuts off, corner[0].
+Pressure::Share cut_off(const std::array<std::size_t, 3>& corner, const Cut& cut) {
+  const double t1 = cut.depth / cut.first, t2 = cut.depth / cut.second;  // of the sides that are cut off
+  const double d1 = cut.away / cut.first, d2 = cut.away / cut.second;    // with m
+  const double area = t1 * t2, d_area = d1 * t2 + t1 * d2;
+  Pressure::Share share;
+  share.at[corner[0]] = area * (3 - t1 - t2) / 3;
+  share.at[corner[1]] = area * t1 / 3;
+  share.at[corner[2]] = area * t2 / 3;
+  share.slope_at[corner[0]] = (d_area * (3 - t1 - t2) - area * (d1 + d2)) / 3;
+  share.slope_at[corner[1]] = (d_area * t1 + area * d1) / 3;
+  share.slope_at[corner[2]] = (d_area * t2 + area * d2) / 3;
+  return share;
+}
+
 void push(double pressure, const Pressure::Share& share, const State<4>& s, Local<4>& out) {
-  const double sixth = share.value * pressure / 6;
-  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);  // (2)
-  for (std::size_t i = 0; i < 3; ++i) out.force[i] = -sixth * n;   // (3)
+  const double half = pressure / 2;
+  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);                // (2)
+  for (std::size_t i = 0; i < 3; ++i) out.force[i] = -(share.at[i] * half) * n;  // (3)
   if (!s.wants_tangent) return;
   for (int j = 0; j < 3; ++j) {
-    const Skew turn = cross_matrix((s.cu * sixth) * opposite(s, j));
-    for (int r = 0; r < 9; ++r)
-      for (int c = 0; c < 3; ++c) out.tangent[r][3 * j + c] = turn.at[r % 3][c];  // (4)
+    const Skew turn = cross_matrix((s.cu * half) * opposite(s, j));
+    for (std::size_t r = 0; r < 9; ++r)
+      for (int c = 0; c < 3; ++c) out.tangent[r][3 * j + c] = share.at[r / 3] * turn.at[r % 3][c];  // (4)
   }
-  for (int r = 0; r < 9; ++r) out.tangent[r][kFront] = -s.cu * share.slope * pressure / 6 * n[r % 3];  // (8)
+  for (std::size_t r = 0; r < 9; ++r)
+    out.tangent[r][kFront] = -s.cu * share.slope_at[r / 3] * half * n[static_cast<int>(r % 3)];  // (8)
 }
 
 void balance_volume(const Pressure::Parameters& p, double pressure, double triangles,
                     const Pressure::Share& share, const State<4>& s, Local<4>& out) {
   const Slice slice(p, s);
   const double k = pressure / std::cbrt(p.volume);
-  out.force[3].x = k * (share.value * slice.volume() - p.volume / triangles);  // (7)
+  out.force[3].x = k * (share.value() * slice.volume() - p.volume / triangles);  // (7)
   if (!s.wants_tangent) return;
-  out.tangent[kFront][kFront] = s.cu * k * share.slope * slice.volume();  // (8)
+  out.tangent[kFront][kFront] = s.cu * k * share.slope() * slice.volume();  // (8)
   for (int j = 0; j < 3; ++j) {
     const Skew turn = cross_matrix((0.5 * slice.arm) * opposite(s, j));
     for (int c = 0; c < 3; ++c)
       out.tangent[kFront][3 * j + c] =
-          s.cu * k * share.value * ((c == slice.axis ? slice.n / 6 : 0) - turn.at[slice.axis][c]);  // (9)
+          s.cu * k * share.value() * ((c == slice.axis ? slice.n / 6 : 0) - turn.at[slice.axis][c]);  // (9)
   }
 }
 
@@ -86,18 +108,17 @@ double Pressure::first_front(const Parameters& p, const Whole& whole) {
 }
 
 Pressure::Share Pressure::share_behind_front(const std::array<double, 3>& to_aft, double meshes) {
-  auto [a, b, c] = to_aft;
-  if (a > b) std::swap(a, b);
-  if (b > c) std::swap(b, c);
-  if (a > b) std::swap(a, b);
-  if (meshes >= c) return {1, 0};
-  if (meshes <= a) return {0, 0};
-  if (meshes <= b) {
-    const double density = (meshes - a) / ((b - a) * (c - a));
-    return {density * (meshes - a), 2 * density};
-  }
-  const double density = (c - meshes) / ((c - b) * (c - a));
-  return {1 - density * (c - meshes), 2 * density};
+  std::array<std::size_t, 3> corner{0, 1, 2};
+  std::sort(corner.begin(), corner.end(), [&](auto i, auto j) { return to_aft[i] < to_aft[j]; });
+  const double a = to_aft[corner[0]], b = to_aft[corner[1]], c = to_aft[corner[2]];
+  constexpr double kThird = 1.0 / 3;
+  if (meshes >= c) return {{kThird, kThird, kThird}, {}};
+  if (meshes <= a) return {};
+  if (meshes <= b) return cut_off(corner, {meshes - a, b - a, c - a, 1});
+  std::swap(corner[0], corner[2]);
+  Share share = cut_off(corner, {c - meshes, c - b, c - a, -1});
+  for (std::size_t i = 0; i < 3; ++i) share.at[i] = kThird - share.at[i], share.slope_at[i] *= -1;
+  return share;
 }
 
 double Pressure::full(const Parameters& p, const Water& w) {
@@ -105,11 +126,11 @@ double Pressure::full(const Parameters& p, const Water& w) {
 }
 
 double Pressure::on(const Parameters& p, const Data& d, const State<4>& s) {
-  return share_behind_front(d.to_aft, front(s)).value * full(p, s.water);
+  return share_behind_front(d.to_aft, front(s)).value() * full(p, s.water);
 }
 
 double Pressure::volume(const Parameters& p, const Data& d, const State<4>& s) {
-  return share_behind_front(d.to_aft, front(s)).value * Slice(p, s).volume();
+  return share_behind_front(d.to_aft, front(s)).value() * Slice(p, s).volume();
 }
 
 Status Pressure::Push::evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,

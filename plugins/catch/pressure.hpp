@@ -9,12 +9,14 @@ namespace netloft::catches {
 /// Pressure of the flow that the catch stops, on the netting behind the catch front, from inside:
 ///   p = p₀ + C_d ½ ρ V²                                                                (1)
 ///   n = (x₂−x₁)×(x₃−x₁) = x₁×x₂ + x₂×x₃ + x₃×x₁     outwards, twice the area              (2)
-///   r_i = −(φ p/6) n,  i = 1, 2, 3                  a third of the force per corner       (3)
-///   K_ij = (φ p/6) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v              (4)
-///   φ(m) = share of the triangle with s < m                                               (5)
+///   r_i = −(φ_i p/2) n,  i = 1, 2, 3                  what of the force each corner bears   (3)
+///   K_ij = (φ_i p/2) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v            (4)
+///   φ_i(m) = ∫ N_i over the part of the triangle with s < m, over its area,  φ = Σ φ_i      (5)
 /// p₀ [Pa] a pressure that is given, V [m/s] speed of the water through the gear, C_d drag coefficient of the
-/// catch; s meshes from a corner to the aft edge of its panel, m meshes of it that are filled, the front. s
-/// is linear in the triangle, so φ is of the unstretched one. Corners counter-clockwise seen from outside.
+/// catch; s meshes from a corner to the aft edge of its panel, m meshes of it that are filled, the front; N_i
+/// is linear, 1 at corner i and 0 at the others, so that the force acts in the middle of the part behind the
+/// front, and φ_i = 1/3 where that is all. s is linear in the triangle, so φ_i is of the unstretched one.
+/// Corners counter-clockwise seen from outside.
 /// Source: the paper's catch, p with C_d = 1.4; (3) after Priour, A Finite Element Method for Netting
 /// (Springer 2013).
 ///
@@ -27,7 +29,7 @@ namespace netloft::catches {
 /// unknown of one more equation, that the catch is as large as it is said to be:
 ///   v = (ȳ − y₀) n_y/2,  ȳ = (y₁ + y₂ + y₃)/3         ∮ (y − y₀) dA_y over the triangle      (6)
 ///   r_m = k (Σ φ v − V₀) = 0,  k = p/∛V₀                                                  (7)
-///   ∂r_i/∂m = −φ′ (p/6) n,   ∂r_m/∂m = k φ′ v                                             (8)
+///   ∂r_i/∂m = −φ_i′ (p/2) n,   ∂r_m/∂m = k φ′ v                                           (8)
 ///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
 /// V₀ [m³] the volume; y across the cod-end, y₀ its middle. By the theorem of Gauss Σ φ v is the volume
 /// behind the front and any surface across it to which y is tangent: one of straight lines from side to side.
@@ -51,9 +53,11 @@ struct Pressure {
   struct Whole {
     double triangles = 0, length = 0;  // length: largest s [meshes]
   };
-  /// φ and its derivative with m.
+  /// (5) and its derivative with m.
   struct Share {
-    double value, slope;
+    std::array<double, 3> at{}, slope_at{};
+    double value() const { return at[0] + at[1] + at[2]; }
+    double slope() const { return slope_at[0] + slope_at[1] + slope_at[2]; }
   };
 
   /// Throws std::invalid_argument if nothing presses, or the front is not given once.

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solvers/ptc/ptc.hpp"
+#include "solvers/ptc/methods.hpp"
 
 using netloft::ptc::PseudoTransient;
+
+netloft::Outcome PseudoTransient::solve(const Parameters& parameters, Problem& problem) {
+  return parameters.method == 0 ? solve_linearly_implicitly(parameters, problem)
+                                : solve_implicitly(parameters, problem);
+}
 
 NETLOFT_PLUGIN("ptc", "0.1.0", "pseudo-transient continuation") {
   using P = PseudoTransient::Parameters;
   auto& ptc = plugin.solver<PseudoTransient>("ptc",
                                              "pseudo-transient continuation in the metric of the linear "
                                              "stiffness, with switched evolution relaxation");
+  ptc.choice("method", &P::method,
+             "linearly-implicit: one linear solve a step; implicit: each step solved by Newton's method",
+             {"linearly-implicit", "implicit"});
   ptc.real("step", &P::step, "1",
            "first step of the pseudo-time, over what the linear stiffness needs to relax",
            {.lo = 1e-6, .hi = 1e12, .fallback = 100});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solvers/ptc/ptc.hpp"
+#include "solvers/ptc/methods.hpp"
 
 #include <algorithm>
 
@@ -101,7 +101,7 @@ class Continuation {
 
 }  // namespace
 
-Outcome PseudoTransient::solve(const Parameters& parameters, Problem& problem) {
+Outcome solve_linearly_implicitly(const PseudoTransient::Parameters& parameters, Problem& problem) {
   return Continuation(parameters, problem).run();
 }
 

@@ -43,6 +43,19 @@ inline Scene pushed_bar(double push) {
   return s.scene;
 }
 
+/// A bar of 1 m and 100 N that bears pressure as well as tension, nearly upright, loaded with 10 N at its
+/// top, `aside` of its foot. In balance it is 0.9 m long upright, which is not stable, or hangs 1.1 m long.
+/// Its tangent is as unsymmetric as that of a pushed bar.
+inline Scene toppling_bar(double aside) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto foot = s.node(0, 0, 0, kAllAxes), top = s.node(aside, 0, 0.9);
+  s.rope("bar", {foot, top}, 1, 100).parameters["rope.EA_compression"] = 100.0;
+  s.part("load", "test/load", {{"z", -10.0}}, {top});
+  s.part("push", "test/follower", {{"k", 0.0}}, {foot, top}).data["rest_length"] = {1};
+  return s.scene;
+}
+
 /// A bar that has no force beyond 1 m, between nodes 2 m apart.
 inline Scene bar_without_forces() {
   Sketch s;

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
+#include "tests/unit/solvers/known_answers.hpp"
 #include "tests/verification/solving.hpp"
 
 namespace netloft::test {
@@ -156,6 +158,21 @@ TEST(Journey, TakesTheStartThatItsCallerKnowsBeforeItsOwnWaysIfThatIsToBeSoon) {
     legs[soon] = s.legs.size();
   }
   EXPECT_LT(legs[true], legs[false]);
+}
+
+bool has_leg(const Solution& s, const std::string& name) {
+  return std::any_of(s.legs.begin(), s.legs.end(), [&](const Leg& leg) { return leg.name == name; });
+}
+
+TEST(Journey, MovesOffAPointThatIsNotStableWhereForcesHaveNoEnergy) {
+  plugins();  // "test/load" and its like are among the shipped elements from here on
+  const Scene scene = toppling_bar(0);
+  const Solution s = travel(scene).solution;
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  ASSERT_FALSE(s.legs.empty());
+  EXPECT_EQ(s.legs.front().status, SolveStatus::unstable) << "upright";
+  EXPECT_TRUE(has_leg(s, "motion"));
+  EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.1, 1e-6) << "it hangs";
 }
 
 TEST(Journey, AddsUpWhatAllItsLegsCost) {

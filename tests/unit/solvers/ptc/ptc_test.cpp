@@ -105,5 +105,53 @@ TEST(PseudoTransient, StopsAtTheLimit) {
   EXPECT_TRUE(says(s, "limit of 3 iterations")) << s.solution.reason;
 }
 
+const Values kImplicit{{"method", std::string("implicit")}};
+
+TEST(ImplicitSteps, PullASlackTrussToItsClosedForm) {
+  const Solved s = solve_with("ptc", two_bar_truss(), kImplicit);
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_LT(distance(s.position(2), kJointOfTruss), 1e-9);
+}
+
+TEST(ImplicitSteps, BalanceAForceThatHasNoEnergy) {
+  const Solved s = solve_with("ptc", pushed_bar(5), kImplicit),
+               by_newton = solve_with("newton", pushed_bar(5));
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(s.position(1)[axis], by_newton.position(1)[axis], 1e-8);
+}
+
+// Undamped, Newton's method stands the bar up: 1 m x (1 − 10 N/100 N) is in balance, and topples.
+TEST(ImplicitSteps, LeaveAnEquilibriumThatIsNotStable) {
+  const Solved up = solve_with("newton", toppling_bar(1e-3), {{"method", std::string("classic")}});
+  EXPECT_NEAR(up.position(1)[2], 0.9, 1e-6) << up.solution.reason;
+  const Solved s = solve_with("ptc", toppling_bar(1e-3), kImplicit);
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_NEAR(s.position(1)[2], -1.1, 1e-9);
+}
+
+// Newton's method creeps there: its twines flicker between slack and taut.
+TEST(ImplicitSteps, FindACodEndWithALongNarrowNeck) {
+  const SolvedFile s = solve_file(
+      "verification/codend-with-catch.toml",
+      {"analysis.solver=\"ptc\"", "analysis.ptc.method=\"implicit\"", "parts.codend.panel.across=76",
+       "parts.codend.panel.along=108", "parts.codend.cells=[14,20]", "parts.codend.tube.radius=0.2072",
+       "parts.codend.twine.EA=39694.6", "parts.catch.catch.meshes=20", "parts.catch.catch.pressure=413.2"});
+  EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+  EXPECT_LT(s.solved.solution.books.iterations, 60);
+}
+
+TEST(ImplicitSteps, ThatLeadTooFarAreTakenBack) {
+  const Solved s = solve_with("ptc", two_bar_truss(), {{"method", std::string("implicit")}, {"reach", 0.1}});
+  EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_TRUE(has_note(s, "taken back"));
+}
+
+TEST(ImplicitSteps, NameTheElementThatHasNoForceAtTheStart) {
+  const Solved s = solve_with("ptc", bar_without_forces(), kImplicit);
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_EQ(s.solution.at_fault, "picky element 0");
+}
+
 }  // namespace
 }  // namespace netloft::test

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/ptc/methods.hpp"
+
+#include <algorithm>
+
+#include "solvers/common/vectors.hpp"
+
+namespace netloft::ptc {
+
+namespace {
+
+constexpr double kShortestStep = 1e-8, kLongestStep = 1e13;
+// A step is solved when a correction is this share of it, and is given up after so many.
+constexpr double kSolved = 0.01;
+constexpr int kCorrections = 8;
+// After few corrections the next step is longer, after many shorter, after one that is taken back even more.
+constexpr int kFew = 4, kMany = 6;
+constexpr double kLonger = 2, kShorter = 0.67, kTakenBack = 0.25;
+// What drives a step may grow so much while it is made.
+constexpr double kMostGrowth = 2;
+
+class ImplicitSteps {
+ public:
+  ImplicitSteps(const PseudoTransient::Parameters& parameters, Problem& problem)
+      : p_(parameters),
+        problem_(problem),
+        delta_(parameters.step),
+        r_(problem.size()),
+        r_before_(problem.size()),
+        before_(problem.size()),
+        moved_(problem.size()),
+        unbalanced_(problem.size()),
+        s_(problem.size()) {}
+
+  Outcome run() {
+    if (!evaluate_here()) return Outcome::left_domain;
+    while (problem_.progress(problem_.u(), energy_, r_, note_)) {
+      note_ = "";
+      keep_place();
+      if (!take_step() && !take_back()) return Outcome::step_too_short;
+    }
+    return Outcome::stopped;
+  }
+
+ private:
+  bool evaluate_here() {
+    return problem_.evaluate(problem_.u(), energy_, r_, Matrix::exact) == Evaluation::ok;
+  }
+
+  void keep_place() {
+    std::copy(problem_.u().begin(), problem_.u().end(), before_.begin());
+    r_before_ = r_;
+    std::fill(moved_.begin(), moved_.end(), 0.0);
+  }
+
+  /// Solves (3).
+  bool take_step() {
+    for (int corrections = 1; corrections <= kCorrections; ++corrections) {
+      if (!correct() || problem_.step_length(s_) > p_.reach) return false;
+      if (problem_.step_length(s_) > kSolved * problem_.step_length(moved_)) continue;
+      if (!follows_motion()) return false;
+      adapt_step(corrections);
+      return true;
+    }
+    return false;
+  }
+
+  /// (4)
+  bool correct() {
+    if (problem_.factorise(Matrix::exact, 1 / delta_) != Factor::ok) return false;
+    problem_.multiply(Matrix::none, 1 / delta_, moved_, unbalanced_);
+    axpy(1, r_, unbalanced_);
+    problem_.solve(unbalanced_, s_);
+    axpy(-1, s_, moved_);
+    for (std::size_t i = 0; i < s_.size(); ++i) problem_.u()[i] = before_[i] + moved_[i];
+    return evaluate_here();
+  }
+
+  /// (5)
+  bool follows_motion() {
+    return problem_.step_length(moved_) <= p_.reach &&
+           dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_);
+  }
+
+  void adapt_step(int corrections) {
+    if (corrections <= kFew) delta_ = std::min(kLongestStep, delta_ * kLonger);
+    if (corrections > kMany) delta_ *= kShorter;
+  }
+
+  bool take_back() {
+    note_ = "taken back";
+    delta_ *= kTakenBack;
+    std::copy(before_.begin(), before_.end(), problem_.u().begin());
+    return evaluate_here() && delta_ > kShortestStep;
+  }
+
+  const PseudoTransient::Parameters& p_;
+  Problem& problem_;
+  double delta_, energy_ = 0;
+  const char* note_ = "";
+  std::vector<double> r_, r_before_;  // here, and where the step began
+  std::vector<double> before_, moved_, unbalanced_, s_;
+};
+
+}  // namespace
+
+Outcome solve_implicitly(const PseudoTransient::Parameters& parameters, Problem& problem) {
+  return ImplicitSteps(parameters, problem).run();
+}
+
+}  // namespace netloft::ptc
