@@ -4,6 +4,7 @@
 #include "framework/continuation/journey.hpp"
 #include "framework/problem/settling.hpp"
 #include "io/analysis/coarser.hpp"
+#include "io/analysis/cone_use.hpp"
 #include "io/analysis/diagnosis.hpp"
 #include "io/analysis/stretch_damping.hpp"
 #include "io/analysis/tension_cones.hpp"
@@ -24,10 +25,6 @@ namespace {
 // Below so many unknowns a coarser mesh costs as much as it saves; it need not be solved better than this.
 constexpr std::size_t kSmall = 200;
 constexpr double kCoarseTolerance = 1e-3;
-// Stiffness of what is slack over the load, in a gear that may as well bear tension only.
-constexpr double kNextToNothing = 5e-4;
-// Load over stiffness of a gear in which what is slack is soon found to have its place.
-constexpr double kSoftEnough = 1e-4;
 
 /// "tension only" → "tension only, elements x 2" → "tension only, elements x 4": how much longer they are.
 std::string on_coarser(const std::string& leg) {
@@ -165,18 +162,22 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
                         make_factorisation, limits, a.dynamics.march, watch, from);
 }
 
-/// Where everything is at rest at t = 0, as a start; of coarser meshes first.
+/// Where everything is at rest at t = 0, as a start; of tension only or of coarser meshes first.
 Solution Case::find_equilibrium(const std::atomic<bool>* interrupt, double tolerance) {
   const SolverType& newton = registry_.solver("newton");
   const auto parameters = block_of(newton.parameters, newton.solver.parameter_bytes, {});
   Limits limits;
   limits.tolerance = tolerance;
   limits.interrupt = interrupt, limits.seconds = loaded_.analysis.limits.seconds;
-  std::vector<Leg> coarser;
-  const auto start = start_from_coarser(
-      [&](Case& coarse) { return coarse.find_equilibrium(interrupt, kCoarseTolerance); }, coarser);
+  std::vector<Leg> before;
+  std::optional<std::vector<double>> start;
+  if (use_of_cones(loaded_.scene, registry_, *assembler_) == ConeUse::first)
+    start = start_in_cones({.interrupt = interrupt}, {}, limits.seconds, before);
+  if (!start)
+    start = start_from_coarser(
+        [&](Case& coarse) { return coarse.find_equilibrium(interrupt, kCoarseTolerance); }, before);
   return solve_static(loaded_.scene, *assembler_, newton, parameters.data(), limits, make_factorisation, {},
-                      start);
+                      *start);
 }
 
 Solution Case::solve_by_journey(const Watch& watch) {
@@ -192,48 +193,30 @@ Solution Case::solve_by_journey(const Watch& watch) {
   const auto from_coarser = [&](std::vector<Leg>& legs) {
     return start_from_coarser([&](Case& coarse) { return coarse.solve(watch); }, legs);
   };
-  const bool in_cones = options.detours && !loaded_.analysis.in_stages && suits_cones();
+  const ConeUse cones = options.detours && !loaded_.analysis.in_stages
+                            ? use_of_cones(loaded_.scene, registry_, *assembler_)
+                            : ConeUse::never;
   if (loaded_.analysis.in_stages)
     start = start_in_stages(watch, before);
-  else if (in_cones && (loaded_.scene.current.flows() || bears_tension_only()))
+  else if (cones == ConeUse::first)
     start = start_in_cones(watch, {}, options.limits.seconds, before);
-  else if (in_cones)
+  if (cones == ConeUse::first && start)
+    options.own_start = {"from coarser meshes", true,
+                         [&](const auto&, double, auto& legs) { return std::optional(from_coarser(legs)); }};
+  else if (cones == ConeUse::as_a_way)
     options.own_start = {"from tension only, in cones", false,
                          [&](const auto& from, double seconds, auto& legs) {
                            return start_in_cones(watch, from, seconds, legs);
                          }};
-  if (start && in_cones)
-    options.own_start = {"from coarser meshes", true,
-                         [&](const auto&, double, auto& legs) { return std::optional(from_coarser(legs)); }};
-  else if (!start && loaded_.analysis.continuation)
-    start = from_coarser(before);
+  if (!start && loaded_.analysis.continuation) start = from_coarser(before);
   Journey journey(loaded_.scene, *assembler_, registry_, options);
   for (const Leg& leg : before) journey.book(leg);
   return journey.arrive(start.value_or(std::vector<double>{}));
 }
 
-/// Members of which some must be slack, as there are more than their nodes have unknowns: which ones, an
-/// interior-point method finds in few steps, whatever the start. Not where bodies or frames carry nodes, and
-/// not where things stick.
-bool Case::suits_cones() const {
-  const Scene& scene = loaded_.scene;
-  return scene.bodies.empty() && scene.frames.empty() && assembler_->memory().empty() &&
-         axial_members(scene, registry_).size() > plan_.unknowns;
-}
-
-/// What is slack bears nothing, or next to nothing of the load, and the gear is not so stiff that finding its
-/// place again is the longer part of the way.
-bool Case::bears_tension_only() const {
-  double pressed = 0, stiffest = 0;
-  for (const AxialMember& m : axial_members(loaded_.scene, registry_))
-    pressed = std::max(pressed, m.EA_compression), stiffest = std::max(stiffest, m.EA);
-  const double load = driving_load();
-  return pressed == 0 || (pressed <= kNextToNothing * load && load >= kSoftEnough * stiffest);
-}
-
-/// All that drives the gear [N].
-double Case::driving_load() const {
-  return StaticProblem(*assembler_, make_factorisation, {}).driving_load().sum;
+bool Case::begins_in_cones() const {
+  return loaded_.analysis.continuation && !loaded_.analysis.in_stages &&
+         use_of_cones(loaded_.scene, registry_, *assembler_) == ConeUse::first;
 }
 
 std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, const std::vector<double>& from,
@@ -244,8 +227,7 @@ std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, cons
     assembler_->place(from, x);
     set_start(scene, positions(x));
   }
-  const double load = driving_load();
-  if (load == 0) return {};
+  const double load = load_of(*assembler_);
   TensionCones cones(scene, registry_, make_factorisation, source_.threads);
   legs.push_back(cones.solve({.tension = load,
                               .seconds = seconds,

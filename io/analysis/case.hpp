@@ -55,6 +55,9 @@ class Case {
   /// Positions of all nodes [m], 3 per node of the scene, out of a vector over all dofs.
   std::vector<double> positions(std::span<const double> x) const;
 
+  /// An interior-point method finds the start that the solver gets (cone_use.hpp).
+  bool begins_in_cones() const;
+
   LoadedScene& loaded() { return loaded_; }
   const LoadedScene& loaded() const { return loaded_; }
   const Plan& plan() const { return plan_; }
@@ -71,9 +74,6 @@ class Case {
   Solution solve_by_journey(const Watch& watch);
   Solution settle(const Watch& watch);
   Solution find_equilibrium(const std::atomic<bool>* interrupt, double tolerance);
-  bool suits_cones() const;
-  bool bears_tension_only() const;
-  double driving_load() const;
   std::optional<std::vector<double>> start_in_cones(const Watch& watch, const std::vector<double>& from,
                                                     double seconds, std::vector<Leg>& legs);
   std::vector<double> start_in_stages(const Watch& watch, std::vector<Leg>& legs);

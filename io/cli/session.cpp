@@ -52,12 +52,18 @@ int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Option
 namespace {
 
 /// What the program does around the solver.
-std::string way_of(const Analysis& analysis) {
+std::string way_of(const Case& scene) {
+  const Analysis& analysis = scene.loaded().analysis;
   if (!analysis.continuation) return "";
   if (analysis.in_stages)
     return "from soft to stiff first, tensions being unknowns, then over easier scenes where it does not "
            "arrive";
-  return std::string(analysis.automatic ? "chosen by auto, " : "") +
+  const std::string chosen = analysis.automatic ? "chosen by auto, " : "";
+  if (scene.begins_in_cones())
+    return chosen +
+           "from where it rests if twines and ropes bear tension only, over coarser meshes and easier scenes "
+           "where it does not arrive";
+  return chosen +
          "from coarser meshes where cells can be halved, over easier scenes where it does not arrive "
          "(from soft to stiff first where the load would hardly stretch it)";
 }
@@ -68,7 +74,7 @@ PlanExtras Session::plan_extras() {
   const auto factorisation =
       make_factorisation(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   return {loaded().analysis.solver, factorisation->description(), assembler().pattern().entries(),
-          threads_for(options_),    assembler().threads_used(),   way_of(loaded().analysis)};
+          threads_for(options_),    assembler().threads_used(),   way_of(case_)};
 }
 
 }  // namespace netloft::io

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+#include "framework/registry/registry.hpp"
+
+namespace netloft::io {
+
+/// What the interior-point method of tension_cones.hpp is worth to a scene.
+///   never      no member need be slack: there are no more of them than their nodes have unknowns; or bodies
+///              and frames carry nodes; or things stick and slide
+///   as_a_way   after others: what is slack bears some of the load, or what is taut hardly stretches, and
+///              most of the way is to find the place of what is slack
+///   first      a net in a current, which gives what is slack its place; or slackness bears (next to) nothing
+enum class ConeUse { never, as_a_way, first };
+
+ConeUse use_of_cones(const Scene& scene, Registry& registry, Assembler& assembler);
+
+/// All that drives the gear, all in all [N].
+double load_of(Assembler& assembler);
+
+}  // namespace netloft::io
