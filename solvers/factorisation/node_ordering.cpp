@@ -9,10 +9,6 @@
 namespace netloft {
 namespace {
 
-// Nodes. On nets of 100 to 600 nodes METIS made factorisations of 1.02 to 1.7 times the operations, and took
-// as long as two of them.
-constexpr std::int32_t kWorthMetis = 700;
-
 std::vector<std::int32_t> expand_to_unknowns(const NodeGraph& graph, const int* vertex_order) {
   std::vector<std::int32_t> unknowns;
   unknowns.reserve(graph.unknown.size());
@@ -42,10 +38,10 @@ NodeOrdering order_by(int method, const char* name, NodeGraph& graph) {
 
 }  // namespace
 
-NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method) {
+NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method, std::int32_t worth_metis) {
   const SingleThreadScope single_thread;
   NodeGraph graph = make_node_graph(pattern);
-  if (method == OrderingMethod::best && graph.size < kWorthMetis) method = OrderingMethod::amd;
+  if (method == OrderingMethod::best && graph.size < worth_metis) method = OrderingMethod::amd;
   if (method == OrderingMethod::amd) return order_by(CHOLMOD_AMD, "AMD", graph);
   NodeOrdering metis = order_by(CHOLMOD_METIS, "METIS", graph);
   if (method == OrderingMethod::metis) return metis;

@@ -85,6 +85,14 @@ TEST(NodeOrdering, TakesTheMethodWithFewerOperations) {
   }
 }
 
+TEST(NodeOrdering, TriesMetisOnlyWhereItIsWorthIt) {
+  const TestMatrix net = make_net_matrix({.rings = 100, .nodes_per_ring = 100});
+  const NodeOrdering tried = order_nodes(net.pattern, OrderingMethod::best, 10'000);
+  EXPECT_EQ(tried.method, "METIS");
+  EXPECT_LT(tried.flops, order_nodes(net.pattern, OrderingMethod::amd).flops);
+  EXPECT_EQ(order_nodes(net.pattern, OrderingMethod::best, 10'001).method, "AMD");
+}
+
 TEST(NodeOrdering, ManagesNodesThatTouchNoOther) {
   const SparsePattern loose{3, {0, 1, 2, 3}, {0, 1, 2}, {0, 1, 2}, true, {}, 0};
   EXPECT_TRUE(is_permutation_of(order_nodes(loose).unknown, 3));
