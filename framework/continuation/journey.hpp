@@ -17,6 +17,7 @@ struct SolverUse {
 /// How a journey is made.
 struct JourneyOptions {
   SolverUse solver;
+  std::optional<SolverUse> nearby;  // in its place from the start that the journey is given, if any
   Limits limits;
   MakeFactorisation make;
   TangentChoice tangent = TangentChoice::exact;
@@ -98,9 +99,10 @@ class Journey {
   JourneyOptions options_;
   double begun_, begun_cpu_ = 0, patience_, leg_patience_;  // by the wall and of the processor [s]
   std::vector<Leg> legs_;
-  double stretch_ = 1;     // of the stiffest part, under all that drives the gear
-  int turn_ = 0;           // each has its own way of shaking
-  Displacements relaxed_;  // where a matrix-free solver brought it; empty: was not asked
+  double stretch_ = 1;      // of the stiffest part, under all that drives the gear
+  bool is_nearby_ = false;  // what is solved next is the scene itself from the start that was given
+  int turn_ = 0;            // each has its own way of shaking
+  Displacements relaxed_;   // where a matrix-free solver brought it; empty: was not asked
 };
 
 }  // namespace netloft
