@@ -94,6 +94,7 @@ Solution Journey::arrive(Displacements start) {
   begun_cpu_ = cpu_seconds();
   stretch_ = stretch_of_stiffest();
   is_conservative_ = StaticProblem(assembler_, options_.make, options_.limits).conservative();
+  is_nearby_ = options_.nearby && !start.empty();
   const std::vector<Way> ways = ways_from(start);
   Limits limits = options_.limits;
   const bool few = is_stiff() || sticks() || options_.own_start.soon;
@@ -339,7 +340,8 @@ std::optional<SolverUse> Journey::other_solver(const std::string& name) const {
 }
 
 Solution Journey::solve_itself(const std::string& name, const Displacements& start, const Limits& limits) {
-  return solve_itself(name, options_.solver, start, limits);
+  const bool nearby = std::exchange(is_nearby_, false);
+  return solve_itself(name, nearby ? *options_.nearby : options_.solver, start, limits);
 }
 
 Solution Journey::solve_itself(const std::string& name, const SolverUse& solver, const Displacements& start,

@@ -28,6 +28,7 @@ struct OwnStart {
 /// How a journey is made.
 struct JourneyOptions {
   SolverUse solver;
+  std::optional<SolverUse> nearby;  // in its place from the start that the journey is given, if any
   Limits limits;
   MakeFactorisation make;
   TangentChoice tangent = TangentChoice::exact;
@@ -117,9 +118,10 @@ class Journey {
   std::vector<Leg> legs_;
   double stretch_ = 1;  // of the stiffest part, under all that drives the gear
   bool is_conservative_ = true;
-  int turn_ = 0;           // each has its own way of shaking
-  Displacements relaxed_;  // where a matrix-free solver brought it; empty: was not asked
-  Displacements moved_;    // where it was still moving; empty: it came to rest, or was not asked
+  bool is_nearby_ = false;  // what is solved next is the scene itself from the start that was given
+  int turn_ = 0;            // each has its own way of shaking
+  Displacements relaxed_;   // where a matrix-free solver brought it; empty: was not asked
+  Displacements moved_;     // where it was still moving; empty: it came to rest, or was not asked
 };
 
 }  // namespace netloft

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/continuation/journey.hpp"
 #include "framework/problem/time_march.hpp"
 #include "framework/problem/verdict.hpp"
 #include "framework/scene/plan.hpp"
@@ -71,6 +72,7 @@ class Case {
   State read();
   State assemble();
   Solution solve_plainly(const Watch& watch);
+  std::optional<SolverUse> nearby(SolverUse solver) const;
   Solution solve_by_journey(const Watch& watch);
   Solution settle(const Watch& watch);
   Solution find_equilibrium(const std::atomic<bool>* interrupt, double tolerance);

@@ -79,6 +79,22 @@ cholmod_sparse PermutedMatrix::view() {
   return view;
 }
 
+/// Only read, and without values.
+cholmod_sparse view_of(const SparsePattern& pattern) {
+  cholmod_sparse view{};
+  view.nrow = view.ncol = static_cast<std::size_t>(pattern.size);
+  view.nzmax = pattern.entries();
+  view.p = const_cast<std::int32_t*>(pattern.column_start.data());
+  view.i = const_cast<std::int32_t*>(pattern.row.data());
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_PATTERN;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
 cholmod_dense view_of(double* x, std::size_t size) {
   cholmod_dense view{};
   view.nrow = view.nzmax = view.d = size;
@@ -130,6 +146,12 @@ void merge_supernodes(cholmod_common& common) {
   std::copy(std::begin(kZeros), std::end(kZeros), common.zrelax);
 }
 
+/// On nets of 1000 to 4400 nodes supernodal factorisations after AMD took 0.9 to 1.04 times as long as after
+/// METIS, of up to 1.1 times the operations, and METIS as long as one or two of them; of 6000 nodes 0.99 to
+/// 1.09 times as long, of 16 000 1.1 to 1.2 times. After dissection, those of panels took 0.72 (6500 nodes),
+/// 0.85 (26 000) and 0.91 (10⁵) of the time after METIS, for 0.84, 0.88 and 0.94 of the operations.
+constexpr LargeNets kLargeNets{5000, OrderingMethod::dissection};
+
 CholmodFactorisation::CholmodFactorisation(OrderingMethod method) : method_(method) {
   common_->nmethods = 1;
   common_->method[0].ordering = CHOLMOD_GIVEN;
@@ -169,12 +191,9 @@ void CholmodFactorisation::analyse(const SparsePattern& pattern) {
 }
 
 void CholmodFactorisation::analyse_unknowns(const SparsePattern& pattern) {
-  NodeOrdering ordering = order_nodes(pattern, method_);
+  NodeOrdering ordering = order_nodes(pattern, method_, kLargeNets);
   ordering_ = ordering.method;
-  Indices natural(pattern.size);
-  std::iota(natural.begin(), natural.end(), 0);
-  matrix_.set_up(pattern, natural);
-  cholmod_sparse view = matrix_.view();
+  cholmod_sparse view = view_of(pattern);
   factor_ = cholmod_analyze_p(&view, ordering.unknown.data(), nullptr, 0, common_.get());
   if (factor_ == nullptr) {
     throw std::runtime_error("cannot analyse a matrix of " + std::to_string(pattern.size) +

@@ -11,6 +11,9 @@ namespace {
 
 using Few = std::array<double, LeastCurvature::kSteps>;
 
+// Once a longer basis makes θ greater by no more than this share, v is good enough to go along.
+constexpr double kFound = 0.01;
+
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -70,15 +73,25 @@ LeastCurvature::LeastCurvature(std::size_t size) : size_(size) {
 
 double LeastCurvature::find(Problem& problem, double shift) {
   start(problem);
+  double theta = std::numeric_limits<double>::quiet_NaN(), lambda = theta;
   std::size_t lengthened = 0;
-  for (; lengthened < length_; ++lengthened) lengthen(problem);
-  if (lengthened == 0) return std::numeric_limits<double>::quiet_NaN();
-  const Tridiagonal T{{a_.data(), lengthened}, b_};
-  const double theta = T.largest_eigenvalue();
-  const Few y = T.eigenvector(theta);
+  for (bool is_found = false; lengthened < length_ && !is_found; ++lengthened) {
+    lengthen(problem);
+    const double before = theta;
+    theta = Tridiagonal{{a_.data(), lengthened + 1}, b_}.largest_eigenvalue();
+    lambda = 1 / theta - shift;  // (2)
+    is_found = lambda < 0 && theta <= before * (1 + kFound);
+  }
+  if (lengthened == 0) return lambda;
+  const Few y = Tridiagonal{{a_.data(), lengthened}, b_}.eigenvector(theta);
+  combine({y.data(), lengthened});
+  return lambda;
+}
+
+/// The sum of y[i] times the i-th of the basis.
+void LeastCurvature::combine(std::span<const double> y) {
   std::fill(w_.begin(), w_.end(), 0.0);
-  for (std::size_t i = 0; i < lengthened; ++i) add(w_, y[i], basis(i));
-  return 1 / theta - shift;  // (2)
+  for (std::size_t i = 0; i < y.size(); ++i) add(w_, y[i], basis(i));
 }
 
 /// With a share of every direction, the same on every machine: fractions of multiples of the golden ratio.

@@ -10,7 +10,7 @@ namespace netloft::newton {
 
 /// Where a tangent K that is hardly indefinite curves least:
 ///   K v = λ M v, the least λ, M the linear stiffness                                     (1)
-/// from the factor of K + σM, which is positive definite, by a few steps of Lanczos for
+/// from the factor of K + σM, which is positive definite, by at most ten steps of Lanczos for
 ///   (K + σM)⁻¹ M v = θ v, the largest θ; λ = 1/θ − σ                                     (2)
 /// in the inner product of M, each vector made orthogonal to all before it. λ is never found below what it
 /// is. B. N. Parlett, The Symmetric Eigenvalue Problem (1998), ch. 13 and 15.
@@ -30,6 +30,7 @@ class LeastCurvature {
   void start(Problem& problem);
   void lengthen(Problem& problem);
   void keep_orthogonal(Problem& problem);
+  void combine(std::span<const double> y);
 
   std::span<double> basis(std::size_t i) { return {basis_.data() + i * w_.size(), w_.size()}; }
   std::span<double> image(std::size_t i) { return {images_.data() + i * w_.size(), w_.size()}; }

@@ -63,7 +63,8 @@ TEST(NodeGraph, OfNothingIsEmpty) {
 TEST(NodeOrdering, EliminatesEveryUnknownOnceByEachMethod) {
   const TestMatrix net =
       make_net_matrix({.is_fixed = [](int node, int axis) { return (node + axis) % 4 == 0; }});
-  for (const OrderingMethod method : {OrderingMethod::amd, OrderingMethod::metis, OrderingMethod::best}) {
+  for (const OrderingMethod method :
+       {OrderingMethod::amd, OrderingMethod::metis, OrderingMethod::dissection, OrderingMethod::best}) {
     EXPECT_TRUE(is_permutation_of(order_nodes(net.pattern, method).unknown, net.pattern.size));
   }
 }
@@ -83,6 +84,14 @@ TEST(NodeOrdering, TakesTheMethodWithFewerOperations) {
     const double metis = order_nodes(net.pattern, OrderingMethod::metis).flops;
     EXPECT_EQ(order_nodes(net.pattern).flops, std::min(amd, metis));
   }
+}
+
+TEST(NodeOrdering, TriesMetisOnlyWhereItIsWorthIt) {
+  const TestMatrix net = make_net_matrix({.rings = 100, .nodes_per_ring = 100});
+  const NodeOrdering tried = order_nodes(net.pattern, OrderingMethod::best, {.nodes = 10'000});
+  EXPECT_EQ(tried.method, "METIS");
+  EXPECT_LT(tried.flops, order_nodes(net.pattern, OrderingMethod::amd).flops);
+  EXPECT_EQ(order_nodes(net.pattern, OrderingMethod::best, {.nodes = 10'001}).method, "AMD");
 }
 
 TEST(NodeOrdering, ManagesNodesThatTouchNoOther) {

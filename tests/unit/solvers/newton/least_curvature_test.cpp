@@ -47,10 +47,20 @@ TEST(LeastCurvature, IsTheLeastEigenvalueAndItsVector) {
   Diagonal d(spectrum({-3e-8}, 500));
   Problem problem(d.interface);
   LeastCurvature curvature(problem.size());
-  EXPECT_NEAR(curvature.find(problem, kShift), -3e-8, 1e-12);
+  EXPECT_NEAR(curvature.find(problem, kShift), -3e-8, 3e-10);
   double rest = 0;
   for (std::size_t i = 1; i < 500; ++i) rest = std::max(rest, std::abs(curvature.direction()[i]));
   EXPECT_LT(rest, 1e-2 * std::abs(curvature.direction()[0]));
+}
+
+TEST(LeastCurvature, TakesNoMoreStepsThanItsDirectionNeeds) {
+  Diagonal d(spectrum({-9e-8}, 500));
+  static int solves = 0;
+  static const auto solve = d.interface.solve;
+  d.interface.solve = [](void* host, const double* rhs, double* x) { return ++solves, solve(host, rhs, x); };
+  Problem problem(d.interface);
+  EXPECT_NEAR(LeastCurvature(problem.size()).find(problem, kShift), -9e-8, 1e-9);
+  EXPECT_LT(solves, 5);  // of 11
 }
 
 TEST(LeastCurvature, SeesOneAmongSeveralNegativeOnes) {
