@@ -99,8 +99,11 @@ Solution Journey::arrive(Displacements start) {
   Limits limits = options_.limits;
   const bool few = is_stiff() || sticks() || options_.own_start.soon;
   limits.iterations = std::min(options_.limits.iterations, few ? kFewIterations : kFirstIterations);
-  Solution best = solve_itself_off_saddles(ways[0].name, *(this->*ways[0].to)(start, {}), limits);
-  be_patient(best.books.iterations >= limits.iterations ? double(kFirstIterations) / limits.iterations : 1);
+  const Displacements first = *(this->*ways[0].to)(start, {});
+  Solution best = options_.own_start.soon ? solve_itself(ways[0].name, first, limits)
+                                          : solve_itself_off_saddles(ways[0].name, first, limits);
+  const bool could_do = is_near(best) || best.books.iterations >= limits.iterations;
+  be_patient(could_do ? double(kFirstIterations) / std::max(1, best.books.iterations) : 1);
   const bool goes_on = best.books.iterations >= limits.iterations && is_on_its_way(best);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
   if (goes_on)
