@@ -38,6 +38,8 @@ constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
 // Whoever is to leave a saddle is shaken by this share of an element's size; whoever may stand otherwise, by
 // this one.
 constexpr double kLeaveShare = 0.02, kLookShare = 1;
+// Where it is known what grows, there are two sides to leave to, and one saddle may lead to another.
+constexpr int kTimesAside = 2;
 // A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
 constexpr double kNearly = 1e-5;
 // A residual of this share of the largest load: as many iterations again may well be enough.
@@ -209,21 +211,25 @@ double Journey::work() const {
   return sum;
 }
 
-/// The scene itself, and where that ends at a saddle, again from a little aside; if it is stiff, by way of
-/// softer ones.
+/// The scene itself, and where that ends at a saddle, again from a little aside.
 Solution Journey::solve_itself_off_saddles(const std::string& name, const Displacements& start,
                                            const Limits& limits) {
   Solution s = solve_itself(name, start, limits);
-  if (!is_at_saddle(s) || !options_.detours || out_of_time()) return s;
-  Displacements aside = shaken(s.u, kLeaveShare);
-  if (is_stiff()) {
-    const double stiffest = largest_stiffness(scene_, registry_);
-    aside = stiffened(std::move(aside), kBack * stiffest, stiffest);
-  } else if (!is_conservative_) {
-    aside = over_motion(aside, s).value_or(aside);
+  for (int times = 0; options_.detours && is_at_saddle(s) && !out_of_time(); ++times) {
+    if (times > 0 && (times == kTimesAside || s.growing.empty())) break;
+    keep_better(s, solve_itself(name + ", shaken", away_from(s), limits));
   }
-  keep_better(s, solve_itself(name + ", shaken", aside, limits));
   return s;
+}
+
+/// From a little aside of a saddle, where forces have no energy, to where that moves; else there itself, or
+/// if it is stiff, by way of softer ones.
+Journey::Displacements Journey::away_from(const Solution& saddle) {
+  Displacements aside = saddle.growing.empty() ? shaken(saddle.u, kLeaveShare) : grown(saddle);
+  if (!is_conservative_) return over_motion(aside, saddle).value_or(aside);
+  if (!is_stiff()) return aside;
+  const double stiffest = largest_stiffness(scene_, registry_);
+  return stiffened(std::move(aside), kBack * stiffest, stiffest);
 }
 
 std::optional<Journey::Displacements> Journey::over_nothing(const Displacements& start, const Solution&) {
@@ -253,6 +259,17 @@ Journey::Displacements Journey::shaken(Displacements u, double share) const {
 
 std::optional<Journey::Displacements> Journey::over_own_start(const Displacements& start, const Solution&) {
   return options_.own_start.find(start, seconds_left(), legs_);
+}
+
+/// Aside along what grows, by a share of an element's size; each time to the other side.
+Journey::Displacements Journey::grown(const Solution& s) {
+  double largest = 0;
+  for (const double g : s.growing) largest = std::max(largest, std::abs(g));
+  const double size = StaticProblem(assembler_, options_.make, options_.limits).element_size();
+  const double share = (++turn_ % 2 == 0 ? -kLeaveShare : kLeaveShare) * size / largest;
+  Displacements u = s.u;
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += share * s.growing[i];
+  return u;
 }
 
 std::optional<Journey::Displacements> Journey::over_tension_only(const Displacements& start,

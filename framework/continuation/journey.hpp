@@ -91,6 +91,8 @@ class Journey {
   std::optional<Displacements> over_relaxation(const Displacements& start, const Solution& best);
 
   Displacements shaken(Displacements u, double share) const;
+  Displacements grown(const Solution& s);
+  Displacements away_from(const Solution& saddle);
   void look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits);
   Displacements start_of_look(int look, const Displacements& start, const Solution& best);
   double work() const;

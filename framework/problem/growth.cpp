@@ -90,6 +90,9 @@ class Powers {
     return std::exp(logarithm / powers);
   }
 
+  /// Of length 1.
+  std::vector<double>& vector() { return y_; }
+
  private:
   const SparsePattern& p_;
   std::span<const double> minus_;
@@ -98,12 +101,12 @@ class Powers {
 };
 
 /// Growth under powers of (2): over the last of them, or where it settles.
-double growth_at(double sigma, const SparsePattern& p, std::span<const double> K, std::span<const double> M,
+Growth growth_at(double sigma, const SparsePattern& p, std::span<const double> K, std::span<const double> M,
                  Factorisation& factorisation) {
   std::vector<double> plus(K.size()), minus(K.size());
   for (std::size_t i = 0; i < K.size(); ++i) plus[i] = K[i] + sigma * M[i], minus[i] = sigma * M[i] - K[i];
   if (factorisation.factorise(plus).status != FactorStatus::ok)
-    return std::numeric_limits<double>::quiet_NaN();
+    return {std::numeric_limits<double>::quiet_NaN(), {}};
   Powers powers(p, minus, factorisation);
   powers.grow(kPowers - kMeasured);
   double growth = powers.grow(kMeasured);
@@ -111,31 +114,32 @@ double growth_at(double sigma, const SparsePattern& p, std::span<const double> K
     const double before = std::exchange(growth, powers.grow(kMeasured));
     if (growth > (1 - kFalls) * before) break;
   }
-  return growth;
+  return {growth, std::move(powers.vector())};
 }
 
 }  // namespace
 
-double largest_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make) {
+Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make) {
   std::vector<double> K(assembler.value_slots()), M(assembler.value_slots());
   if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}) ||
       !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
-    return std::numeric_limits<double>::quiet_NaN();
-  return largest_growth(assembler.pattern(), K, M, make);
+    return {std::numeric_limits<double>::quiet_NaN(), {}};
+  return find_growth(assembler.pattern(), K, M, make);
 }
 
-double largest_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
-                      const MakeFactorisation& make) {
-  if (is_symmetric_part_positive(pattern, K, make)) return 0;  // (3)
+Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
+                   const MakeFactorisation& make) {
+  if (is_symmetric_part_positive(pattern, K, make)) return {0, {}};  // (3)
   const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
-  double largest = 0, sigma = 1;
-  for (int decade = 0; decade < kDecades && largest <= kGrows; ++decade, sigma /= 10) {
-    const double growth = growth_at(sigma, pattern, K, M, *factorisation);
-    if (std::isnan(growth)) return growth;
-    largest = std::max(largest, growth);
+  Growth most{0, {}};
+  double sigma = 1;
+  for (int decade = 0; decade < kDecades && !most.grows(); ++decade, sigma /= 10) {
+    Growth growth = growth_at(sigma, pattern, K, M, *factorisation);
+    if (std::isnan(growth.per_power)) return growth;
+    if (growth.per_power > most.per_power) most = std::move(growth);
   }
-  return largest;
+  return most;
 }
 
 }  // namespace netloft

@@ -5,6 +5,16 @@
 
 namespace netloft {
 
+/// Growth below this is not told from none.
+inline constexpr double kGrows = 1.01;
+
+/// What a small disturbance does, and what it turns into.
+struct Growth {
+  double per_power = 0;      // of C, see find_growth
+  std::vector<double> mode;  // over the unknowns, of length 1; empty where nothing could grow
+  bool grows() const { return per_power > kGrows; }
+};
+
 /// Stability of an equilibrium whose forces have no energy (drag, pressure), by the motion
 ///   M ẏ = −K y,  K the exact tangent, M the linear stiffness                           (1)
 /// in which y decays if every eigenvalue λ of K v = λ M v has Re λ > 0. The Cayley transform
@@ -18,13 +28,10 @@ namespace netloft {
 /// None has if the symmetric part of K is positive definite, for Re λ = v*(K + Kᵀ)v / 2v*Mv:     (3)
 /// one Cholesky factorisation, which is tried first.
 ///
-/// Returns the largest growth found, per application of C, up to the first beyond kGrows, which is unstable;
-/// zero by (3). No number where K + σM could not be factorised.
-double largest_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make);
-double largest_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
-                      const MakeFactorisation& make);
-
-/// Growth below this is not told from none.
-inline constexpr double kGrows = 1.01;
+/// Returns the largest growth found, per power of C, up to the first beyond kGrows, which is unstable; zero
+/// by (3). No number where K + σM could not be factorised.
+Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make);
+Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
+                   const MakeFactorisation& make);
 
 }  // namespace netloft

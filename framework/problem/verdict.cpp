@@ -109,6 +109,14 @@ void find_correction(Solution& s, StaticProblem& problem, const Assembler& assem
   s.correction = largest_node_distance(scene, assembler.numbering(), s.x, s.corrected);
 }
 
+/// Where forces have no energy.
+void find_what_grows(Solution& s, Assembler& assembler, const MakeFactorisation& make) {
+  Growth growth = find_growth(assembler, s.x, make);
+  if (!growth.grows()) return;
+  s.stability = Stability::unstable;
+  s.growing = std::move(growth.mode);
+}
+
 std::string why_unstable(const StaticProblem& problem, const Assembler& assembler, const Scene& scene) {
   if (!problem.conservative()) return "a small disturbance grows";
   return "its tangent is not positive definite, first met at " +
@@ -187,8 +195,8 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   s.factorisation = problem.factorisation_name();
   if (s.balance.balanced && (problem.interface().traits & NETLOFT_CONSERVATIVE))
     s.stability = find_stability(problem, u);
-  else if (s.balance.balanced && limits.ask_growth && largest_growth(assembler, s.x, make) > kGrows)
-    s.stability = Stability::unstable;
+  else if (s.balance.balanced && limits.ask_growth)
+    find_what_grows(s, assembler, make);
   if (s.balance.balanced) find_correction(s, problem, assembler, scene);
   if (evaluated)
     judge(s, ending, problem, assembler, scene);

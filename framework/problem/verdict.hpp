@@ -39,6 +39,7 @@ struct Solution {
   std::string at_fault;             // the part that is furthest from balance or could not be evaluated
   std::vector<double> x, residual;  // over all dofs [m], [N]
   std::vector<double> u;            // displacements of the unknowns that x stands for
+  std::vector<double> growing;      // a disturbance of u that grows, where forces have no energy; length 1
   double energy = 0;
   Balance balance;
   std::vector<double> corrected;  // x after the Newton step that is left, over all dofs; empty: not known

@@ -172,6 +172,7 @@ TEST(Journey, MovesOffAPointThatIsNotStableWhereForcesHaveNoEnergy) {
   ASSERT_FALSE(s.legs.empty());
   EXPECT_EQ(s.legs.front().status, SolveStatus::unstable) << "upright";
   EXPECT_TRUE(has_leg(s, "motion"));
+  EXPECT_TRUE(s.growing.empty()) << "nothing grows any more";
   EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.1, 1e-6) << "it hangs";
 }
 

@@ -30,7 +30,7 @@ struct ThreeDiagonals {
 
 double growth_of(const ThreeDiagonals& K) {
   const ThreeDiagonals M(K.pattern.size, 0, 1, 0);
-  return largest_growth(K.pattern, K.values, M.values, make_factorisation);
+  return find_growth(K.pattern, K.values, M.values, make_factorisation).per_power;
 }
 
 // Eigenvalues a ± ib of [a b; −b a]: with |λ| = σ and a = −σ cos θ, |(σ − λ)/(σ + λ)|² is (1 + cos θ)/(1 −
@@ -45,6 +45,14 @@ TEST(GrowthOfMatrices, IsThatOfACirculatoryPair) {
 TEST(GrowthOfMatrices, PassesWhereEachFeedsTheNextOne) {
   EXPECT_LE(growth_of({60, -3, 1, 0}), kGrows);
   EXPECT_GT(growth_of({60, -3, -0.1, 0}), kGrows);
+}
+
+// λ = 2 − √(3 × 3.1) along (√3.1, −√3).
+TEST(GrowthOfMatrices, TellsWhatGrows) {
+  const ThreeDiagonals K(2, 3, 2, 3.1), M(2, 0, 1, 0);
+  const Growth growth = find_growth(K.pattern, K.values, M.values, make_factorisation);
+  ASSERT_TRUE(growth.grows());
+  EXPECT_NEAR(growth.mode[0] / growth.mode[1], -std::sqrt(3.1 / 3), 1e-6);
 }
 
 }  // namespace

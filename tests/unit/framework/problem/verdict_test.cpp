@@ -8,6 +8,7 @@
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
+#include "tests/unit/solvers/known_answers.hpp"
 #include "tests/verification/solving.hpp"
 
 namespace netloft::test {
@@ -132,6 +133,15 @@ TEST(Verdict, KnowsNoStabilityWithoutAnEnergy) {
   const Solved solved = solve_sketch(s.scene);
   EXPECT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
   EXPECT_EQ(solved.solution.stability, Stability::unknown);
+}
+
+TEST(Verdict, TellsWhatGrowsWhereForcesHaveNoEnergy) {
+  Limits limits;
+  limits.ask_growth = true;
+  const Solved s = solve_with("newton", toppling_bar(0), {}, limits);
+  ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
+  ASSERT_EQ(s.solution.growing.size(), 3u);
+  EXPECT_NEAR(s.solution.growing[2], 0, 1e-6) << "it topples, and does not shorten";
 }
 
 TEST(Verdict, HasNothingToFindWhereAllIsHeld) {
