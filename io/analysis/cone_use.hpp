@@ -8,9 +8,9 @@ namespace netloft::io {
 /// What the interior-point method of tension_cones.hpp is worth to a scene.
 ///   never      no member need be slack: there are no more of them than their nodes have unknowns; or bodies
 ///              and frames carry nodes; or things stick and slide
-///   as_a_way   after others: what is slack bears some of the load, or what is taut hardly stretches, and
-///              most of the way is to find the place of what is slack
-///   first      a net in a current, which gives what is slack its place; or slackness bears (next to) nothing
+///   as_a_way   after others: what is slack bears something, and finding its place is the longer part of the
+///              way, which coarser meshes lead better
+///   first      a net in a current, which gives what is slack its place; or slackness bears nothing
 enum class ConeUse { never, as_a_way, first };
 
 ConeUse use_of_cones(const Scene& scene, Registry& registry, Assembler& assembler);
