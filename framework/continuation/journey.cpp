@@ -99,14 +99,13 @@ Solution Journey::arrive(Displacements start) {
   is_nearby_ = options_.nearby && !start.empty();
   const std::vector<Way> ways = ways_from(start);
   Limits limits = options_.limits;
-  const bool few = is_stiff() || sticks() || options_.own_start.soon;
+  const bool few = is_stiff() || sticks() || (options_.detours && options_.own_start.soon);
   limits.iterations = std::min(options_.limits.iterations, few ? kFewIterations : kFirstIterations);
   const Displacements first = *(this->*ways[0].to)(start, {});
-  Solution best = options_.own_start.soon ? solve_itself(ways[0].name, first, limits)
-                                          : solve_itself_off_saddles(ways[0].name, first, limits);
-  const bool could_do = is_near(best) || best.books.iterations >= limits.iterations;
-  be_patient(could_do ? double(kFirstIterations) / std::max(1, best.books.iterations) : 1);
+  Solution best = solve_itself(ways[0].name, first, limits);
+  be_patient(best, limits);
   const bool goes_on = best.books.iterations >= limits.iterations && is_on_its_way(best);
+  if (!options_.own_start.soon) leave_saddles(best, ways[0].name, limits);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
   if (goes_on)
     keep_better(best, solve_itself_off_saddles(std::string(ways[0].name) + ", further", best.u, limits));
@@ -156,9 +155,16 @@ bool Journey::sticks() const { return options_.detours && !assembler_.memory().e
 
 bool Journey::is_stiff() const { return options_.detours && stretch_ < kStiff; }
 
-/// Others may cost a multiple of the first attempt, `share` times as long as it was.
-void Journey::be_patient(double share) {
-  const double first_attempt = share * (cpu_seconds() - begun_cpu_);
+/// Others may cost a multiple of the first attempt, with what led to its start; of one that had few
+/// iterations or ended near, as if it had had some more.
+void Journey::be_patient(const Solution& first, const Limits& limits) {
+  const int iterations = first.books.iterations;
+  const bool is_short = is_near(first) || iterations >= limits.iterations;
+  const double share =
+      is_short ? double(kFirstIterations) / std::clamp(iterations, kFewIterations, kFirstIterations) : 1;
+  double first_attempt = 0;
+  for (const Leg& leg : legs_)
+    if (leg.unknowns == first.u.size()) first_attempt += share * leg.books.total_cpu_seconds;
   patience_ = std::max(kLeastPatience, kPatience * first_attempt);
   leg_patience_ = std::max(kLeastLegPatience, kLegPatience * first_attempt);
 }
@@ -184,6 +190,7 @@ void Journey::look_for_other_shapes(Solution& best, const Displacements& start, 
   const int looks = as_suits ? kOwnLooks : options_.looks;
   const double worth = as_suits ? kLookWork : std::numeric_limits<double>::infinity();
   patience_ = leg_patience_ = std::numeric_limits<double>::infinity();
+  may_move_ = !as_suits;
   const StaticProblem problem(assembler_, options_.make, options_.limits);
   ShapeFinder finder(scene_, assembler_, problem.gear_size(), problem.conservative());
   finder.add(best);
@@ -211,23 +218,28 @@ double Journey::work() const {
   return sum;
 }
 
-/// The scene itself, and where that ends at a saddle, again from a little aside.
+/// The scene itself, and where that ends at a saddle, away from it.
 Solution Journey::solve_itself_off_saddles(const std::string& name, const Displacements& start,
                                            const Limits& limits) {
   Solution s = solve_itself(name, start, limits);
+  leave_saddles(s, name, limits);
+  return s;
+}
+
+void Journey::leave_saddles(Solution& s, const std::string& name, const Limits& limits) {
   for (int times = 0; options_.detours && is_at_saddle(s) && !out_of_time(); ++times) {
     if (times > 0 && (times == kTimesAside || s.growing.empty())) break;
     keep_better(s, solve_itself(name + ", shaken", away_from(s), limits));
   }
-  return s;
 }
 
 /// From a little aside of a saddle, where forces have no energy, to where that moves; else there itself, or
-/// if it is stiff, by way of softer ones.
+/// if it is stiff, by way of softer ones. Whoever only looks has no time to move.
 Journey::Displacements Journey::away_from(const Solution& saddle) {
   Displacements aside = saddle.growing.empty() ? shaken(saddle.u, kLeaveShare) : grown(saddle);
-  if (!is_conservative_) return over_motion(aside, saddle).value_or(aside);
-  if (!is_stiff()) return aside;
+  if (!is_conservative_ && may_move_)
+    if (const auto moved = move(aside)) return moved->u;
+  if (!is_conservative_ || !is_stiff()) return aside;
   const double stiffest = largest_stiffness(scene_, registry_);
   return stiffened(std::move(aside), kBack * stiffest, stiffest);
 }
@@ -261,12 +273,14 @@ std::optional<Journey::Displacements> Journey::over_own_start(const Displacement
   return options_.own_start.find(start, seconds_left(), legs_);
 }
 
-/// Aside along what grows, by a share of an element's size; each time to the other side.
+/// Aside along what grows, by a share of an element's size; the next time to the other side.
 Journey::Displacements Journey::grown(const Solution& s) {
   double largest = 0;
   for (const double g : s.growing) largest = std::max(largest, std::abs(g));
   const double size = StaticProblem(assembler_, options_.make, options_.limits).element_size();
-  const double share = (++turn_ % 2 == 0 ? -kLeaveShare : kLeaveShare) * size / largest;
+  if (!(largest > 0) || !std::isfinite(largest)) return shaken(s.u, kLeaveShare);
+  side_ = -side_;
+  const double share = side_ * kLeaveShare * size / largest;
   Displacements u = s.u;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += share * s.growing[i];
   return u;
@@ -335,16 +349,22 @@ std::optional<Journey::Displacements> Journey::over_relaxation(const Displacemen
   return relaxed_;
 }
 
-/// To where it comes to rest when nothing but its linear stiffness resists it.
 std::optional<Journey::Displacements> Journey::over_motion(const Displacements& start, const Solution&) {
+  const auto s = move(start);
+  if (!s) return {};
+  moved_ = is_near(*s) ? Displacements{} : s->u;
+  return s->u;
+}
+
+/// To where it comes to rest when nothing but its linear stiffness resists it.
+std::optional<Solution> Journey::move(const Displacements& start) {
   auto motion = other_solver("ptc");
   if (!motion) return {};
   motion->parameters["method"] = std::string("implicit");
   const double before = std::exchange(leg_patience_, kMotionPatience * patience_);
-  const Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance, kMotionSteps);
+  Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance, kMotionSteps);
   leg_patience_ = before;
-  moved_ = is_near(s) ? Displacements{} : s.u;
-  return s.u;
+  return s;
 }
 
 std::optional<Journey::Displacements> Journey::over_more_motion(const Displacements&, const Solution& best) {

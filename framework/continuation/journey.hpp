@@ -77,7 +77,7 @@ class Journey {
   double stretch_of_stiffest() const;
   bool is_stiff() const;
   bool sticks() const;
-  void be_patient(double share);
+  void be_patient(const Solution& first, const Limits& limits);
   void try_once_more(Solution& best, const Displacements& start, const Limits& before);
 
   std::optional<Displacements> over_nothing(const Displacements& start, const Solution& best);
@@ -93,6 +93,8 @@ class Journey {
   Displacements shaken(Displacements u, double share) const;
   Displacements grown(const Solution& s);
   Displacements away_from(const Solution& saddle);
+  std::optional<Solution> move(const Displacements& start);
+  void leave_saddles(Solution& s, const std::string& name, const Limits& limits);
   void look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits);
   Displacements start_of_look(int look, const Displacements& start, const Solution& best);
   double work() const;
@@ -121,9 +123,11 @@ class Journey {
   double stretch_ = 1;  // of the stiffest part, under all that drives the gear
   bool is_conservative_ = true;
   bool is_nearby_ = false;  // what is solved next is the scene itself from the start that was given
-  int turn_ = 0;            // each has its own way of shaking
-  Displacements relaxed_;   // where a matrix-free solver brought it; empty: was not asked
-  Displacements moved_;     // where it was still moving; empty: it came to rest, or was not asked
+  bool may_move_ = true;
+  double side_ = -1;       // to which it went aside the last time
+  int turn_ = 0;           // each has its own way of shaking
+  Displacements relaxed_;  // where a matrix-free solver brought it; empty: was not asked
+  Displacements moved_;    // where it was still moving; empty: it came to rest, or was not asked
 };
 
 }  // namespace netloft

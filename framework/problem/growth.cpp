@@ -82,8 +82,8 @@ class Powers {
       multiply(p_, minus_, y_, z_);
       plus_.solve(z_, y_);
       const double length = norm(y_);
-      if (!(length > 0) || !std::isfinite(length))
-        return length > 0 ? std::numeric_limits<double>::infinity() : 0;
+      if (!std::isfinite(length)) return std::numeric_limits<double>::infinity();
+      if (length == 0) return 0;
       logarithm += std::log(length);
       for (double& v : y_) v /= length;
     }

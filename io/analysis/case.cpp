@@ -175,13 +175,20 @@ Solution Case::find_equilibrium(const std::atomic<bool>* interrupt, double toler
   limits.interrupt = interrupt, limits.seconds = loaded_.analysis.limits.seconds;
   std::vector<Leg> before;
   std::optional<std::vector<double>> start;
+  const double begun = wall_seconds();
+  const auto solve_from = [&](const std::vector<double>& there) {
+    Limits left = limits;
+    left.seconds = std::max(0.0, limits.seconds - (wall_seconds() - begun));
+    return solve_static(loaded_.scene, *assembler_, newton, parameters.data(), left, make_factorisation, {},
+                        there);
+  };
   if (use_of_cones(loaded_.scene, registry_, *assembler_) == ConeUse::first)
-    start = start_in_cones({.interrupt = interrupt}, {}, limits.seconds, before);
-  if (!start)
-    start = start_from_coarser(
-        [&](Case& coarse) { return coarse.find_equilibrium(interrupt, kCoarseTolerance); }, before);
-  return solve_static(loaded_.scene, *assembler_, newton, parameters.data(), limits, make_factorisation, {},
-                      *start);
+    start = start_in_cones({.interrupt = interrupt}, {}, limits, before);
+  if (start)
+    if (const Solution s = solve_from(*start); s.status == SolveStatus::converged) return s;
+  return solve_from(
+      start_from_coarser([&](Case& coarse) { return coarse.find_equilibrium(interrupt, kCoarseTolerance); },
+                         limits.seconds, before));
 }
 
 /// What solves from where a coarser mesh came to rest, if not the same: less is left to go than from a
@@ -205,8 +212,14 @@ Solution Case::solve_by_journey(const Watch& watch) {
   options.looks = watch.detours ? loaded_.analysis.looks : std::max(0, loaded_.analysis.looks);
   std::vector<Leg> before;
   std::optional<std::vector<double>> start;
-  const auto from_coarser = [&](std::vector<Leg>& legs) {
-    return start_from_coarser([&](Case& coarse) { return coarse.solve(watch); }, legs);
+  const double begun = wall_seconds();
+  const auto left = [&] {
+    Limits limits = options.limits;
+    limits.seconds = std::max(0.0, limits.seconds - (wall_seconds() - begun));
+    return limits;
+  };
+  const auto from_coarser = [&](double seconds, std::vector<Leg>& legs) {
+    return start_from_coarser([&](Case& coarse) { return coarse.solve(watch); }, seconds, legs);
   };
   const ConeUse cones = options.detours && !loaded_.analysis.in_stages
                             ? use_of_cones(loaded_.scene, registry_, *assembler_)
@@ -214,16 +227,23 @@ Solution Case::solve_by_journey(const Watch& watch) {
   if (loaded_.analysis.in_stages)
     start = start_in_stages(watch, before);
   else if (cones == ConeUse::first)
-    start = start_in_cones(watch, {}, options.limits.seconds, before);
+    start = start_in_cones(watch, {}, options.limits, before);
   if (cones == ConeUse::first && start)
     options.own_start = {"from coarser meshes", true,
-                         [&](const auto&, double, auto& legs) { return std::optional(from_coarser(legs)); }};
+                         [&](const auto&, double seconds, auto& legs) -> std::optional<std::vector<double>> {
+                           auto there = from_coarser(seconds, legs);
+                           if (there.empty()) return {};
+                           return there;
+                         }};
   else if (cones == ConeUse::as_a_way)
     options.own_start = {"from tension only, in cones", false,
                          [&](const auto& from, double seconds, auto& legs) {
-                           return start_in_cones(watch, from, seconds, legs);
+                           Limits limits = options.limits;
+                           limits.seconds = seconds;
+                           return start_in_cones(watch, from, limits, legs);
                          }};
-  if (!start && loaded_.analysis.continuation) start = from_coarser(before);
+  if (!start && loaded_.analysis.continuation) start = from_coarser(left().seconds, before);
+  options.limits = left();
   Journey journey(loaded_.scene, *assembler_, registry_, options);
   for (const Leg& leg : before) journey.book(leg);
   return journey.arrive(start.value_or(std::vector<double>{}));
@@ -235,7 +255,7 @@ bool Case::begins_in_cones() const {
 }
 
 std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, const std::vector<double>& from,
-                                                        double seconds, std::vector<Leg>& legs) {
+                                                        const Limits& limits, std::vector<Leg>& legs) {
   Scene scene = loaded_.scene;
   if (!from.empty()) {
     std::vector<double> x = assembler_->start();
@@ -245,7 +265,8 @@ std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, cons
   const double load = load_of(*assembler_);
   TensionCones cones(scene, registry_, make_factorisation, source_.threads);
   legs.push_back(cones.solve({.tension = load,
-                              .seconds = seconds,
+                              .iterations = std::min(ConeOptions{}.iterations, limits.iterations),
+                              .seconds = limits.seconds,
                               .interrupt = watch.interrupt,
                               .on_iteration = watch.on_iteration}));
   if (legs.back().status != SolveStatus::converged) return {};
@@ -254,7 +275,7 @@ std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, cons
 
 /// Grid sequencing: where the same gear in half as many cells across and along comes to rest, it being solved
 /// likewise. Empty if there is no such gear, or it is small enough to be solved at once, or did not arrive.
-std::vector<double> Case::start_from_coarser(const std::function<Solution(Case&)>& solve,
+std::vector<double> Case::start_from_coarser(const std::function<Solution(Case&)>& solve, double seconds,
                                              std::vector<Leg>& legs) {
   const auto halved = halved_cells(loaded_);
   if (halved.empty() || plan_.unknowns < kSmall) return {};
@@ -265,6 +286,7 @@ std::vector<double> Case::start_from_coarser(const std::function<Solution(Case&)
   source.overrides.push_back("analysis.looks=0");
   Case coarser(source, registry_);
   const auto start_likewise = [&](LoadedScene& coarse) {
+    coarse.analysis.limits.seconds = seconds;
     if (const auto start = carried_over(loaded_, loaded_.scene.positions, coarse))
       set_start(coarse.scene, *start);
   };

@@ -56,7 +56,7 @@ class Case {
   /// Positions of all nodes [m], 3 per node of the scene, out of a vector over all dofs.
   std::vector<double> positions(std::span<const double> x) const;
 
-  /// An interior-point method finds the start that the solver gets (cone_use.hpp).
+  /// An interior-point method is to find the start that the solver gets (cone_use.hpp).
   bool begins_in_cones() const;
 
   LoadedScene& loaded() { return loaded_; }
@@ -77,9 +77,10 @@ class Case {
   Solution settle(const Watch& watch);
   Solution find_equilibrium(const std::atomic<bool>* interrupt, double tolerance);
   std::optional<std::vector<double>> start_in_cones(const Watch& watch, const std::vector<double>& from,
-                                                    double seconds, std::vector<Leg>& legs);
+                                                    const Limits& limits, std::vector<Leg>& legs);
   std::vector<double> start_in_stages(const Watch& watch, std::vector<Leg>& legs);
-  std::vector<double> start_from_coarser(const std::function<Solution(Case&)>& solve, std::vector<Leg>& legs);
+  std::vector<double> start_from_coarser(const std::function<Solution(Case&)>& solve, double seconds,
+                                         std::vector<Leg>& legs);
 
   CaseSource source_;
   Registry& registry_;

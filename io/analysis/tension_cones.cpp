@@ -26,6 +26,9 @@ double largest_of(std::span<const double> v) {
   return largest;
 }
 
+/// What is no number stays none.
+double at_most_whole(double step) { return step > 1 ? 1 : step; }
+
 }  // namespace
 
 TensionCones::TensionCones(const Scene& scene, Registry& registry, MakeFactorisation make, int threads)
@@ -43,6 +46,7 @@ Leg TensionCones::solve(const ConeOptions& options) {
     factorisation_->analyse(net_.pattern());
   }
   begin(options.tension);
+  mu_ = options.tension;
   damping_ = 0;
   for (int tiny = 0; tiny < kTinySteps && assemble();) {
     const double left = largest_of({residual_.data(), net_.unknowns()});
@@ -135,10 +139,10 @@ bool TensionCones::factorise() {
 /// (5) and (6): the length of the step.
 double TensionCones::step() {
   solve_for_step(predictor());
-  const double reached = std::min(1.0, longest_step());
+  const double reached = at_most_whole(longest_step());
   const double sigma = (1 - reached) * (1 - reached) * (1 - reached);
   solve_for_step(corrector(sigma * mu_));
-  return std::min(1.0, kToBoundary * longest_step());
+  return at_most_whole(kToBoundary * longest_step());
 }
 
 std::vector<cone::Point> TensionCones::predictor() const {
@@ -162,9 +166,8 @@ std::vector<cone::Point> TensionCones::corrector(double mu) const {
 
 /// ζ of (4), `along` h·δw/l₀ less; without it δz₀.
 double TensionCones::zeta(std::size_t e, double g0, double along) const {
-  const double EA = net_.members()[e].EA, H00 = scaling_[e].squared(0, 0),
-               rho = 1 + members_[e].y[0] / EA - members_[e].z0;
-  return rho + (g0 - H00 * rho - along) / (EA + H00);
+  const double EA = net_.members()[e].EA, T = members_[e].y[0], z0 = members_[e].z0;
+  return (EA * (1 - z0) + T + g0 - along) / (EA + scaling_[e].squared(0, 0));
 }
 
 void TensionCones::solve_for_step(const std::vector<cone::Point>& g) {

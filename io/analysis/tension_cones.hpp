@@ -28,7 +28,7 @@ struct ConeOptions {
 /// programming", Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2), scaled by W (W z =
 /// W⁻¹ y, H = W²), T, q and z₀ eliminated member by member, h = (H₁₀, H₂₀, H₃₀), H̄ the rest:
 ///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀) + D I]) s = −(r + Σ n c [q − ḡ + h ζ])         (3)
-///   ζ = ρ + (g₀ − H₀₀ ρ)/(EA + H₀₀),  ρ = 1 + T/EA − z₀                                     (4)
+///   ζ = (EA (1 − z₀) + T + g₀)/(EA + H₀₀)                                                   (4)
 ///   g = −y to see how far one comes (a₀), then W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)), v = W z,
 ///   σ = (1 − a₀)³, with the same matrix                                                     (5)
 ///   0.98 of the way to the boundary of K, at most a whole step                              (6)
@@ -69,7 +69,7 @@ class TensionCones {
   double step();
   void take(double a);
   void adapt(double a, double tension);
-  bool goes_on(const ConeOptions& options, double mu, double wall);
+  bool goes_on(const ConeOptions& options, double left, double begun);
 
   MemberNet net_;
   MakeFactorisation make_;

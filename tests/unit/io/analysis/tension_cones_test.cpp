@@ -2,6 +2,7 @@
 #include "io/analysis/tension_cones.hpp"
 
 #include "io/analysis/case.hpp"
+#include "io/analysis/cone_use.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
@@ -38,7 +39,9 @@ TEST(Cone, StepEndsWhereThePointWouldLeave) {
   const double a = cone::step_to_boundary(kZ, d);
   cone::Point there = kZ;
   for (std::size_t i = 0; i < 4; ++i) there[i] += a * d[i];
+  EXPECT_GT(a, 0);
   EXPECT_NEAR(cone::determinant(there), 0, 1e-14);
+  EXPECT_EQ(cone::step_to_boundary(kZ, {-kZ[0], -kZ[1], -kZ[2], -kZ[3]}), 1) << "through the tip";
   EXPECT_GT(there[0], 0);
   EXPECT_EQ(cone::step_to_boundary(kZ, outward), std::numeric_limits<double>::infinity());
 }
@@ -120,11 +123,32 @@ TEST(TensionCones, AreTheWayOfATrawlInACurrentByItself) {
   EXPECT_LT(s.books.factorisations, plain.books.factorisations);
 }
 
-// Ropes alone have nothing to tell apart, and the panel's slack twines bear too much of its load.
-TEST(TensionCones, AreLeftOutWhereNothingNeedsThem) {
-  for (const char* file :
-       {"gear-library/scenes/verification/catenary-wire.toml", "gear-library/scenes/dead-weight-panel.toml"})
-    for (const Leg& leg : run(file, {}).legs) EXPECT_NE(leg.solver, "cones") << file;
+ConeUse use_in(const std::string& file, std::vector<std::string> overrides) {
+  overrides.push_back("analysis.continuation=on");
+  Case one({NETLOFT_SOURCE_DIR + ("/" + file), std::move(overrides)}, test::shipped_plugins());
+  EXPECT_EQ(one.open(), Case::State::ready) << one.diagnostics().render(false);
+  const ConeUse use = use_of_cones(one.loaded().scene, test::shipped_plugins(), one.assembler());
+  EXPECT_EQ(one.begins_in_cones(), use == ConeUse::first);
+  return use;
+}
+
+// Ropes alone have nothing to tell apart, and a panel's slack twines
+// bear something.
+TEST(ConeUse, GoesByMembersWaterAndWhatSlackTwinesBear) {
+  const std::string panel = "gear-library/scenes/dead-weight-panel.toml";
+  EXPECT_EQ(use_in("gear-library/scenes/verification/catenary-wire.toml", {}), ConeUse::never);
+  EXPECT_EQ(use_in(panel, {}), ConeUse::as_a_way);
+  EXPECT_EQ(use_in(panel, {"parts.net.twine.EA_compression=0"}), ConeUse::first);
+  EXPECT_EQ(use_in(panel, {"water.gravity=0"}), ConeUse::never);
+  EXPECT_EQ(use_in(kTrawl, {}), ConeUse::first);
+  EXPECT_EQ(use_in(kTrawl, {"water.current=[0,0,0]"}), ConeUse::as_a_way);
+}
+
+TEST(TensionCones, KeepToTheIterationsThatTheUserAllows) {
+  const Solution s = run(kTrawl, {"analysis.max_iterations=4"});
+  ASSERT_FALSE(s.legs.empty());
+  EXPECT_EQ(s.legs.front().name, "tension only, in cones");
+  EXPECT_EQ(s.legs.front().books.iterations, 4);
 }
 
 }  // namespace
