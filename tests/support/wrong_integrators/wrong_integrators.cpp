@@ -111,7 +111,7 @@ struct Wrong {
   static void prepare(Motion& m) {
     if (has(Flaw::needs_unknowns) && m.size() == 0) throw std::invalid_argument("nothing moves");
     if (has(Flaw::keeps_threads))
-      std::thread([] { std::this_thread::sleep_for(std::chrono::seconds(3)); }).detach();
+      std::thread([] { std::this_thread::sleep_for(std::chrono::minutes(1)); }).detach();
   }
 
   static void spoil(Motion& m) {

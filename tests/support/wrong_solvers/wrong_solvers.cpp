@@ -60,7 +60,7 @@ struct Descent {
     if (has(Flaw::needs_unknowns) && problem.size() == 0) throw std::invalid_argument("nothing to solve");
     if (has(Flaw::starts_elsewhere)) std::fill(problem.u().begin(), problem.u().end(), 0.0);
     if (has(Flaw::keeps_threads))
-      std::thread([] { std::this_thread::sleep_for(std::chrono::seconds(3)); }).detach();
+      std::thread([] { std::this_thread::sleep_for(std::chrono::minutes(1)); }).detach();
   }
 
   static bool report(Problem& problem, double energy, std::vector<double>& r) {
