@@ -45,8 +45,9 @@ constexpr double kNearly = 1e-5;
 // A residual of this share of the largest load: as many iterations again may well be enough.
 constexpr double kOnItsWay = 0.03;
 // Unasked, other shapes are looked for after so many iterations, so often, while all iterations times
-// unknowns are no more than this: a second or two.
-constexpr double kLongWay = 100, kLookWork = 1e7;
+// unknowns are no more than the first of these; after less where there may well be others, while they are no
+// more than the second one.
+constexpr double kLongWay = 100, kLookWork = 1e7, kShortLookWork = 3e6;
 constexpr int kOwnLooks = 6;
 // The motion may take so many steps, and so much of the time that all ways together are worth.
 constexpr int kMotionSteps = 2000;
@@ -185,10 +186,13 @@ void Journey::try_once_more(Solution& best, const Displacements& start, const Li
 /// As often as was asked for, or as suits; the best becomes that of the least energy.
 void Journey::look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits) {
   const bool as_suits = options_.looks == JourneyOptions::kLooksThatSuit;
+  const bool was_long = work() >= kLongWay * static_cast<double>(best.u.size());
   // What sticks stands in any number of ways.
-  if (as_suits && (sticks() || work() < kLongWay * static_cast<double>(best.u.size()))) return;
+  if (as_suits && (sticks() || !(was_long || may_well_stand_otherwise()))) return;
   const int looks = as_suits ? kOwnLooks : options_.looks;
-  const double worth = as_suits ? kLookWork : std::numeric_limits<double>::infinity();
+  const double worth = !as_suits  ? std::numeric_limits<double>::infinity()
+                       : was_long ? kLookWork
+                                  : kShortLookWork;
   patience_ = leg_patience_ = std::numeric_limits<double>::infinity();
   may_move_ = !as_suits;
   const StaticProblem problem(assembler_, options_.make, options_.limits);
@@ -198,6 +202,11 @@ void Journey::look_for_other_shapes(Solution& best, const Displacements& start, 
     finder.add(
         solve_itself_off_saddles("look " + std::to_string(look), start_of_look(look, start, best), limits));
   best = finder.best();
+}
+
+/// An own start leads past the many ways in which what is pressed may fold, to one of them.
+bool Journey::may_well_stand_otherwise() const {
+  return options_.own_start.soon && is_conservative_ && without_compression(scene_, registry_);
 }
 
 /// At first where it stands with nothing pressed; then from where it was found, shaken by an element's size,

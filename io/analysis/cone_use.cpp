@@ -11,10 +11,17 @@ namespace netloft::io {
 
 namespace {
 
-/// What is slack bears nothing.
-bool bears_tension_only(const std::vector<AxialMember>& members) {
-  return std::all_of(members.begin(), members.end(),
-                     [](const AxialMember& m) { return m.EA_compression == 0; });
+// Members stretch little where the stiffest would by this share under all of the load, and give way when
+// pressed where none bears more than so many times the load. With more stretch, or as stiff as ropes that
+// stand by themselves, they come to rest as soon without cones.
+constexpr double kStretch = 0.1, kGivesWay = 10;
+
+/// What is slack bears nothing, or next to nothing beside what is taut.
+bool bears_tension_mainly(const std::vector<AxialMember>& members, double load) {
+  double EA = 0, EA_compression = 0;
+  for (const AxialMember& m : members)
+    EA = std::max(EA, m.EA), EA_compression = std::max(EA_compression, m.EA_compression);
+  return EA_compression == 0 || (load <= kStretch * EA && EA_compression <= kGivesWay * load);
 }
 
 }  // namespace
@@ -23,8 +30,9 @@ ConeUse use_of_cones(const Scene& scene, Registry& registry, Assembler& assemble
   if (!scene.bodies.empty() || !scene.frames.empty() || !assembler.memory().empty()) return ConeUse::never;
   const auto members = axial_members(scene, registry);
   if (members.size() <= static_cast<std::size_t>(assembler.pattern().size)) return ConeUse::never;
-  if (load_of(assembler) == 0) return ConeUse::never;
-  return scene.current.flows() || bears_tension_only(members) ? ConeUse::first : ConeUse::as_a_way;
+  const double load = load_of(assembler);
+  if (load == 0) return ConeUse::never;
+  return scene.current.flows() || bears_tension_mainly(members, load) ? ConeUse::first : ConeUse::as_a_way;
 }
 
 double load_of(Assembler& assembler) {

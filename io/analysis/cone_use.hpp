@@ -8,10 +8,9 @@ namespace netloft::io {
 /// What the interior-point method of tension_cones.hpp is worth to a scene.
 ///   never      no member need be slack: there are no more of them than their nodes have unknowns; or bodies
 ///              and frames carry nodes; or things stick and slide
-///   as_a_way   after some others: what is slack bears something, and finding its place is the longer part of
-///   the
-///              way, which coarser meshes lead better
-///   first      a net in a current, which gives what is slack its place; or slackness bears nothing
+///   as_a_way   after some others: members stretch much, so that coarser meshes lead better, or stand by
+///              themselves when pressed
+///   first      a net in a current, which gives what is slack its place; or nothing else of these
 enum class ConeUse { never, as_a_way, first };
 
 ConeUse use_of_cones(const Scene& scene, Registry& registry, Assembler& assembler);

@@ -20,6 +20,9 @@ constexpr int kTinySteps = 5;
 constexpr double kShort = 0.05, kLong = 0.5, kRise = 10, kFall = 0.1;
 constexpr double kLeastDamping = 1e-6, kMostDamping = 1e-2, kNoDamping = 1e-9;
 
+// E_c of (7) over the first tension.
+constexpr double kMostPressed = 0.01;
+
 double largest_of(std::span<const double> v) {
   double largest = 0;
   for (const double a : v) largest = std::max(largest, std::abs(a));
@@ -48,7 +51,8 @@ Leg TensionCones::solve(const ConeOptions& options) {
   begin(options.tension);
   mu_ = options.tension;
   damping_ = 0;
-  for (int tiny = 0; tiny < kTinySteps && assemble();) {
+  most_pressed_ = net_.pattern().symmetric ? kMostPressed * options.tension : 0;
+  for (int tiny = 0; tiny < kTinySteps && assemble(false);) {
     const double left = largest_of({residual_.data(), net_.unknowns()});
     if (mu_ <= options.tolerance * options.tension && left <= kForces * options.tension) {
       leg.status = SolveStatus::converged;
@@ -98,18 +102,18 @@ double TensionCones::mean_complementarity() const {
   return sum / length;
 }
 
-/// Matrix of (3), r + Σ n c q, and the scaling of all members.
-bool TensionCones::assemble() {
+/// Matrix of (3), r + Σ n c (q + p), and the scaling of all members.
+bool TensionCones::assemble(bool convex) {
   Timed timed(books_.assembly_seconds);
   ++books_.residuals, ++books_.matrices;
   if (!net_.evaluate(residual_, values_)) return false;
   scaling_.clear();
-  for (std::size_t e = 0; e < net_.size(); ++e) add_member(e);
+  for (std::size_t e = 0; e < net_.size(); ++e) add_member(e, convex);
   mu_ = mean_complementarity();
   return std::isfinite(norm_of(residual_)) && std::isfinite(mu_);
 }
 
-void TensionCones::add_member(std::size_t e) {
+void TensionCones::add_member(std::size_t e, bool convex) {
   const AxialMember& m = net_.members()[e];
   const cone::Point& y = members_[e].y;
   const cone::Scaling& H = scaling_.emplace_back(z_of(e), y);
@@ -117,23 +121,57 @@ void TensionCones::add_member(std::size_t e) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       K[3 * i + j] =
-          (H.squared(i + 1, j + 1) - H.squared(0, i + 1) * H.squared(0, j + 1) / (m.EA + H.squared(0, 0))) /
+          (H.squared(i + 1, j + 1) - H.squared(0, i + 1) * H.squared(0, j + 1) / (EA(e) + H.squared(0, 0))) /
               m.l0 +
           (i == j ? damping_ / m.l0 : 0);
+  MemberNet::Vector q{-y[1], -y[2], -y[3]};
+  if (EA_pressed(e) > 0) add_pressed(e, convex, K, q);
   net_.add_block(e, K, values_);
-  net_.add_force(e, {-y[1], -y[2], -y[3]}, residual_);
+  net_.add_force(e, q, residual_);
 }
 
-/// Where other forces make it indefinite it is factorised as what it is.
-bool TensionCones::factorise() {
+/// (7) and (8); what has no length has no direction to press in.
+void TensionCones::add_pressed(std::size_t e, bool convex, std::array<double, 9>& K,
+                               MemberNet::Vector& q) const {
+  const MemberNet::Line& line = net_.line(e);
+  if (!(line.l > 0)) return;
+  const double stiffness = EA_pressed(e) / net_.members()[e].l0, a = line.strain / (1 + line.strain),
+               across = convex ? std::max(0.0, a) : a;
+  for (std::size_t i = 0; i < 3; ++i) {
+    q[i] += EA_pressed(e) * line.strain * line.t[i];
+    for (std::size_t j = 0; j < 3; ++j)
+      K[3 * i + j] += stiffness * ((1 - across) * line.t[i] * line.t[j] + (i == j ? across : 0));
+  }
+}
+
+/// Half of its stiffness is left to the cone of what bears as much when pressed.
+double TensionCones::EA_pressed(std::size_t e) const {
+  const AxialMember& m = net_.members()[e];
+  return std::min({m.EA_compression, most_pressed_, 0.5 * m.EA});
+}
+
+double TensionCones::EA(std::size_t e) const { return net_.members()[e].EA - EA_pressed(e); }
+
+FactorStatus TensionCones::factorise_once() {
   Timed timed(books_.factorisation_seconds);
   ++books_.factorisations;
   const FactorStatus status = factorisation_->factorise(values_).status;
+  if (status == FactorStatus::not_positive_definite) ++books_.refused_factorisations;
+  return status;
+}
+
+/// With the convex part of (8) if need be. Where other forces make that indefinite it is factorised as what
+/// it is.
+bool TensionCones::factorise() {
+  FactorStatus status = factorise_once();
+  if (status == FactorStatus::not_positive_definite && most_pressed_ > 0) {
+    if (!assemble(true)) return false;
+    status = factorise_once();
+  }
   if (status != FactorStatus::not_positive_definite) return status == FactorStatus::ok;
-  ++books_.factorisations, ++books_.refused_factorisations;
   factorisation_ = make_(MatrixClass::symmetric);
   factorisation_->analyse(net_.pattern());
-  return factorisation_->factorise(values_).status == FactorStatus::ok;
+  return factorise_once() == FactorStatus::ok;
 }
 
 /// (5) and (6): the length of the step.
@@ -166,8 +204,8 @@ std::vector<cone::Point> TensionCones::corrector(double mu) const {
 
 /// ζ of (4), `along` h·δw/l₀ less; without it δz₀.
 double TensionCones::zeta(std::size_t e, double g0, double along) const {
-  const double EA = net_.members()[e].EA, T = members_[e].y[0], z0 = members_[e].z0;
-  return (EA * (1 - z0) + T + g0 - along) / (EA + scaling_[e].squared(0, 0));
+  const double T = members_[e].y[0], z0 = members_[e].z0;
+  return (EA(e) * (1 - z0) + T + g0 - along) / (EA(e) + scaling_[e].squared(0, 0));
 }
 
 void TensionCones::solve_for_step(const std::vector<cone::Point>& g) {

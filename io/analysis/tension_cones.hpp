@@ -20,7 +20,7 @@ struct ConeOptions {
 /// is slack or taut is the complementarity of two points of a second-order cone K, its place in which is
 /// worked out along with all others, so that no step has to guess who is slack. With r all other forces and
 /// members of axial_members.hpp:
-///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
+///   r(u) + Σ n c (q + p) = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                   (1)
 ///   z ∘ y = μ e,  μ → 0                                                                     (2)
 /// At μ = 0 either T = 0 and the member is as short as it likes, or w has length l₀ (1 + T/EA) and q = T t.
 /// Under dead loads these are the conditions of a convex problem, which has one energy (Y. Kanno, M. Ohsaki,
@@ -57,9 +57,13 @@ class TensionCones {
   void begin(double mu);
   cone::Point z_of(std::size_t member) const;
   double mean_complementarity() const;
-  bool assemble();
-  void add_member(std::size_t member);
+  bool assemble(bool convex);
+  void add_member(std::size_t member, bool convex);
+  void add_pressed(std::size_t member, bool convex, std::array<double, 9>& K, MemberNet::Vector& q) const;
+  FactorStatus factorise_once();
   bool factorise();
+  double EA(std::size_t member) const;
+  double EA_pressed(std::size_t member) const;
   void solve_for_step(const std::vector<cone::Point>& g);
   void set_step(std::size_t member, const cone::Point& g);
   double zeta(std::size_t member, double g0, double along) const;
@@ -77,7 +81,7 @@ class TensionCones {
   std::vector<Member> members_;
   std::vector<cone::Scaling> scaling_;
   std::vector<double> residual_, values_, step_;
-  double mu_ = 0, damping_ = 0;  // [N]
+  double mu_ = 0, damping_ = 0, most_pressed_ = 0;  // [N]; the last of E_c
   Books books_;
 };
 

@@ -22,9 +22,9 @@ double dot(std::span<const double> a, std::span<const double> b) {
 constexpr double kEnergyNoise = 1e-13;
 // Damping never needs to exceed the metric itself by much, and below the lower end it no longer matters.
 constexpr double kLargestDamping = 64, kSmallestDamping = 1e-12;
-// K is hardly indefinite where the second of these makes it positive definite; only asked where damping is
-// below the first.
-constexpr double kHardlyDamped = 1e-6, kHardly = 1e-7;
+// K is hardly indefinite where a σ between the latter two makes it positive definite; only asked where
+// damping is below the first, or no step leads on.
+constexpr double kHardlyDamped = 1e-6, kLeastSigma = 1e-7, kMostSigma = 1e-4;
 
 class Globalised {
  public:
@@ -48,7 +48,7 @@ class Globalised {
       if (!(std::exchange(first, false) && find_short_step()) && !find_step()) return Outcome::linear_solve;
       const bool moved = search_line();
       if (std::exchange(at_saddle_, false) && leave_saddle()) continue;
-      if (!moved) {
+      if (!moved && !go_on_softly()) {
         if (mu_ >= kLargestDamping) return Outcome::step_too_short;
         mu_ = std::clamp(mu_ * 16, 1e-6, kLargestDamping);
       }
@@ -99,17 +99,40 @@ class Globalised {
   /// Whether K + σM is positive definite with a small σ: then (7) tells more of K than K₊ does. Where it was
   /// not the last time, it is not asked again before K itself is.
   bool is_hardly_indefinite() {
-    if (!frozen_.empty() || !may_be_hardly_ || mu_ >= kHardlyDamped ||
-        problem_.factorise(Matrix::exact, kHardly) != Factor::ok)
-      return false;
-    mu_ = kHardly, at_saddle_ = true;
+    if (!frozen_.empty() || !may_be_hardly_ || mu_ >= kHardlyDamped || !factorise_with_sigma()) return false;
+    mu_ = sigma_, at_saddle_ = true;
     note_ = "hardly indefinite";
+    return true;
+  }
+
+  /// By decades, from one below the last that did.
+  bool factorise_with_sigma() {
+    for (sigma_ = std::max(kLeastSigma, 0.1 * sigma_); sigma_ < 2 * kMostSigma; sigma_ *= 10)
+      if (problem_.factorise(Matrix::exact, sigma_) == Factor::ok) return true;
+    sigma_ = kLeastSigma;
+    return false;
+  }
+
+  /// Where what a step would gain is no longer seen in the energy and damping leads nowhere: by Newton's own
+  /// step, or if this is a saddle, by (7).
+  bool go_on_softly() {
+    if (!is_in_noise_ || !frozen_.empty() || !problem_.symmetric()) return false;
+    if (problem_.factorise(Matrix::exact, 0) == Factor::ok) {
+      solve_for_step();
+      if (problem_.step_length(s_) > 1) return false;
+      move_trial(1);
+      if (!accept_blindly(0.25) && !accept_shortening()) return false;
+      mu_ = 0;
+      return true;
+    }
+    if (!factorise_with_sigma() || !leave_saddle()) return false;
+    mu_ = sigma_;
     return true;
   }
 
   /// Moves u along the v of (7) to where the energy no longer falls; false if it never does.
   bool leave_saddle() {
-    if (!(curvature_.find(problem_, kHardly) < 0)) return false;
+    if (!(curvature_.find(problem_, sigma_) < 0)) return false;
     std::copy_n(curvature_.direction().begin(), s_.size(), s_.begin());
     const double one_element = (dot(r_, s_) > 0 ? -1 : 1) / problem_.step_length(s_);
     for (double& v : s_) v *= one_element;
@@ -143,7 +166,8 @@ class Globalised {
     const Sample first{0, energy_, dot(r_, s_)};
     const double noise = kEnergyNoise * (std::abs(energy_) + std::abs(dot(frozen_, s_)));
     move_trial(1);
-    if (-first.slope <= noise) return accept_blindly(1) || accept_shortening();
+    is_in_noise_ = -first.slope <= noise;
+    if (is_in_noise_) return accept_blindly(1) || accept_shortening();
     if (!frozen_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
     LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
     auto found = whole_step_uphill(first);
@@ -232,8 +256,8 @@ class Globalised {
 
   const Newton::Parameters& p_;
   Problem& problem_;
-  double mu_, energy_ = 0;
-  bool was_uphill_ = false, may_be_hardly_ = true, at_saddle_ = false;
+  double mu_, sigma_ = kLeastSigma, energy_ = 0;
+  bool was_uphill_ = false, may_be_hardly_ = true, at_saddle_ = false, is_in_noise_ = false;
   const char* note_ = "";
   std::vector<double> r_, s_, trial_, r_trial_, left_;
   LeastCurvature curvature_;

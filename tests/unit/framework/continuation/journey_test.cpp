@@ -110,6 +110,18 @@ TEST(Journey, LooksForOtherShapesByItselfAfterALongWayOnly) {
   EXPECT_GT(far.shapes.looks, 0);
 }
 
+TEST(Journey, LooksForOtherShapesByItselfWhereAnOwnStartLedPastThem) {
+  const OwnStart own{"own", true, [](const auto& from, double, auto&) { return std::optional(from); }};
+  const Solution s = travel(arch(), {}, JourneyOptions::kLooksThatSuit, own).solution;
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_GT(s.shapes.looks, 0);
+  EXPECT_EQ(s.shapes.others.size(), 1u) << "standing and hanging";
+  Scene slack = arch();
+  slack.parts[0].parameters["rope.EA_compression"] = 0.0;
+  EXPECT_EQ(travel(slack, {}, JourneyOptions::kLooksThatSuit, own).solution.shapes.looks, 0)
+      << "tension only has one energy";
+}
+
 /// A heavy rope of 20 bars that is 10 percent too long, folded to one side, `EA` in newtons.
 Scene slack_rope(double EA) {
   Sketch s;

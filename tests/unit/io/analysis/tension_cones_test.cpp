@@ -59,11 +59,13 @@ Found find(const Scene& scene, ConeOptions options = {.tension = 1000}) {
 
 /// A weight of 100 N in sea water that hangs on two ropes from one point, of 3 m and 2 m, both drawn far too
 /// long and aslant.
-Scene two_ropes(double EA) {
+Scene two_ropes(double EA, double EA_compression = 0) {
   test::Sketch s;
   const auto top = s.node(0, 0, 0, kAllAxes), weight = s.node(5, -4, 1);
-  s.rope("long", {top, weight}, 3, EA).parameters["rope.density"] = 1025.0;
-  s.rope("short", {top, weight}, 2, EA).parameters["rope.density"] = 1025.0;
+  for (const double l0 : {3.0, 2.0}) {
+    Part& rope = s.rope(l0 > 2 ? "long" : "short", {top, weight}, l0, EA);
+    rope.parameters["rope.density"] = 1025.0, rope.parameters["rope.EA_compression"] = EA_compression;
+  }
   s.part("weight", "float/float", {{"float.buoyancy", -100.0}, {"float.diameter", 0.1}}, {weight})
       .data["share"] = {1};
   return s.scene;
@@ -78,6 +80,19 @@ TEST(TensionCones, TellTheRopeThatBearsFromTheSlackOne) {
     EXPECT_NEAR(std::hypot(found.positions[3], found.positions[4]), 0, 1e-4);
     EXPECT_LT(found.leg.books.iterations, 20);
   }
+}
+
+// The longer rope, pressed between the point and the weight, pushes it down:
+//   EA (l/2 − 1) = P + E_c (1 − l/3)
+TEST(TensionCones, RestWhereWhatIsPressedLeavesThem) {
+  constexpr double EA = 1e4, kPressed = 6;
+  const Scene scene = two_ropes(EA, kPressed);
+  const auto length = [](double pressed) { return (100 + EA + pressed) / (EA / 2 + pressed / 3); };
+  const Found found = find(scene), little = find(scene, {.tension = 100});
+  ASSERT_EQ(found.leg.status, SolveStatus::converged) << found.leg.reason;
+  ASSERT_EQ(little.leg.status, SolveStatus::converged) << little.leg.reason;
+  EXPECT_NEAR(found.positions[5], -length(kPressed), 1e-6);
+  EXPECT_NEAR(little.positions[5], -length(1), 1e-6) << "a hundredth of the first tension";
 }
 
 TEST(TensionCones, LeadAPanelThatStartsSlackToWhereItHangs) {
@@ -132,8 +147,7 @@ ConeUse use_in(const std::string& file, std::vector<std::string> overrides) {
   return use;
 }
 
-// Ropes alone have nothing to tell apart, and a panel's slack twines
-// bear something.
+// Ropes alone have nothing to tell apart, and a panel's slack twines bear something.
 TEST(ConeUse, GoesByMembersWaterAndWhatSlackTwinesBear) {
   const std::string panel = "gear-library/scenes/dead-weight-panel.toml";
   EXPECT_EQ(use_in("gear-library/scenes/verification/catenary-wire.toml", {}), ConeUse::never);
@@ -141,7 +155,13 @@ TEST(ConeUse, GoesByMembersWaterAndWhatSlackTwinesBear) {
   EXPECT_EQ(use_in(panel, {"parts.net.twine.EA_compression=0"}), ConeUse::first);
   EXPECT_EQ(use_in(panel, {"water.gravity=0"}), ConeUse::never);
   EXPECT_EQ(use_in(kTrawl, {}), ConeUse::first);
-  EXPECT_EQ(use_in(kTrawl, {"water.current=[0,0,0]"}), ConeUse::as_a_way);
+  EXPECT_EQ(use_in(kTrawl, {"water.current=[0,0,0]"}), ConeUse::first);
+}
+
+TEST(ConeUse, GoesByHowMuchTwinesStretchAndStandByThemselves) {
+  const std::string panel = "gear-library/scenes/dead-weight-panel.toml", stiff = "parts.net.twine.EA=1e8";
+  EXPECT_EQ(use_in(panel, {stiff}), ConeUse::first);
+  EXPECT_EQ(use_in(panel, {stiff, "parts.net.twine.EA_compression=1e8"}), ConeUse::as_a_way);
 }
 
 TEST(TensionCones, KeepToTheIterationsThatTheUserAllows) {

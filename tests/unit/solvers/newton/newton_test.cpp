@@ -23,9 +23,24 @@ double away_from_line(const Solved& s) { return std::hypot(s.position(1)[1], s.p
 
 // By Pythagoras the joint of two bars of 1 m is √(δ − δ²/4) off the line between ends 2 m − δ apart.
 TEST(Newton, LeavesASaddleThatSymmetryHidesWhileItSolves) {
-  constexpr double kShort = 1e-7;
-  const Solved s = solve_with("newton", pressed_line(kShort), {{"damping", 0.0}});
+  for (const double short_by : {1e-7, 1e-6, 2e-5, 1e-4}) {
+    const Solved s = solve_with("newton", pressed_line(short_by), {{"damping", 0.0}});
+    ASSERT_EQ(s.solution.status, SolveStatus::converged) << short_by << ": " << s.solution.reason;
+    EXPECT_NEAR(away_from_line(s), std::sqrt(short_by), 1e-2 * std::sqrt(short_by));
+  }
+}
+
+// A stretched bar between held ends stores so much that no step's gain is seen in the energy.
+TEST(Newton, LeavesASaddleWhereEnergiesCanNoLongerBeToldApart) {
+  constexpr double kShort = 1e-5;
+  Sketch more;
+  more.scene = pressed_line(kShort);
+  more.scene.positions[4] = 1e-3;
+  const auto from = more.node(0, 5, 0, kAllAxes), to = more.node(1.5, 5, 0, kAllAxes);
+  more.rope("stretched", {from, to}, 1, 1e4);
+  const Solved s = solve_with("newton", more.scene, {});
   ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_GT(s.solution.energy, 1e3);
   EXPECT_NEAR(away_from_line(s), std::sqrt(kShort), 1e-2 * std::sqrt(kShort));
 }
 
