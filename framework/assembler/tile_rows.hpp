@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/plugin.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace netloft {
+
+/// Rows of NETLOFT_LANES numbers that the terms of a tile add to, zero whenever a tile begins. Only what the
+/// tile before may have left is set to zero again: what is not in use costs nothing.
+class TileRows {
+ public:
+  explicit TileRows(std::size_t rows) : all_(rows * kWidth) {}
+
+  double* data() { return all_.data(); }
+  const double* data() const { return all_.data(); }
+
+  /// Zeros for a tile that adds to the first `rows` rows in its first `lanes` lanes.
+  void begin(std::size_t rows, std::size_t lanes) {
+    for (std::size_t row = 0; row < rows_; ++row) std::fill_n(all_.data() + row * kWidth, lanes_, 0.0);
+    rows_ = rows, lanes_ = lanes;
+  }
+  /// Whether this tile has added nothing.
+  bool is_zero() {
+    for (std::size_t row = 0; row < rows_; ++row)
+      if (!is_zero(all_.data() + row * kWidth)) return false;
+    rows_ = 0;
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kWidth = NETLOFT_LANES;
+
+  bool is_zero(const double* row) const {
+    std::uint64_t bits = 0;  // of all lanes but for their signs: of integers the compiler makes vectors
+    for (std::size_t lane = 0; lane < lanes_; ++lane) bits |= std::bit_cast<std::uint64_t>(row[lane]) << 1;
+    return bits == 0;
+  }
+
+  std::vector<double> all_;
+  std::size_t rows_ = 0, lanes_ = 0;  // beyond these all is zero
+};
+
+}  // namespace netloft
