@@ -11,8 +11,6 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kNextToNothing = 1e-12;  // of the stiffness
-
 /// The stiffnesses of what is as stiff as EA where taut and as EA_c where pressed; by their roles.
 struct Axial {
   const netloft_parameter *EA = nullptr, *EA_compression = nullptr;
@@ -89,9 +87,8 @@ Scene without_axial_stiffness(const Scene& scene, Registry& registry) {
     Part& part = loose.parts[member.part];
     const ElementType& type = registry.element(part.type);
     const Axial axial = *axial_of(type);
-    part.parameters[axial.EA->name] = std::max(axial.EA->lo, kNextToNothing * member.EA);
-    part.parameters[axial.EA_compression->name] =
-        std::max(axial.EA_compression->lo, kNextToNothing * member.EA_compression);
+    for (const netloft_parameter* stiffness : {axial.EA, axial.EA_compression})
+      part.parameters[stiffness->name] = std::max(stiffness->lo, 0.0);
   }
   return loose;
 }

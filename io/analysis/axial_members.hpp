@@ -26,7 +26,8 @@ struct AxialMember {
 /// is not known here: where it ends is a start, not an answer.
 std::vector<AxialMember> axial_members(const Scene& scene, Registry& registry);
 
-/// The same scene in which these have next to no stiffness: all other forces are left.
+/// The same scene in which these are as little stiff as their elements allow, as a rule not at all: all other
+/// forces are left.
 Scene without_axial_stiffness(const Scene& scene, Registry& registry);
 
 }  // namespace netloft::io

@@ -14,6 +14,7 @@ namespace netloft::io {
 class MemberNet {
  public:
   using Vector = std::array<double, 3>;
+  using Block = std::array<double, 9>;
   /// A member at the positions of now: length [m], strain [1], w [m] and its direction, no numbers where w is
   /// zero.
   struct Line {
@@ -34,35 +35,39 @@ class MemberNet {
   /// All forces but those of the members, over all dofs [N], and their tangent [N/m]; false where there are
   /// none.
   bool evaluate(std::vector<double>& residual, std::vector<double>& values);
-  /// Adds n c f to the forces.
-  void add_force(std::size_t member, const Vector& f, std::vector<double>& residual) const;
-  /// Adds n c cᵀ K, K row by row, to the tangent.
-  void add_block(std::size_t member, const std::array<double, 9>& K, std::vector<double>& values) const;
+  /// Adds n c f of all members, f one for each, to the forces.
+  void add_forces(std::span<const Vector> f, std::vector<double>& residual) const;
+  /// Adds n c cᵀ K of all members, K row by row, to the tangent.
+  void add_blocks(std::span<const Block> K, std::vector<double>& values) const;
 
-  /// Σ c s: by how much a step of the unknowns changes the w of a member [m].
-  Vector change_of(std::size_t member, std::span<const double> step) const;
+  /// Σ c s: by how much a step of the unknowns changes the w of all members [m].
+  void find_changes(std::span<const double> step, std::span<Vector> changes);
   /// x ← x + a s.
   void move(std::span<const double> step, double a);
   /// Of the nodes of the scene, 3 each [m].
   std::vector<double> positions() const;
 
  private:
-  /// Where a member's nodes stand, 3 each, and the blocks of their pairs, row by row, among the values; -1:
-  /// none.
-  struct Places {
-    std::array<std::int32_t, 9> dof, block;
+  /// Nodes that members stand on, one, or both directions of a triangle, one after the other: where the nodes
+  /// stand, 3 each, and the blocks of their pairs, row by row, among the values; -1: none.
+  struct Site {
+    std::uint32_t first = 0, members = 1, nodes = 2;
+    std::array<std::int32_t, 9> dof{}, block{};
   };
-  Places places_of(const AxialMember& member) const;
-  Line line_of(std::size_t member) const;
+  void list_sites();
+  Site site_of(const AxialMember& member) const;
+  std::int32_t find_block(const Site& site, std::uint32_t p, std::uint32_t q) const;
+  template <class Visit>
+  void for_weighted(std::span<const double> v, const Visit& visit) const;
   void update_lines();
 
   Scene loose_;
   Plan plan_;
   std::unique_ptr<Assembler> rest_;  // all but the members
   std::vector<AxialMember> members_;
-  std::vector<Places> places_;
+  std::vector<Site> sites_;
   std::vector<Line> lines_;  // at x_
-  std::vector<double> x_;
+  std::vector<double> x_, step_;
 };
 
 /// √Σ v².

@@ -58,7 +58,7 @@ class TensionCones {
   cone::Point z_of(std::size_t member) const;
   double mean_complementarity() const;
   bool assemble();
-  void add_member(std::size_t member);
+  void set_member(std::size_t member);
   bool factorise();
   void solve_for_step(const std::vector<cone::Point>& g);
   void set_step(std::size_t member, const cone::Point& g);
@@ -76,6 +76,8 @@ class TensionCones {
   std::unique_ptr<Factorisation> factorisation_;
   std::vector<Member> members_;
   std::vector<cone::Scaling> scaling_;
+  std::vector<MemberNet::Block> blocks_;
+  std::vector<MemberNet::Vector> forces_, changes_;
   std::vector<double> residual_, values_, step_;
   double mu_ = 0, damping_ = 0;  // [N]
   Books books_;

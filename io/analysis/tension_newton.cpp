@@ -19,7 +19,12 @@ constexpr double kStrainOfTaut = 1e-3;  // at the most, of a member the step mak
 }  // namespace
 
 TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactorisation make, int threads)
-    : net_(scene, registry, threads), changes_(net_.size()), stiffness_(scene.parts.size(), 0.0) {
+    : net_(scene, registry, threads),
+      changes_(net_.size()),
+      own_(net_.size()),
+      linear_(net_.size()),
+      blocks_(net_.size()),
+      stiffness_(scene.parts.size(), 0.0) {
   const SparsePattern& pattern = net_.pattern();
   factorisation_ = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation_->analyse(pattern);
@@ -27,16 +32,23 @@ TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactori
   for (const AxialMember& m : net_.members()) stiffness_[m.part] = std::max(stiffness_[m.part], m.EA);
 }
 
+/// EA and EA_c of the stage.
+void TensionNewton::set_laws() {
+  laws_.resize(net_.size());
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const AxialMember& m = net_.members()[e];
+    laws_[e] = {share_[m.part] * m.EA, share_[m.part] * m.EA_compression};
+  }
+}
+
 /// k of (1).
 double TensionNewton::stiffness_now(std::size_t e) const {
-  const AxialMember& m = net_.members()[e];
-  return share_[m.part] * (tension_[e] > 0 ? m.EA : m.EA_compression);
+  return tension_[e] > 0 ? laws_[e].EA : laws_[e].EA_compression;
 }
 
 /// What the law of the member has at a strain.
 double TensionNewton::own_tension(std::size_t e, double strain) const {
-  const AxialMember& m = net_.members()[e];
-  return share_[m.part] * (strain > 0 ? m.EA : m.EA_compression) * strain;
+  return (strain > 0 ? laws_[e].EA : laws_[e].EA_compression) * strain;
 }
 
 void TensionNewton::follow_positions() {
@@ -48,6 +60,7 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   const double wall = wall_seconds(), cpu = cpu_seconds();
   books_ = {};
   share_ = stage.share;
+  set_laws();
   if (tension_.empty()) follow_positions();
   damping_ = stage.damping;
   Leg leg{stage.name, "tensions", step_.size(), SolveStatus::not_converged, "", {}};
@@ -85,24 +98,25 @@ bool TensionNewton::assemble() {
   ++books_.residuals, ++books_.matrices;
   if (!net_.evaluate(residual_, values_)) return false;
   mixed_ = residual_;
-  for (std::size_t e = 0; e < net_.size(); ++e) add_member(e);
+  for (std::size_t e = 0; e < net_.size(); ++e) set_member(e);
+  net_.add_forces(own_, residual_);
+  net_.add_forces(linear_, mixed_);
+  net_.add_blocks(blocks_, values_);
   return std::isfinite(norm_of(residual_));
 }
 
-void TensionNewton::add_member(std::size_t e) {
-  const AxialMember& m = net_.members()[e];
+/// What a member adds: by its own law T t, and of (2) k ε t and the matrix.
+void TensionNewton::set_member(std::size_t e) {
+  const double l0 = net_.members()[e].l0;
   const MemberNet::Line& now = net_.line(e);
   const double k = stiffness_now(e), T = tension_[e], own = own_tension(e, now.strain),
                linear = k * now.strain;
-  const double all = T / now.l + damping_ * share_[m.part] * m.EA / m.l0, along = k / m.l0 - T / now.l;
-  std::array<double, 9> K;
-  for (std::size_t i = 0; i < 9; ++i) K[i] = along * now.t[i / 3] * now.t[i % 3] + (i % 4 == 0 ? all : 0.0);
-  const auto along_line = [&](double f) {
-    return MemberNet::Vector{f * now.t[0], f * now.t[1], f * now.t[2]};
-  };
-  net_.add_force(e, along_line(own), residual_);
-  net_.add_force(e, along_line(linear), mixed_);
-  net_.add_block(e, K, values_);
+  const double all = T / now.l + damping_ * laws_[e].EA / l0, along = k / l0 - T / now.l;
+  for (std::size_t i = 0; i < 3; ++i) {
+    own_[e][i] = own * now.t[i], linear_[e][i] = linear * now.t[i];
+    for (std::size_t j = 0; j < 3; ++j)
+      blocks_[e][3 * i + j] = along * now.t[i] * now.t[j] + (i == j ? all : 0.0);
+  }
 }
 
 bool TensionNewton::is_done(const TensionStage& stage, double turn) {
@@ -127,7 +141,7 @@ bool TensionNewton::find_step() {
   ++books_.solves;
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -mixed_[i];
   factorisation_->solve(step_, step_);
-  for (std::size_t e = 0; e < net_.size(); ++e) changes_[e] = net_.change_of(e, step_);
+  net_.find_changes(step_, changes_);
   return std::isfinite(norm_of(step_));
 }
 

@@ -50,11 +50,12 @@ class TensionNewton {
   std::vector<double> positions() const { return net_.positions(); }
 
  private:
+  void set_laws();
   double stiffness_now(std::size_t member) const;
   double own_tension(std::size_t member, double strain) const;
   void follow_positions();
   bool assemble();
-  void add_member(std::size_t member);
+  void set_member(std::size_t member);
   bool is_done(const TensionStage& stage, double turn);
   bool find_step();
   double largest_turn(bool taut_only) const;
@@ -63,8 +64,14 @@ class TensionNewton {
 
   MemberNet net_;
   std::unique_ptr<Factorisation> factorisation_;
-  std::vector<MemberNet::Vector> changes_;  // Σ c s, by the whole step
-  std::vector<double> stiffness_, share_;   // by part
+  std::vector<MemberNet::Vector> changes_;       // Σ c s, by the whole step
+  std::vector<MemberNet::Vector> own_, linear_;  // forces along the members [N]
+  std::vector<MemberNet::Block> blocks_;
+  struct Law {
+    double EA, EA_compression;
+  };
+  std::vector<Law> laws_;                  // of this stage, by member [N]
+  std::vector<double> stiffness_, share_;  // by part
   std::vector<double> tension_, mixed_, residual_, values_, step_;
   double damping_ = 0;
   Books books_;
