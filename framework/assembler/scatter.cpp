@@ -44,16 +44,30 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
   }
 }
 
-/// The lanes of the nine entries of a block, row by row.
-using Entries = std::array<const double*, 9>;
+/// Two numbers in a register, anywhere in memory.
+typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
+
+/// The nine entries of a block, row by row, each in all lanes.
+struct Entries {
+  std::array<const double*, 9> at;
+  Two pair(std::size_t i, std::size_t lane) const { return *reinterpret_cast<const Two*>(at[i] + lane); }
+  double one(std::size_t i, std::size_t lane) const { return at[i][lane]; }
+};
+
+/// The sum of two.
+struct BothEntries {
+  Entries a, b;
+  Two pair(std::size_t i, std::size_t lane) const { return a.pair(i, lane) + b.pair(i, lane); }
+  double one(std::size_t i, std::size_t lane) const { return a.one(i, lane) + b.one(i, lane); }
+};
 
 template <int Nodes>
 Entries square_entries(const double* square, int P, int Q) {
   Entries entries;
   for (std::size_t i = 0; i < 9; ++i)
-    entries[i] = square + ((3 * static_cast<std::size_t>(P) + i / 3) * 3 * Nodes +
-                           3 * static_cast<std::size_t>(Q) + i % 3) *
-                              kLanes;
+    entries.at[i] = square + ((3 * static_cast<std::size_t>(P) + i / 3) * 3 * Nodes +
+                              3 * static_cast<std::size_t>(Q) + i % 3) *
+                                 kLanes;
   return entries;
 }
 
@@ -62,34 +76,37 @@ Entries packed_entries(const double* packed_tangent, int P, int Q) {
   for (std::size_t i = 0; i < 9; ++i) {
     const std::size_t row = 3 * static_cast<std::size_t>(P) + i / 3,
                       column = 3 * static_cast<std::size_t>(Q) + i % 3;
-    entries[i] = packed_tangent + (packed(std::max(row, column)) + std::min(row, column)) * kLanes;
+    entries.at[i] = packed_tangent + (packed(std::max(row, column)) + std::min(row, column)) * kLanes;
   }
   return entries;
 }
 
-/// Adds the blocks of a full square, corner by corner, together with those of a packed lower triangle.
-template <int Nodes>
-void add_both_blocks(const std::int32_t* map, std::size_t count, const double* __restrict square,
-                     const double* __restrict packed_tangent, double* values) {
-  for (int P = 0; P < Nodes; ++P)
-    for (int Q = 0; Q < Nodes; ++Q, map += kLanes) {
-      const Entries unsymmetric = square_entries<Nodes>(square, P, Q),
-                    symmetric = packed_entries(packed_tangent, P, Q);
-      for (std::size_t lane = 0; lane < count; ++lane)
-        for (std::size_t i = 0; i < 9; ++i)
-          values[map[lane] + static_cast<std::ptrdiff_t>(i)] += unsymmetric[i][lane] + symmetric[i][lane];
-    }
+/// values[to + i] += entry i of a lane, for two lanes, whose entries become neighbours in the registers.
+template <class Pair>
+void add_two_lanes(double* first, double* second, const Pair& pair) {
+  for (std::size_t i = 0; i < 8; i += 2) {
+    const Two a = pair(i), b = pair(i + 1);
+    *reinterpret_cast<Two*>(first + i) += Two{a[0], b[0]};
+    *reinterpret_cast<Two*>(second + i) += Two{a[1], b[1]};
+  }
+  const Two last = pair(8);
+  first[8] += last[0], second[8] += last[1];
 }
 
-/// The same of one of both, where the other is zero.
+/// Adds the blocks of all pairs of corners; entries_of(P, Q) has pair(i) and one(i), entry i of two lanes and
+/// of one.
 template <int Nodes, class EntriesOf>
 void add_blocks(const std::int32_t* map, std::size_t count, const EntriesOf& entries_of, double* values) {
   for (int P = 0; P < Nodes; ++P)
     for (int Q = 0; Q < Nodes; ++Q, map += kLanes) {
-      const Entries entries = entries_of(P, Q);
-      for (std::size_t lane = 0; lane < count; ++lane)
+      const auto entry = entries_of(P, Q);
+      std::size_t lane = 0;
+      for (; lane + 2 <= count; lane += 2)
+        add_two_lanes(values + map[lane], values + map[lane + 1],
+                      [&](std::size_t i) { return entry.pair(i, lane); });
+      if (lane < count)
         for (std::size_t i = 0; i < 9; ++i)
-          values[map[lane] + static_cast<std::ptrdiff_t>(i)] += entries[i][lane];
+          values[map[lane] + static_cast<std::ptrdiff_t>(i)] += entry.one(i, lane);
     }
 }
 
@@ -141,7 +158,12 @@ void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* v
     add_twins(tiling, tile, map, triangle, values);
     with_nodes(dofs, [&](auto nodes) { add_lower_blocks<nodes>(map, count, triangle, values); });
   } else if (symmetric && unsymmetric) {
-    with_nodes(dofs, [&](auto nodes) { add_both_blocks<nodes>(map, count, square, triangle, values); });
+    with_nodes(dofs, [&](auto nodes) {
+      const auto entries = [&](int P, int Q) {
+        return BothEntries{square_entries<nodes>(square, P, Q), packed_entries(triangle, P, Q)};
+      };
+      add_blocks<nodes>(map, count, entries, values);
+    });
   } else if (symmetric) {
     const auto entries = [&](int P, int Q) { return packed_entries(triangle, P, Q); };
     with_nodes(dofs, [&](auto nodes) { add_blocks<nodes>(map, count, entries, values); });

@@ -36,9 +36,9 @@ class TileRows {
   static constexpr std::size_t kWidth = NETLOFT_LANES;
 
   bool is_zero(const double* row) const {
-    std::uint64_t bits = 0;  // of all lanes but for their signs: of integers the compiler makes vectors
-    for (std::size_t lane = 0; lane < lanes_; ++lane) bits |= std::bit_cast<std::uint64_t>(row[lane]) << 1;
-    return bits == 0;
+    std::uint64_t bits = 0;  // of integers the compiler makes vectors
+    for (std::size_t lane = 0; lane < lanes_; ++lane) bits |= std::bit_cast<std::uint64_t>(row[lane]);
+    return bits << 1 == 0;  // whatever the signs
   }
 
   std::vector<double> all_;
