@@ -9,6 +9,7 @@ namespace {
 
 #define NETLOFT_INLINE [[gnu::always_inline]] inline
 
+constexpr double kSuits = 0.1;  // a pivot over the norm of what is below it, that no exchange is looked for
 constexpr std::ptrdiff_t kBlock = 8;  // pivots that are eliminated one by one before the rest is updated
 
 /// As many doubles as one register holds, anywhere in memory, and how many columns a tile has so that its
@@ -117,6 +118,43 @@ NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, doubl
   }
 }
 
+/// Ones in the middle, zeros around: what begins within the zeros ends in the ones, and the other way round.
+constexpr double kOnesBetween[3 * kTileRows] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
+                                                1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
+
+/// kTileRows factors, one for rows beyond k and before n, the first of them being `row`, and zero for others.
+/// (Comparisons of vectors are compiled number by number.)
+struct OwnRows {
+  NETLOFT_INLINE OwnRows(std::ptrdiff_t row, std::ptrdiff_t k, std::ptrdiff_t n)
+      : beyond(kOnesBetween + kTileRows - std::clamp<std::ptrdiff_t>(k + 1 - row, 0, kTileRows)),
+        before(kOnesBetween + 2 * kTileRows - std::clamp<std::ptrdiff_t>(n - row, 0, kTileRows)) {}
+  template <class Register>
+  NETLOFT_INLINE void keep(std::ptrdiff_t i, typename Register::V& rows) const {
+    using V = typename Register::V;
+    rows *= *reinterpret_cast<const V*>(beyond + i) * *reinterpret_cast<const V*>(before + i);
+  }
+  const double *beyond, *before;
+};
+
+/// Whether entry k of a column is a pivot as it is: not small beside the entries from there to row n.
+template <class Register>
+NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
+  using V = typename Register::V;
+  V squares = {};
+  for (std::ptrdiff_t i = begin; i < n; i += kTileRows) {
+    const OwnRows own(i, k, n);
+    for (std::ptrdiff_t part = 0; part < kTileRows; part += Register::kLanes) {
+      V rows = *reinterpret_cast<const V*>(column + i + part);
+      own.keep<Register>(part, rows);
+      squares += rows * rows;
+    }
+  }
+  double sum = 0;
+  for (int lane = 0; lane < Register::kLanes; ++lane) sum += squares[lane];
+  const double square = column[k] * column[k];
+  return square > 0 && square >= kSuits * kSuits * sum;
+}
+
 NETLOFT_INLINE std::ptrdiff_t row_of_largest(const double* column, std::ptrdiff_t from, std::ptrdiff_t to) {
   std::ptrdiff_t row = from;
   for (std::ptrdiff_t i = from + 1; i < to; ++i)
@@ -137,21 +175,41 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
   for (std::ptrdiff_t i = 0; i < count; ++i) y[i] -= a * x[i];
 }
 
-/// One pivot among the rows of A₁₁: its row, its column of L, and the rest of the columns before `end`.
-NETLOFT_INLINE bool eliminate_pivot(const FrontPanels& f, std::ptrdiff_t k, std::ptrdiff_t end,
-                                    std::int32_t* exchanged) {
+/// A column of L below its pivot k, in the rows before n, and the columns after it before `end` less what it
+/// takes from them. All pivots of a block take the same pieces of rows: what has just been written is read as
+/// it was written.
+template <class Register>
+NETLOFT_INLINE void eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
+                                     std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {
+  using V = typename Register::V;
+  double *column = left + k * stride, U[kBlock];
+  const double reciprocal = 1 / column[k];
+  for (std::ptrdiff_t j = k + 1; j < end; ++j) U[j - k - 1] = left[k + j * stride];
+  for (std::ptrdiff_t i = begin; i < n; i += kTileRows) {
+    const OwnRows own(i, k, n);
+    for (std::ptrdiff_t part = 0; part < kTileRows; part += Register::kLanes) {
+      V& rows = *reinterpret_cast<V*>(column + i + part);
+      V L = rows;
+      own.keep<Register>(part, L);
+      rows -= L, L *= reciprocal, rows += L;
+      for (std::ptrdiff_t j = k + 1; j < end; ++j)
+        *reinterpret_cast<V*>(left + i + part + j * stride) -= L * U[j - k - 1];
+    }
+  }
+}
+
+/// One pivot of the block that begins at `begin`, among the rows of A₁₁: its row, its column of L, and the
+/// rest of the columns before `end`.
+template <class Register>
+NETLOFT_INLINE bool eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
+                                    std::ptrdiff_t end, std::int32_t* exchanged) {
   const std::ptrdiff_t n = f.pivots, stride = left_stride(n, f.others);
-  double* column = f.left + k * stride;
-  const std::ptrdiff_t row = row_of_largest(column, k, n);
+  const double* column = f.left + k * stride;
+  const std::ptrdiff_t row = is_pivot<Register>(column, begin, k, n) ? k : row_of_largest(column, k, n);
   if (column[row] == 0) return false;
   exchanged[k] = static_cast<std::int32_t>(row);
   if (row != k) exchange(f.left + k, f.left + row, n, stride);
-  const double reciprocal = 1 / column[k];
-  for (std::ptrdiff_t i = k + 1; i < n; ++i) column[i] *= reciprocal;
-  for (std::ptrdiff_t j = k + 1; j < end; ++j) {
-    double* other = f.left + j * stride;
-    subtract(other[k], column + k + 1, n - k - 1, other + k + 1);
-  }
+  eliminate_column<Register>(f.left, stride, begin, k, n, end);
   return true;
 }
 
@@ -187,7 +245,7 @@ template <class Register>
 NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                            double least_pivot, std::int32_t* exchanged) {
   for (std::ptrdiff_t k = begin; k < end; ++k)
-    if (!eliminate_pivot(f, k, end, exchanged))
+    if (!eliminate_pivot<Register>(f, begin, k, end, exchanged))
       return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k)};
   const double squares = solve_below<Register>(f, begin, end);
   if (!(least_pivot * least_pivot * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
@@ -198,6 +256,29 @@ NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t 
 /// pairs, pairs in pairs and so on: as many columns are next, and updated by all of these at once.
 NETLOFT_INLINE std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
+/// C ← L⁻¹ C, L unit lower triangular of kBlock columns, C of `columns` columns of the same stride.
+template <class Register>
+NETLOFT_INLINE void solve_lower(const double* L, std::ptrdiff_t stride, double* c, std::ptrdiff_t columns) {
+  using V = typename Register::V;
+  constexpr int kParts = static_cast<int>(kBlock) / Register::kLanes;
+  V below[kBlock][kParts];
+  for (int k = 0; k < kBlock; ++k)
+    for (int i = 0; i < kParts; ++i) {
+      below[k][i] = *reinterpret_cast<const V*>(L + k * stride + i * Register::kLanes);
+      OwnRows(0, k, kBlock).keep<Register>(i * Register::kLanes, below[k][i]);
+    }
+  for (std::ptrdiff_t j = 0; j < columns; ++j, c += stride) {
+    V rows[kParts];
+    for (int i = 0; i < kParts; ++i) rows[i] = *reinterpret_cast<const V*>(c + i * Register::kLanes);
+#pragma GCC unroll 8
+    for (int k = 0; k < kBlock; ++k) {
+      const double known = rows[k / Register::kLanes][k % Register::kLanes];
+      for (int i = 0; i < kParts; ++i) rows[i] -= below[k][i] * known;
+    }
+    for (int i = 0; i < kParts; ++i) *reinterpret_cast<V*>(c + i * Register::kLanes) = rows[i];
+  }
+}
+
 /// U of the rows from `begin` to `end` in the columns from `end` to `last`.
 template <class Register>
 NETLOFT_INLINE void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
@@ -205,11 +286,7 @@ NETLOFT_INLINE void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::
   const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
   for (; begin < end; begin += kBlock) {
     const std::ptrdiff_t next = begin + kBlock;
-    for (std::ptrdiff_t j = end; j < last; ++j) {
-      double* column = f.left + j * stride;
-      for (std::ptrdiff_t k = begin; k < next; ++k)
-        subtract(column[k], f.left + k * stride + k + 1, next - k - 1, column + k + 1);
-    }
+    solve_lower<Register>(f.left + begin + begin * stride, stride, f.left + begin + end * stride, last - end);
     subtract_product<Register>(end - next, last - end, kBlock, f.left + next + begin * stride, stride,
                                {f.left + begin + end * stride, 1, stride}, f.left + next + end * stride,
                                stride);

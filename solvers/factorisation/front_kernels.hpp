@@ -32,8 +32,9 @@ struct Elimination {
 /// The dense work on a front, for the instructions this processor has:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
-/// P exchanges rows of A₁₁ alone, the largest entry of a column becomes its pivot. It stops where some
-/// columns of L₂₁ together have a norm of more than 1/least_pivot.
+/// P exchanges rows of A₁₁ alone: the largest entry of a column becomes its pivot where the one on the
+/// diagonal is less than a tenth of the norm of those below (threshold pivoting; Duff, Erisman, Reid 1986).
+/// It stops where some columns of L₂₁ together have a norm of more than 1/least_pivot.
 struct FrontKernels {
   /// (1); `exchanged[k]` is the row that row k was exchanged with.
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
