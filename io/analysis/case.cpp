@@ -71,6 +71,7 @@ Case::State Case::assemble() {
       damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
     plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
                       moves ? AnalysisKind::dynamics : AnalysisKind::statics);
+    plan_.not_loaded = unused_plugins(plan_, registry_);
     if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);
     if (moves) std::erase(plan_.not_loaded, registry_.integrator(analysis.dynamics.integrator).origin->name);
     assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
