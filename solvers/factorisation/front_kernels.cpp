@@ -136,6 +136,16 @@ struct OwnRows {
   const double *beyond, *before;
 };
 
+/// In pairs, pairs of pairs and so on: no addition waits for all others.
+template <class Register>
+NETLOFT_INLINE double sum_of_lanes(const typename Register::V& v) {
+  double lanes[Register::kLanes];
+  for (int lane = 0; lane < Register::kLanes; ++lane) lanes[lane] = v[lane];
+  for (int half = Register::kLanes / 2; half > 0; half /= 2)
+    for (int lane = 0; lane < half; ++lane) lanes[lane] += lanes[lane + half];
+  return lanes[0];
+}
+
 /// Whether entry k of a column is a pivot as it is: not small beside the entries from there to row n.
 template <class Register>
 NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
@@ -149,8 +159,7 @@ NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::pt
       squares += rows * rows;
     }
   }
-  double sum = 0;
-  for (int lane = 0; lane < Register::kLanes; ++lane) sum += squares[lane];
+  const double sum = sum_of_lanes<Register>(squares);
   const double square = column[k] * column[k];
   return square > 0 && square >= kSuits * kSuits * sum;
 }
@@ -369,11 +378,33 @@ NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const 
       sum[j] += *reinterpret_cast<const typename Register::V*>(a + j * stride + i) *
                 *reinterpret_cast<const typename Register::V*>(x + i);
   for (int j = 0; j < kColumns; ++j) {
-    double total = 0;
-    for (int lane = 0; lane < Register::kLanes; ++lane) total += sum[j][lane];
+    double total = sum_of_lanes<Register>(sum[j]);
     for (std::ptrdiff_t rest = i; rest < count; ++rest) total += a[j * stride + rest] * x[rest];
     y[j] -= total;
   }
+}
+
+/// y ← U⁻¹ y, U upper triangular of `width` columns, at most kBlock: y and what it becomes stay in registers.
+template <class Register>
+NETLOFT_INLINE void solve_upper_triangle(const double* U, std::ptrdiff_t stride, std::ptrdiff_t width,
+                                         double* y) {
+  using V = typename Register::V;
+  constexpr int kParts = static_cast<int>(kBlock) / Register::kLanes;
+  double reciprocal[kBlock] = {}, known[kBlock] = {};
+  for (std::ptrdiff_t k = 0; k < width; ++k) reciprocal[k] = 1 / U[k + k * stride];
+  V rows[kParts];
+  for (int i = 0; i < kParts; ++i) rows[i] = *reinterpret_cast<const V*>(y + i * Register::kLanes);
+#pragma GCC unroll 8
+  for (int k = static_cast<int>(kBlock) - 1; k >= 0; --k) {
+    if (k >= width) continue;
+    known[k] = rows[k / Register::kLanes][k % Register::kLanes] * reciprocal[k];
+    for (int i = 0; i < kParts; ++i) {
+      V above = *reinterpret_cast<const V*>(U + k * stride + i * Register::kLanes);
+      OwnRows(0, -1, k).keep<Register>(i * Register::kLanes, above);
+      rows[i] -= above * known[k];
+    }
+  }
+  for (std::ptrdiff_t k = 0; k < width; ++k) y[k] = known[k];
 }
 
 template <class Register>
@@ -382,9 +413,10 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   std::ptrdiff_t k = 0;
   for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, u, y + k);
   for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, u, y + k);
-  for (k = n - 1; k >= 0; --k) {
-    y[k] /= f.left[k + k * down];
-    subtract(y[k], f.left + k * down, k, y);
+  for (std::ptrdiff_t end = n, begin = 0; end > 0; end = begin) {
+    begin = (end - 1) / kBlock * kBlock;
+    solve_upper_triangle<Register>(f.left + begin + begin * down, down, end - begin, y + begin);
+    subtract_columns<Register, 1>(begin, end - begin, f.left + begin * down, down, {y + begin, 1, 0}, y, 0);
   }
 }
 
