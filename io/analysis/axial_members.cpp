@@ -81,12 +81,14 @@ std::vector<AxialMember> axial_members(const Scene& scene, Registry& registry) {
   return members;
 }
 
-Scene without_axial_stiffness(const Scene& scene, Registry& registry) {
+Scene without_axial_stiffness(const Scene& scene, Registry& registry, std::span<const AxialMember> members) {
   Scene loose = scene;
-  for (const AxialMember& member : axial_members(scene, registry)) {
+  std::vector<bool> done(scene.parts.size(), false);
+  for (const AxialMember& member : members) {
+    if (done[member.part]) continue;
+    done[member.part] = true;
     Part& part = loose.parts[member.part];
-    const ElementType& type = registry.element(part.type);
-    const Axial axial = *axial_of(type);
+    const Axial axial = *axial_of(registry.element(part.type));
     for (const netloft_parameter* stiffness : {axial.EA, axial.EA_compression})
       part.parameters[stiffness->name] = std::max(stiffness->lo, 0.0);
   }

@@ -15,14 +15,10 @@ double norm_of(std::span<const double> v) {
   return std::sqrt(sum);
 }
 
-double dot(const MemberNet::Vector& a, const MemberNet::Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 MemberNet::MemberNet(const Scene& scene, Registry& registry, int threads)
-    : loose_(without_axial_stiffness(scene, registry)),
-      plan_(make_plan(loose_, registry)),
-      members_(axial_members(scene, registry)) {
+    : members_(axial_members(scene, registry)),
+      loose_(without_axial_stiffness(scene, registry, members_)),
+      plan_(make_plan(loose_, registry)) {
   if (!scene.bodies.empty() || !scene.frames.empty())
     throw std::invalid_argument("tensions are unknowns only where nodes move along x, y and z");
   rest_ = std::make_unique<Assembler>(loose_, plan_, threads);
@@ -86,8 +82,8 @@ void MemberNet::for_weighted(std::span<const double> v, const Visit& visit) cons
 
 void MemberNet::update_lines() {
   for_weighted(x_, [&](std::size_t e, const Vector& w) {
-    const double l = std::sqrt(dot(w, w));
-    lines_[e] = {l, l / members_[e].l0 - 1, w, {w[0] / l, w[1] / l, w[2] / l}};
+    const double l = std::sqrt(dot(w, w)), inverse = 1 / l;
+    lines_[e] = {l, inverse, l / members_[e].l0 - 1, w, {w[0] * inverse, w[1] * inverse, w[2] * inverse}};
   });
 }
 
@@ -112,24 +108,37 @@ void MemberNet::add_forces(std::span<const Vector> f, std::vector<double>& resid
 
 namespace {
 
-/// b ← b + a K.
-void add_scaled(double a, const MemberNet::Block& K, MemberNet::Block& b) {
-  for (std::size_t i = 0; i < 9; ++i) b[i] += a * K[i];
-}
+/// Two numbers in a register, anywhere in memory.
+typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
+
+/// A block in registers.
+struct WideBlock {
+  Two pair[4] = {};
+  double last = 0;
+
+  void add(double a, const MemberNet::Block& K) {
+    for (int i = 0; i < 4; ++i) pair[i] += a * *reinterpret_cast<const Two*>(K.data() + 2 * i);
+    last += a * K[8];
+  }
+  void add_to(double* values) const {
+    for (int i = 0; i < 4; ++i) *reinterpret_cast<Two*>(values + 2 * i) += pair[i];
+    values[8] += last;
+  }
+};
 
 }  // namespace
 
+/// The block of nodes p and q is that of q and p: K is symmetric.
 void MemberNet::add_blocks(std::span<const Block> K, std::vector<double>& values) const {
   for (const Site& site : sites_)
     for (std::uint32_t p = 0; p < site.nodes; ++p)
-      for (std::uint32_t q = 0; q < site.nodes; ++q) {
-        const std::int32_t block = site.block[3 * p + q];
-        if (block < 0) continue;
-        Block sum;
-        std::copy_n(values.begin() + block, 9, sum.begin());
+      for (std::uint32_t q = 0; q <= p; ++q) {
+        WideBlock sum;
         for (std::size_t e = site.first; e < site.first + site.members; ++e)
-          add_scaled(members_[e].count * members_[e].c[p] * members_[e].c[q], K[e], sum);
-        std::copy_n(sum.begin(), 9, values.begin() + block);
+          sum.add(members_[e].count * members_[e].c[p] * members_[e].c[q], K[e]);
+        const std::int32_t block = site.block[3 * p + q], mirrored = site.block[3 * q + p];
+        if (block >= 0) sum.add_to(values.data() + block);
+        if (q != p && mirrored >= 0) sum.add_to(values.data() + mirrored);
       }
 }
 

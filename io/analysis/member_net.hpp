@@ -15,10 +15,10 @@ class MemberNet {
  public:
   using Vector = std::array<double, 3>;
   using Block = std::array<double, 9>;
-  /// A member at the positions of now: length [m], strain [1], w [m] and its direction, no numbers where w is
-  /// zero.
+  /// A member at the positions of now: length [m], 1/length [1/m], strain [1], w [m] and its direction, no
+  /// numbers where w is zero.
   struct Line {
-    double l, strain;
+    double l, inverse, strain;
     Vector w, t;
   };
 
@@ -35,9 +35,13 @@ class MemberNet {
   /// All forces but those of the members, over all dofs [N], and their tangent [N/m]; false where there are
   /// none.
   bool evaluate(std::vector<double>& residual, std::vector<double>& values);
+  /// Of the values of a tangent those that the pattern knows.
+  std::span<const double> matrix(const std::vector<double>& values) const {
+    return {values.data(), pattern().value_slots()};
+  }
   /// Adds n c f of all members, f one for each, to the forces.
   void add_forces(std::span<const Vector> f, std::vector<double>& residual) const;
-  /// Adds n c cᵀ K of all members, K row by row, to the tangent.
+  /// Adds n c cᵀ K of all members, K row by row and symmetric, to the tangent.
   void add_blocks(std::span<const Block> K, std::vector<double>& values) const;
 
   /// Σ c s: by how much a step of the unknowns changes the w of all members [m].
@@ -61,10 +65,10 @@ class MemberNet {
   void for_weighted(std::span<const double> v, const Visit& visit) const;
   void update_lines();
 
+  std::vector<AxialMember> members_;
   Scene loose_;
   Plan plan_;
   std::unique_ptr<Assembler> rest_;  // all but the members
-  std::vector<AxialMember> members_;
   std::vector<Site> sites_;
   std::vector<Line> lines_;  // at x_
   std::vector<double> x_, step_;
@@ -72,6 +76,8 @@ class MemberNet {
 
 /// √Σ v².
 double norm_of(std::span<const double> v);
-double dot(const MemberNet::Vector& a, const MemberNet::Vector& b);
+inline double dot(const MemberNet::Vector& a, const MemberNet::Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 }  // namespace netloft::io

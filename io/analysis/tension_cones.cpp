@@ -135,12 +135,12 @@ void TensionCones::set_member(std::size_t e) {
 bool TensionCones::factorise() {
   Timed timed(books_.factorisation_seconds);
   ++books_.factorisations;
-  const FactorStatus status = factorisation_->factorise(values_).status;
+  const FactorStatus status = factorisation_->factorise(net_.matrix(values_)).status;
   if (status != FactorStatus::not_positive_definite) return status == FactorStatus::ok;
   ++books_.factorisations, ++books_.refused_factorisations;
   factorisation_ = make_(MatrixClass::symmetric);
   factorisation_->analyse(net_.pattern());
-  return factorisation_->factorise(values_).status == FactorStatus::ok;
+  return factorisation_->factorise(net_.matrix(values_)).status == FactorStatus::ok;
 }
 
 /// (5) and (6): the length of the step.

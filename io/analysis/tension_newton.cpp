@@ -37,7 +37,7 @@ void TensionNewton::set_laws() {
   laws_.resize(net_.size());
   for (std::size_t e = 0; e < net_.size(); ++e) {
     const AxialMember& m = net_.members()[e];
-    laws_[e] = {share_[m.part] * m.EA, share_[m.part] * m.EA_compression};
+    laws_[e] = {share_[m.part] * m.EA, share_[m.part] * m.EA_compression, 1 / m.l0};
   }
 }
 
@@ -107,11 +107,11 @@ bool TensionNewton::assemble() {
 
 /// What a member adds: by its own law T t, and of (2) k ε t and the matrix.
 void TensionNewton::set_member(std::size_t e) {
-  const double l0 = net_.members()[e].l0;
   const MemberNet::Line& now = net_.line(e);
-  const double k = stiffness_now(e), T = tension_[e], own = own_tension(e, now.strain),
+  const double k = stiffness_now(e), turning = tension_[e] * now.inverse, own = own_tension(e, now.strain),
                linear = k * now.strain;
-  const double all = T / now.l + damping_ * laws_[e].EA / l0, along = k / l0 - T / now.l;
+  const double all = turning + damping_ * laws_[e].EA * laws_[e].inverse,
+               along = k * laws_[e].inverse - turning;
   for (std::size_t i = 0; i < 3; ++i) {
     own_[e][i] = own * now.t[i], linear_[e][i] = linear * now.t[i];
     for (std::size_t j = 0; j < 3; ++j)
@@ -134,7 +134,7 @@ bool TensionNewton::find_step() {
   {
     Timed timed(books_.factorisation_seconds);
     ++books_.factorisations;
-    result = factorisation_->factorise(values_);
+    result = factorisation_->factorise(net_.matrix(values_));
   }
   if (result.status != FactorStatus::ok) return false;
   Timed timed(books_.solve_seconds);
@@ -146,15 +146,15 @@ bool TensionNewton::find_step() {
 }
 
 double TensionNewton::largest_turn(bool taut_only) const {
-  double largest = 0;
+  double largest = 0;  // of squares
   for (std::size_t e = 0; e < net_.size(); ++e) {
     if (taut_only && tension_[e] <= 0) continue;
     const MemberNet::Line& now = net_.line(e);
-    const double along = dot(changes_[e], now.t);
-    const double across = std::sqrt(std::max(0.0, dot(changes_[e], changes_[e]) - along * along));
-    largest = std::max(largest, across / std::max(now.l, net_.members()[e].l0));
+    const double along = dot(changes_[e], now.t), across = dot(changes_[e], changes_[e]) - along * along,
+                 inverse = std::min(now.inverse, laws_[e].inverse);
+    largest = std::max(largest, across * inverse * inverse);
   }
-  return largest;
+  return std::sqrt(largest);
 }
 
 /// (3).
@@ -162,7 +162,7 @@ void TensionNewton::take(double a, bool from_afar) {
   if (!from_afar)
     for (std::size_t e = 0; e < net_.size(); ++e) {
       const MemberNet::Line& now = net_.line(e);
-      const double strain = now.strain + dot(now.t, changes_[e]) / net_.members()[e].l0;
+      const double strain = now.strain + dot(now.t, changes_[e]) * laws_[e].inverse;
       const double next = tension_[e] <= 0 && strain > 0 ? own_tension(e, std::min(strain, kStrainOfTaut))
                                                          : stiffness_now(e) * strain;
       tension_[e] += a * (next - tension_[e]);

@@ -68,9 +68,9 @@ class TensionNewton {
   std::vector<MemberNet::Vector> own_, linear_;  // forces along the members [N]
   std::vector<MemberNet::Block> blocks_;
   struct Law {
-    double EA, EA_compression;
+    double EA, EA_compression, inverse;
   };
-  std::vector<Law> laws_;                  // of this stage, by member [N]
+  std::vector<Law> laws_;                  // of this stage, by member [N], and 1/l₀ [1/m]
   std::vector<double> stiffness_, share_;  // by part
   std::vector<double> tension_, mixed_, residual_, values_, step_;
   double damping_ = 0;
