@@ -248,11 +248,7 @@ void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const d
   const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
   netloft_tile t = make_tile(tiling, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
-  if (request.residual) w.force.begin(dofs, t.count);
-  if (request.values) {
-    w.packed_tangent.begin(packed(dofs), t.count);
-    if (!pattern_.symmetric) w.square_tangent.begin(dofs * dofs, t.count);
-  }
+  w.force.clear(), w.packed_tangent.clear(), w.square_tangent.clear();
   w.message[0] = 0;
   if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
     return report(family, t, status, w);
@@ -326,6 +322,7 @@ void Assembler::fill_current(double time, Workspace& w) const {
 
 int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
   const ElementFamily& f = *families_[family];
+  const auto dofs = static_cast<std::size_t>(f.type().dofs());
   for (const auto& term : f.active_terms()) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
     if (request.conservative_only && !conservative) continue;
@@ -337,8 +334,8 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
     const bool matrix_here = request.values && moving && request.matrix == MatrixKind::exact &&
                              (symmetric || tangent_ == TangentChoice::exact);
     t.energy = request.energy && conservative ? w.energy : nullptr;
-    t.force = request.residual ? w.force.data() : nullptr;
-    t.tangent = matrix_here ? (symmetric ? w.packed_tangent : w.square_tangent).data() : nullptr;
+    t.force = request.residual ? w.force.open(dofs, t.count) : nullptr;
+    t.tangent = matrix_here ? w.open_tangent(symmetric, dofs, t.count) : nullptr;
     t.want = 0;
     if (t.energy) t.want |= NETLOFT_WANT_ENERGY;
     if (t.force) t.want |= NETLOFT_WANT_FORCE;
@@ -372,20 +369,21 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
 int Assembler::call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& t,
                                 MatrixKind kind, Workspace& w) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
+  const auto n = static_cast<std::size_t>(dofs);
   const bool offered = (kind == MatrixKind::convex && (term.traits & NETLOFT_HAS_CONVEX)) ||
                        (kind == MatrixKind::metric && (term.traits & NETLOFT_HAS_METRIC));
   t.energy = nullptr, t.force = nullptr;
   t.want = offered ? want_of(kind) : std::uint32_t{NETLOFT_WANT_TANGENT};
   if (offered) {
-    t.tangent = symmetric ? w.packed_tangent.data() : w.square_tangent.data();
+    t.tangent = w.open_tangent(symmetric, n, t.count);
     return term.evaluate(self, &t);
   }
-  const auto n = static_cast<std::size_t>(dofs);
   std::fill_n(w.scratch.begin(), (symmetric ? packed(n) : n * n) * kLanes, 0.0);
   t.tangent = w.scratch.data();
   if (const int status = term.evaluate(self, &t); status != NETLOFT_OK) return status;
+  double* triangle = w.open_tangent(true, n, t.count);
   if (kind == MatrixKind::exact) {
-    add_symmetric_part(w.scratch.data(), n, w.packed_tangent.data());
+    add_symmetric_part(w.scratch.data(), n, triangle);
     return NETLOFT_OK;
   }
   for (std::size_t lane = 0; lane < t.count; ++lane) {
@@ -397,8 +395,7 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
     if (kind == MatrixKind::convex) project_convex(w.element.data(), dofs);
     if (kind == MatrixKind::metric) bound_by_diagonal(w.element.data(), dofs);
     for (std::size_t r = 0; r < n; ++r)
-      for (std::size_t c = 0; c <= r; ++c)
-        w.packed_tangent.data()[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];
+      for (std::size_t c = 0; c <= r; ++c) triangle[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];
   }
   return NETLOFT_OK;
 }

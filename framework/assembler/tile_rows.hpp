@@ -11,7 +11,7 @@
 namespace netloft {
 
 /// Rows of NETLOFT_LANES numbers that the terms of a tile add to, zero whenever a tile begins. Only what the
-/// tile before may have left is set to zero again: what is not in use costs nothing.
+/// tile before may have left is set to zero again: what no term asks for costs nothing.
 class TileRows {
  public:
   explicit TileRows(std::size_t rows) : all_(rows * kWidth) {}
@@ -19,10 +19,16 @@ class TileRows {
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
 
-  /// Zeros for a tile that adds to the first `rows` rows in its first `lanes` lanes.
-  void begin(std::size_t rows, std::size_t lanes) {
+  /// Zeros for the next tile.
+  void clear() {
     for (std::size_t row = 0; row < rows_; ++row) std::fill_n(all_.data() + row * kWidth, lanes_, 0.0);
-    rows_ = rows, lanes_ = lanes;
+    rows_ = 0;
+  }
+  /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a
+  /// tile.
+  double* open(std::size_t rows, std::size_t lanes) {
+    rows_ = std::max(rows_, rows), lanes_ = lanes;
+    return all_.data();
   }
   /// Whether this tile has added nothing.
   bool is_zero() {

@@ -29,6 +29,9 @@ struct Assembler::Workspace {
   double current_time = std::numeric_limits<double>::quiet_NaN();  // of a current that is uniform [s]
   std::vector<double> x, v, a;                                     // no rates where everything is at rest
   TileRows force, packed_tangent, square_tangent;
+  double* open_tangent(bool symmetric, std::size_t dofs, std::size_t lanes) {
+    return symmetric ? packed_tangent.open(packed(dofs), lanes) : square_tangent.open(dofs * dofs, lanes);
+  }
   std::vector<double> scratch, element;
   double energy[kLanes] = {};
   char message[sizeof ElementFault::message] = "";
@@ -45,8 +48,8 @@ bool Assembler::visit_tiles(std::span<const double> x, const Kinematics& motion,
   Workspace& w = *workspaces_[0];
   for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
     netloft_tile t = make_tile(tiling, tile, x, motion, w);
-    w.force.begin(dofs, t.count);
-    t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
+    w.force.clear();
+    t.force = w.force.open(dofs, t.count), t.want = NETLOFT_WANT_FORCE;
     if (const int status = evaluate(tile, t); status != NETLOFT_OK) {
       report(family, t, status, w);
       return collect_faults();
