@@ -187,9 +187,10 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
 /// A column of L below its pivot k, in the rows before n, and the columns after it before `end` less what it
 /// takes from them. All pivots of a block take the same pieces of rows: what has just been written is read as
 /// it was written.
+/// -> one over the pivot
 template <class Register>
-NETLOFT_INLINE void eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
-                                     std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {
+NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
+                                       std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {
   using V = typename Register::V;
   double *column = left + k * stride, U[kBlock];
   const double reciprocal = 1 / column[k];
@@ -205,43 +206,40 @@ NETLOFT_INLINE void eliminate_column(double* left, std::ptrdiff_t stride, std::p
         *reinterpret_cast<V*>(left + i + part + j * stride) -= L * U[j - k - 1];
     }
   }
+  return reciprocal;
 }
 
 /// One pivot of the block that begins at `begin`, among the rows of A₁₁: its row, its column of L, and the
-/// rest of the columns before `end`.
+/// rest of the columns before `end`. -> one over it; zero if it is zero
 template <class Register>
-NETLOFT_INLINE bool eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
-                                    std::ptrdiff_t end, std::int32_t* exchanged) {
+NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
+                                      std::ptrdiff_t end, std::int32_t* exchanged) {
   const std::ptrdiff_t n = f.pivots, stride = left_stride(n, f.others);
   const double* column = f.left + k * stride;
   const std::ptrdiff_t row = is_pivot<Register>(column, begin, k, n) ? k : row_of_largest(column, k, n);
-  if (column[row] == 0) return false;
+  if (column[row] == 0) return 0;
   exchanged[k] = static_cast<std::int32_t>(row);
   if (row != k) exchange(f.left + k, f.left + row, n, stride);
-  eliminate_column<Register>(f.left, stride, begin, k, n, end);
-  return true;
+  return eliminate_column<Register>(f.left, stride, begin, k, n, end);
 }
 
-/// L₂₁ in the columns from `begin` to `end`. -> the sum of its squares
+/// L₂₁ in the columns from `begin` to `end`, S one over their pivots. -> the sum of its squares
 template <class Register>
-NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end) {
+NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
+                                  const double* S) {
   const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
-  const double* U = f.left + begin + begin * stride;
-  double T[kBlock * kBlock], S[kBlock], squares = 0;
-  for (std::ptrdiff_t k = 0; k < end - begin; ++k) {
-    S[k] = 1 / U[k + k * stride];
-    for (std::ptrdiff_t j = k + 1; j < end - begin; ++j) T[k * kBlock + j] = U[k + j * stride];
-  }
-  solve_block<Register>(end - begin, f.others, f.left + f.pivots + begin * stride, stride, {T, kBlock, 1}, S,
-                        squares);
+  double squares = 0;
+  solve_block<Register>(end - begin, f.others, f.left + f.pivots + begin * stride, stride,
+                        {f.left + begin + begin * stride, 1, stride}, S, squares);
   return squares;
 }
 
 /// Whether column k of A₂₁ has nothing left when those from `begin` to k have been eliminated.
 template <class Register>
-NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k) {
+NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
+                                  const double* S) {
   const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
-  if (k > begin) solve_below<Register>(f, begin, k);
+  if (k > begin) solve_below<Register>(f, begin, k, S);
   double* column = f.left + f.pivots + k * stride;
   for (std::ptrdiff_t j = begin; j < k; ++j)
     subtract(f.left[j + k * stride], f.left + f.pivots + j * stride, f.others, column);
@@ -253,10 +251,12 @@ NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, st
 template <class Register>
 NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                            double least_pivot, std::int32_t* exchanged) {
-  for (std::ptrdiff_t k = begin; k < end; ++k)
-    if (!eliminate_pivot<Register>(f, begin, k, end, exchanged))
-      return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k)};
-  const double squares = solve_below<Register>(f, begin, end);
+  double S[kBlock];
+  for (std::ptrdiff_t k = begin; k < end; ++k) {
+    S[k - begin] = eliminate_pivot<Register>(f, begin, k, end, exchanged);
+    if (S[k - begin] == 0) return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k, S)};
+  }
+  const double squares = solve_below<Register>(f, begin, end, S);
   if (!(least_pivot * least_pivot * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
   return {};
 }

@@ -20,7 +20,7 @@ constexpr std::ptrdiff_t upper_stride(std::ptrdiff_t others) {
   return (others + kTileRows - 1) / kTileRows * kTileRows;
 }
 constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t others) {
-  return pivots + others + kTileRows - 1;
+  return upper_stride(pivots + others + kTileRows - 1);
 }
 
 /// How the elimination of a front ended.
