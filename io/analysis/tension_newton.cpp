@@ -21,8 +21,7 @@ constexpr double kStrainOfTaut = 1e-3;  // at the most, of a member the step mak
 TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactorisation make, int threads)
     : net_(scene, registry, threads),
       changes_(net_.size()),
-      own_(net_.size()),
-      linear_(net_.size()),
+      forces_(net_.size()),
       blocks_(net_.size()),
       stiffness_(scene.parts.size(), 0.0) {
   const SparsePattern& pattern = net_.pattern();
@@ -65,7 +64,7 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   damping_ = stage.damping;
   Leg leg{stage.name, "tensions", step_.size(), SolveStatus::not_converged, "", {}};
   double turn = kNever, norm = 0;
-  while (assemble()) {
+  while (find_residual()) {
     const double before = std::exchange(norm, norm_of({residual_.data(), step_.size()}));
     if (is_done(stage, turn)) {
       leg.status = SolveStatus::converged;
@@ -74,6 +73,7 @@ Leg TensionNewton::solve(const TensionStage& stage) {
     const bool called_off =
         (stage.interrupt && stage.interrupt->load()) || wall_seconds() - wall > stage.seconds;
     if (called_off || books_.iterations >= stage.iterations) break;
+    assemble();
     ++books_.iterations;
     if (stage.from_afar && before > 0) damping_ *= std::clamp(norm / before, kLargestDrop, kLeastDrop);
     damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
@@ -92,28 +92,41 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   return leg;
 }
 
-/// The matrix and the right-hand side of (2), and the residual of the members' own law.
-bool TensionNewton::assemble() {
+/// Of the members' own law. All other forces and their tangent are those of the last stage where it begins.
+bool TensionNewton::find_residual() {
   Timed timed(books_.assembly_seconds);
-  ++books_.residuals, ++books_.matrices;
-  if (!net_.evaluate(residual_, values_)) return false;
-  mixed_ = residual_;
-  for (std::size_t e = 0; e < net_.size(); ++e) set_member(e);
-  net_.add_forces(own_, residual_);
-  net_.add_forces(linear_, mixed_);
-  net_.add_blocks(blocks_, values_);
+  if (!knows_rest_) {
+    ++books_.residuals, ++books_.matrices;
+    if (!net_.evaluate(mixed_, values_)) return false;
+    knows_rest_ = true;
+  }
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const MemberNet::Line& now = net_.line(e);
+    const double T = own_tension(e, now.strain);
+    forces_[e] = {T * now.t[0], T * now.t[1], T * now.t[2]};
+  }
+  residual_ = mixed_;
+  net_.add_forces(forces_, residual_);
   return std::isfinite(norm_of(residual_));
 }
 
-/// What a member adds: by its own law T t, and of (2) k ε t and the matrix.
+/// The matrix and the right-hand side of (2).
+void TensionNewton::assemble() {
+  Timed timed(books_.assembly_seconds);
+  for (std::size_t e = 0; e < net_.size(); ++e) set_member(e);
+  net_.add_forces(forces_, mixed_);
+  net_.add_blocks(blocks_, values_);
+  knows_rest_ = false;
+}
+
+/// What a member adds to (2): k ε t, and to the matrix.
 void TensionNewton::set_member(std::size_t e) {
   const MemberNet::Line& now = net_.line(e);
-  const double k = stiffness_now(e), turning = tension_[e] * now.inverse, own = own_tension(e, now.strain),
-               linear = k * now.strain;
+  const double k = stiffness_now(e), turning = tension_[e] * now.inverse, linear = k * now.strain;
   const double all = turning + damping_ * laws_[e].EA * laws_[e].inverse,
                along = k * laws_[e].inverse - turning;
   for (std::size_t i = 0; i < 3; ++i) {
-    own_[e][i] = own * now.t[i], linear_[e][i] = linear * now.t[i];
+    forces_[e][i] = linear * now.t[i];
     for (std::size_t j = 0; j < 3; ++j)
       blocks_[e][3 * i + j] = along * now.t[i] * now.t[j] + (i == j ? all : 0.0);
   }

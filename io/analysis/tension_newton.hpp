@@ -54,7 +54,8 @@ class TensionNewton {
   double stiffness_now(std::size_t member) const;
   double own_tension(std::size_t member, double strain) const;
   void follow_positions();
-  bool assemble();
+  bool find_residual();
+  void assemble();
   void set_member(std::size_t member);
   bool is_done(const TensionStage& stage, double turn);
   bool find_step();
@@ -64,8 +65,8 @@ class TensionNewton {
 
   MemberNet net_;
   std::unique_ptr<Factorisation> factorisation_;
-  std::vector<MemberNet::Vector> changes_;       // Σ c s, by the whole step
-  std::vector<MemberNet::Vector> own_, linear_;  // forces along the members [N]
+  std::vector<MemberNet::Vector> changes_;  // Σ c s, by the whole step
+  std::vector<MemberNet::Vector> forces_;   // along the members [N]
   std::vector<MemberNet::Block> blocks_;
   struct Law {
     double EA, EA_compression, inverse;
@@ -74,6 +75,7 @@ class TensionNewton {
   std::vector<double> stiffness_, share_;  // by part
   std::vector<double> tension_, mixed_, residual_, values_, step_;
   double damping_ = 0;
+  bool knows_rest_ = false;  // mixed_ and values_ are those of all other forces, here
   Books books_;
 };
 
