@@ -245,7 +245,6 @@ bool Assembler::run_family(std::size_t family, std::span<const double> x, const 
 void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const double> x,
                          const Request& request, Workspace& w) {
   const Tiling& tiling = tilings_[family];
-  const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
   netloft_tile t = make_tile(tiling, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   w.force.clear(), w.packed_tangent.clear(), w.square_tangent.clear();
