@@ -245,14 +245,9 @@ bool Assembler::run_family(std::size_t family, std::span<const double> x, const 
 void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const double> x,
                          const Request& request, Workspace& w) {
   const Tiling& tiling = tilings_[family];
-  const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
   netloft_tile t = make_tile(tiling, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
-  if (request.residual) std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
-  if (request.values) {
-    std::fill_n(w.packed_tangent.begin(), packed(dofs) * kLanes, 0.0);
-    if (!pattern_.symmetric) std::fill_n(w.square_tangent.begin(), dofs * dofs * kLanes, 0.0);
-  }
+  w.force.clear(), w.packed_tangent.clear(), w.square_tangent.clear();
   w.message[0] = 0;
   if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
     return report(family, t, status, w);
@@ -300,8 +295,10 @@ netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::s
   return t;
 }
 
-/// Velocity of the water at the nodes of a tile, whose positions have been gathered.
+/// Velocity of the water at the nodes of a tile, whose positions have been gathered. What is the same
+/// everywhere stands there already.
 void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
+  if (current_.is_uniform()) return fill_current(time, w);
   std::array<double, 3> velocity, dz;
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
@@ -313,8 +310,18 @@ void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double ti
     }
 }
 
+/// A current that is the same at all heights, for all tiles of this time.
+void Assembler::fill_current(double time, Workspace& w) const {
+  if (w.current_time == time) return;
+  w.current_time = time;
+  std::array<double, 3> velocity, dz;
+  current_.at(0, velocity, dz, time);
+  for (std::size_t i = 0; i < w.current.size(); ++i) w.current[i] = velocity[i / kLanes % 3];
+}
+
 int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
   const ElementFamily& f = *families_[family];
+  const auto dofs = static_cast<std::size_t>(f.type().dofs());
   for (const auto& term : f.active_terms()) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
     if (request.conservative_only && !conservative) continue;
@@ -322,18 +329,19 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
     const bool counts =
         conservative || tangent_ != TangentChoice::elastic || (term.traits & NETLOFT_READS_ACCELERATION);
     const bool moving = !(term.traits & NETLOFT_CONSTANT) && counts;
-    const bool packed_here =
-        request.values && moving && request.matrix == MatrixKind::exact && (term.traits & NETLOFT_SYMMETRIC);
+    const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
+    const bool matrix_here = request.values && moving && request.matrix == MatrixKind::exact &&
+                             (symmetric || tangent_ == TangentChoice::exact);
     t.energy = request.energy && conservative ? w.energy : nullptr;
-    t.force = request.residual ? w.force.data() : nullptr;
-    t.tangent = packed_here ? w.packed_tangent.data() : nullptr;
+    t.force = request.residual ? w.force.open(dofs, t.count) : nullptr;
+    t.tangent = matrix_here ? w.open_tangent(symmetric, dofs, t.count) : nullptr;
     t.want = 0;
     if (t.energy) t.want |= NETLOFT_WANT_ENERGY;
     if (t.force) t.want |= NETLOFT_WANT_FORCE;
     if (t.tangent) t.want |= NETLOFT_WANT_TANGENT;
     if (t.want)
       if (const int status = term.evaluate(f.self(), &t); status != NETLOFT_OK) return status;
-    if (request.values && moving && !packed_here)
+    if (request.values && moving && !matrix_here)
       if (const int status = call_matrix_term(term, f.self(), f.type().dofs(), t, request.matrix, w);
           status != NETLOFT_OK)
         return status;
@@ -355,26 +363,26 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
 
 }  // namespace
 
-/// A matrix that is not simply the packed exact tangent: convex part or metric, offered by the term or made
-/// here, or a full square.
+/// A matrix that is not simply the exact tangent: convex part or metric, offered by the term or made here, or
+/// the symmetric part of a full square.
 int Assembler::call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& t,
                                 MatrixKind kind, Workspace& w) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
-  const bool whole = kind == MatrixKind::exact && (symmetric || tangent_ == TangentChoice::exact);
-  const bool offered = whole || (kind == MatrixKind::convex && (term.traits & NETLOFT_HAS_CONVEX)) ||
+  const auto n = static_cast<std::size_t>(dofs);
+  const bool offered = (kind == MatrixKind::convex && (term.traits & NETLOFT_HAS_CONVEX)) ||
                        (kind == MatrixKind::metric && (term.traits & NETLOFT_HAS_METRIC));
   t.energy = nullptr, t.force = nullptr;
   t.want = offered ? want_of(kind) : std::uint32_t{NETLOFT_WANT_TANGENT};
   if (offered) {
-    t.tangent = symmetric ? w.packed_tangent.data() : w.square_tangent.data();
+    t.tangent = w.open_tangent(symmetric, n, t.count);
     return term.evaluate(self, &t);
   }
-  const auto n = static_cast<std::size_t>(dofs);
   std::fill_n(w.scratch.begin(), (symmetric ? packed(n) : n * n) * kLanes, 0.0);
   t.tangent = w.scratch.data();
   if (const int status = term.evaluate(self, &t); status != NETLOFT_OK) return status;
+  double* triangle = w.open_tangent(true, n, t.count);
   if (kind == MatrixKind::exact) {
-    add_symmetric_part(w.scratch.data(), n, w.packed_tangent.data());
+    add_symmetric_part(w.scratch.data(), n, triangle);
     return NETLOFT_OK;
   }
   for (std::size_t lane = 0; lane < t.count; ++lane) {
@@ -386,113 +394,9 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
     if (kind == MatrixKind::convex) project_convex(w.element.data(), dofs);
     if (kind == MatrixKind::metric) bound_by_diagonal(w.element.data(), dofs);
     for (std::size_t r = 0; r < n; ++r)
-      for (std::size_t c = 0; c <= r; ++c)
-        w.packed_tangent[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];
+      for (std::size_t c = 0; c <= r; ++c) triangle[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];
   }
   return NETLOFT_OK;
-}
-
-namespace {
-
-/// Adds the blocks of a packed lower triangle, corner by corner. `Nodes` is known so that the loops unroll.
-template <int Nodes>
-void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* __restrict tangent,
-                      double* values) {
-  for (int P = 0; P < Nodes; ++P)
-    for (int Q = 0; Q <= P; ++Q, map += kLanes) {
-      const double* row[3];
-      for (int r = 0; r < 3; ++r)
-        row[r] = tangent +
-                 (packed(static_cast<std::size_t>(3 * P + r)) + static_cast<std::size_t>(3 * Q)) * kLanes;
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        const bool transposed = map[lane] < 0;
-        double* to = values + (transposed ? ~map[lane] : map[lane]);
-        const int down = transposed ? 1 : 3, across = transposed ? 3 : 1;
-        for (int r = 0; r < 3; ++r)
-          for (int c = 0; c < (P == Q ? r + 1 : 3); ++c)
-            to[r * down + c * across] += row[r][static_cast<std::size_t>(c) * kLanes + lane];
-      }
-    }
-}
-
-/// Adds the transpose of every block that stands on the diagonal for two.
-void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, const double* tangent,
-               double* values) {
-  for (const auto& twin : tiling.twins[tile]) {
-    const auto P = static_cast<std::size_t>(twin.P), Q = static_cast<std::size_t>(twin.Q);
-    double* to = values + map[(packed(P) + Q) * kLanes + twin.lane];
-    for (std::size_t r = 0; r < 3; ++r)
-      for (std::size_t c = 0; c < 3; ++c)
-        to[3 * r + c] += tangent[(packed(3 * P + c) + 3 * Q + r) * kLanes + twin.lane];
-  }
-}
-
-/// Adds the blocks of a full square, corner by corner, together with those of a packed lower triangle.
-template <int Nodes>
-void add_square_blocks(const std::int32_t* map, std::size_t count, const double* __restrict square,
-                       const double* __restrict packed_tangent, double* values) {
-  for (int P = 0; P < Nodes; ++P)
-    for (int Q = 0; Q < Nodes; ++Q, map += kLanes) {
-      const double *unsymmetric[9], *symmetric[9];
-      for (int i = 0; i < 9; ++i) {
-        const auto row = static_cast<std::size_t>(3 * P + i / 3),
-                   column = static_cast<std::size_t>(3 * Q + i % 3);
-        unsymmetric[i] = square + (row * 3 * Nodes + column) * kLanes;
-        symmetric[i] = packed_tangent + (packed(std::max(row, column)) + std::min(row, column)) * kLanes;
-      }
-      for (std::size_t lane = 0; lane < count; ++lane)
-        for (int i = 0; i < 9; ++i) values[map[lane] + i] += unsymmetric[i][lane] + symmetric[i][lane];
-    }
-}
-
-/// Calls add(nodes of an element), known at compile time.
-template <class Add>
-void with_nodes(std::size_t dofs, const Add& add) {
-  switch (dofs) {
-    case 3:
-      return add(std::integral_constant<int, 1>{});
-    case 6:
-      return add(std::integral_constant<int, 2>{});
-    case 9:
-      return add(std::integral_constant<int, 3>{});
-    default:
-      return add(std::integral_constant<int, 4>{});
-  }
-}
-
-}  // namespace
-
-void Assembler::scatter(std::size_t family, std::size_t tile, const Request& request, Workspace& w) {
-  const Tiling& tiling = tilings_[family];
-  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
-  const std::size_t count = tiling.lanes(tile);
-  if (request.energy) {
-    double sum = 0;
-    for (std::size_t lane = 0; lane < count; ++lane) sum += w.energy[lane];
-    tile_energy_[first_tile_[family] + tile] = sum;
-  }
-  if (request.residual) {
-    const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
-    for (std::size_t d = 0; d < dofs; ++d)
-      for (std::size_t lane = 0; lane < count; ++lane)
-        request.residual[map[d * kLanes + lane]] += w.force[d * kLanes + lane];
-  }
-  if (request.values) scatter_matrix(tiling, tile, request.values, w);
-}
-
-void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w) {
-  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
-  const std::size_t count = tiling.lanes(tile);
-  const std::int32_t* map = &tiling.block_map[tile * tiling.blocks_per_element * kLanes];
-  const double* packed_tangent = w.packed_tangent.data();
-  if (pattern_.symmetric) {
-    add_twins(tiling, tile, map, packed_tangent, values);
-    with_nodes(dofs, [&](auto nodes) { add_lower_blocks<nodes>(map, count, packed_tangent, values); });
-  } else {
-    with_nodes(dofs, [&](auto nodes) {
-      add_square_blocks<nodes>(map, count, w.square_tangent.data(), packed_tangent, values);
-    });
-  }
 }
 
 void Assembler::report(std::size_t family, const netloft_tile& t, int status, Workspace& w) {

@@ -127,6 +127,7 @@ class Assembler {
                                 std::uint8_t axes) const;
   void hand_on(std::span<const double> x, const Request& request);
   void gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const;
+  void fill_current(double time, Workspace& w) const;
   template <class Evaluate, class Visit>
   bool visit_tiles(std::span<const double> x, const Kinematics& motion, std::size_t family,
                    const Evaluate& evaluate, const Visit& visit);

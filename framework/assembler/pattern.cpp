@@ -25,7 +25,9 @@ void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vect
 /// Per node, the nodes that move and share an element with it; itself included.
 std::vector<std::vector<std::uint32_t>> find_neighbours(
     std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene, bool symmetric) {
+  constexpr std::size_t kMostly = 32;  // seen of a node by all of its elements
   std::vector<std::vector<std::uint32_t>> near(scene.node_count());
+  for (auto& rows : near) rows.reserve(kMostly);
   const auto moves = [&](std::uint32_t node) { return !scene.stands_still(node); };
   const auto add = [&](std::uint32_t column, std::uint32_t row) {
     if (moves(row) && moves(column) && (!symmetric || row >= column)) near[column].push_back(row);

@@ -51,7 +51,7 @@ bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::siz
       [&](std::size_t, const netloft_tile& t, const Workspace& w) {
         for (std::size_t lane = 0; lane < t.count; ++lane) {
           while (t.first + lane >= f.part_begin()[part + 1]) ++part;
-          for (std::size_t d = 0; d < dofs; ++d) sums[3 * part + d % 3] += w.force[d * kLanes + lane];
+          for (std::size_t d = 0; d < dofs; ++d) sums[3 * part + d % 3] += w.force.data()[d * kLanes + lane];
         }
       });
 }

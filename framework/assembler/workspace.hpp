@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/assembler/assembler.hpp"
+#include "framework/assembler/tile_rows.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -19,14 +20,19 @@ struct Assembler::Workspace {
         x(dofs * kLanes),
         v(plan.kind == AnalysisKind::dynamics ? dofs * kLanes : 0),
         a(v.size()),
-        force(dofs * kLanes),
-        packed_tangent(packed(dofs) * kLanes),
-        square_tangent(plan.symmetric ? 0 : dofs * dofs * kLanes),
+        force(dofs),
+        packed_tangent(packed(dofs)),
+        square_tangent(plan.symmetric ? 0 : dofs * dofs),
         scratch(dofs * dofs * kLanes),
         element(dofs * dofs) {}
-  std::vector<double> current, current_dz;  // empty in still water
-  std::vector<double> x, v, a;              // no rates where everything is at rest
-  std::vector<double> force, packed_tangent, square_tangent, scratch, element;
+  std::vector<double> current, current_dz;                         // empty in still water
+  double current_time = std::numeric_limits<double>::quiet_NaN();  // of a current that is uniform [s]
+  std::vector<double> x, v, a;                                     // no rates where everything is at rest
+  TileRows force, packed_tangent, square_tangent;
+  double* open_tangent(bool symmetric, std::size_t dofs, std::size_t lanes) {
+    return symmetric ? packed_tangent.open(packed(dofs), lanes) : square_tangent.open(dofs * dofs, lanes);
+  }
+  std::vector<double> scratch, element;
   double energy[kLanes] = {};
   char message[sizeof ElementFault::message] = "";
   ElementFault fault;
@@ -42,8 +48,8 @@ bool Assembler::visit_tiles(std::span<const double> x, const Kinematics& motion,
   Workspace& w = *workspaces_[0];
   for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
     netloft_tile t = make_tile(tiling, tile, x, motion, w);
-    std::fill_n(w.force.begin(), dofs * kLanes, 0.0);
-    t.force = w.force.data(), t.want = NETLOFT_WANT_FORCE;
+    w.force.clear();
+    t.force = w.force.open(dofs, t.count), t.want = NETLOFT_WANT_FORCE;
     if (const int status = evaluate(tile, t); status != NETLOFT_OK) {
       report(family, t, status, w);
       return collect_faults();

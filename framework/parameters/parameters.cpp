@@ -100,6 +100,13 @@ std::optional<std::string> samples_fault(const netloft_parameter& p, const Sampl
   return {};
 }
 
+std::string unknown(const std::string& name, std::span<const netloft_parameter> table) {
+  std::vector<std::string> names;
+  for (const auto& p : table) names.push_back(p.name);
+  const auto near = nearest(name, names);
+  return "unknown parameter \"" + name + "\"" + (near ? "; did you mean \"" + *near + "\"?" : "");
+}
+
 }  // namespace
 
 std::string allowed(const netloft_parameter& p) {
@@ -153,9 +160,7 @@ std::optional<std::string> fault_of(const netloft_parameter& p, const Value& val
 ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes,
                                const Values& values, std::vector<std::string>& faults)
     : bytes_(std::make_unique<std::byte[]>(bytes)) {  // all zero; aligned for any type, as new[] of bytes is
-  std::vector<std::string> names;
   for (const auto& p : table) {
-    names.push_back(p.name);
     const auto given = values.find(p.name);
     if (given == values.end() && (p.flags & NETLOFT_REQUIRED)) {
       faults.push_back(std::string(p.name) + " is missing: " + p.doc + ", " + allowed(p));
@@ -168,11 +173,8 @@ ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::si
       store(p, value);
   }
   for (const auto& [name, value] : values)
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-      const auto near = nearest(name, names);
-      faults.push_back("unknown parameter \"" + name + "\"" +
-                       (near ? "; did you mean \"" + *near + "\"?" : ""));
-    }
+    if (std::none_of(table.begin(), table.end(), [&](const auto& p) { return name == p.name; }))
+      faults.push_back(unknown(name, table));
 }
 
 double ParameterBlock::number(const netloft_parameter& p) const {

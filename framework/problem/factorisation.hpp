@@ -26,6 +26,7 @@ struct SparsePattern {
     return slot.empty() ? entry : static_cast<std::size_t>(slot[entry]);
   }
   std::size_t value_slots() const { return slot.empty() ? entries() : slots; }
+  bool operator==(const SparsePattern&) const = default;
 };
 
 /// What is known of a matrix before it is factorised. Of the first two, the lower triangle is given.

@@ -67,11 +67,10 @@ const LawType& Registry::law(const std::string& type) {
 template <class Types>
 const typename Types::value_type& Registry::find(const Types& types, const std::string& type,
                                                  const char* what, const std::string& name) const {
-  std::vector<std::string> names;
-  for (const auto& t : types) {
+  for (const auto& t : types)
     if (t.type == type) return t;
-    names.push_back(t.type);
-  }
+  std::vector<std::string> names;
+  for (const auto& t : types) names.push_back(t.type);
   throw UnknownComponent("the plugin \"" + name + "\" has no " + what + " \"" + type + "\"" +
                          suggestion(type, names) + hidden(name));
 }

@@ -94,16 +94,6 @@ void count_unknowns(Plan& plan, const Scene& scene) {
   }
 }
 
-std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry) {
-  auto names = registry.available();
-  for (const auto& family : plan.families) {
-    std::erase(names, family.type->origin->name);
-    for (const auto& law : family.laws)
-      if (law.type) std::erase(names, law.type->origin->name);
-  }
-  return names;
-}
-
 /// A body's own inertia, and the rates of what it carries, are not there yet.
 void check_bodies(const Scene& scene, AnalysisKind kind) {
   if (kind == AnalysisKind::dynamics && !scene.bodies.empty())
@@ -134,11 +124,33 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, An
     plan.unknowns += family.globals.size();
   }
   count_unknowns(plan, scene);
-  plan.not_loaded = unused_plugins(plan, registry);
   return plan;
 }
 
+std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry) {
+  auto names = registry.available();
+  for (const auto& family : plan.families) {
+    std::erase(names, family.type->origin->name);
+    for (const auto& law : family.laws)
+      if (law.type) std::erase(names, law.type->origin->name);
+  }
+  return names;
+}
+
+namespace {
+
+/// Not given, and nothing by default.
+bool is_left_out(const Part& part, const ElementType& type, const char* parameter) {
+  for (const auto& p : type.parameters)
+    if (std::string_view(p.name) == parameter)
+      return p.kind == NETLOFT_REAL && p.fallback == 0 && !p.fallback_of && !part.parameters.contains(p.name);
+  return true;
+}
+
+}  // namespace
+
 bool sets(const Part& part, const ElementType& type, const char* parameter) {
+  if (is_left_out(part, type, parameter)) return false;
   std::vector<std::string> faults;
   const ParameterBlock block(type.parameters, type.element.parameter_bytes, part.parameters, faults);
   for (const auto& p : type.parameters)

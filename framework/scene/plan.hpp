@@ -48,7 +48,7 @@ struct FamilyPlan {
 /// What a scene needs, decided once and printable: nothing else is loaded, evaluated or factorised.
 struct Plan {
   std::vector<FamilyPlan> families;
-  std::vector<std::string> not_loaded;  // plugins that were there and that no part uses
+  std::vector<std::string> not_loaded;  // by unused_plugins, where somebody asks
   std::size_t nodes = 0, held_nodes = 0, unknowns = 0;
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
@@ -60,6 +60,10 @@ struct Plan {
 /// Opens the plugins the scene names. Throws SceneError for parts that are wrong, PluginRefused for plugins.
 Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent = TangentChoice::exact,
                AnalysisKind kind = AnalysisKind::statics);
+
+/// Plugins that are there and that no part of a plan uses: what a plan that is to be printed says it has not
+/// loaded.
+std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry);
 
 /// Whether a part has a real parameter that is not zero.
 bool sets(const Part& part, const ElementType& type, const char* parameter);

@@ -40,6 +40,8 @@ struct Current {
   std::vector<Drift> drifts = {};  // ascending in t
 
   bool flows() const;
+  /// Whether it is the same at all heights.
+  bool is_uniform() const { return samples.size() <= 1; }
   /// Velocity and its derivative with z at height z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
 };

@@ -11,8 +11,6 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kNextToNothing = 1e-12;  // of the stiffness
-
 /// The stiffnesses of what is as stiff as EA where taut and as EA_c where pressed; by their roles.
 struct Axial {
   const netloft_parameter *EA = nullptr, *EA_compression = nullptr;
@@ -83,15 +81,16 @@ std::vector<AxialMember> axial_members(const Scene& scene, Registry& registry) {
   return members;
 }
 
-Scene without_axial_stiffness(const Scene& scene, Registry& registry) {
+Scene without_axial_stiffness(const Scene& scene, Registry& registry, std::span<const AxialMember> members) {
   Scene loose = scene;
-  for (const AxialMember& member : axial_members(scene, registry)) {
+  std::vector<bool> done(scene.parts.size(), false);
+  for (const AxialMember& member : members) {
+    if (done[member.part]) continue;
+    done[member.part] = true;
     Part& part = loose.parts[member.part];
-    const ElementType& type = registry.element(part.type);
-    const Axial axial = *axial_of(type);
-    part.parameters[axial.EA->name] = std::max(axial.EA->lo, kNextToNothing * member.EA);
-    part.parameters[axial.EA_compression->name] =
-        std::max(axial.EA_compression->lo, kNextToNothing * member.EA_compression);
+    const Axial axial = *axial_of(registry.element(part.type));
+    for (const netloft_parameter* stiffness : {axial.EA, axial.EA_compression})
+      part.parameters[stiffness->name] = std::max(stiffness->lo, 0.0);
   }
   return loose;
 }

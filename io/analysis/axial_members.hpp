@@ -3,6 +3,7 @@
 #include "framework/registry/registry.hpp"
 #include "framework/scene/scene.hpp"
 
+#include <span>
 #include <vector>
 
 namespace netloft::io {
@@ -26,7 +27,8 @@ struct AxialMember {
 /// is not known here: where it ends is a start, not an answer.
 std::vector<AxialMember> axial_members(const Scene& scene, Registry& registry);
 
-/// The same scene in which these have next to no stiffness: all other forces are left.
-Scene without_axial_stiffness(const Scene& scene, Registry& registry);
+/// The same scene in which its members are as little stiff as their elements allow, as a rule not at all: all
+/// other forces are left.
+Scene without_axial_stiffness(const Scene& scene, Registry& registry, std::span<const AxialMember> members);
 
 }  // namespace netloft::io

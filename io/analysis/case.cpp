@@ -11,6 +11,7 @@
 #include "io/analysis/tension_stages.hpp"
 #include "io/scene/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/kept_analyses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,8 @@ void set_start(Scene& scene, const std::vector<double>& positions) {
 
 }  // namespace
 
-Case::Case(CaseSource source, Registry& registry) : source_(std::move(source)), registry_(registry) {}
+Case::Case(CaseSource source, Registry& registry)
+    : source_(std::move(source)), registry_(registry), make_(keep_analyses(make_factorisation)) {}
 
 Case::State Case::open(const std::function<void(LoadedScene&)>& change) {
   if (const State state = read(); state != State::ready) return state;
@@ -71,6 +73,7 @@ Case::State Case::assemble() {
       damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
     plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
                       moves ? AnalysisKind::dynamics : AnalysisKind::statics);
+    plan_.not_loaded = unused_plugins(plan_, registry_);
     if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);
     if (moves) std::erase(plan_.not_loaded, registry_.integrator(analysis.dynamics.integrator).origin->name);
     assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
@@ -97,7 +100,7 @@ Solution Case::solve_plainly(const Watch& watch) {
   if (!faults.empty()) throw std::invalid_argument(faults.front());
   Limits limits = loaded_.analysis.limits;
   limits.interrupt = watch.interrupt;
-  return solve_static(loaded_.scene, *assembler_, solver, parameters.data(), limits, make_factorisation,
+  return solve_static(loaded_.scene, *assembler_, solver, parameters.data(), limits, make_,
                       watch.on_iteration);
 }
 
@@ -126,20 +129,16 @@ Solution Case::settle(const Watch& watch) {
   const auto scheme =
       block_of(integrator.parameters, integrator.integrator.parameter_bytes, d.integrator_parameters);
   const auto steps = block_of(solver.parameters, solver.solver.parameter_bytes, {});
-  Settling settling{assembler_.get(),
-                    &loaded_.scene,
-                    {&integrator, scheme.data()},
-                    {&solver, steps.data()},
-                    make_factorisation,
-                    kStepLimits,
-                    d.march};
+  Settling settling{
+      assembler_.get(), &loaded_.scene, {&integrator, scheme.data()}, {&solver, steps.data()}, make_,
+      kStepLimits,      d.march};
   settling.limits.interrupt = watch.interrupt;
   settling.limits.tolerance =
       std::min(kStepLimits.tolerance, kStepsFiner * loaded_.analysis.limits.tolerance);
   Limits limits = loaded_.analysis.limits;
   limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
-  return solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_factorisation,
+  return solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_,
                       watch.on_iteration);
 }
 
@@ -163,7 +162,7 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
     from = &at_rest.emplace(state_at_rest(*assembler_, s.u));
   }
   return netloft::march(loaded_.scene, *assembler_, {&integrator, scheme.data()}, {&solver, steps.data()},
-                        make_factorisation, limits, a.dynamics.march, watch, from);
+                        make_, limits, a.dynamics.march, watch, from);
 }
 
 /// Where everything is at rest at t = 0, as a start; of tension only or of coarser meshes first.
@@ -179,8 +178,7 @@ Solution Case::find_equilibrium(const std::atomic<bool>* interrupt, double toler
   const auto solve_from = [&](const std::vector<double>& there) {
     Limits left = limits;
     left.seconds = std::max(0.0, limits.seconds - (wall_seconds() - begun));
-    return solve_static(loaded_.scene, *assembler_, newton, parameters.data(), left, make_factorisation, {},
-                        there);
+    return solve_static(loaded_.scene, *assembler_, newton, parameters.data(), left, make_, {}, there);
   };
   if (use_of_cones(loaded_.scene, registry_, *assembler_) == ConeUse::first)
     start = start_in_cones({.interrupt = interrupt}, {}, limits, before);
@@ -206,7 +204,7 @@ Solution Case::solve_by_journey(const Watch& watch) {
   options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
   options.nearby = nearby(options.solver);
   options.limits = loaded_.analysis.limits, options.limits.interrupt = watch.interrupt;
-  options.make = make_factorisation, options.tangent = loaded_.analysis.tangent;
+  options.make = make_, options.tangent = loaded_.analysis.tangent;
   options.threads = source_.threads, options.on_iteration = watch.on_iteration;
   options.detours = watch.detours && loaded_.analysis.continuation;
   options.looks = watch.detours ? loaded_.analysis.looks : std::max(0, loaded_.analysis.looks);
@@ -263,7 +261,7 @@ std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, cons
     set_start(scene, positions(x));
   }
   const double load = load_of(*assembler_);
-  TensionCones cones(scene, registry_, make_factorisation, source_.threads);
+  TensionCones cones(scene, registry_, make_, source_.threads);
   legs.push_back(cones.solve({.tension = load,
                               .iterations = std::min(ConeOptions{}.iterations, limits.iterations),
                               .seconds = limits.seconds,
@@ -309,7 +307,7 @@ std::vector<double> Case::start_in_stages(const Watch& watch, std::vector<Leg>& 
   if (!scene.bodies.empty() || !scene.frames.empty()) return {};
   const Limits& limits = loaded_.analysis.limits;
   const StagedSolution staged = solve_in_stages(
-      scene, registry_, make_factorisation, source_.threads,
+      scene, registry_, make_, source_.threads,
       {.tolerance = limits.tolerance, .seconds = limits.seconds, .interrupt = watch.interrupt});
   legs.insert(legs.end(), staged.legs.begin(), staged.legs.end());
   const bool is_somewhere = std::all_of(begin(staged.positions), end(staged.positions),

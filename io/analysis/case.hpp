@@ -88,6 +88,7 @@ class Case {
   LoadedScene loaded_;
   Plan plan_;
   std::unique_ptr<Assembler> assembler_;
+  MakeFactorisation make_;  // of one pattern in all stages
   double reading_seconds_ = 0, setup_seconds_ = 0;
 };
 

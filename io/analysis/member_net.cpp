@@ -3,6 +3,7 @@
 
 #include "framework/assembler/pattern.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,56 +15,76 @@ double norm_of(std::span<const double> v) {
   return std::sqrt(sum);
 }
 
-double dot(const MemberNet::Vector& a, const MemberNet::Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 MemberNet::MemberNet(const Scene& scene, Registry& registry, int threads)
-    : loose_(without_axial_stiffness(scene, registry)),
-      plan_(make_plan(loose_, registry)),
-      members_(axial_members(scene, registry)) {
+    : members_(axial_members(scene, registry)),
+      loose_(without_axial_stiffness(scene, registry, members_)),
+      plan_(make_plan(loose_, registry)) {
   if (!scene.bodies.empty() || !scene.frames.empty())
     throw std::invalid_argument("tensions are unknowns only where nodes move along x, y and z");
   rest_ = std::make_unique<Assembler>(loose_, plan_, threads);
   x_ = rest_->start();
-  for (const AxialMember& m : members_) places_.push_back(places_of(m));
-  lines_.resize(members_.size());
+  list_sites();
+  lines_.resize(members_.size()), step_.resize(x_.size());
   update_lines();
 }
 
-MemberNet::Places MemberNet::places_of(const AxialMember& m) const {
-  const Numbering& numbering = rest_->numbering();
-  const SparsePattern& pattern = rest_->pattern();
-  Places places;
-  places.dof.fill(0), places.block.fill(-1);
-  for (std::uint32_t i = 0; i < 3 * m.nodes; ++i)
-    places.dof[i] = numbering.index(m.node[i / 3], static_cast<int>(i % 3));
-  for (std::uint32_t row = 0; row < 3 * m.nodes; ++row)
-    for (std::uint32_t column = 0; column < 3 * m.nodes; ++column) {
-      const std::int32_t i = places.dof[row], j = places.dof[column];
-      const bool kept = i < pattern.size && j < pattern.size && (!pattern.symmetric || i >= j);
-      if (!kept) continue;
-      const auto slot = static_cast<std::int32_t>(find_slot(pattern, i, j));
-      places.block[3 * (row / 3) + column / 3] = slot - static_cast<std::int32_t>(3 * (row % 3) + column % 3);
+void MemberNet::list_sites() {
+  for (std::uint32_t e = 0; e < members_.size(); ++e) {
+    const AxialMember& m = members_[e];
+    const bool joins = e > 0 && sites_.back().members == 1 && members_[e - 1].nodes == m.nodes &&
+                       members_[e - 1].node == m.node;
+    if (joins) {
+      sites_.back().members = 2;
+    } else {
+      sites_.push_back(site_of(m));
+      sites_.back().first = e;
     }
-  return places;
+  }
 }
 
-MemberNet::Line MemberNet::line_of(std::size_t e) const {
-  const AxialMember& m = members_[e];
-  const Places& at = places_[e];
-  Line line{};
-  for (std::uint32_t k = 0; k < m.nodes; ++k)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      line.w[axis] += m.c[k] * x_[static_cast<std::size_t>(at.dof[3 * k + axis])];
-  line.l = std::sqrt(dot(line.w, line.w));
-  for (std::size_t axis = 0; axis < 3; ++axis) line.t[axis] = line.w[axis] / line.l;
-  line.strain = line.l / m.l0 - 1;
-  return line;
+MemberNet::Site MemberNet::site_of(const AxialMember& m) const {
+  Site site;
+  site.nodes = m.nodes;
+  for (std::uint32_t i = 0; i < 3 * m.nodes; ++i)
+    site.dof[i] = rest_->numbering().index(m.node[i / 3], static_cast<int>(i % 3));
+  for (std::uint32_t p = 0; p < m.nodes; ++p)
+    for (std::uint32_t q = 0; q < m.nodes; ++q) site.block[3 * p + q] = find_block(site, p, q);
+  return site;
+}
+
+/// By any of its entries that is kept.
+std::int32_t MemberNet::find_block(const Site& site, std::uint32_t p, std::uint32_t q) const {
+  const SparsePattern& pattern = rest_->pattern();
+  for (std::uint32_t entry = 0; entry < 9; ++entry) {
+    const std::int32_t i = site.dof[3 * p + entry / 3], j = site.dof[3 * q + entry % 3];
+    if (i < pattern.size && j < pattern.size && (!pattern.symmetric || i >= j))
+      return static_cast<std::int32_t>(find_slot(pattern, i, j)) - static_cast<std::int32_t>(entry);
+  }
+  return -1;
+}
+
+/// Calls visit(member, Σ c v) for all members, v over all dofs.
+template <class Visit>
+void MemberNet::for_weighted(std::span<const double> v, const Visit& visit) const {
+  for (const Site& site : sites_) {
+    std::array<double, 9> at;
+    for (std::uint32_t i = 0; i < 3 * site.nodes; ++i) at[i] = v[static_cast<std::size_t>(site.dof[i])];
+    for (std::size_t e = site.first; e < site.first + site.members; ++e) {
+      const auto& c = members_[e].c;
+      Vector sum;
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] = c[0] * at[axis] + c[1] * at[axis + 3];
+      if (site.nodes == 3)
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += c[2] * at[axis + 6];
+      visit(e, sum);
+    }
+  }
 }
 
 void MemberNet::update_lines() {
-  for (std::size_t e = 0; e < members_.size(); ++e) lines_[e] = line_of(e);
+  for_weighted(x_, [&](std::size_t e, const Vector& w) {
+    const double l = std::sqrt(dot(w, w)), inverse = 1 / l;
+    lines_[e] = {l, inverse, l / members_[e].l0 - 1, w, {w[0] * inverse, w[1] * inverse, w[2] * inverse}};
+  });
 }
 
 bool MemberNet::evaluate(std::vector<double>& residual, std::vector<double>& values) {
@@ -73,28 +94,57 @@ bool MemberNet::evaluate(std::vector<double>& residual, std::vector<double>& val
   return rest_->evaluate(x_, request);
 }
 
-void MemberNet::add_force(std::size_t e, const Vector& f, std::vector<double>& residual) const {
-  const AxialMember& m = members_[e];
-  for (std::uint32_t i = 0; i < 3 * m.nodes; ++i)
-    residual[static_cast<std::size_t>(places_[e].dof[i])] += m.count * m.c[i / 3] * f[i % 3];
+void MemberNet::add_forces(std::span<const Vector> f, std::vector<double>& residual) const {
+  for (const Site& site : sites_)
+    for (std::uint32_t k = 0; k < site.nodes; ++k) {
+      Vector sum{};
+      for (std::size_t e = site.first; e < site.first + site.members; ++e)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          sum[axis] += members_[e].count * members_[e].c[k] * f[e][axis];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        residual[static_cast<std::size_t>(site.dof[3 * k + axis])] += sum[axis];
+    }
 }
 
-void MemberNet::add_block(std::size_t e, const std::array<double, 9>& K, std::vector<double>& values) const {
-  const AxialMember& m = members_[e];
-  for (std::uint32_t p = 0; p < m.nodes; ++p)
-    for (std::uint32_t q = 0; q < m.nodes; ++q)
-      if (const std::int32_t block = places_[e].block[3 * p + q]; block >= 0)
-        for (std::size_t i = 0; i < 9; ++i)
-          values[static_cast<std::size_t>(block) + i] += m.count * m.c[p] * m.c[q] * K[i];
+namespace {
+
+/// Two numbers in a register, anywhere in memory.
+typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
+
+/// A block in registers.
+struct WideBlock {
+  Two pair[4] = {};
+  double last = 0;
+
+  void add(double a, const MemberNet::Block& K) {
+    for (int i = 0; i < 4; ++i) pair[i] += a * *reinterpret_cast<const Two*>(K.data() + 2 * i);
+    last += a * K[8];
+  }
+  void add_to(double* values) const {
+    for (int i = 0; i < 4; ++i) *reinterpret_cast<Two*>(values + 2 * i) += pair[i];
+    values[8] += last;
+  }
+};
+
+}  // namespace
+
+/// The block of nodes p and q is that of q and p: K is symmetric.
+void MemberNet::add_blocks(std::span<const Block> K, std::vector<double>& values) const {
+  for (const Site& site : sites_)
+    for (std::uint32_t p = 0; p < site.nodes; ++p)
+      for (std::uint32_t q = 0; q <= p; ++q) {
+        WideBlock sum;
+        for (std::size_t e = site.first; e < site.first + site.members; ++e)
+          sum.add(members_[e].count * members_[e].c[p] * members_[e].c[q], K[e]);
+        const std::int32_t block = site.block[3 * p + q], mirrored = site.block[3 * q + p];
+        if (block >= 0) sum.add_to(values.data() + block);
+        if (q != p && mirrored >= 0) sum.add_to(values.data() + mirrored);
+      }
 }
 
-MemberNet::Vector MemberNet::change_of(std::size_t e, std::span<const double> step) const {
-  const AxialMember& m = members_[e];
-  Vector change{};
-  for (std::uint32_t i = 0; i < 3 * m.nodes; ++i)
-    if (const auto dof = static_cast<std::size_t>(places_[e].dof[i]); dof < step.size())
-      change[i % 3] += m.c[i / 3] * step[dof];
-  return change;
+void MemberNet::find_changes(std::span<const double> step, std::span<Vector> changes) {
+  std::copy(step.begin(), step.end(), step_.begin());
+  for_weighted(step_, [&](std::size_t e, const Vector& change) { changes[e] = change; });
 }
 
 void MemberNet::move(std::span<const double> step, double a) {

@@ -14,10 +14,11 @@ namespace netloft::io {
 class MemberNet {
  public:
   using Vector = std::array<double, 3>;
-  /// A member at the positions of now: length [m], strain [1], w [m] and its direction, no numbers where w is
-  /// zero.
+  using Block = std::array<double, 9>;
+  /// A member at the positions of now: length [m], 1/length [1/m], strain [1], w [m] and its direction, no
+  /// numbers where w is zero.
   struct Line {
-    double l, strain;
+    double l, inverse, strain;
     Vector w, t;
   };
 
@@ -34,39 +35,49 @@ class MemberNet {
   /// All forces but those of the members, over all dofs [N], and their tangent [N/m]; false where there are
   /// none.
   bool evaluate(std::vector<double>& residual, std::vector<double>& values);
-  /// Adds n c f to the forces.
-  void add_force(std::size_t member, const Vector& f, std::vector<double>& residual) const;
-  /// Adds n c cᵀ K, K row by row, to the tangent.
-  void add_block(std::size_t member, const std::array<double, 9>& K, std::vector<double>& values) const;
+  /// Of the values of a tangent those that the pattern knows.
+  std::span<const double> matrix(const std::vector<double>& values) const {
+    return {values.data(), pattern().value_slots()};
+  }
+  /// Adds n c f of all members, f one for each, to the forces.
+  void add_forces(std::span<const Vector> f, std::vector<double>& residual) const;
+  /// Adds n c cᵀ K of all members, K row by row and symmetric, to the tangent.
+  void add_blocks(std::span<const Block> K, std::vector<double>& values) const;
 
-  /// Σ c s: by how much a step of the unknowns changes the w of a member [m].
-  Vector change_of(std::size_t member, std::span<const double> step) const;
+  /// Σ c s: by how much a step of the unknowns changes the w of all members [m].
+  void find_changes(std::span<const double> step, std::span<Vector> changes);
   /// x ← x + a s.
   void move(std::span<const double> step, double a);
   /// Of the nodes of the scene, 3 each [m].
   std::vector<double> positions() const;
 
  private:
-  /// Where a member's nodes stand, 3 each, and the blocks of their pairs, row by row, among the values; -1:
-  /// none.
-  struct Places {
-    std::array<std::int32_t, 9> dof, block;
+  /// Nodes that members stand on, one, or both directions of a triangle, one after the other: where the nodes
+  /// stand, 3 each, and the blocks of their pairs, row by row, among the values; -1: none.
+  struct Site {
+    std::uint32_t first = 0, members = 1, nodes = 2;
+    std::array<std::int32_t, 9> dof{}, block{};
   };
-  Places places_of(const AxialMember& member) const;
-  Line line_of(std::size_t member) const;
+  void list_sites();
+  Site site_of(const AxialMember& member) const;
+  std::int32_t find_block(const Site& site, std::uint32_t p, std::uint32_t q) const;
+  template <class Visit>
+  void for_weighted(std::span<const double> v, const Visit& visit) const;
   void update_lines();
 
+  std::vector<AxialMember> members_;
   Scene loose_;
   Plan plan_;
   std::unique_ptr<Assembler> rest_;  // all but the members
-  std::vector<AxialMember> members_;
-  std::vector<Places> places_;
+  std::vector<Site> sites_;
   std::vector<Line> lines_;  // at x_
-  std::vector<double> x_;
+  std::vector<double> x_, step_;
 };
 
 /// √Σ v².
 double norm_of(std::span<const double> v);
-double dot(const MemberNet::Vector& a, const MemberNet::Vector& b);
+inline double dot(const MemberNet::Vector& a, const MemberNet::Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 }  // namespace netloft::io

@@ -35,7 +35,12 @@ double at_most_whole(double step) { return step > 1 ? 1 : step; }
 }  // namespace
 
 TensionCones::TensionCones(const Scene& scene, Registry& registry, MakeFactorisation make, int threads)
-    : net_(scene, registry, threads), make_(std::move(make)), step_(net_.unknowns()) {
+    : net_(scene, registry, threads),
+      make_(std::move(make)),
+      blocks_(net_.size()),
+      forces_(net_.size()),
+      changes_(net_.size()),
+      step_(net_.unknowns()) {
   factorisation_ =
       make_(net_.pattern().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
 }
@@ -108,39 +113,39 @@ bool TensionCones::assemble(bool convex) {
   ++books_.residuals, ++books_.matrices;
   if (!net_.evaluate(residual_, values_)) return false;
   scaling_.clear();
-  for (std::size_t e = 0; e < net_.size(); ++e) add_member(e, convex);
+  for (std::size_t e = 0; e < net_.size(); ++e) set_member(e, convex);
+  net_.add_blocks(blocks_, values_);
+  net_.add_forces(forces_, residual_);
   mu_ = mean_complementarity();
   return std::isfinite(norm_of(residual_)) && std::isfinite(mu_);
 }
 
-void TensionCones::add_member(std::size_t e, bool convex) {
+/// K and q + p of (3).
+void TensionCones::set_member(std::size_t e, bool convex) {
   const AxialMember& m = net_.members()[e];
   const cone::Point& y = members_[e].y;
   const cone::Scaling& H = scaling_.emplace_back(z_of(e), y);
-  std::array<double, 9> K;
+  MemberNet::Block& K = blocks_[e];
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       K[3 * i + j] =
           (H.squared(i + 1, j + 1) - H.squared(0, i + 1) * H.squared(0, j + 1) / (EA(e) + H.squared(0, 0))) /
               m.l0 +
           (i == j ? damping_ / m.l0 : 0);
-  MemberNet::Vector q{-y[1], -y[2], -y[3]};
-  if (EA_pressed(e) > 0) add_pressed(e, convex, K, q);
-  net_.add_block(e, K, values_);
-  net_.add_force(e, q, residual_);
+  forces_[e] = {-y[1], -y[2], -y[3]};
+  if (EA_pressed(e) > 0) add_pressed(e, convex);
 }
 
 /// (7) and (8); what has no length has no direction to press in.
-void TensionCones::add_pressed(std::size_t e, bool convex, std::array<double, 9>& K,
-                               MemberNet::Vector& q) const {
+void TensionCones::add_pressed(std::size_t e, bool convex) {
   const MemberNet::Line& line = net_.line(e);
   if (!(line.l > 0)) return;
   const double stiffness = EA_pressed(e) / net_.members()[e].l0, a = line.strain / (1 + line.strain),
                across = convex ? std::max(0.0, a) : a;
   for (std::size_t i = 0; i < 3; ++i) {
-    q[i] += EA_pressed(e) * line.strain * line.t[i];
+    forces_[e][i] += EA_pressed(e) * line.strain * line.t[i];
     for (std::size_t j = 0; j < 3; ++j)
-      K[3 * i + j] += stiffness * ((1 - across) * line.t[i] * line.t[j] + (i == j ? across : 0));
+      blocks_[e][3 * i + j] += stiffness * ((1 - across) * line.t[i] * line.t[j] + (i == j ? across : 0));
   }
 }
 
@@ -155,7 +160,7 @@ double TensionCones::EA(std::size_t e) const { return net_.members()[e].EA - EA_
 FactorStatus TensionCones::factorise_once() {
   Timed timed(books_.factorisation_seconds);
   ++books_.factorisations;
-  const FactorStatus status = factorisation_->factorise(values_).status;
+  const FactorStatus status = factorisation_->factorise(net_.matrix(values_)).status;
   if (status == FactorStatus::not_positive_definite) ++books_.refused_factorisations;
   return status;
 }
@@ -215,19 +220,20 @@ void TensionCones::solve_for_step(const std::vector<cone::Point>& g) {
   for (std::size_t e = 0; e < net_.size(); ++e) {
     const cone::Scaling& H = scaling_[e];
     const double z = zeta(e, g[e][0], 0);
-    net_.add_force(
-        e, {H.squared(0, 1) * z - g[e][1], H.squared(0, 2) * z - g[e][2], H.squared(0, 3) * z - g[e][3]},
-        rhs);
+    forces_[e] = {H.squared(0, 1) * z - g[e][1], H.squared(0, 2) * z - g[e][2],
+                  H.squared(0, 3) * z - g[e][3]};
   }
+  net_.add_forces(forces_, rhs);
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -rhs[i];
   factorisation_->solve(step_, step_);
+  net_.find_changes(step_, changes_);
   for (std::size_t e = 0; e < net_.size(); ++e) set_step(e, g[e]);
 }
 
 /// δz and δy of a member, by what the solve has for its nodes: δy = g − H δz.
 void TensionCones::set_step(std::size_t e, const cone::Point& g) {
   const cone::Scaling& H = scaling_[e];
-  const MemberNet::Vector change = net_.change_of(e, step_);
+  const MemberNet::Vector& change = changes_[e];
   cone::Point &dz = members_[e].dz, &dy = members_[e].dy;
   for (std::size_t k = 0; k < 3; ++k) dz[k + 1] = change[k] / net_.members()[e].l0;
   dz[0] = zeta(e, g[0], H.squared(0, 1) * dz[1] + H.squared(0, 2) * dz[2] + H.squared(0, 3) * dz[3]);

@@ -58,8 +58,8 @@ class TensionCones {
   cone::Point z_of(std::size_t member) const;
   double mean_complementarity() const;
   bool assemble(bool convex);
-  void add_member(std::size_t member, bool convex);
-  void add_pressed(std::size_t member, bool convex, std::array<double, 9>& K, MemberNet::Vector& q) const;
+  void set_member(std::size_t member, bool convex);
+  void add_pressed(std::size_t member, bool convex);
   FactorStatus factorise_once();
   bool factorise();
   double EA(std::size_t member) const;
@@ -80,6 +80,8 @@ class TensionCones {
   std::unique_ptr<Factorisation> factorisation_;
   std::vector<Member> members_;
   std::vector<cone::Scaling> scaling_;
+  std::vector<MemberNet::Block> blocks_;
+  std::vector<MemberNet::Vector> forces_, changes_;
   std::vector<double> residual_, values_, step_;
   double mu_ = 0, damping_ = 0, most_pressed_ = 0;  // [N]; the last of E_c
   Books books_;

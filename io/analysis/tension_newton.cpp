@@ -19,7 +19,11 @@ constexpr double kStrainOfTaut = 1e-3;  // at the most, of a member the step mak
 }  // namespace
 
 TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactorisation make, int threads)
-    : net_(scene, registry, threads), changes_(net_.size()), stiffness_(scene.parts.size(), 0.0) {
+    : net_(scene, registry, threads),
+      changes_(net_.size()),
+      forces_(net_.size()),
+      blocks_(net_.size()),
+      stiffness_(scene.parts.size(), 0.0) {
   const SparsePattern& pattern = net_.pattern();
   factorisation_ = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation_->analyse(pattern);
@@ -27,16 +31,23 @@ TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactori
   for (const AxialMember& m : net_.members()) stiffness_[m.part] = std::max(stiffness_[m.part], m.EA);
 }
 
+/// EA and EA_c of the stage.
+void TensionNewton::set_laws() {
+  laws_.resize(net_.size());
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const AxialMember& m = net_.members()[e];
+    laws_[e] = {share_[m.part] * m.EA, share_[m.part] * m.EA_compression, 1 / m.l0};
+  }
+}
+
 /// k of (1).
 double TensionNewton::stiffness_now(std::size_t e) const {
-  const AxialMember& m = net_.members()[e];
-  return share_[m.part] * (tension_[e] > 0 ? m.EA : m.EA_compression);
+  return tension_[e] > 0 ? laws_[e].EA : laws_[e].EA_compression;
 }
 
 /// What the law of the member has at a strain.
 double TensionNewton::own_tension(std::size_t e, double strain) const {
-  const AxialMember& m = net_.members()[e];
-  return share_[m.part] * (strain > 0 ? m.EA : m.EA_compression) * strain;
+  return (strain > 0 ? laws_[e].EA : laws_[e].EA_compression) * strain;
 }
 
 void TensionNewton::follow_positions() {
@@ -48,11 +59,12 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   const double wall = wall_seconds(), cpu = cpu_seconds();
   books_ = {};
   share_ = stage.share;
+  set_laws();
   if (tension_.empty()) follow_positions();
   damping_ = stage.damping;
   Leg leg{stage.name, "tensions", step_.size(), SolveStatus::not_converged, "", {}};
   double turn = kNever, norm = 0;
-  while (assemble()) {
+  while (find_residual()) {
     const double before = std::exchange(norm, norm_of({residual_.data(), step_.size()}));
     if (is_done(stage, turn)) {
       leg.status = SolveStatus::converged;
@@ -61,6 +73,7 @@ Leg TensionNewton::solve(const TensionStage& stage) {
     const bool called_off =
         (stage.interrupt && stage.interrupt->load()) || wall_seconds() - wall > stage.seconds;
     if (called_off || books_.iterations >= stage.iterations) break;
+    assemble();
     ++books_.iterations;
     if (stage.from_afar && before > 0) damping_ *= std::clamp(norm / before, kLargestDrop, kLeastDrop);
     damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
@@ -79,30 +92,44 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   return leg;
 }
 
-/// The matrix and the right-hand side of (2), and the residual of the members' own law.
-bool TensionNewton::assemble() {
+/// Of the members' own law. All other forces and their tangent are those of the last stage where it begins.
+bool TensionNewton::find_residual() {
   Timed timed(books_.assembly_seconds);
-  ++books_.residuals, ++books_.matrices;
-  if (!net_.evaluate(residual_, values_)) return false;
-  mixed_ = residual_;
-  for (std::size_t e = 0; e < net_.size(); ++e) add_member(e);
+  if (!knows_rest_) {
+    ++books_.residuals, ++books_.matrices;
+    if (!net_.evaluate(mixed_, values_)) return false;
+    knows_rest_ = true;
+  }
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const MemberNet::Line& now = net_.line(e);
+    const double T = own_tension(e, now.strain);
+    forces_[e] = {T * now.t[0], T * now.t[1], T * now.t[2]};
+  }
+  residual_ = mixed_;
+  net_.add_forces(forces_, residual_);
   return std::isfinite(norm_of(residual_));
 }
 
-void TensionNewton::add_member(std::size_t e) {
-  const AxialMember& m = net_.members()[e];
+/// The matrix and the right-hand side of (2).
+void TensionNewton::assemble() {
+  Timed timed(books_.assembly_seconds);
+  for (std::size_t e = 0; e < net_.size(); ++e) set_member(e);
+  net_.add_forces(forces_, mixed_);
+  net_.add_blocks(blocks_, values_);
+  knows_rest_ = false;
+}
+
+/// What a member adds to (2): k ε t, and to the matrix.
+void TensionNewton::set_member(std::size_t e) {
   const MemberNet::Line& now = net_.line(e);
-  const double k = stiffness_now(e), T = tension_[e], own = own_tension(e, now.strain),
-               linear = k * now.strain;
-  const double all = T / now.l + damping_ * share_[m.part] * m.EA / m.l0, along = k / m.l0 - T / now.l;
-  std::array<double, 9> K;
-  for (std::size_t i = 0; i < 9; ++i) K[i] = along * now.t[i / 3] * now.t[i % 3] + (i % 4 == 0 ? all : 0.0);
-  const auto along_line = [&](double f) {
-    return MemberNet::Vector{f * now.t[0], f * now.t[1], f * now.t[2]};
-  };
-  net_.add_force(e, along_line(own), residual_);
-  net_.add_force(e, along_line(linear), mixed_);
-  net_.add_block(e, K, values_);
+  const double k = stiffness_now(e), turning = tension_[e] * now.inverse, linear = k * now.strain;
+  const double all = turning + damping_ * laws_[e].EA * laws_[e].inverse,
+               along = k * laws_[e].inverse - turning;
+  for (std::size_t i = 0; i < 3; ++i) {
+    forces_[e][i] = linear * now.t[i];
+    for (std::size_t j = 0; j < 3; ++j)
+      blocks_[e][3 * i + j] = along * now.t[i] * now.t[j] + (i == j ? all : 0.0);
+  }
 }
 
 bool TensionNewton::is_done(const TensionStage& stage, double turn) {
@@ -120,27 +147,27 @@ bool TensionNewton::find_step() {
   {
     Timed timed(books_.factorisation_seconds);
     ++books_.factorisations;
-    result = factorisation_->factorise(values_);
+    result = factorisation_->factorise(net_.matrix(values_));
   }
   if (result.status != FactorStatus::ok) return false;
   Timed timed(books_.solve_seconds);
   ++books_.solves;
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -mixed_[i];
   factorisation_->solve(step_, step_);
-  for (std::size_t e = 0; e < net_.size(); ++e) changes_[e] = net_.change_of(e, step_);
+  net_.find_changes(step_, changes_);
   return std::isfinite(norm_of(step_));
 }
 
 double TensionNewton::largest_turn(bool taut_only) const {
-  double largest = 0;
+  double largest = 0;  // of squares
   for (std::size_t e = 0; e < net_.size(); ++e) {
     if (taut_only && tension_[e] <= 0) continue;
     const MemberNet::Line& now = net_.line(e);
-    const double along = dot(changes_[e], now.t);
-    const double across = std::sqrt(std::max(0.0, dot(changes_[e], changes_[e]) - along * along));
-    largest = std::max(largest, across / std::max(now.l, net_.members()[e].l0));
+    const double along = dot(changes_[e], now.t), across = dot(changes_[e], changes_[e]) - along * along,
+                 inverse = std::min(now.inverse, laws_[e].inverse);
+    largest = std::max(largest, across * inverse * inverse);
   }
-  return largest;
+  return std::sqrt(largest);
 }
 
 /// (3).
@@ -148,7 +175,7 @@ void TensionNewton::take(double a, bool from_afar) {
   if (!from_afar)
     for (std::size_t e = 0; e < net_.size(); ++e) {
       const MemberNet::Line& now = net_.line(e);
-      const double strain = now.strain + dot(now.t, changes_[e]) / net_.members()[e].l0;
+      const double strain = now.strain + dot(now.t, changes_[e]) * laws_[e].inverse;
       const double next = tension_[e] <= 0 && strain > 0 ? own_tension(e, std::min(strain, kStrainOfTaut))
                                                          : stiffness_now(e) * strain;
       tension_[e] += a * (next - tension_[e]);

@@ -50,11 +50,13 @@ class TensionNewton {
   std::vector<double> positions() const { return net_.positions(); }
 
  private:
+  void set_laws();
   double stiffness_now(std::size_t member) const;
   double own_tension(std::size_t member, double strain) const;
   void follow_positions();
-  bool assemble();
-  void add_member(std::size_t member);
+  bool find_residual();
+  void assemble();
+  void set_member(std::size_t member);
   bool is_done(const TensionStage& stage, double turn);
   bool find_step();
   double largest_turn(bool taut_only) const;
@@ -64,9 +66,16 @@ class TensionNewton {
   MemberNet net_;
   std::unique_ptr<Factorisation> factorisation_;
   std::vector<MemberNet::Vector> changes_;  // Σ c s, by the whole step
-  std::vector<double> stiffness_, share_;   // by part
+  std::vector<MemberNet::Vector> forces_;   // along the members [N]
+  std::vector<MemberNet::Block> blocks_;
+  struct Law {
+    double EA, EA_compression, inverse;
+  };
+  std::vector<Law> laws_;                  // of this stage, by member [N], and 1/l₀ [1/m]
+  std::vector<double> stiffness_, share_;  // by part
   std::vector<double> tension_, mixed_, residual_, values_, step_;
   double damping_ = 0;
+  bool knows_rest_ = false;  // mixed_ and values_ are those of all other forces, here
   Books books_;
 };
 

@@ -18,33 +18,57 @@ constexpr int place(int p, int r, int q, int c) { return 6 * (3 * p + r) + 3 * q
 
 /// W, t and D of (3), ready for a law.
 inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t, FlowLanes& flow) {
-  for (std::size_t i = 0; i < t.count; ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      flow.flow[axis][i] = 0.5 * (entry(t.current, axis, i) + entry(t.current, axis + 3, i)) -
-                           0.5 * (entry(t.v, axis, i) + entry(t.v, axis + 3, i));
-      flow.direction[axis][i] = chord.t[axis][i];
-    }
-    flow.diameter[i] = p.diameter[i], flow.solidity[i] = 0;
+  const double *current = t.current, *v = t.v;
+  const std::size_t count = t.count;
+  for (int axis = 0; axis < 3; ++axis) {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i)
+      flow.flow[axis][i] = 0.5 * (entry(current, axis, i) + entry(current, axis + 3, i)) -
+                           0.5 * (entry(v, axis, i) + entry(v, axis + 3, i));
+    std::copy_n(chord.t[axis], count, flow.direction[axis]);
+  }
+  std::copy_n(p.diameter, count, flow.diameter);
+  std::fill_n(flow.solidity, count, 0.0);
+}
+
+/// ½ ∂f/∂W dc/dz of row r and node q.
+inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, double* shear) {
+  std::fill_n(shear, t.count, 0.0);
+  if (!t.current_dz) return;
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < t.count; ++i)
+      shear[i] += 0.5 * f.d_flow[3 * r + c][i] * t.current_dz[at(3 * q + c, i)];
+}
+
+/// ∂f/∂t (I − t tᵀ)/l.
+inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count, int r,
+                      double (&turn)[3][kLanes]) {
+  for (std::size_t i = 0; i < count; ++i) {
+    double along = 0;  // (∂f/∂t t) of row r
+    for (int c = 0; c < 3; ++c) along += f.d_direction[3 * r + c][i] * chord.t[c][i];
+    for (int c = 0; c < 3; ++c)
+      turn[c][i] = (f.d_direction[3 * r + c][i] - along * chord.t[c][i]) * chord.inverse[i];
   }
 }
 
 /// Adds -½ N l₀ ∂f to the tangent, the same for both nodes p; of node q
 ///   ∂f = cu [½ ∂f/∂W (dc/dz)_q e_zᵀ ± ∂f/∂t (I − t tᵀ)/l] − cv ½ ∂f/∂W
 inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLanes& f, netloft_tile& t) {
-  for (std::size_t i = 0; i < t.count; ++i) {
-    const double half = -0.5 * p.twine[i];
-    for (int r = 0; r < 3; ++r) {
-      double along = 0;  // (∂f/∂t t) of row r
-      for (int c = 0; c < 3; ++c) along += f.d_direction[3 * r + c][i] * chord.t[c][i];
-      for (int q = 0; q < 2; ++q) {
-        double shear = 0;  // ½ ∂f/∂W dc/dz
-        for (int c = 0; c < 3; ++c) shear += 0.5 * f.d_flow[3 * r + c][i] * entry(t.current_dz, 3 * q + c, i);
-        for (int c = 0; c < 3; ++c) {
-          const double turn = (f.d_direction[3 * r + c][i] - along * chord.t[c][i]) * chord.inverse[i];
-          const double d = half * (t.cu * ((q ? turn : -turn) + (c == 2 ? shear : 0)) -
-                                   t.cv * 0.5 * f.d_flow[3 * r + c][i]);
-          t.tangent[at(place(0, r, q, c), i)] += d;
-          t.tangent[at(place(1, r, q, c), i)] += d;
+  const double cu = t.cu, cv = t.cv;
+  const std::size_t count = t.count;
+  double turn[3][kLanes], shear[kLanes];
+  for (int r = 0; r < 3; ++r) {
+    find_turn(chord, f, count, r, turn);
+    for (int q = 0; q < 2; ++q) {
+      find_shear(f, t, r, q, shear);
+      for (int c = 0; c < 3; ++c) {
+        const double *d_flow = f.d_flow[3 * r + c], sign = q ? 1 : -1, along_z = c == 2 ? 1 : 0;
+        double *first = t.tangent + at(place(0, r, q, c), 0), *second = t.tangent + at(place(1, r, q, c), 0);
+#pragma GCC ivdep
+        for (std::size_t i = 0; i < count; ++i) {
+          const double d =
+              -0.5 * p.twine[i] * (cu * (sign * turn[c][i] + along_z * shear[i]) - cv * 0.5 * d_flow[i]);
+          first[i] += d, second[i] += d;
         }
       }
     }
@@ -53,15 +77,19 @@ inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLane
 
 inline Status add_drag(const Lanes& p, const netloft_bound_law& law, netloft_tile& t) {
   const Chords chord(t, p.l0);
+  const std::size_t count = t.count;
   FlowLanes f;
   fill_flow(p, chord, t, f);
   f.call(law, t, t.tangent != nullptr);
   if (t.force)
-    for (int axis = 0; axis < 3; ++axis)
-      for (std::size_t i = 0; i < t.count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double *first = t.force + at(axis, 0), *second = t.force + at(axis + 3, 0);
+#pragma GCC ivdep
+      for (std::size_t i = 0; i < count; ++i) {
         const double half = 0.5 * p.twine[i] * f.force[axis][i];  // (3)
-        t.force[at(axis, i)] -= half, t.force[at(axis + 3, i)] -= half;
+        first[i] -= half, second[i] -= half;
       }
+    }
   if (t.tangent) add_drag_tangent(p, chord, f, t);
   return Status::ok;
 }

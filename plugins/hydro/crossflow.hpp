@@ -68,12 +68,21 @@ inline void cross_flow_lane(const CrossFlow& c, const netloft_flow& f, std::size
   }
 }
 
+/// The same in all lanes. Arrays do not overlap, which the compiler has to be told: several lanes at once.
+template <bool Derivatives, class Across>
+void cross_flow_all_lanes(const CrossFlow& c, const netloft_flow& flow, Across&& across) {
+  const CrossFlow flows = c;
+  const netloft_flow f = flow;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < f.count; ++i) cross_flow_lane<Derivatives>(flows, f, i, across);
+}
+
 template <class Across>
 void cross_flow_lanes(const CrossFlow& c, const netloft_flow& f, Across&& across) {
   if (f.d_flow)
-    for (std::size_t i = 0; i < f.count; ++i) cross_flow_lane<true>(c, f, i, across);
+    cross_flow_all_lanes<true>(c, f, across);
   else
-    for (std::size_t i = 0; i < f.count; ++i) cross_flow_lane<false>(c, f, i, across);
+    cross_flow_all_lanes<false>(c, f, across);
 }
 
 }  // namespace netloft::hydro

@@ -15,11 +15,13 @@ struct Force {
 
 /// W and the diameter, which both kinds of law want.
 void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f) {
-  for (std::size_t i = 0; i < t.count; ++i) {
-    for (int axis = 0; axis < 3; ++axis)  // (1)
-      f.flow[axis][i] = mean_of_corners(t.current, axis, i) - mean_of_corners(t.v, axis, i);
-    f.diameter[i] = p.diameter[i];
-  }
+  const double *current = t.current, *v = t.v;
+  const std::size_t count = t.count;
+  for (int axis = 0; axis < 3; ++axis)  // (1)
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i)
+      f.flow[axis][i] = mean_of_corners(current, axis, i) - mean_of_corners(v, axis, i);
+  std::copy_n(p.diameter, count, f.diameter);
 }
 
 /// Adds `factor` times force and flow derivative of a law.
@@ -105,20 +107,34 @@ void compute(const Family<Triangle>& family, const netloft_tile& t, Force& out) 
   add_twines(law, p, p.b, t, f, out);
 }
 
+/// ⅓ F_W dc/dz of row r and corner q.
+void find_shear(const Force& F, const netloft_tile& t, int r, int q, double* shear) {
+  std::fill_n(shear, t.count, 0.0);
+  if (!t.current_dz) return;
+  for (int a = 0; a < 3; ++a)
+    for (std::size_t i = 0; i < t.count; ++i)
+      shear[i] += F.flow[3 * r + a][i] * t.current_dz[at(3 * q + a, i)] / 3;
+}
+
 /// All three rows of corners are the same.
 void add_tangent(const Force& F, netloft_tile& t) {
-  const double third = -1.0 / 3;
+  const double third = -1.0 / 3, cu = t.cu, cv = t.cv;
+  const std::size_t count = t.count;
+  double shear[kLanes];
   for (int r = 0; r < 3; ++r)
-    for (int q = 0; q < 3; ++q)
-      for (std::size_t i = 0; i < t.count; ++i) {
-        double shear = 0;  // ⅓ F_W dc/dz
-        for (int a = 0; a < 3; ++a) shear += F.flow[3 * r + a][i] * entry(t.current_dz, 3 * q + a, i) / 3;
-        for (int c = 0; c < 3; ++c) {
-          const double moved = F.x[q][3 * r + c][i] + (c == 2 ? shear : 0);
-          const double k = third * (t.cu * moved - t.cv * F.flow[3 * r + c][i] / 3);
-          for (int p = 0; p < 3; ++p) t.tangent[at(place(p, r, q, c), i)] += k;
+    for (int q = 0; q < 3; ++q) {
+      find_shear(F, t, r, q, shear);
+      for (int c = 0; c < 3; ++c) {
+        const double *x = F.x[q][3 * r + c], *flow = F.flow[3 * r + c], along_z = c == 2 ? 1 : 0;
+        double* row[3];
+        for (int p = 0; p < 3; ++p) row[p] = t.tangent + at(place(p, r, q, c), 0);
+#pragma GCC ivdep
+        for (std::size_t i = 0; i < count; ++i) {
+          const double k = third * (cu * (x[i] + along_z * shear[i]) - cv * flow[i] / 3);
+          row[0][i] += k, row[1][i] += k, row[2][i] += k;
         }
       }
+    }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace {
 
 #define NETLOFT_INLINE [[gnu::always_inline]] inline
 
+constexpr double kSuits = 0.1;  // a pivot over the norm of what is below it, that no exchange is looked for
 constexpr std::ptrdiff_t kBlock = 8;  // pivots that are eliminated one by one before the rest is updated
 
 /// As many doubles as one register holds, anywhere in memory, and how many columns a tile has so that its
@@ -117,6 +118,52 @@ NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, doubl
   }
 }
 
+/// Ones in the middle, zeros around: what begins within the zeros ends in the ones, and the other way round.
+constexpr double kOnesBetween[3 * kTileRows] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
+                                                1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
+
+/// kTileRows factors, one for rows beyond k and before n, the first of them being `row`, and zero for others.
+/// (Comparisons of vectors are compiled number by number.)
+struct OwnRows {
+  NETLOFT_INLINE OwnRows(std::ptrdiff_t row, std::ptrdiff_t k, std::ptrdiff_t n)
+      : beyond(kOnesBetween + kTileRows - std::clamp<std::ptrdiff_t>(k + 1 - row, 0, kTileRows)),
+        before(kOnesBetween + 2 * kTileRows - std::clamp<std::ptrdiff_t>(n - row, 0, kTileRows)) {}
+  template <class Register>
+  NETLOFT_INLINE void keep(std::ptrdiff_t i, typename Register::V& rows) const {
+    using V = typename Register::V;
+    rows *= *reinterpret_cast<const V*>(beyond + i) * *reinterpret_cast<const V*>(before + i);
+  }
+  const double *beyond, *before;
+};
+
+/// In pairs, pairs of pairs and so on: no addition waits for all others.
+template <class Register>
+NETLOFT_INLINE double sum_of_lanes(const typename Register::V& v) {
+  double lanes[Register::kLanes];
+  for (int lane = 0; lane < Register::kLanes; ++lane) lanes[lane] = v[lane];
+  for (int half = Register::kLanes / 2; half > 0; half /= 2)
+    for (int lane = 0; lane < half; ++lane) lanes[lane] += lanes[lane + half];
+  return lanes[0];
+}
+
+/// Whether entry k of a column is a pivot as it is: not small beside the entries from there to row n.
+template <class Register>
+NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
+  using V = typename Register::V;
+  V squares = {};
+  for (std::ptrdiff_t i = begin; i < n; i += kTileRows) {
+    const OwnRows own(i, k, n);
+    for (std::ptrdiff_t part = 0; part < kTileRows; part += Register::kLanes) {
+      V rows = *reinterpret_cast<const V*>(column + i + part);
+      own.keep<Register>(part, rows);
+      squares += rows * rows;
+    }
+  }
+  const double sum = sum_of_lanes<Register>(squares);
+  const double square = column[k] * column[k];
+  return square > 0 && square >= kSuits * kSuits * sum;
+}
+
 NETLOFT_INLINE std::ptrdiff_t row_of_largest(const double* column, std::ptrdiff_t from, std::ptrdiff_t to) {
   std::ptrdiff_t row = from;
   for (std::ptrdiff_t i = from + 1; i < to; ++i)
@@ -137,44 +184,62 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
   for (std::ptrdiff_t i = 0; i < count; ++i) y[i] -= a * x[i];
 }
 
-/// One pivot among the rows of A₁₁: its row, its column of L, and the rest of the columns before `end`.
-NETLOFT_INLINE bool eliminate_pivot(const FrontPanels& f, std::ptrdiff_t k, std::ptrdiff_t end,
-                                    std::int32_t* exchanged) {
-  const std::ptrdiff_t n = f.pivots, stride = left_stride(n, f.others);
-  double* column = f.left + k * stride;
-  const std::ptrdiff_t row = row_of_largest(column, k, n);
-  if (column[row] == 0) return false;
-  exchanged[k] = static_cast<std::int32_t>(row);
-  if (row != k) exchange(f.left + k, f.left + row, n, stride);
+/// A column of L below its pivot k, in the rows before n, and the columns after it before `end` less what it
+/// takes from them. All pivots of a block take the same pieces of rows: what has just been written is read as
+/// it was written.
+/// -> one over the pivot
+template <class Register>
+NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
+                                       std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {
+  using V = typename Register::V;
+  double *column = left + k * stride, U[kBlock];
   const double reciprocal = 1 / column[k];
-  for (std::ptrdiff_t i = k + 1; i < n; ++i) column[i] *= reciprocal;
-  for (std::ptrdiff_t j = k + 1; j < end; ++j) {
-    double* other = f.left + j * stride;
-    subtract(other[k], column + k + 1, n - k - 1, other + k + 1);
+  for (std::ptrdiff_t j = k + 1; j < end; ++j) U[j - k - 1] = left[k + j * stride];
+  for (std::ptrdiff_t i = begin; i < n; i += kTileRows) {
+    const OwnRows own(i, k, n);
+    for (std::ptrdiff_t part = 0; part < kTileRows; part += Register::kLanes) {
+      V& rows = *reinterpret_cast<V*>(column + i + part);
+      V L = rows;
+      own.keep<Register>(part, L);
+      rows -= L, L *= reciprocal, rows += L;
+      for (std::ptrdiff_t j = k + 1; j < end; ++j)
+        *reinterpret_cast<V*>(left + i + part + j * stride) -= L * U[j - k - 1];
+    }
   }
-  return true;
+  return reciprocal;
 }
 
-/// L₂₁ in the columns from `begin` to `end`. -> the sum of its squares
+/// One pivot of the block that begins at `begin`, among the rows of A₁₁: its row, its column of L, and the
+/// rest of the columns before `end`. -> one over it; zero if it is zero
 template <class Register>
-NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end) {
+NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
+                                      std::ptrdiff_t end, std::int32_t* exchanged) {
+  const std::ptrdiff_t n = f.pivots, stride = left_stride(n, f.others);
+  const double* column = f.left + k * stride;
+  const std::ptrdiff_t row = is_pivot<Register>(column, begin, k, n) ? k : row_of_largest(column, k, n);
+  if (column[row] == 0) return 0;
+  exchanged[k] = static_cast<std::int32_t>(row);
+  if (row != k) exchange(f.left + k, f.left + row, n, stride);
+  return eliminate_column<Register>(f.left, stride, begin, k, n, end);
+}
+
+/// L₂₁ in the columns from `begin` to `end`, S one over their pivots. -> the sum of its squares
+template <class Register>
+NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
+                                  const double* S) {
   const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
-  const double* U = f.left + begin + begin * stride;
-  double T[kBlock * kBlock], S[kBlock], squares = 0;
-  for (std::ptrdiff_t k = 0; k < end - begin; ++k) {
-    S[k] = 1 / U[k + k * stride];
-    for (std::ptrdiff_t j = k + 1; j < end - begin; ++j) T[k * kBlock + j] = U[k + j * stride];
-  }
-  solve_block<Register>(end - begin, f.others, f.left + f.pivots + begin * stride, stride, {T, kBlock, 1}, S,
-                        squares);
+  double squares = 0;
+  solve_block<Register>(end - begin, f.others, f.left + f.pivots + begin * stride, stride,
+                        {f.left + begin + begin * stride, 1, stride}, S, squares);
   return squares;
 }
 
 /// Whether column k of A₂₁ has nothing left when those from `begin` to k have been eliminated.
 template <class Register>
-NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k) {
+NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
+                                  const double* S) {
   const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
-  if (k > begin) solve_below<Register>(f, begin, k);
+  if (k > begin) solve_below<Register>(f, begin, k, S);
   double* column = f.left + f.pivots + k * stride;
   for (std::ptrdiff_t j = begin; j < k; ++j)
     subtract(f.left[j + k * stride], f.left + f.pivots + j * stride, f.others, column);
@@ -186,10 +251,12 @@ NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, st
 template <class Register>
 NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                            double least_pivot, std::int32_t* exchanged) {
-  for (std::ptrdiff_t k = begin; k < end; ++k)
-    if (!eliminate_pivot(f, k, end, exchanged))
-      return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k)};
-  const double squares = solve_below<Register>(f, begin, end);
+  double S[kBlock];
+  for (std::ptrdiff_t k = begin; k < end; ++k) {
+    S[k - begin] = eliminate_pivot<Register>(f, begin, k, end, exchanged);
+    if (S[k - begin] == 0) return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k, S)};
+  }
+  const double squares = solve_below<Register>(f, begin, end, S);
   if (!(least_pivot * least_pivot * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
   return {};
 }
@@ -198,6 +265,29 @@ NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t 
 /// pairs, pairs in pairs and so on: as many columns are next, and updated by all of these at once.
 NETLOFT_INLINE std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
+/// C ← L⁻¹ C, L unit lower triangular of kBlock columns, C of `columns` columns of the same stride.
+template <class Register>
+NETLOFT_INLINE void solve_lower(const double* L, std::ptrdiff_t stride, double* c, std::ptrdiff_t columns) {
+  using V = typename Register::V;
+  constexpr int kParts = static_cast<int>(kBlock) / Register::kLanes;
+  V below[kBlock][kParts];
+  for (int k = 0; k < kBlock; ++k)
+    for (int i = 0; i < kParts; ++i) {
+      below[k][i] = *reinterpret_cast<const V*>(L + k * stride + i * Register::kLanes);
+      OwnRows(0, k, kBlock).keep<Register>(i * Register::kLanes, below[k][i]);
+    }
+  for (std::ptrdiff_t j = 0; j < columns; ++j, c += stride) {
+    V rows[kParts];
+    for (int i = 0; i < kParts; ++i) rows[i] = *reinterpret_cast<const V*>(c + i * Register::kLanes);
+#pragma GCC unroll 8
+    for (int k = 0; k < kBlock; ++k) {
+      const double known = rows[k / Register::kLanes][k % Register::kLanes];
+      for (int i = 0; i < kParts; ++i) rows[i] -= below[k][i] * known;
+    }
+    for (int i = 0; i < kParts; ++i) *reinterpret_cast<V*>(c + i * Register::kLanes) = rows[i];
+  }
+}
+
 /// U of the rows from `begin` to `end` in the columns from `end` to `last`.
 template <class Register>
 NETLOFT_INLINE void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
@@ -205,11 +295,7 @@ NETLOFT_INLINE void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::
   const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
   for (; begin < end; begin += kBlock) {
     const std::ptrdiff_t next = begin + kBlock;
-    for (std::ptrdiff_t j = end; j < last; ++j) {
-      double* column = f.left + j * stride;
-      for (std::ptrdiff_t k = begin; k < next; ++k)
-        subtract(column[k], f.left + k * stride + k + 1, next - k - 1, column + k + 1);
-    }
+    solve_lower<Register>(f.left + begin + begin * stride, stride, f.left + begin + end * stride, last - end);
     subtract_product<Register>(end - next, last - end, kBlock, f.left + next + begin * stride, stride,
                                {f.left + begin + end * stride, 1, stride}, f.left + next + end * stride,
                                stride);
@@ -292,11 +378,33 @@ NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const 
       sum[j] += *reinterpret_cast<const typename Register::V*>(a + j * stride + i) *
                 *reinterpret_cast<const typename Register::V*>(x + i);
   for (int j = 0; j < kColumns; ++j) {
-    double total = 0;
-    for (int lane = 0; lane < Register::kLanes; ++lane) total += sum[j][lane];
+    double total = sum_of_lanes<Register>(sum[j]);
     for (std::ptrdiff_t rest = i; rest < count; ++rest) total += a[j * stride + rest] * x[rest];
     y[j] -= total;
   }
+}
+
+/// y ← U⁻¹ y, U upper triangular of `width` columns, at most kBlock: y and what it becomes stay in registers.
+template <class Register>
+NETLOFT_INLINE void solve_upper_triangle(const double* U, std::ptrdiff_t stride, std::ptrdiff_t width,
+                                         double* y) {
+  using V = typename Register::V;
+  constexpr int kParts = static_cast<int>(kBlock) / Register::kLanes;
+  double reciprocal[kBlock] = {}, known[kBlock] = {};
+  for (std::ptrdiff_t k = 0; k < width; ++k) reciprocal[k] = 1 / U[k + k * stride];
+  V rows[kParts];
+  for (int i = 0; i < kParts; ++i) rows[i] = *reinterpret_cast<const V*>(y + i * Register::kLanes);
+#pragma GCC unroll 8
+  for (int k = static_cast<int>(kBlock) - 1; k >= 0; --k) {
+    if (k >= width) continue;
+    known[k] = rows[k / Register::kLanes][k % Register::kLanes] * reciprocal[k];
+    for (int i = 0; i < kParts; ++i) {
+      V above = *reinterpret_cast<const V*>(U + k * stride + i * Register::kLanes);
+      OwnRows(0, -1, k).keep<Register>(i * Register::kLanes, above);
+      rows[i] -= above * known[k];
+    }
+  }
+  for (std::ptrdiff_t k = 0; k < width; ++k) y[k] = known[k];
 }
 
 template <class Register>
@@ -305,9 +413,10 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   std::ptrdiff_t k = 0;
   for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, u, y + k);
   for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, u, y + k);
-  for (k = n - 1; k >= 0; --k) {
-    y[k] /= f.left[k + k * down];
-    subtract(y[k], f.left + k * down, k, y);
+  for (std::ptrdiff_t end = n, begin = 0; end > 0; end = begin) {
+    begin = (end - 1) / kBlock * kBlock;
+    solve_upper_triangle<Register>(f.left + begin + begin * down, down, end - begin, y + begin);
+    subtract_columns<Register, 1>(begin, end - begin, f.left + begin * down, down, {y + begin, 1, 0}, y, 0);
   }
 }
 

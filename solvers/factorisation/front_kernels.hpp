@@ -20,7 +20,7 @@ constexpr std::ptrdiff_t upper_stride(std::ptrdiff_t others) {
   return (others + kTileRows - 1) / kTileRows * kTileRows;
 }
 constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t others) {
-  return pivots + others + kTileRows - 1;
+  return upper_stride(pivots + others + kTileRows - 1);
 }
 
 /// How the elimination of a front ended.
@@ -32,8 +32,9 @@ struct Elimination {
 /// The dense work on a front, for the instructions this processor has:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
-/// P exchanges rows of A₁₁ alone, the largest entry of a column becomes its pivot. It stops where some
-/// columns of L₂₁ together have a norm of more than 1/least_pivot.
+/// P exchanges rows of A₁₁ alone: the largest entry of a column becomes its pivot where the one on the
+/// diagonal is less than a tenth of the norm of those below (threshold pivoting; Duff, Erisman, Reid 1986).
+/// It stops where some columns of L₂₁ together have a norm of more than 1/least_pivot.
 struct FrontKernels {
   /// (1); `exchanged[k]` is the row that row k was exchanged with.
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);

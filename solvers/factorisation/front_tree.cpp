@@ -251,6 +251,7 @@ void FrontTreeBuilder::find_targets() {
     for (std::size_t k = front.entries; k < tree_.fronts[s + 1].entries; ++k)
       tree_.target[k] = target_of(front, pattern_.row[tree_.source[k]], column_[k]);
   }
+  for (std::uint32_t& entry : tree_.source) entry = static_cast<std::uint32_t>(pattern_.slot_of(entry));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct FrontTree {
   std::vector<std::int32_t> place;    // of each of them among the unknowns of its parent, pivots first
   std::vector<std::int32_t> child_start, child;
   std::vector<std::uint8_t> parity;    // of the depth of each front
-  std::vector<std::uint32_t> source;   // entry of the pattern ...
+  std::vector<std::uint32_t> source;   // slot of an entry of the pattern ...
   std::vector<std::uint32_t> target;   // ... and its place in the panels of its front
   std::size_t panels = 0, stack[2]{};  // doubles
   std::int32_t most_unknowns = 0;      // of a front

@@ -2,6 +2,7 @@
 #include "solvers/factorisation/multifrontal.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -59,7 +60,8 @@ class MultifrontalFactorisation final : public Factorisation {
   void forget_room();
   void make_room();
   bool has_room();
-  bool gather(std::span<const double> values);
+  void list_columns();
+  bool take(std::span<const double> values);
   Elimination eliminate_all(std::size_t& front);
   Elimination eliminate(std::size_t front);
   FrontPanels panels_of(std::size_t front);
@@ -70,6 +72,8 @@ class MultifrontalFactorisation final : public Factorisation {
   void solve_alone(std::span<double> x);
   void forward(std::size_t front);
   void backward(std::size_t front);
+  template <int kColumns>
+  void subtract_columns(std::int32_t column, std::span<const double> x);
   double find_residual(std::span<const double> x, std::span<const double> rhs);
   void check(std::span<double> x);
 
@@ -78,11 +82,13 @@ class MultifrontalFactorisation final : public Factorisation {
   const SparsePattern* pattern_ = nullptr;
   FrontTree tree_;
   const FrontKernels& kernels_ = front_kernels();
-  std::vector<double> values_;  // of the entries
+  std::vector<double> values_;         // by slots
+  std::vector<std::int32_t> columns_;  // the first of those that have their slots side by side, and the end
   Room panels_, updates_[2];
   std::vector<std::int32_t> exchanged_;  // rows, by place
   std::vector<double> by_place_, of_front_, rhs_, residual_, sums_;
-  SparsePattern spare_pattern_;  // with values_ as they are
+  SparsePattern spare_pattern_;  // without slots
+  std::vector<double> spare_values_;
   std::unique_ptr<Factorisation> spare_;
   State state_ = State::none;
   bool is_checked_ = false;
@@ -110,10 +116,34 @@ void MultifrontalFactorisation::forget_room() {
 void MultifrontalFactorisation::make_room() {
   const auto size = static_cast<std::size_t>(pattern_->size);
   for (int parity : {0, 1}) updates_[parity].resize(tree_.stack[parity]);
-  values_.resize(pattern_->entries()), exchanged_.resize(size);
+  values_.resize(pattern_->value_slots()), exchanged_.resize(size);
   for (auto* v : {&by_place_, &rhs_, &residual_, &sums_}) v->resize(size);
   of_front_.assign(static_cast<std::size_t>(tree_.most_unknowns) + kTileRows, 0.0);
   panels_.resize(tree_.panels);
+  list_columns();
+}
+
+/// Three columns of one node stand in the same rows, and their slots are neighbours.
+void MultifrontalFactorisation::list_columns() {
+  const SparsePattern& p = *pattern_;
+  const auto follows = [&](std::int32_t column, std::int32_t first, std::int32_t by) {
+    const std::int32_t begin = p.column_start[column], start = p.column_start[first],
+                       count = p.column_start[first + 1] - start;
+    if (p.column_start[column + 1] - begin != count) return false;
+    for (std::int32_t e = 0; e < count; ++e)
+      if (p.row[begin + e] != p.row[start + e] ||
+          p.slot_of(begin + e) != p.slot_of(start + e) + static_cast<std::size_t>(by))
+        return false;
+    return true;
+  };
+  columns_.clear();
+  for (std::int32_t column = 0; column < p.size;) {
+    columns_.push_back(column);
+    const bool three =
+        column + 2 < p.size && follows(column + 1, column, 1) && follows(column + 2, column, 2);
+    column += three ? 3 : 1;
+  }
+  columns_.push_back(p.size);
 }
 
 bool MultifrontalFactorisation::has_room() {
@@ -131,7 +161,7 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
   state_ = State::none, is_checked_ = false;
   if (pattern_->size > 0) {
     if (!has_room()) return {FactorStatus::out_of_memory};
-    if (!gather(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};
+    if (!take(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};
     std::size_t front = 0;
     const Elimination e = eliminate_all(front);
     if (e.column_is_zero)
@@ -142,15 +172,15 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
   return {};
 }
 
-/// False if some are not finite.
-bool MultifrontalFactorisation::gather(std::span<const double> values) {
-  const std::int32_t* slot = pattern_->slot.empty() ? nullptr : pattern_->slot.data();
-  bool finite = true;
-  for (std::size_t e = 0; e < values_.size(); ++e) {
-    values_[e] = values[slot ? static_cast<std::size_t>(slot[e]) : e];
-    finite &= std::abs(values_[e]) <= std::numeric_limits<double>::max();
+/// False if some are not finite; what stands between the entries does not count.
+bool MultifrontalFactorisation::take(std::span<const double> values) {
+  constexpr std::uint64_t kInfinity = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  std::uint64_t carry = 0;  // its highest bit, if an exponent has all of its bits
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    values_[i] = values[i];
+    carry |= (std::bit_cast<std::uint64_t>(values[i]) & kInfinity) + (std::uint64_t{1} << 52);
   }
-  return finite;
+  return carry >> 63 == 0 || find_column_not_finite(*pattern_, values) < 0;
 }
 
 Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
@@ -217,7 +247,9 @@ FactorResult MultifrontalFactorisation::hand_over() {
     spare_ = make_spare_();
     spare_->analyse(spare_pattern_);
   }
-  const FactorResult result = spare_->factorise(values_);
+  spare_values_.resize(pattern_->entries());
+  for (std::size_t e = 0; e < spare_values_.size(); ++e) spare_values_[e] = values_[pattern_->slot_of(e)];
+  const FactorResult result = spare_->factorise(spare_values_);
   if (result.status == FactorStatus::ok) state_ = State::spare;
   return result;
 }
@@ -263,15 +295,32 @@ void MultifrontalFactorisation::backward(std::size_t front) {
   std::copy_n(y, f.pivots, own);
 }
 
+/// A x of some columns, taken from the residual, and |A| |x|.
+template <int kColumns>
+void MultifrontalFactorisation::subtract_columns(std::int32_t column, std::span<const double> x) {
+  const std::int32_t *row = pattern_->row.data(), *slot = pattern_->slot.data();
+  const bool has_slots = !pattern_->slot.empty();
+  for (std::int32_t e = pattern_->column_start[column]; e < pattern_->column_start[column + 1]; ++e) {
+    const double* values = values_.data() + (has_slots ? slot[e] : e);
+    double sum = 0, size = 0;
+    for (int k = 0; k < kColumns; ++k) {
+      const double product = values[k] * x[column + k];
+      sum += product, size += std::abs(product);
+    }
+    residual_[row[e]] -= sum, sums_[row[e]] += size;
+  }
+}
+
 /// b − A x, and (2).
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
   for (std::size_t i = 0; i < rhs.size(); ++i) residual_[i] = rhs[i], sums_[i] = std::abs(rhs[i]);
-  for (std::int32_t column = 0; column < pattern_->size; ++column)
-    for (std::int32_t e = pattern_->column_start[column]; e < pattern_->column_start[column + 1]; ++e) {
-      const double product = values_[e] * x[column];
-      residual_[pattern_->row[e]] -= product;
-      sums_[pattern_->row[e]] += std::abs(product);
-    }
+  for (std::size_t k = 0; k + 1 < columns_.size(); ++k) {
+    const std::int32_t column = columns_[k];
+    if (columns_[k + 1] == column + 3)
+      subtract_columns<3>(column, x);
+    else
+      subtract_columns<1>(column, x);
+  }
   double error = 0;
   for (std::size_t i = 0; i < rhs.size(); ++i) {
     if (!std::isfinite(sums_[i])) return std::numeric_limits<double>::infinity();

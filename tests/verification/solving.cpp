@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/verification/solving.hpp"
 
-#include "solvers/factorisation/factorisation.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -33,7 +31,7 @@ Solved solve(Scene scene, const Solving& how) {
   Solved s{std::move(scene), {}, nullptr, {}};
   s.plan = make_plan(s.scene, shipped_plugins());
   s.assembler = std::make_unique<Assembler>(s.scene, s.plan, how.threads);
-  s.solution = solve_static(s.scene, *s.assembler, solver, parameters.data(), how.limits, make_factorisation);
+  s.solution = solve_static(s.scene, *s.assembler, solver, parameters.data(), how.limits, how.make);
   return s;
 }
 

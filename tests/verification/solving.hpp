@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/problem/verdict.hpp"
+#include "solvers/factorisation/factorisation.hpp"
 
 #include <array>
 #include <memory>
@@ -16,6 +17,7 @@ struct Solving {
   Limits limits;
   int threads = 1;
   std::string solver = "newton";
+  MakeFactorisation make = make_factorisation;
 };
 
 /// A scene with its assembler and what the solver made of it.

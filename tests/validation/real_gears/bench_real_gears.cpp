@@ -22,6 +22,7 @@ struct Wish {
   test::Solving how{{}, {.tolerance = 1e-9}};
   std::vector<std::string> settings;
   bool history = false, staged = false;
+  int repeats = 1;
 };
 
 Value value_of(const netloft_parameter& p, const std::string& text) {
@@ -59,6 +60,8 @@ void describe(CLI::App& app, Wish& wish) {
   app.add_option("--noise", wish.start.noise, "shake the start by so much [m]");
   app.add_option("--seed", wish.start.seed, "of the noise");
   app.add_flag("--stages", wish.staged, "from soft to stiff with tensions as unknowns, then the solver");
+  app.add_option("--repeat", wish.repeats, "solve so often and show the time of the fastest")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--history", wish.history, "print every iteration");
 }
 
@@ -71,7 +74,7 @@ void print_history(const Solution& solution) {
 
 void print_row(const NeutralCase& gear, const SolvedGear& s) {
   const Solution& n = s.solved.solution;
-  std::printf("%-18s %5zu %8zu %5d %7d %8.3f %7.1fx %9.2e %9.2e  %s\n", gear.name.c_str(), gear.nodes.size(),
+  std::printf("%-18s %5zu %8zu %5d %7d %8.5f %7.1fx %9.2e %9.2e  %s\n", gear.name.c_str(), gear.nodes.size(),
               s.solved.plan.unknowns, n.books.iterations, n.books.factorisations, s.cpu_seconds,
               gear.femnet.cpu_seconds / s.cpu_seconds, s.furthest.distance, s.residual_over_tension(),
               name_of(n.status));
@@ -112,14 +115,25 @@ void print_ending(const NeutralCase& gear, const SolvedGear& s) {
   print_strays(gear, s);
 }
 
+/// The same answer every time; the one that took the least.
+SolvedGear solve_repeatedly(const NeutralCase& gear, const Wish& wish) {
+  const bool staged = wish.staged && !gear.triangles.empty();
+  const auto solve_once = [&] {
+    return (staged ? solve_in_stages : solve)(gear, wish.modelling, wish.start, wish.how);
+  };
+  SolvedGear fastest = solve_once();
+  for (int i = 1; i < wish.repeats; ++i)
+    if (SolvedGear s = solve_once(); s.cpu_seconds < fastest.cpu_seconds) fastest = std::move(s);
+  return fastest;
+}
+
 int run(const Wish& wish) {
   std::printf(
       "gear               nodes unknowns iters factors    CPU s  FEMNET  distance m res/tens  outcome\n");
   for (const auto& file : neutral_files(wish.folder)) {
     const NeutralCase gear = read_neutral_case(file);
     if (gear.name.find(wish.gear) == std::string::npos) continue;
-    const bool staged = wish.staged && !gear.triangles.empty();
-    const SolvedGear s = (staged ? solve_in_stages : solve)(gear, wish.modelling, wish.start, wish.how);
+    const SolvedGear s = solve_repeatedly(gear, wish);
     print_row(gear, s);
     print_stages(s);
     if (s.solved.solution.status != SolveStatus::converged || s.furthest.distance > 1e-3)

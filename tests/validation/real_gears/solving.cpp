@@ -2,7 +2,7 @@
 #include "tests/validation/real_gears/solving.hpp"
 
 #include "io/analysis/tension_stages.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/kept_analyses.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -80,10 +80,12 @@ SolvedGear solve_in_stages(const NeutralCase& gear, const Modelling& modelling, 
   plugins();
   Scene scene = scene_of(gear, modelling, start);
   const double begun = cpu_seconds();
-  const io::StagedSolution staged = io::solve_in_stages(scene, plugins(), make_factorisation, how.threads,
-                                                        {.tolerance = how.limits.tolerance});
+  test::Solving once = how;
+  once.make = keep_analyses(how.make);
+  const io::StagedSolution staged =
+      io::solve_in_stages(scene, plugins(), once.make, how.threads, {.tolerance = how.limits.tolerance});
   scene.positions = staged.positions;
-  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}, {}};
+  SolvedGear s{test::solve(std::move(scene), once), {}, {}, {}, {}, {}};
   s.cpu_seconds = cpu_seconds() - begun;
   s.stages = staged.legs;
   for (const Leg& leg : staged.legs) s.solved.solution.books.add(leg.books);

@@ -73,7 +73,7 @@ TEST(Plan, KeepsTheMatrixSymmetricBesideAConstantForce) {
 
 TEST(Plan, ListsPluginsThatNobodyUses) {
   const Plan plan = make_plan(sample::hanging_rope(4), plugins());
-  const auto& idle = plan.not_loaded;
+  const auto idle = unused_plugins(plan, plugins());
   EXPECT_NE(std::find(idle.begin(), idle.end(), "priour"), idle.end());
   EXPECT_EQ(std::find(idle.begin(), idle.end(), "rope"), idle.end());
 }

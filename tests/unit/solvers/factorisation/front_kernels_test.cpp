@@ -90,6 +90,22 @@ TEST(FrontKernels, SolveTheirPartOfTheEquations) {
     }
 }
 
+TEST(FrontKernels, ExchangeRowsOnlyWhereThePivotIsSmallBesideWhatIsBelow) {
+  for (const FrontKernels& kernels : front_kernels_here())
+    for (const int k : {0, 5, 9}) {
+      DenseFront front{12, 20};
+      front.A.topLeftCorner(12, 12).setIdentity();
+      front.A(11, k) = 9;
+      front.fill();
+      ASSERT_EQ(kernels.eliminate(front.panels(), 0, front.exchanged.data()).stopped_at, -1);
+      EXPECT_EQ(front.exchanged[static_cast<std::size_t>(k)], k);
+      front.A(11, k) = 11;
+      front.fill();
+      ASSERT_EQ(kernels.eliminate(front.panels(), 0, front.exchanged.data()).stopped_at, -1);
+      EXPECT_EQ(front.exchanged[static_cast<std::size_t>(k)], 11);
+    }
+}
+
 TEST(FrontKernels, StopAtAPivotThatIsSmallBesideWhatIsBelow) {
   for (const FrontKernels& kernels : front_kernels_here()) {
     DenseFront front{12, 20};

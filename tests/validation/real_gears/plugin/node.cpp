@@ -9,6 +9,33 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 constexpr int diagonal(int axis) { return axis * (axis + 1) / 2 + axis; }
 }  // namespace
 
+Status Node::Load::tile(const Family<Node>& family, netloft_tile& t) {
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const Data& d = family.data(t.first + i);
+    const double pull[3] = {d.force[0], d.force[1], d.force[2] - d.mass * t.gravity};
+    for (int axis = 0; axis < 3; ++axis) {  // (1)
+      if (t.energy) t.energy[i] -= d.share * pull[axis] * t.x[at(axis, i)];
+      if (t.force) t.force[at(axis, i)] -= d.share * pull[axis];
+    }
+  }
+  return Status::ok;
+}
+
+Status Node::Buoyancy::tile(const Family<Node>& family, netloft_tile& t) {
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const Data& d = family.data(t.first + i);
+    const double H = std::abs(d.box[2]), immersed = (d.box[2] > 0 ? 0.5 * H : 0) - t.x[at(2, i)];
+    const double lift = d.share * t.water_density * t.gravity * std::abs(d.box[0] * d.box[1]);
+    if (!(immersed > 0)) continue;
+    const bool whole = immersed >= H;
+    if (t.energy)
+      t.energy[i] += lift * (whole ? H * (immersed - 0.5 * H) : 0.5 * immersed * immersed);  // (2)
+    if (t.force) t.force[at(2, i)] -= lift * (whole ? H : immersed);
+    if (t.tangent && !whole) t.tangent[at(diagonal(2), i)] += t.cu * lift;
+  }
+  return Status::ok;
+}
+
 Status Node::Limit::tile(const Family<Node>& family, netloft_tile& t) {
   for (std::size_t i = 0; i < t.count; ++i) {
     const Data& d = family.data(t.first + i);
@@ -28,13 +55,22 @@ Status Node::Limit::tile(const Family<Node>& family, netloft_tile& t) {
   return Status::ok;
 }
 
-Status Node::Friction::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
-  const double press = std::max(0.0, violation(d, 2, s.x[0].z)), speed = norm(s.current[0]);
-  if (!(press > 0) || !(speed > 0)) return Status::ok;
-  const double drag = d.share * p.friction * p.stiffness;
-  const Vec3<double> along = (1 / speed) * s.current[0];
-  out.force[0] = (-drag * press) * along;  // (4)
-  for (int r = 0; r < 3; ++r) out.tangent[r][2] = s.cu * drag * along[r];
+Status Node::Friction::tile(const Family<Node>& family, netloft_tile& t) {
+  if (!t.current) return Status::ok;
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const Data& d = family.data(t.first + i);
+    const double press = std::max(0.0, violation(d, 2, t.x[at(2, i)]));
+    if (!(press > 0)) continue;
+    const Vec3<double> flow{t.current[at(0, i)], t.current[at(1, i)], t.current[at(2, i)]};
+    const double speed = norm(flow);
+    if (!(speed > 0)) continue;
+    const Parameters& p = family.parameters(t.first + i);
+    const Vec3<double> drag = (d.share * p.friction * p.stiffness / speed) * flow;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (t.force) t.force[at(axis, i)] -= press * drag[axis];  // (4)
+      if (t.tangent) t.tangent[at(3 * axis + 2, i)] += t.cu * drag[axis];
+    }
+  }
   return Status::ok;
 }
 

@@ -35,30 +35,16 @@ struct Node {
   }
 
   struct Load {
-    template <class T>
-    static T energy(const Parameters&, const Data& d, const Water& w, const Points<T, 1>& x) {
-      return -d.share *
-             (d.force[0] * x[0].x + d.force[1] * x[0].y + (d.force[2] - d.mass * w.gravity) * x[0].z);
-    }
+    static Status tile(const Family<Node>& family, netloft_tile& t);
   };
-
   struct Buoyancy {
-    template <class T>
-    static T energy(const Parameters&, const Data& d, const Water& w, const Points<T, 1>& x) {
-      const double H = std::abs(d.box[2]), top = d.box[2] > 0 ? 0.5 * H : 0;
-      const double lift = d.share * w.density * w.gravity * std::abs(d.box[0] * d.box[1]);
-      const T immersed = top - x[0].z;
-      if (!(immersed > T(0))) return T(0);
-      if (immersed < T(H)) return (0.5 * lift) * immersed * immersed;
-      return (lift * H) * (immersed - 0.5 * H);
-    }
+    static Status tile(const Family<Node>& family, netloft_tile& t);
   };
-
   struct Limit {
     static Status tile(const Family<Node>& family, netloft_tile& t);
   };
   struct Friction {
-    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+    static Status tile(const Family<Node>& family, netloft_tile& t);
   };
 };
 

@@ -44,8 +44,9 @@ void add_node(Plugin& plugin) {
   e.data("sense", &Node::Data::sense, "1", "1: lower bound, -1: upper bound, 0: none");
   e.data("mass", &Node::Data::mass, "kg", "mass, of which the weight acts");
   e.data("share", &Node::Data::share, "1", "share of the node in this model");
-  e.term<Node::Load, constant | from_outside>("load", "constant force and weight");
-  e.term<Node::Buoyancy, needs_gravity | from_outside>("buoyancy", "buoyancy of the box below the surface");
+  e.term<Node::Load, conservative | symmetric | constant | from_outside>("load", "constant force and weight");
+  e.term<Node::Buoyancy, conservative | symmetric | needs_gravity | from_outside>(
+      "buoyancy", "buoyancy of the box below the surface");
   e.term<Node::Limit, conservative | symmetric | has_convex | has_metric | from_outside>(
       "limit", "push back within the limits", "limit.stiffness");
   e.term<Node::Friction, reads_current | needs_flow | from_outside>(

@@ -43,14 +43,19 @@ Cube cube_of(double volume) {
   return {std::cbrt(volume / N)};
 }
 
+/// Whether the cube of a node is under water.
+template <int N, class Lanes>
+bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
+  const double z = t.x[at(3 * node + 2, i)];
+  return !(z > 0) && !(8 * -z * z * z < p.volume[i] / N);
+}
+
 /// Most tiles are under water, and cost no more than this.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t) {
   for (int node = 0; node < N; ++node)
-    for (std::size_t i = 0; i < t.count; ++i) {
-      const double z = t.x[at(3 * node + 2, i)];
-      if (z > 0 || 8 * -z * z * z < p.volume[i] / N) return false;
-    }
+    for (std::size_t i = 0; i < t.count; ++i)
+      if (!is_wet<N>(p, t, node, i)) return false;
   return true;
 }
 
@@ -61,7 +66,8 @@ Status take_dry_drag(const Lanes& p, netloft_tile& t, Shipped&& shipped) {
   netloft_tile inner = drag.answer_of(t);
   shipped(inner);
   for (int node = 0; node < N; ++node)
-    for (std::size_t i = 0; i < t.count; ++i) drag.take_from(t, node, i, cube_of<N>(p.volume[i]));
+    for (std::size_t i = 0; i < t.count; ++i)
+      if (!is_wet<N>(p, t, node, i)) drag.take_from(t, node, i, cube_of<N>(p.volume[i]));
   return Status::ok;
 }
 
@@ -80,6 +86,7 @@ Status DryBarBuoyancy::tile(const Family<rope::Bar>& family, netloft_tile& t) {
   if (is_wet<2>(p, t)) return Status::ok;
   for (int node = 0; node < 2; ++node)
     for (std::size_t i = 0; i < t.count; ++i) {
+      if (is_wet<2>(p, t, node, i)) continue;
       const Cube cube = cube_of<2>(p.volume[i]);
       const int row = 3 * node + 2;
       const double z = t.x[at(row, i)], lift = 0.5 * p.volume[i] * t.water_density * t.gravity;
