@@ -19,9 +19,9 @@ class TileRows {
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
 
-  /// Zeros for the next tile.
+  /// Zeros for the next tile, also where a term wrote beyond the last lane of a tile that is not full.
   void clear() {
-    for (std::size_t row = 0; row < rows_; ++row) std::fill_n(all_.data() + row * kWidth, lanes_, 0.0);
+    std::fill_n(all_.data(), rows_ * kWidth, 0.0);
     rows_ = 0;
   }
   /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a
@@ -34,7 +34,7 @@ class TileRows {
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)
       if (!is_zero(all_.data() + row * kWidth)) return false;
-    rows_ = 0;
+    if (lanes_ == kWidth) rows_ = 0;
     return true;
   }
 

@@ -108,8 +108,11 @@ Solution Journey::arrive(Displacements start) {
   const bool goes_on = best.books.iterations >= limits.iterations && is_on_its_way(best);
   if (!options_.own_start.soon) leave_saddles(best, ways[0].name, limits);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
-  if (goes_on)
-    keep_better(best, solve_itself_off_saddles(std::string(ways[0].name) + ", further", best.u, limits));
+  if (goes_on) {
+    const std::string name = std::string(ways[0].name) + ", further";
+    keep_better(best, options_.own_start.soon ? solve_itself(name, best.u, limits)
+                                              : solve_itself_off_saddles(name, best.u, limits));
+  }
   for (std::size_t i = 1; i < ways.size() && !has_arrived(best) && !out_of_time(); ++i)
     if (const auto nearer = (this->*ways[i].to)(start, best))
       keep_better(best, solve_itself_off_saddles(ways[i].name, *nearer, limits));

@@ -35,7 +35,7 @@ struct JourneyOptions {
   int threads = 1;
   bool detours = true;  // else the scene itself only
   int looks = 0;        // for other shapes, from the one that was found
-  // In the place of a number: some after a long way, as long as they cost little.
+  // In the place of a number: some after a long way or an own start, as long as they cost little.
   static constexpr int kLooksThatSuit = -1;
   std::function<void(const IterationRecord&)> on_iteration;
   OwnStart own_start;  // none: no such way

@@ -227,11 +227,8 @@ Solution Case::solve_by_journey(const Watch& watch) {
   else if (cones == ConeUse::first)
     start = start_in_cones(watch, {}, options.limits, before);
   if (cones == ConeUse::first && start)
-    options.own_start = {"from coarser meshes", true,
-                         [&](const auto&, double seconds, auto& legs) -> std::optional<std::vector<double>> {
-                           auto there = from_coarser(seconds, legs);
-                           if (there.empty()) return {};
-                           return there;
+    options.own_start = {"without cones", true, [&](const auto&, double seconds, auto& legs) {
+                           return from_coarser(seconds, legs);  // none: from its sketch
                          }};
   else if (cones == ConeUse::as_a_way)
     options.own_start = {"from tension only, in cones", false,

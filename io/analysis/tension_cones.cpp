@@ -22,6 +22,7 @@ constexpr double kLeastDamping = 1e-6, kMostDamping = 1e-2, kNoDamping = 1e-9;
 
 // E_c of (7) over the first tension.
 constexpr double kMostPressed = 0.01;
+constexpr double kCollapsed = 1e-9;  // l/l₀ below which a member has no direction
 
 double largest_of(std::span<const double> v) {
   double largest = 0;
@@ -56,8 +57,8 @@ Leg TensionCones::solve(const ConeOptions& options) {
   begin(options.tension);
   mu_ = options.tension;
   damping_ = 0;
-  most_pressed_ = net_.pattern().symmetric ? kMostPressed * options.tension : 0;
-  for (int tiny = 0; tiny < kTinySteps && assemble(false);) {
+  most_pressed_ = net_.pattern().symmetric && some_are_pressed() ? kMostPressed * options.tension : 0;
+  for (int tiny = 0; tiny < kTinySteps && assemble(is_indefinite_);) {
     const double left = largest_of({residual_.data(), net_.unknowns()});
     if (mu_ <= options.tolerance * options.tension && left <= kForces * options.tension) {
       leg.status = SolveStatus::converged;
@@ -139,7 +140,7 @@ void TensionCones::set_member(std::size_t e, bool convex) {
 /// (7) and (8); what has no length has no direction to press in.
 void TensionCones::add_pressed(std::size_t e, bool convex) {
   const MemberNet::Line& line = net_.line(e);
-  if (!(line.l > 0)) return;
+  if (!(line.l > kCollapsed * net_.members()[e].l0)) return;
   const double stiffness = EA_pressed(e) / net_.members()[e].l0, a = line.strain / (1 + line.strain),
                across = convex ? std::max(0.0, a) : a;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -147,6 +148,11 @@ void TensionCones::add_pressed(std::size_t e, bool convex) {
     for (std::size_t j = 0; j < 3; ++j)
       blocks_[e][3 * i + j] += stiffness * ((1 - across) * line.t[i] * line.t[j] + (i == j ? across : 0));
   }
+}
+
+bool TensionCones::some_are_pressed() const {
+  return std::any_of(net_.members().begin(), net_.members().end(),
+                     [](const AxialMember& m) { return m.EA_compression > 0; });
 }
 
 /// Half of its stiffness is left to the cone of what bears as much when pressed.
@@ -174,6 +180,7 @@ bool TensionCones::factorise() {
     status = factorise_once();
   }
   if (status != FactorStatus::not_positive_definite) return status == FactorStatus::ok;
+  is_indefinite_ = true;
   factorisation_ = make_(MatrixClass::symmetric);
   factorisation_->analyse(net_.pattern());
   return factorise_once() == FactorStatus::ok;

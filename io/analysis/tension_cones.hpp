@@ -36,6 +36,12 @@ struct ConeOptions {
 /// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag, whose law is none of a
 /// convex problem, is linearised at every step like all of r; D [N], zero at first, grows where that leaves
 /// steps short (Levenberg's damping).
+///
+/// Under dead loads members bear a little when pressed, too, so that they come to rest where that leaves them
+/// instead of anywhere; EA in (1) to (4) is what is beyond it:
+///   p = E_c (l/l₀ − 1) t,  E_c the least of EA_c, a hundredth of the first tension and half of EA    (7)
+///   ∂p/∂w = E_c/l₀ [t tᵀ + a (I − t tᵀ)],  a = 1 − l₀/l, or where that makes (3) indefinite max(0, a) (8)
+/// (7) is not convex: of several shapes in balance it ends at one.
 class TensionCones {
  public:
   /// Bodies and frames of its own make std::invalid_argument.
@@ -64,6 +70,7 @@ class TensionCones {
   bool factorise();
   double EA(std::size_t member) const;
   double EA_pressed(std::size_t member) const;
+  bool some_are_pressed() const;
   void solve_for_step(const std::vector<cone::Point>& g);
   void set_step(std::size_t member, const cone::Point& g);
   double zeta(std::size_t member, double g0, double along) const;
@@ -84,6 +91,7 @@ class TensionCones {
   std::vector<MemberNet::Vector> forces_, changes_;
   std::vector<double> residual_, values_, step_;
   double mu_ = 0, damping_ = 0, most_pressed_ = 0;  // [N]; the last of E_c
+  bool is_indefinite_ = false;                      // the rest of (3), too
   Books books_;
 };
 

@@ -42,7 +42,8 @@ std::span<const netloft_parameter> analysis_keys() {
     t.integer(
         "looks", &AnalysisKeys::looks,
         "how often to look for other shapes in which the gear may stand, from where nothing is pressed and "
-        "from the one found, shaken; -1: with solver auto up to six times after a long way, if that is cheap",
+        "from the one found, shaken; -1: with solver auto up to six times after a long way or tension only, "
+        "if cheap",
         -1, 1000, -1);
     return t;
   }();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/factorisation/kept_analyses.hpp"
 
-#include <map>
+#include <array>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -23,19 +23,19 @@ class Shelf {
   /// Null if there is none for the pattern.
   std::unique_ptr<Analysed> take(MatrixClass kind, const SparsePattern& pattern) {
     const std::lock_guard lock(mutex_);
-    const auto at = kept_.find(kind);
-    if (at == kept_.end() || !at->second || !(at->second->pattern == pattern)) return nullptr;
-    return std::move(at->second);
+    std::unique_ptr<Analysed>& kept = kept_[static_cast<std::size_t>(kind)];
+    if (!kept || !(kept->pattern == pattern)) return nullptr;
+    return std::move(kept);
   }
   void put(MatrixClass kind, std::unique_ptr<Analysed> analysed) {
     if (analysed->factorisation->factor_entries() > kLargestKept) return;
     const std::lock_guard lock(mutex_);
-    kept_[kind].swap(analysed);
+    kept_[static_cast<std::size_t>(kind)].swap(analysed);
   }
 
  private:
   std::mutex mutex_;
-  std::map<MatrixClass, std::unique_ptr<Analysed>> kept_;
+  std::array<std::unique_ptr<Analysed>, 3> kept_;  // one of each class
 };
 
 class LentFactorisation final : public Factorisation {
@@ -45,7 +45,7 @@ class LentFactorisation final : public Factorisation {
         kind_(kind),
         analysed_(std::make_unique<Analysed>(Analysed{std::move(fresh)})) {}
   ~LentFactorisation() override {
-    if (is_analysed_) shelf_->put(kind_, std::move(analysed_));
+    if (is_analysed_ && !has_failed_) shelf_->put(kind_, std::move(analysed_));
   }
 
   std::string description() const override { return inner().description(); }
@@ -57,9 +57,14 @@ class LentFactorisation final : public Factorisation {
       analysed_->pattern = pattern;
       inner().analyse(analysed_->pattern);
     }
-    is_analysed_ = true;
+    is_analysed_ = true, has_failed_ = false;
   }
-  FactorResult factorise(std::span<const double> values) override { return inner().factorise(values); }
+  /// What has failed may have grown, or be of an unknown size: it is not kept.
+  FactorResult factorise(std::span<const double> values) override {
+    const FactorResult result = inner().factorise(values);
+    has_failed_ = result.status != FactorStatus::ok && result.status != FactorStatus::not_positive_definite;
+    return result;
+  }
   void solve(std::span<const double> rhs, std::span<double> x) override { inner().solve(rhs, x); }
   double factor_entries() const override { return inner().factor_entries(); }
   double factor_flops() const override { return inner().factor_flops(); }
@@ -70,7 +75,7 @@ class LentFactorisation final : public Factorisation {
   std::shared_ptr<Shelf> shelf_;
   MatrixClass kind_;
   std::unique_ptr<Analysed> analysed_;
-  bool is_analysed_ = false;
+  bool is_analysed_ = false, has_failed_ = false;
 };
 
 }  // namespace

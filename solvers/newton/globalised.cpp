@@ -116,7 +116,9 @@ class Globalised {
   /// Where what a step would gain is no longer seen in the energy and damping leads nowhere: by Newton's own
   /// step, or if this is a saddle, by (7).
   bool go_on_softly() {
-    if (!is_in_noise_ || !frozen_.empty() || !problem_.symmetric()) return false;
+    if (!is_in_noise_ || mu_ == 0 || std::exchange(tried_softly_, true) || !frozen_.empty() ||
+        !problem_.symmetric())
+      return false;
     if (problem_.factorise(Matrix::exact, 0) == Factor::ok) {
       solve_for_step();
       if (problem_.step_length(s_) > 1) return false;
@@ -251,13 +253,14 @@ class Globalised {
   void take(double energy) {
     std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
     std::swap(r_, r_trial_);
-    energy_ = energy;
+    energy_ = energy, tried_softly_ = false;
   }
 
   const Newton::Parameters& p_;
   Problem& problem_;
   double mu_, sigma_ = kLeastSigma, energy_ = 0;
-  bool was_uphill_ = false, may_be_hardly_ = true, at_saddle_ = false, is_in_noise_ = false;
+  bool was_uphill_ = false, may_be_hardly_ = true, at_saddle_ = false, is_in_noise_ = false,
+       tried_softly_ = false;
   const char* note_ = "";
   std::vector<double> r_, s_, trial_, r_trial_, left_;
   LeastCurvature curvature_;
