@@ -40,16 +40,6 @@ void TensionNewton::set_laws() {
   }
 }
 
-/// k of (1).
-double TensionNewton::stiffness_now(std::size_t e) const {
-  return tension_[e] > 0 ? laws_[e].EA : laws_[e].EA_compression;
-}
-
-/// What the law of the member has at a strain.
-double TensionNewton::own_tension(std::size_t e, double strain) const {
-  return (strain > 0 ? laws_[e].EA : laws_[e].EA_compression) * strain;
-}
-
 void TensionNewton::follow_positions() {
   tension_.resize(net_.size());
   for (std::size_t e = 0; e < net_.size(); ++e) tension_[e] = own_tension(e, net_.line(e).strain);
@@ -64,18 +54,22 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   damping_ = stage.damping;
   Leg leg{stage.name, "tensions", step_.size(), SolveStatus::not_converged, "", {}};
   double turn = kNever, norm = 0;
-  while (find_residual()) {
-    const double before = std::exchange(norm, norm_of({residual_.data(), step_.size()}));
-    if (is_done(stage, turn)) {
+  while (find_rest()) {
+    const bool has_settled = stage.settled_turn <= 0 || turn < stage.settled_turn;
+    if ((has_settled || stage.from_afar) && !find_residual()) break;
+    if (has_settled && is_balanced(stage.tolerance)) {
       leg.status = SolveStatus::converged;
       break;
     }
     const bool called_off =
         (stage.interrupt && stage.interrupt->load()) || wall_seconds() - wall > stage.seconds;
     if (called_off || books_.iterations >= stage.iterations) break;
-    assemble();
+    if (!assemble()) break;
     ++books_.iterations;
-    if (stage.from_afar && before > 0) damping_ *= std::clamp(norm / before, kLargestDrop, kLeastDrop);
+    if (stage.from_afar) {
+      const double before = std::exchange(norm, norm_of({residual_.data(), step_.size()}));
+      if (before > 0) damping_ *= std::clamp(norm / before, kLargestDrop, kLeastDrop);
+    }
     damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
     if (!find_step()) {
       damping_ = std::max(100 * damping_, 1e-6);
@@ -92,14 +86,17 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   return leg;
 }
 
-/// Of the members' own law. All other forces and their tangent are those of the last stage where it begins.
+/// All other forces and their tangent: where a stage begins, those of the last one. False: there are none.
+bool TensionNewton::find_rest() {
+  if (knows_rest_) return true;
+  Timed timed(books_.assembly_seconds);
+  ++books_.residuals, ++books_.matrices;
+  return knows_rest_ = net_.evaluate(mixed_, values_);
+}
+
+/// Of the members' own law; false where it is no number.
 bool TensionNewton::find_residual() {
   Timed timed(books_.assembly_seconds);
-  if (!knows_rest_) {
-    ++books_.residuals, ++books_.matrices;
-    if (!net_.evaluate(mixed_, values_)) return false;
-    knows_rest_ = true;
-  }
   for (std::size_t e = 0; e < net_.size(); ++e) {
     const MemberNet::Line& now = net_.line(e);
     const double T = own_tension(e, now.strain);
@@ -110,13 +107,14 @@ bool TensionNewton::find_residual() {
   return std::isfinite(norm_of(residual_));
 }
 
-/// The matrix and the right-hand side of (2).
-void TensionNewton::assemble() {
+/// The matrix and the right-hand side of (2); false where that is no number.
+bool TensionNewton::assemble() {
   Timed timed(books_.assembly_seconds);
   for (std::size_t e = 0; e < net_.size(); ++e) set_member(e);
   net_.add_forces(forces_, mixed_);
   net_.add_blocks(blocks_, values_);
   knows_rest_ = false;
+  return std::isfinite(norm_of(mixed_));
 }
 
 /// What a member adds to (2): k ε t, and to the matrix.
@@ -132,14 +130,14 @@ void TensionNewton::set_member(std::size_t e) {
   }
 }
 
-bool TensionNewton::is_done(const TensionStage& stage, double turn) {
-  if (stage.settled_turn > 0 && !(turn < stage.settled_turn)) return false;
+/// By the last residual.
+bool TensionNewton::is_balanced(double tolerance) const {
   double largest = 0, reaction = 0;
   for (std::size_t i = 0; i < residual_.size(); ++i) {
     double& of = i < step_.size() ? largest : reaction;
     of = std::max(of, std::abs(residual_[i]));
   }
-  return largest <= stage.tolerance * reaction;
+  return largest <= tolerance * reaction;
 }
 
 bool TensionNewton::find_step() {
