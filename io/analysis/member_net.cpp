@@ -88,7 +88,8 @@ void MemberNet::for_weighted(std::span<const double> v, const Visit& visit) cons
     with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
       std::array<double, 3 * nodes> at;
       for (std::uint32_t i = 0; i < 3 * nodes; ++i) at[i] = v[static_cast<std::size_t>(site.dof[i])];
-      for (std::size_t e = site.first; e < site.first + members; ++e) {
+      for (std::uint32_t i = 0; i < members; ++i) {
+        const std::size_t e = std::size_t{site.first} + i;
         const auto& c = weights_[e].c;
         Vector sum;
         for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] = c[0] * at[axis] + c[1] * at[axis + 3];
@@ -116,10 +117,12 @@ bool MemberNet::evaluate(std::vector<double>& residual, std::vector<double>& val
 void MemberNet::add_forces(std::span<const Vector> f, std::vector<double>& residual) const {
   for (const Site& site : sites_)
     with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
+      const Weights* weights = &weights_[site.first];
+      const Vector* forces = &f[site.first];
       for (std::uint32_t k = 0; k < nodes; ++k) {
         Vector sum{};
-        for (std::size_t e = site.first; e < site.first + members; ++e)
-          for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weights_[e].count_c[k] * f[e][axis];
+        for (std::uint32_t i = 0; i < members; ++i)
+          for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weights[i].count_c[k] * forces[i][axis];
         for (std::size_t axis = 0; axis < 3; ++axis)
           residual[static_cast<std::size_t>(site.dof[3 * k + axis])] += sum[axis];
       }
@@ -152,11 +155,12 @@ struct WideBlock {
 void MemberNet::add_blocks(std::span<const Block> K, std::vector<double>& values) const {
   for (const Site& site : sites_)
     with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
+      const Weights* weights = &weights_[site.first];
       for (std::uint32_t p = 0; p < nodes; ++p)
         for (std::uint32_t q = 0; q <= p; ++q) {
           WideBlock sum;
-          for (std::size_t e = site.first; e < site.first + members; ++e)
-            sum.add(weights_[e].count_c[p] * weights_[e].c[q], K[e]);
+          for (std::uint32_t i = 0; i < members; ++i)
+            sum.add(weights[i].count_c[p] * weights[i].c[q], K[site.first + i]);
           const std::int32_t block = site.block[3 * p + q], mirrored = site.block[3 * q + p];
           if (block >= 0) sum.add_to(values.data() + block);
           if (q != p && mirrored >= 0) sum.add_to(values.data() + mirrored);
