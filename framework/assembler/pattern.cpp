@@ -78,6 +78,7 @@ SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering,
   pattern.size = numbering.unknowns();
   pattern.symmetric = symmetric;
   pattern.slots = 9 * blocks.count();
+  pattern.row.reserve(pattern.slots), pattern.slot.reserve(pattern.slots);
   pattern.column_start.push_back(0);
   for (std::int32_t column = 0; column < pattern.size; ++column) {
     const std::uint32_t node = numbering.node(column);
