@@ -75,8 +75,9 @@ Leg TensionNewton::solve(const TensionStage& stage) {
       damping_ = std::max(100 * damping_, 1e-6);
       continue;
     }
-    const double a = std::min(1.0, stage.farthest_turn / largest_turn(false));
-    turn = a < 1 ? kNever : largest_turn(true);
+    const Turns largest = largest_turns();
+    const double a = std::min(1.0, stage.farthest_turn / largest.of_all);
+    turn = a < 1 ? kNever : largest.of_taut;
     take(a, stage.from_afar);
     if (!stage.from_afar) adapt(a);
   }
@@ -156,16 +157,16 @@ bool TensionNewton::find_step() {
   return std::isfinite(norm_of(step_));
 }
 
-double TensionNewton::largest_turn(bool taut_only) const {
-  double largest = 0;  // of squares
+TensionNewton::Turns TensionNewton::largest_turns() const {
+  double of_all = 0, of_taut = 0;  // squares
   for (std::size_t e = 0; e < net_.size(); ++e) {
-    if (taut_only && tension_[e] <= 0) continue;
     const MemberNet::Line& now = net_.line(e);
     const double along = dot(changes_[e], now.t), across = dot(changes_[e], changes_[e]) - along * along,
-                 inverse = std::min(now.inverse, laws_[e].inverse);
-    largest = std::max(largest, across * inverse * inverse);
+                 inverse = std::min(now.inverse, laws_[e].inverse), turn = across * inverse * inverse;
+    of_all = std::max(of_all, turn);
+    if (tension_[e] > 0) of_taut = std::max(of_taut, turn);
   }
-  return std::sqrt(largest);
+  return {std::sqrt(of_all), std::sqrt(of_taut)};
 }
 
 /// (3).

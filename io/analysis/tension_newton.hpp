@@ -66,7 +66,11 @@ class TensionNewton {
   void set_member(std::size_t member);
   bool is_balanced(double tolerance) const;
   bool find_step();
-  double largest_turn(bool taut_only) const;
+  /// Of any member in the whole step [rad].
+  struct Turns {
+    double of_all, of_taut;
+  };
+  Turns largest_turns() const;
   void take(double a, bool from_afar);
   void adapt(double a);
 
