@@ -104,8 +104,8 @@ class FrontTreeBuilder {
 };
 
 FrontTree FrontTreeBuilder::build(OrderingMethod method) {
-  NodeOrdering ordering = order_nodes(pattern_, method);
   NodeGraph graph = make_node_graph(pattern_);
+  NodeOrdering ordering = order_nodes(graph, method);
   const SingleThreadScope single_thread;
   const Supernodes supernodes(graph, vertex_order(graph, ordering.unknown));
   tree_.ordering = ordering.method;
