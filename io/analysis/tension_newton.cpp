@@ -16,6 +16,10 @@ constexpr double kLargestDrop = 0.06, kLeastDrop = 1 / 0.7;  // of damping with 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kStrainOfTaut = 1e-3;  // at the most, of a member the step makes taut
 
+bool all_finite(const std::vector<double>& v) {
+  return std::all_of(v.begin(), v.end(), [](double a) { return std::isfinite(a); });
+}
+
 }  // namespace
 
 TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactorisation make, int threads)
@@ -105,7 +109,7 @@ bool TensionNewton::find_residual() {
   }
   residual_ = mixed_;
   net_.add_forces(forces_, residual_);
-  return std::isfinite(norm_of(residual_));
+  return all_finite(residual_);
 }
 
 /// The matrix and the right-hand side of (2); false where that is no number.
@@ -115,7 +119,7 @@ bool TensionNewton::assemble() {
   net_.add_forces(forces_, mixed_);
   net_.add_blocks(blocks_, values_);
   knows_rest_ = false;
-  return std::isfinite(norm_of(mixed_));
+  return all_finite(mixed_);
 }
 
 /// What a member adds to (2): k ε t, and to the matrix.
@@ -154,7 +158,7 @@ bool TensionNewton::find_step() {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -mixed_[i];
   factorisation_->solve(step_, step_);
   net_.find_changes(step_, changes_);
-  return std::isfinite(norm_of(step_));
+  return all_finite(step_);
 }
 
 TensionNewton::Turns TensionNewton::largest_turns() const {
