@@ -2,6 +2,7 @@
 #include "framework/assembler/assembler.hpp"
 
 #include "framework/assembler/projection.hpp"
+#include "framework/assembler/riders.hpp"
 #include "framework/assembler/workspace.hpp"
 
 #include <algorithm>
@@ -97,8 +98,10 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
   frames_ = Frames(nodes, numbering_, blocks, plan.symmetric);
   bodies_ = Bodies(nodes, numbering_, blocks, plan.symmetric);
   for (const auto& family : families_) {
-    tilings_.push_back(
-        make_tiling(*family, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles));
+    const std::size_t first_spare = pattern_.slots + 9 * tiles;
+    const Tiling* alike = find_alike(tilings_, *family);
+    tilings_.push_back(alike ? make_tiling_like(*alike, *family, first_spare)
+                             : make_tiling(*family, nodes, numbering_, blocks, plan.symmetric, first_spare));
     memories_.push_back(make_memory(*family, tilings_.back().tiles));
     first_tile_.push_back(tiles);
     tiles += tilings_.back().tiles;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/pattern.hpp"
 
+#include "framework/assembler/riders.hpp"
+
 #include <algorithm>
 
 namespace netloft {
@@ -33,11 +35,17 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(
     if (moves(row) && moves(column) && (!symmetric || row >= column)) near[column].push_back(row);
   };
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) add(n, n);
-  for (const auto& family : families)
+  const auto is_rider = [&](const auto& family) {
+    return std::any_of(families.data(), &family,
+                       [&](const auto& other) { return have_same_nodes(*other, *family); });
+  };
+  for (const auto& family : families) {
+    if (is_rider(family)) continue;
     for (std::size_t e = 0; e < family->size(); ++e)
       for (int i = 0; i < family->all_nodes_per_element(); ++i)
         for (int j = 0; j < family->all_nodes_per_element(); ++j)
           if (i != j) add(family->node(e, i), family->node(e, j));
+  }
   join_bodies(scene, add, near);
   for (auto& rows : near) {
     std::sort(rows.begin(), rows.end());
@@ -70,6 +78,7 @@ SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering,
   pattern.size = numbering.unknowns();
   pattern.symmetric = symmetric;
   pattern.slots = 9 * blocks.count();
+  pattern.row.reserve(pattern.slots), pattern.slot.reserve(pattern.slots);
   pattern.column_start.push_back(0);
   for (std::int32_t column = 0; column < pattern.size; ++column) {
     const std::uint32_t node = numbering.node(column);

@@ -29,15 +29,24 @@ std::vector<LawPlan> laws_of(const Scene& scene, const Part& part, const Element
   return laws;
 }
 
-bool same_laws(const std::vector<LawPlan>& a, const std::vector<LawPlan>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const LawPlan& x, const LawPlan& y) { return x.choice == y.choice; });
+/// Whether the laws of a part are those of a family of its type.
+bool has_laws_of(const FamilyPlan& family, const Part& part) {
+  return std::all_of(family.laws.begin(), family.laws.end(), [&](const LawPlan& law) {
+    const auto& slot = family.type->laws[static_cast<std::size_t>(&law - family.laws.data())];
+    const auto given = part.laws.find(slot.name);
+    if (given != part.laws.end()) return law.choice == given->second;
+    return law.choice.type == slot.fallback && law.choice.parameters.empty();
+  });
 }
 
-FamilyPlan& family_of(std::vector<FamilyPlan>& families, const ElementType& type, std::vector<LawPlan> laws) {
+/// What a part belongs to; laws are looked up for the first part alone.
+FamilyPlan& family_of(std::vector<FamilyPlan>& families, const Scene& scene, const Part& part,
+                      Registry& registry, AnalysisKind kind) {
+  const ElementType& type = registry.element(part.type);
+  const bool asks_laws = meets_flow(scene, kind);
   for (auto& f : families)
-    if (f.type == &type && same_laws(f.laws, laws)) return f;
-  families.push_back({&type, std::move(laws), {}, 0, {}});
+    if (f.type == &type && (!asks_laws || has_laws_of(f, part))) return f;
+  families.push_back({&type, laws_of(scene, part, type, registry, kind), {}, 0, {}});
   return families.back();
 }
 
@@ -108,10 +117,9 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, An
   Plan plan;
   plan.tangent = tangent, plan.kind = kind;
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
-    const ElementType& type = registry.element(scene.parts[p].type);
-    FamilyPlan& family = family_of(plan.families, type, laws_of(scene, scene.parts[p], type, registry, kind));
+    FamilyPlan& family = family_of(plan.families, scene, scene.parts[p], registry, kind);
     family.parts.push_back(p);
-    family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(type.nodes());
+    family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(family.type->nodes());
   }
   for (auto& family : plan.families) {
     find_globals(family, scene);

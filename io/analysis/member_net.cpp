@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 namespace netloft::io {
 
@@ -39,6 +40,7 @@ void MemberNet::list_sites() {
       sites_.push_back(site_of(m));
       sites_.back().first = e;
     }
+    weights_.push_back({m.c, {m.count * m.c[0], m.count * m.c[1], m.count * m.c[2]}});
   }
 }
 
@@ -63,21 +65,39 @@ std::int32_t MemberNet::find_block(const Site& site, std::uint32_t p, std::uint3
   return -1;
 }
 
+namespace {
+
+/// Calls visit(nodes, members) of a site, known at compile time so that its loops unroll.
+template <class Visit>
+void with_shape(std::uint32_t nodes, std::uint32_t members, const Visit& visit) {
+  constexpr std::integral_constant<std::uint32_t, 1> one;
+  constexpr std::integral_constant<std::uint32_t, 2> two;
+  constexpr std::integral_constant<std::uint32_t, 3> three;
+  if (nodes == 2)
+    members == 1 ? visit(two, one) : visit(two, two);
+  else
+    members == 1 ? visit(three, one) : visit(three, two);
+}
+
+}  // namespace
+
 /// Calls visit(member, Σ c v) for all members, v over all dofs.
 template <class Visit>
 void MemberNet::for_weighted(std::span<const double> v, const Visit& visit) const {
-  for (const Site& site : sites_) {
-    std::array<double, 9> at;
-    for (std::uint32_t i = 0; i < 3 * site.nodes; ++i) at[i] = v[static_cast<std::size_t>(site.dof[i])];
-    for (std::size_t e = site.first; e < site.first + site.members; ++e) {
-      const auto& c = members_[e].c;
-      Vector sum;
-      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] = c[0] * at[axis] + c[1] * at[axis + 3];
-      if (site.nodes == 3)
-        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += c[2] * at[axis + 6];
-      visit(e, sum);
-    }
-  }
+  for (const Site& site : sites_)
+    with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
+      std::array<double, 3 * nodes> at;
+      for (std::uint32_t i = 0; i < 3 * nodes; ++i) at[i] = v[static_cast<std::size_t>(site.dof[i])];
+      for (std::uint32_t i = 0; i < members; ++i) {
+        const std::size_t e = std::size_t{site.first} + i;
+        const auto& c = weights_[e].c;
+        Vector sum;
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] = c[0] * at[axis] + c[1] * at[axis + 3];
+        if constexpr (nodes == 3)
+          for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += c[2] * at[axis + 6];
+        visit(e, sum);
+      }
+    });
 }
 
 void MemberNet::update_lines() {
@@ -96,14 +116,17 @@ bool MemberNet::evaluate(std::vector<double>& residual, std::vector<double>& val
 
 void MemberNet::add_forces(std::span<const Vector> f, std::vector<double>& residual) const {
   for (const Site& site : sites_)
-    for (std::uint32_t k = 0; k < site.nodes; ++k) {
-      Vector sum{};
-      for (std::size_t e = site.first; e < site.first + site.members; ++e)
+    with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
+      const Weights* weights = &weights_[site.first];
+      const Vector* forces = &f[site.first];
+      for (std::uint32_t k = 0; k < nodes; ++k) {
+        Vector sum{};
+        for (std::uint32_t i = 0; i < members; ++i)
+          for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weights[i].count_c[k] * forces[i][axis];
         for (std::size_t axis = 0; axis < 3; ++axis)
-          sum[axis] += members_[e].count * members_[e].c[k] * f[e][axis];
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        residual[static_cast<std::size_t>(site.dof[3 * k + axis])] += sum[axis];
-    }
+          residual[static_cast<std::size_t>(site.dof[3 * k + axis])] += sum[axis];
+      }
+    });
 }
 
 namespace {
@@ -131,15 +154,18 @@ struct WideBlock {
 /// The block of nodes p and q is that of q and p: K is symmetric.
 void MemberNet::add_blocks(std::span<const Block> K, std::vector<double>& values) const {
   for (const Site& site : sites_)
-    for (std::uint32_t p = 0; p < site.nodes; ++p)
-      for (std::uint32_t q = 0; q <= p; ++q) {
-        WideBlock sum;
-        for (std::size_t e = site.first; e < site.first + site.members; ++e)
-          sum.add(members_[e].count * members_[e].c[p] * members_[e].c[q], K[e]);
-        const std::int32_t block = site.block[3 * p + q], mirrored = site.block[3 * q + p];
-        if (block >= 0) sum.add_to(values.data() + block);
-        if (q != p && mirrored >= 0) sum.add_to(values.data() + mirrored);
-      }
+    with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
+      const Weights* weights = &weights_[site.first];
+      for (std::uint32_t p = 0; p < nodes; ++p)
+        for (std::uint32_t q = 0; q <= p; ++q) {
+          WideBlock sum;
+          for (std::uint32_t i = 0; i < members; ++i)
+            sum.add(weights[i].count_c[p] * weights[i].c[q], K[site.first + i]);
+          const std::int32_t block = site.block[3 * p + q], mirrored = site.block[3 * q + p];
+          if (block >= 0) sum.add_to(values.data() + block);
+          if (q != p && mirrored >= 0) sum.add_to(values.data() + mirrored);
+        }
+    });
 }
 
 void MemberNet::find_changes(std::span<const double> step, std::span<Vector> changes) {

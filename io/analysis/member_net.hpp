@@ -58,6 +58,10 @@ class MemberNet {
     std::uint32_t first = 0, members = 1, nodes = 2;
     std::array<std::int32_t, 9> dof{}, block{};
   };
+  /// A member's share in what its nodes do: c, and n c.
+  struct Weights {
+    std::array<double, 3> c, count_c;
+  };
   void list_sites();
   Site site_of(const AxialMember& member) const;
   std::int32_t find_block(const Site& site, std::uint32_t p, std::uint32_t q) const;
@@ -70,7 +74,8 @@ class MemberNet {
   Plan plan_;
   std::unique_ptr<Assembler> rest_;  // all but the members
   std::vector<Site> sites_;
-  std::vector<Line> lines_;  // at x_
+  std::vector<Weights> weights_;  // by member
+  std::vector<Line> lines_;       // at x_
   std::vector<double> x_, step_;
 };
 

@@ -16,6 +16,10 @@ constexpr double kLargestDrop = 0.06, kLeastDrop = 1 / 0.7;  // of damping with 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kStrainOfTaut = 1e-3;  // at the most, of a member the step makes taut
 
+bool all_finite(const std::vector<double>& v) {
+  return std::all_of(v.begin(), v.end(), [](double a) { return std::isfinite(a); });
+}
+
 }  // namespace
 
 TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactorisation make, int threads)
@@ -40,16 +44,6 @@ void TensionNewton::set_laws() {
   }
 }
 
-/// k of (1).
-double TensionNewton::stiffness_now(std::size_t e) const {
-  return tension_[e] > 0 ? laws_[e].EA : laws_[e].EA_compression;
-}
-
-/// What the law of the member has at a strain.
-double TensionNewton::own_tension(std::size_t e, double strain) const {
-  return (strain > 0 ? laws_[e].EA : laws_[e].EA_compression) * strain;
-}
-
 void TensionNewton::follow_positions() {
   tension_.resize(net_.size());
   for (std::size_t e = 0; e < net_.size(); ++e) tension_[e] = own_tension(e, net_.line(e).strain);
@@ -64,25 +58,30 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   damping_ = stage.damping;
   Leg leg{stage.name, "tensions", step_.size(), SolveStatus::not_converged, "", {}};
   double turn = kNever, norm = 0;
-  while (find_residual()) {
-    const double before = std::exchange(norm, norm_of({residual_.data(), step_.size()}));
-    if (is_done(stage, turn)) {
+  while (find_rest()) {
+    const bool has_settled = stage.settled_turn <= 0 || turn < stage.settled_turn;
+    if ((has_settled || stage.from_afar) && !find_residual()) break;
+    if (has_settled && is_balanced(stage.tolerance)) {
       leg.status = SolveStatus::converged;
       break;
     }
     const bool called_off =
         (stage.interrupt && stage.interrupt->load()) || wall_seconds() - wall > stage.seconds;
     if (called_off || books_.iterations >= stage.iterations) break;
-    assemble();
+    if (!assemble()) break;
     ++books_.iterations;
-    if (stage.from_afar && before > 0) damping_ *= std::clamp(norm / before, kLargestDrop, kLeastDrop);
+    if (stage.from_afar) {
+      const double before = std::exchange(norm, norm_of({residual_.data(), step_.size()}));
+      if (before > 0) damping_ *= std::clamp(norm / before, kLargestDrop, kLeastDrop);
+    }
     damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
     if (!find_step()) {
       damping_ = std::max(100 * damping_, 1e-6);
       continue;
     }
-    const double a = std::min(1.0, stage.farthest_turn / largest_turn(false));
-    turn = a < 1 ? kNever : largest_turn(true);
+    const Turns largest = largest_turns();
+    const double a = std::min(1.0, stage.farthest_turn / largest.of_all);
+    turn = a < 1 ? kNever : largest.of_taut;
     take(a, stage.from_afar);
     if (!stage.from_afar) adapt(a);
   }
@@ -92,14 +91,17 @@ Leg TensionNewton::solve(const TensionStage& stage) {
   return leg;
 }
 
-/// Of the members' own law. All other forces and their tangent are those of the last stage where it begins.
+/// All other forces and their tangent: where a stage begins, those of the last one. False: there are none.
+bool TensionNewton::find_rest() {
+  if (knows_rest_) return true;
+  Timed timed(books_.assembly_seconds);
+  ++books_.residuals, ++books_.matrices;
+  return knows_rest_ = net_.evaluate(mixed_, values_);
+}
+
+/// Of the members' own law; false where it is no number.
 bool TensionNewton::find_residual() {
   Timed timed(books_.assembly_seconds);
-  if (!knows_rest_) {
-    ++books_.residuals, ++books_.matrices;
-    if (!net_.evaluate(mixed_, values_)) return false;
-    knows_rest_ = true;
-  }
   for (std::size_t e = 0; e < net_.size(); ++e) {
     const MemberNet::Line& now = net_.line(e);
     const double T = own_tension(e, now.strain);
@@ -107,16 +109,17 @@ bool TensionNewton::find_residual() {
   }
   residual_ = mixed_;
   net_.add_forces(forces_, residual_);
-  return std::isfinite(norm_of(residual_));
+  return all_finite(residual_);
 }
 
-/// The matrix and the right-hand side of (2).
-void TensionNewton::assemble() {
+/// The matrix and the right-hand side of (2); false where that is no number.
+bool TensionNewton::assemble() {
   Timed timed(books_.assembly_seconds);
   for (std::size_t e = 0; e < net_.size(); ++e) set_member(e);
   net_.add_forces(forces_, mixed_);
   net_.add_blocks(blocks_, values_);
   knows_rest_ = false;
+  return all_finite(mixed_);
 }
 
 /// What a member adds to (2): k ε t, and to the matrix.
@@ -132,14 +135,14 @@ void TensionNewton::set_member(std::size_t e) {
   }
 }
 
-bool TensionNewton::is_done(const TensionStage& stage, double turn) {
-  if (stage.settled_turn > 0 && !(turn < stage.settled_turn)) return false;
+/// By the last residual.
+bool TensionNewton::is_balanced(double tolerance) const {
   double largest = 0, reaction = 0;
   for (std::size_t i = 0; i < residual_.size(); ++i) {
     double& of = i < step_.size() ? largest : reaction;
     of = std::max(of, std::abs(residual_[i]));
   }
-  return largest <= stage.tolerance * reaction;
+  return largest <= tolerance * reaction;
 }
 
 bool TensionNewton::find_step() {
@@ -155,19 +158,19 @@ bool TensionNewton::find_step() {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -mixed_[i];
   factorisation_->solve(step_, step_);
   net_.find_changes(step_, changes_);
-  return std::isfinite(norm_of(step_));
+  return all_finite(step_);
 }
 
-double TensionNewton::largest_turn(bool taut_only) const {
-  double largest = 0;  // of squares
+TensionNewton::Turns TensionNewton::largest_turns() const {
+  double of_all = 0, of_taut = 0;  // squares
   for (std::size_t e = 0; e < net_.size(); ++e) {
-    if (taut_only && tension_[e] <= 0) continue;
     const MemberNet::Line& now = net_.line(e);
     const double along = dot(changes_[e], now.t), across = dot(changes_[e], changes_[e]) - along * along,
-                 inverse = std::min(now.inverse, laws_[e].inverse);
-    largest = std::max(largest, across * inverse * inverse);
+                 inverse = std::min(now.inverse, laws_[e].inverse), turn = across * inverse * inverse;
+    of_all = std::max(of_all, turn);
+    if (tension_[e] > 0) of_taut = std::max(of_taut, turn);
   }
-  return std::sqrt(largest);
+  return {std::sqrt(of_all), std::sqrt(of_taut)};
 }
 
 /// (3).

@@ -51,15 +51,26 @@ class TensionNewton {
 
  private:
   void set_laws();
-  double stiffness_now(std::size_t member) const;
-  double own_tension(std::size_t member, double strain) const;
+  /// k of (1).
+  double stiffness_now(std::size_t e) const {
+    return tension_[e] > 0 ? laws_[e].EA : laws_[e].EA_compression;
+  }
+  /// What the law of the member has at a strain.
+  double own_tension(std::size_t e, double strain) const {
+    return (strain > 0 ? laws_[e].EA : laws_[e].EA_compression) * strain;
+  }
   void follow_positions();
+  bool find_rest();
   bool find_residual();
-  void assemble();
+  bool assemble();
   void set_member(std::size_t member);
-  bool is_done(const TensionStage& stage, double turn);
+  bool is_balanced(double tolerance) const;
   bool find_step();
-  double largest_turn(bool taut_only) const;
+  /// Of any member in the whole step [rad].
+  struct Turns {
+    double of_all, of_taut;
+  };
+  Turns largest_turns() const;
   void take(double a, bool from_afar);
   void adapt(double a);
 

@@ -85,12 +85,14 @@ class FrontTreeBuilder {
   void stack_updates();
   void find_places();
   void number_locally(const Front& front);
-  void sort_entries();
+  void list_columns();
+  bool follows(std::int32_t column, std::int32_t first) const;
+  void sort_rows();
   void find_targets();
   template <class Visit>
-  void for_entries(const Visit& visit) const;
+  void for_rows(const Visit& visit) const;
   std::int32_t front_of_entry(std::int32_t row, std::int32_t column) const;
-  std::uint32_t target_of(const Front& front, std::int32_t row, std::int32_t column) const;
+  void set_target(const Front& front, std::int32_t row, std::int32_t column, ShortRow& entries) const;
 
   const SparsePattern& pattern_;
   FrontTree tree_;
@@ -98,12 +100,12 @@ class FrontTreeBuilder {
   Indices place_;         // unknown -> k
   Indices front_;         // k -> front
   Indices local_;         // k -> place in the front at hand
-  Indices column_;        // of the entries, by fronts
+  Indices row_, column_;  // of the short rows, by fronts
 };
 
 FrontTree FrontTreeBuilder::build(OrderingMethod method) {
-  NodeOrdering ordering = order_nodes(pattern_, method);
   NodeGraph graph = make_node_graph(pattern_);
+  NodeOrdering ordering = order_nodes(graph, method);
   const SingleThreadScope single_thread;
   const Supernodes supernodes(graph, vertex_order(graph, ordering.unknown));
   tree_.ordering = ordering.method;
@@ -113,7 +115,8 @@ FrontTree FrontTreeBuilder::build(OrderingMethod method) {
   lay_out();
   stack_updates();
   find_places();
-  sort_entries();
+  list_columns();
+  sort_rows();
   find_targets();
   return std::move(tree_);
 }
@@ -213,45 +216,74 @@ std::int32_t FrontTreeBuilder::front_of_entry(std::int32_t row, std::int32_t col
   return front_[std::min(place_[row], place_[column])];
 }
 
-std::uint32_t FrontTreeBuilder::target_of(const Front& f, std::int32_t row, std::int32_t column) const {
-  const std::int32_t i = local_[place_[row]], j = local_[place_[column]];
-  const std::ptrdiff_t left = left_stride(f.pivots, f.others);
-  return static_cast<std::uint32_t>(
-      j < f.pivots ? i + j * left : f.pivots * left + (j - f.pivots) + i * upper_stride(f.others));
+/// Three columns of one node stand in the same rows, and their slots are neighbours.
+void FrontTreeBuilder::list_columns() {
+  for (std::int32_t column = 0; column < pattern_.size;) {
+    tree_.columns.push_back(column);
+    const bool three =
+        column + 2 < pattern_.size && follows(column + 1, column) && follows(column + 2, column);
+    column += three ? 3 : 1;
+  }
+  tree_.columns.push_back(pattern_.size);
+}
+
+/// In the order of elimination, too.
+bool FrontTreeBuilder::follows(std::int32_t column, std::int32_t first) const {
+  const std::int32_t by = column - first, k = place_[first], begin = pattern_.column_start[column],
+                     start = pattern_.column_start[first], count = pattern_.column_start[first + 1] - start;
+  if (pattern_.column_start[column + 1] - begin != count || place_[column] != k + by ||
+      front_[k + by] != front_[k])
+    return false;
+  for (std::int32_t e = 0; e < count; ++e)
+    if (pattern_.row[begin + e] != pattern_.row[start + e] ||
+        pattern_.slot_of(begin + e) != pattern_.slot_of(start + e) + static_cast<std::size_t>(by))
+      return false;
+  return true;
 }
 
 template <class Visit>
-void FrontTreeBuilder::for_entries(const Visit& visit) const {
-  for (std::int32_t column = 0; column < pattern_.size; ++column)
+void FrontTreeBuilder::for_rows(const Visit& visit) const {
+  for (std::size_t c = 0; c + 1 < tree_.columns.size(); ++c) {
+    const std::int32_t column = tree_.columns[c], columns = tree_.columns[c + 1] - column;
     for (std::int32_t e = pattern_.column_start[column]; e < pattern_.column_start[column + 1]; ++e)
-      visit(static_cast<std::uint32_t>(e), pattern_.row[e], column);
+      visit(static_cast<std::size_t>(e), pattern_.row[e], column, columns);
+  }
 }
 
 /// By fronts.
-void FrontTreeBuilder::sort_entries() {
+void FrontTreeBuilder::sort_rows() {
   std::vector<std::size_t> next(tree_.fronts.size() + 1, 0);
-  for_entries([&](std::uint32_t, auto row, auto column) { ++next[front_of_entry(row, column) + 1]; });
+  for_rows([&](auto, auto row, auto column, auto) { ++next[front_of_entry(row, column) + 1]; });
   std::partial_sum(next.begin(), next.end(), next.begin());
-  for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].entries = next[s];
-  column_.resize(pattern_.entries()), tree_.source.resize(pattern_.entries());
-  for_entries([&](std::uint32_t e, auto row, auto column) {
-    const std::size_t k = next[front_of_entry(row, column)]++;
-    tree_.source[k] = e, column_[k] = column;
-  });
+  for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].rows = next[s];
   Front end;
-  end.entries = pattern_.entries(), end.panels = tree_.panels, end.indices = tree_.other.size();
+  end.rows = next.back(), end.panels = tree_.panels, end.indices = tree_.other.size();
+  tree_.rows.resize(end.rows), row_.resize(end.rows), column_.resize(end.rows);
+  for_rows([&](std::size_t e, auto row, auto column, auto columns) {
+    const std::size_t k = next[front_of_entry(row, column)]++;
+    row_[k] = row, column_[k] = column;
+    tree_.rows[k] = {static_cast<std::uint32_t>(pattern_.slot_of(e)), 0, 0, columns};
+  });
   tree_.fronts.push_back(end);
 }
 
+void FrontTreeBuilder::set_target(const Front& f, std::int32_t row, std::int32_t column,
+                                  ShortRow& entries) const {
+  const std::int32_t i = local_[place_[row]], j = local_[place_[column]];
+  const std::ptrdiff_t left = left_stride(f.pivots, f.others);
+  const bool is_left = j < f.pivots;
+  entries.target = static_cast<std::uint32_t>(
+      is_left ? i + j * left : f.pivots * left + (j - f.pivots) + i * upper_stride(f.others));
+  entries.stride = is_left ? static_cast<std::int32_t>(left) : 1;
+}
+
 void FrontTreeBuilder::find_targets() {
-  tree_.target.resize(pattern_.entries());
   for (std::size_t s = 0; s + 1 < tree_.fronts.size(); ++s) {
     const Front& front = tree_.fronts[s];
     number_locally(front);
-    for (std::size_t k = front.entries; k < tree_.fronts[s + 1].entries; ++k)
-      tree_.target[k] = target_of(front, pattern_.row[tree_.source[k]], column_[k]);
+    for (std::size_t k = front.rows; k < tree_.fronts[s + 1].rows; ++k)
+      set_target(front, row_[k], column_[k], tree_.rows[k]);
   }
-  for (std::uint32_t& entry : tree_.source) entry = static_cast<std::uint32_t>(pattern_.slot_of(entry));
 }
 
 }  // namespace

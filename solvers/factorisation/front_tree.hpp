@@ -18,7 +18,15 @@ struct Front {
   std::size_t indices = 0;   // of the others, in FrontTree::other and FrontTree::place
   std::size_t panels = 0;    // in the factors
   std::size_t update = 0;    // in the stack of its parity
-  std::size_t entries = 0;   // of the matrix, in FrontTree::source and FrontTree::target
+  std::size_t rows = 0;      // of the matrix, in FrontTree::rows
+};
+
+/// Entries of the matrix in one row and in one column, or in the three of a node, whose slots are neighbours.
+struct ShortRow {
+  std::uint32_t slot = 0;    // of the first
+  std::uint32_t target = 0;  // its place in the panels of its front
+  std::int32_t stride = 0;   // from there to the next
+  std::int32_t columns = 1;
 };
 
 /// How a matrix of symmetric pattern is eliminated front by front (Duff and Reid 1983): every front adds up
@@ -33,8 +41,8 @@ struct FrontTree {
   std::vector<std::int32_t> place;    // of each of them among the unknowns of its parent, pivots first
   std::vector<std::int32_t> child_start, child;
   std::vector<std::uint8_t> parity;    // of the depth of each front
-  std::vector<std::uint32_t> source;   // slot of an entry of the pattern ...
-  std::vector<std::uint32_t> target;   // ... and its place in the panels of its front
+  std::vector<std::int32_t> columns;   // the first of those that have their slots side by side, and the end
+  std::vector<ShortRow> rows;          // all entries, by fronts
   std::size_t panels = 0, stack[2]{};  // doubles
   std::int32_t most_unknowns = 0;      // of a front
   double entries = 0, flops = 0;       // of the factors

@@ -60,13 +60,12 @@ class MultifrontalFactorisation final : public Factorisation {
   void forget_room();
   void make_room();
   bool has_room();
-  void list_columns();
   bool take(std::span<const double> values);
   Elimination eliminate_all(std::size_t& front);
   Elimination eliminate(std::size_t front);
   FrontPanels panels_of(std::size_t front);
   double* update_of(std::size_t front);
-  void add_entries(std::size_t front);
+  void set_entries(std::size_t front);
   void add_child(std::size_t child, const FrontPanels& parent, double* parent_update);
   FactorResult hand_over();
   void solve_alone(std::span<double> x);
@@ -82,8 +81,7 @@ class MultifrontalFactorisation final : public Factorisation {
   const SparsePattern* pattern_ = nullptr;
   FrontTree tree_;
   const FrontKernels& kernels_ = front_kernels();
-  std::vector<double> values_;         // by slots
-  std::vector<std::int32_t> columns_;  // the first of those that have their slots side by side, and the end
+  std::vector<double> values_;  // by slots
   Room panels_, updates_[2];
   std::vector<std::int32_t> exchanged_;  // rows, by place
   std::vector<double> by_place_, of_front_, rhs_, residual_, sums_;
@@ -120,30 +118,6 @@ void MultifrontalFactorisation::make_room() {
   for (auto* v : {&by_place_, &rhs_, &residual_, &sums_}) v->resize(size);
   of_front_.assign(static_cast<std::size_t>(tree_.most_unknowns) + kTileRows, 0.0);
   panels_.resize(tree_.panels);
-  list_columns();
-}
-
-/// Three columns of one node stand in the same rows, and their slots are neighbours.
-void MultifrontalFactorisation::list_columns() {
-  const SparsePattern& p = *pattern_;
-  const auto follows = [&](std::int32_t column, std::int32_t first, std::int32_t by) {
-    const std::int32_t begin = p.column_start[column], start = p.column_start[first],
-                       count = p.column_start[first + 1] - start;
-    if (p.column_start[column + 1] - begin != count) return false;
-    for (std::int32_t e = 0; e < count; ++e)
-      if (p.row[begin + e] != p.row[start + e] ||
-          p.slot_of(begin + e) != p.slot_of(start + e) + static_cast<std::size_t>(by))
-        return false;
-    return true;
-  };
-  columns_.clear();
-  for (std::int32_t column = 0; column < p.size;) {
-    columns_.push_back(column);
-    const bool three =
-        column + 2 < p.size && follows(column + 1, column, 1) && follows(column + 2, column, 2);
-    column += three ? 3 : 1;
-  }
-  columns_.push_back(p.size);
 }
 
 bool MultifrontalFactorisation::has_room() {
@@ -205,7 +179,7 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
   double* update = update_of(front);
   std::fill(panels_.at(f.panels), panels_.at(tree_.fronts[front + 1].panels), 0.0);
   std::fill_n(update, f.others * upper_stride(f.others), 0.0);
-  add_entries(front);
+  set_entries(front);
   for (std::int32_t c = tree_.child_start[front]; c < tree_.child_start[front + 1]; ++c)
     add_child(static_cast<std::size_t>(tree_.child[c]), panels, update);
   const Elimination e = kernels_.eliminate(panels, kLeastPivot, exchanged_.data() + f.first);
@@ -213,10 +187,16 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
   return e;
 }
 
-void MultifrontalFactorisation::add_entries(std::size_t front) {
+/// Where they go nothing has been added yet.
+void MultifrontalFactorisation::set_entries(std::size_t front) {
   double* panels = panels_.at(tree_.fronts[front].panels);
-  for (std::size_t k = tree_.fronts[front].entries; k < tree_.fronts[front + 1].entries; ++k)
-    panels[tree_.target[k]] += values_[tree_.source[k]];
+  for (std::size_t k = tree_.fronts[front].rows; k < tree_.fronts[front + 1].rows; ++k) {
+    const ShortRow& row = tree_.rows[k];
+    const double* from = values_.data() + row.slot;
+    double* to = panels + row.target;
+    to[0] = from[0];
+    if (row.columns == 3) to[row.stride] = from[1], to[2 * row.stride] = from[2];
+  }
 }
 
 /// The sum of (1) of the tree.
@@ -314,9 +294,9 @@ void MultifrontalFactorisation::subtract_columns(std::int32_t column, std::span<
 /// b − A x, and (2).
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
   for (std::size_t i = 0; i < rhs.size(); ++i) residual_[i] = rhs[i], sums_[i] = std::abs(rhs[i]);
-  for (std::size_t k = 0; k + 1 < columns_.size(); ++k) {
-    const std::int32_t column = columns_[k];
-    if (columns_[k + 1] == column + 3)
+  for (std::size_t k = 0; k + 1 < tree_.columns.size(); ++k) {
+    const std::int32_t column = tree_.columns[k];
+    if (tree_.columns[k + 1] == column + 3)
       subtract_columns<3>(column, x);
     else
       subtract_columns<1>(column, x);

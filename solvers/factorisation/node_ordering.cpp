@@ -54,8 +54,12 @@ NodeOrdering order_by(OrderingMethod method, NodeGraph& graph) {
 }  // namespace
 
 NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method, LargeNets large) {
-  const SingleThreadScope single_thread;
   NodeGraph graph = make_node_graph(pattern);
+  return order_nodes(graph, method, large);
+}
+
+NodeOrdering order_nodes(NodeGraph& graph, OrderingMethod method, LargeNets large) {
+  const SingleThreadScope single_thread;
   if (method != OrderingMethod::best) return order_by(method, graph);
   NodeOrdering amd = order_by(OrderingMethod::amd, graph);
   if (graph.size < large.nodes) return amd;

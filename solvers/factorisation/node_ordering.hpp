@@ -8,6 +8,8 @@
 
 namespace netloft {
 
+struct NodeGraph;
+
 /// `dissection`: METIS's separators one by one, then within and between them by constrained minimum degree.
 enum class OrderingMethod { best, amd, metis, dissection };
 
@@ -29,6 +31,9 @@ struct LargeNets {
 /// are not large AMD's.
 /// Throws std::runtime_error when the memory runs out.
 NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method = OrderingMethod::best,
+                         LargeNets large = {});
+/// The same of a graph that is there already.
+NodeOrdering order_nodes(NodeGraph& graph, OrderingMethod method = OrderingMethod::best,
                          LargeNets large = {});
 
 }  // namespace netloft
