@@ -19,22 +19,24 @@ class TileRows {
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
 
-  /// Zeros for the next tile, also where a term wrote beyond the last lane of a tile that is not full.
+  /// Zeros for the next tile.
   void clear() {
-    std::fill_n(all_.data(), rows_ * kWidth, 0.0);
+    for (std::size_t row = 0; row < rows_; ++row) std::fill_n(all_.data() + row * kWidth, lanes_, 0.0);
     rows_ = 0;
   }
   /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a
-  /// tile.
+  /// tile. What a term wrongly wrote beyond the last lane of an earlier tile is gone before it is seen.
   double* open(std::size_t rows, std::size_t lanes) {
-    rows_ = std::max(rows_, rows), lanes_ = lanes;
+    for (std::size_t row = 0; lanes > lanes_ && row < opened_; ++row)
+      std::fill_n(all_.data() + row * kWidth + lanes_, lanes - lanes_, 0.0);
+    rows_ = std::max(rows_, rows), opened_ = std::max(opened_, rows), lanes_ = lanes;
     return all_.data();
   }
   /// Whether this tile has added nothing.
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)
       if (!is_zero(all_.data() + row * kWidth)) return false;
-    if (lanes_ == kWidth) rows_ = 0;
+    rows_ = 0;
     return true;
   }
 
@@ -54,7 +56,8 @@ class TileRows {
   }
 
   std::vector<double> all_;
-  std::size_t rows_ = 0, lanes_ = 0;  // beyond these all is zero
+  std::size_t rows_ = 0, lanes_ = 0;  // beyond these all should be zero
+  std::size_t opened_ = 0;            // most rows so far
 };
 
 }  // namespace netloft

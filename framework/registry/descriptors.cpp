@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <set>
+#include <string_view>
 
 namespace netloft {
 
@@ -129,8 +130,9 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
         who + " offers a convex part or a metric, which are symmetric, and is not symmetric itself");
     faults.require(!(t.traits & NETLOFT_READS_STATE) || e.element.state_width > 0,
                    who + " reads a state, but the element remembers nothing");
-    faults.require(!t.needs || has_earlier_real(e.parameters, e.parameters.size(), t.needs),
-                   who + " needs the parameter \"" + shown(t.needs) + "\", which the element does not have");
+    for (const auto& name : names_needed_by(t))
+      faults.require(has_earlier_real(e.parameters, e.parameters.size(), name),
+                     who + " needs the parameter \"" + name + "\", which the element does not have");
   }
 }
 
@@ -251,6 +253,16 @@ PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file,
                  "holds no element, no solver, no law and no integrator");
   faults.raise();
   return content;
+}
+
+std::vector<std::string> names_needed_by(const netloft_term& term) {
+  std::vector<std::string> names;
+  for (std::string_view rest = term.needs ? term.needs : ""; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    if (end > 0) names.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return names;
 }
 
 }  // namespace netloft

@@ -99,4 +99,7 @@ struct PluginContent {
 /// Throws PluginRefused with one sentence per fault found.
 PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem);
 
+/// The parameters one of which a term needs: none, one or some.
+std::vector<std::string> names_needed_by(const netloft_term& term);
+
 }  // namespace netloft

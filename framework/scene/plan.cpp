@@ -50,9 +50,23 @@ FamilyPlan& family_of(std::vector<FamilyPlan>& families, const Scene& scene, con
   return families.back();
 }
 
-bool any_part_sets(const char* name, const FamilyPlan& family, const Scene& scene) {
+bool any_part_sets(std::string_view name, const FamilyPlan& family, const Scene& scene) {
   return std::any_of(family.parts.begin(), family.parts.end(),
                      [&](std::uint32_t part) { return sets(scene.parts[part], *family.type, name); });
+}
+
+/// The first of the parameters that a term needs which any part sets; empty if none does.
+std::string first_set(const netloft_term& term, const FamilyPlan& family, const Scene& scene) {
+  for (const auto& name : names_needed_by(term))
+    if (any_part_sets(name, family, scene)) return name;
+  return "";
+}
+
+/// "EA and EA_compression are zero"
+std::string all_are_zero(const std::vector<std::string>& names) {
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += " and " + names[i];
+  return text + (names.size() > 1 ? " are zero" : " is zero");
 }
 
 /// Which numbers the elements of a part share and do not know.
@@ -73,8 +87,9 @@ void check_globals(const FamilyPlan& family, const Plan& plan, const Scene& scen
 
 TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene& scene, AnalysisKind kind) {
   TermPlan plan{term.name, term.doc, term.traits, false, ""};
-  if (term.needs && !any_part_sets(term.needs, family, scene))
-    plan.reason = std::string(term.needs) + " is zero";
+  const std::string set = term.needs ? first_set(term, family, scene) : "";
+  if (term.needs && set.empty())
+    plan.reason = all_are_zero(names_needed_by(term));
   else if ((term.traits & NETLOFT_NEEDS_GRAVITY) && scene.water.gravity == 0)
     plan.reason = "no gravity in the scene";
   else if ((term.traits & NETLOFT_NEEDS_FLOW) && !meets_flow(scene, kind))
@@ -82,8 +97,7 @@ TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene&
   else if ((term.traits & NETLOFT_NEEDS_MOTION) && kind == AnalysisKind::statics)
     plan.reason = "the analysis is static";
   else
-    plan.on = true,
-    plan.reason = term.needs ? std::string(term.needs) + " is set" : "the scene has what it needs";
+    plan.on = true, plan.reason = term.needs ? set + " is set" : "the scene has what it needs";
   return plan;
 }
 
@@ -148,7 +162,7 @@ std::vector<std::string> unused_plugins(const Plan& plan, const Registry& regist
 namespace {
 
 /// Not given, and nothing by default.
-bool is_left_out(const Part& part, const ElementType& type, const char* parameter) {
+bool is_left_out(const Part& part, const ElementType& type, std::string_view parameter) {
   for (const auto& p : type.parameters)
     if (std::string_view(p.name) == parameter)
       return p.kind == NETLOFT_REAL && p.fallback == 0 && !p.fallback_of && !part.parameters.contains(p.name);
@@ -157,8 +171,10 @@ bool is_left_out(const Part& part, const ElementType& type, const char* paramete
 
 }  // namespace
 
-bool sets(const Part& part, const ElementType& type, const char* parameter) {
+bool sets(const Part& part, const ElementType& type, std::string_view parameter) {
   if (is_left_out(part, type, parameter)) return false;
+  if (const auto given = part.parameters.find(std::string(parameter)); given != part.parameters.end())
+    if (const auto* number = std::get_if<double>(&given->second)) return *number != 0;
   std::vector<std::string> faults;
   const ParameterBlock block(type.parameters, type.element.parameter_bytes, part.parameters, faults);
   for (const auto& p : type.parameters)

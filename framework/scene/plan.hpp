@@ -66,7 +66,7 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent = T
 std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry);
 
 /// Whether a part has a real parameter that is not zero.
-bool sets(const Part& part, const ElementType& type, const char* parameter);
+bool sets(const Part& part, const ElementType& type, std::string_view parameter);
 
 /// "conservative, symmetric, constant"
 std::string describe_traits(std::uint32_t traits);

@@ -25,7 +25,8 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
   net.data("parallel", &Net::Data::parallel, "1", "twines side by side that the bar stands for");
   net.term<Net::Elastic,
            netloft::conservative | netloft::symmetric | netloft::has_convex | netloft::has_metric>(
-      "elastic", "tension of the twines, and their small resistance when slack");
+      "elastic", "tension of the twines, and their small resistance when slack",
+      "twine.EA twine.EA_compression");
   net.term<Net::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
                             netloft::needs_gravity>("weight", "weight in water of the unstretched twines");
   net.term<Net::Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow>(

@@ -43,7 +43,8 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched bar, from knot to knot");
   t.term<Triangle::Elastic,
          netloft::conservative | netloft::symmetric | netloft::has_convex | netloft::has_metric>(
-      "elastic", "tension of the twines, and their small resistance when slack");
+      "elastic", "tension of the twines, and their small resistance when slack",
+      "twine.EA twine.EA_compression");
   t.term<Triangle::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
                                netloft::needs_gravity>("weight", "weight in water of the unstretched twines");
   constexpr auto of_angle = netloft::conservative | netloft::symmetric | netloft::has_convex;

@@ -37,7 +37,7 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
   bar.term<Bar::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
                              netloft::has_metric | netloft::reads_time>(
-      "elastic", "tension of the rope, and its small resistance when slack");
+      "elastic", "tension of the rope, and its small resistance when slack", "rope.EA rope.EA_compression");
   bar.term<Bar::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
                             netloft::needs_gravity | netloft::reads_time>(
       "weight", "weight in water of the unstretched rope");

@@ -320,7 +320,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     add_datum(name, unit, doc, offset_of(member), Width);
   }
 
-  /// A term. `needs` names a parameter that must differ from zero for the term to act.
+  /// A term. `needs` names parameters, a space between two, one of which must differ from zero for the term
+  /// to act.
   template <class T, std::uint32_t Traits = 0>
   void term(const char* name, const char* doc, const char* needs = nullptr) {
     constexpr std::uint32_t traits =

@@ -167,7 +167,8 @@ typedef struct netloft_term {
   uint32_t size;
   uint32_t traits;
   const char *name, *doc;
-  const char* needs; /* a real parameter that must differ from zero for the term to act, or null */
+  const char* needs; /* real parameters, one of which must differ from zero for the term to act, a space
+                        between two; or null */
   int (*evaluate)(const void* self, netloft_tile* tile);
 } netloft_term;
 

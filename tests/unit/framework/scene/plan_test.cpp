@@ -30,6 +30,21 @@ TEST(Plan, CountsWhatThereIsToSolve) {
   EXPECT_TRUE(plan.conservative);
 }
 
+// A rope may bear when pulled, when pressed, or not at all.
+TEST(Plan, EvaluatesATermIfOneOfTheParametersThatItNeedsIsSet) {
+  const auto elastic = [](double EA, double EA_compression) {
+    Sketch s;
+    Part& rope = s.rope("rope", {s.node(0, 0, 0, kAllAxes), s.node(1, 0, 0)}, 1, EA);
+    rope.parameters["rope.EA_compression"] = EA_compression;
+    return term(make_plan(s.scene, plugins()), "rope/bar", "elastic");
+  };
+  EXPECT_TRUE(elastic(1e4, 0).on);
+  EXPECT_TRUE(elastic(0, 1e4).on);
+  EXPECT_EQ(elastic(0, 1e4).reason, "rope.EA_compression is set");
+  EXPECT_FALSE(elastic(0, 0).on);
+  EXPECT_EQ(elastic(0, 0).reason, "rope.EA and rope.EA_compression are zero");
+}
+
 TEST(Plan, MakesOneFamilyOfPartsOfOneType) {
   Sketch s;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0), c = s.node(2, 0, 0);
