@@ -51,6 +51,17 @@ TEST(TileRows, BeginCleanAfterATileThatAddedNothing) {
   EXPECT_TRUE(rows.is_zero());
 }
 
+// A plugin must not; its mistake stays with the tile that it made it in.
+TEST(TileRows, ForgetWhatWasWrittenBeyondTheLastLane) {
+  TileRows rows(2);
+  rows.open(2, 3)[kWidth + 5] = 7;
+  rows.clear();
+  rows.open(1, 2);
+  rows.clear();
+  EXPECT_EQ(rows.open(2, 8)[kWidth + 5], 0);
+  EXPECT_TRUE(rows.is_zero());
+}
+
 TEST(TileRows, KeepWhatSeveralTermsOfATileAdd) {
   TileRows rows(3);
   rows.open(3, 2)[2 * kWidth + 1] += 1;

@@ -11,16 +11,18 @@ namespace {
 /// Counts what is asked of it.
 class Counting final : public Factorisation {
  public:
-  Counting(int& analyses, double entries) : analyses_(analyses), entries_(entries) {}
+  Counting(int& analyses, double entries, const FactorStatus& status)
+      : analyses_(analyses), entries_(entries), status_(status) {}
   std::string description() const override { return "counting"; }
   void analyse(const SparsePattern&) override { ++analyses_; }
-  FactorResult factorise(std::span<const double>) override { return {}; }
+  FactorResult factorise(std::span<const double>) override { return {status_}; }
   void solve(std::span<const double>, std::span<double>) override {}
   double factor_entries() const override { return entries_; }
 
  private:
   int& analyses_;
   double entries_;
+  const FactorStatus& status_;
 };
 
 SparsePattern diagonal(std::int32_t size) {
@@ -34,12 +36,14 @@ SparsePattern diagonal(std::int32_t size) {
 
 struct Kept {
   explicit Kept(double entries = 1)
-      : make(keep_analyses(
-            [this, entries](MatrixClass) { return std::make_unique<Counting>(analyses, entries); })) {}
+      : make(keep_analyses([this, entries](MatrixClass) {
+          return std::make_unique<Counting>(analyses, entries, status);
+        })) {}
   void analyse(std::int32_t size, MatrixClass kind = MatrixClass::unsymmetric) {
     make(kind)->analyse(diagonal(size));
   }
   int analyses = 0;
+  FactorStatus status = FactorStatus::ok;
   MakeFactorisation make;
 };
 
@@ -71,6 +75,24 @@ TEST(KeptAnalyses, AreGivenUpWhereTheFactorIsLarge) {
   kept.analyse(6);
   kept.analyse(6);
   EXPECT_EQ(kept.analyses, 2);
+}
+
+// MUMPS may have asked for more and more room before it failed.
+TEST(KeptAnalyses, AreGivenUpAfterAFactorisationThatFailed) {
+  for (const auto& [status, analyses] : {std::pair{FactorStatus::out_of_memory, 2},
+                                         {FactorStatus::failed, 2},
+                                         {FactorStatus::singular, 2},
+                                         {FactorStatus::not_positive_definite, 1},
+                                         {FactorStatus::ok, 1}}) {
+    Kept kept;
+    kept.status = status;
+    for (int time = 0; time < 2; ++time) {
+      const auto factorisation = kept.make(MatrixClass::unsymmetric);
+      factorisation->analyse(diagonal(3));
+      EXPECT_EQ(factorisation->factorise({}).status, status);
+    }
+    EXPECT_EQ(kept.analyses, analyses);
+  }
 }
 
 TEST(KeptAnalyses, SolveAsFreshOnesDo) {
