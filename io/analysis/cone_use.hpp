@@ -10,7 +10,8 @@ namespace netloft::io {
 ///              and frames carry nodes; or things stick and slide
 ///   as_a_way   after some others: members stretch much, so that coarser meshes lead better, or stand by
 ///              themselves when pressed
-///   first      a net in a current, which gives what is slack its place; or nothing else of these
+///   first      a net in a current, which gives what is slack its place; or members that bear tension only,
+///              or hardly stretch and bear next to nothing when pressed
 enum class ConeUse { never, as_a_way, first };
 
 ConeUse use_of_cones(const Scene& scene, Registry& registry, Assembler& assembler);
