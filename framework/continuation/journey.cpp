@@ -12,10 +12,6 @@ namespace netloft {
 
 namespace {
 
-// An easier scene only gives a start: it need not be exact.
-constexpr double kLegTolerance = 1e-4;
-// Relaxation only brings near; where things stick and slide, so near that they do so no longer.
-constexpr double kRelaxed = 1e-2, kRelaxedToStick = 1e-5;
 // The scene itself is given up for a detour after so many iterations; after the last one only by the user.
 constexpr int kFirstIterations = 300;
 // Where the stiffest part could carry all of the load with a stretch below the first of these, the way from
@@ -23,39 +19,28 @@ constexpr int kFirstIterations = 300;
 // third one it comes first, unless the start is near.
 constexpr double kRatherStiff = 1e-2, kStiff = 1e-3, kVeryStiff = 1e-4;
 constexpr int kFewIterations = 60;
-// Stiffness grows from so many times the largest load, tenfold at first; after stages of few iterations by
-// larger steps, after one that does not arrive by smaller ones. What stands at a saddle goes back so far.
-constexpr double kStiffer = 10, kSoftest = 30, kMostStiffer = 100, kLeastStiffer = 1.3, kBack = 1e-3;
-constexpr int kShortStage = 15, kLongStage = 200;
-constexpr double kWeakest = 1e-9;
-// A ramp of the current gives up at steps of this share.
-constexpr double kShortestRamp = 1.0 / 64;
 // Detours may cost so many times the first attempt, and at least so many seconds: what has no equilibrium
 // should hear of it soon.
 constexpr double kPatience = 12, kLeastPatience = 1;
 // One easier scene may cost so many times the first attempt, and at least so many seconds.
 constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
-// Whoever is to leave a saddle is shaken by this share of an element's size; whoever may stand otherwise, by
-// this one.
-constexpr double kLeaveShare = 0.02, kLookShare = 1;
+// Whoever may stand otherwise is shaken by this share of an element's size.
+constexpr double kLookShare = 1;
 // Where it is known what grows, there are two sides to leave to, and one saddle may lead to another.
 constexpr int kTimesAside = 2;
 // A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
 constexpr double kNearly = 1e-5;
-// A residual of this share of the largest load: as many iterations again may well be enough.
+// A residual of this share of the largest load: as many iterations again may well be enough; so often from
+// an own start, as long as they bring it on.
 constexpr double kOnItsWay = 0.03;
+constexpr int kTimesFurther = 5;
 // Unasked, other shapes are looked for after so many iterations, so often, while all iterations times
 // unknowns are no more than the first of these; after less where there may well be others, while they are no
 // more than the second one.
 constexpr double kLongWay = 100, kLookWork = 1e7, kShortLookWork = 3e6;
 constexpr int kOwnLooks = 6;
-// The motion may take so many steps, and so much of the time that all ways together are worth.
-constexpr int kMotionSteps = 2000;
-constexpr double kMotionPatience = 0.4;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
-
-bool is_near(const Solution& s) { return has_arrived(s) || s.status == SolveStatus::unstable; }
 
 /// Where forces balance, or nearly, and no step downhill is seen for symmetry.
 bool is_at_saddle(const Solution& s) {
@@ -71,7 +56,7 @@ bool is_on_its_way(const Solution& s) {
 /// Of two that did not arrive the one to tell of: a stationary point before anything else, then the smaller
 /// residual.
 bool is_better(const Solution& a, const Solution& b) {
-  if (is_near(a) != is_near(b)) return is_near(a);
+  if (is_stationary(a) != is_stationary(b)) return is_stationary(a);
   return a.balance.residual / a.balance.scale < b.balance.residual / b.balance.scale;
 }
 
@@ -108,11 +93,7 @@ Solution Journey::arrive(Displacements start) {
   const bool goes_on = best.books.iterations >= limits.iterations && is_on_its_way(best);
   if (!options_.own_start.soon) leave_saddles(best, ways[0].name, limits);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
-  if (goes_on) {
-    const std::string name = std::string(ways[0].name) + ", further";
-    keep_better(best, options_.own_start.soon ? solve_itself(name, best.u, limits)
-                                              : solve_itself_off_saddles(name, best.u, limits));
-  }
+  if (goes_on) go_further(best, std::string(ways[0].name) + ", further", limits);
   for (std::size_t i = 1; i < ways.size() && !has_arrived(best) && !out_of_time(); ++i)
     if (const auto nearer = (this->*ways[i].to)(start, best))
       keep_better(best, solve_itself_off_saddles(ways[i].name, *nearer, limits));
@@ -159,11 +140,30 @@ bool Journey::sticks() const { return options_.detours && !assembler_.memory().e
 
 bool Journey::is_stiff() const { return options_.detours && stretch_ < kStiff; }
 
+/// From where it is.
+void Journey::go_further(Solution& best, const std::string& name, const Limits& limits) {
+  if (!options_.own_start.soon) return keep_better(best, solve_itself_off_saddles(name, best.u, limits));
+  Solution last = best;
+  for (int times = 0; times < kTimesFurther && !out_of_time(); ++times) {
+    Solution next = solve_itself(name, last.u, limits);
+    const bool goes_on =
+        next.books.iterations >= limits.iterations && is_on_its_way(next) && comes_on(next, last);
+    last = next;
+    keep_better(best, std::move(next));
+    if (!goes_on) break;
+  }
+}
+
+/// By its energy; the residual flickers where many members are just taut.
+bool Journey::comes_on(const Solution& now, const Solution& before) const {
+  return is_conservative_ ? now.energy < before.energy : now.balance.residual < before.balance.residual;
+}
+
 /// Others may cost a multiple of the first attempt, with what led to its start; of one that had few
 /// iterations or ended near, as if it had had some more.
 void Journey::be_patient(const Solution& first, const Limits& limits) {
   const int iterations = first.books.iterations;
-  const bool is_short = is_near(first) || iterations >= limits.iterations;
+  const bool is_short = is_stationary(first) || iterations >= limits.iterations;
   const double share =
       is_short ? double(kFirstIterations) / std::clamp(iterations, kFewIterations, kFirstIterations) : 1;
   double first_attempt = 0;
@@ -177,12 +177,12 @@ void Journey::be_patient(const Solution& first, const Limits& limits) {
 /// all the iterations that the user allows.
 void Journey::try_once_more(Solution& best, const Displacements& start, const Limits& before) {
   if (!options_.detours) return;
-  const auto relaxation = !is_near(best) && !out_of_time() ? other_solver("relaxation") : std::nullopt;
+  const auto relaxation = !is_stationary(best) && !out_of_time() ? other_solver("relaxation") : std::nullopt;
   if (relaxation)
     keep_better(best, solve_itself("by relaxation", *relaxation, relaxed_.empty() ? start : relaxed_,
                                    options_.limits));
   if (has_arrived(best) || out_of_time() || options_.limits.iterations <= before.iterations) return;
-  const Displacements from = is_near(best) ? shaken(best.u, kLeaveShare) : best.u;
+  const Displacements from = is_stationary(best) ? shaken(best.u, kLeaveShare) : best.u;
   keep_better(best, solve_itself_off_saddles("once more", from, options_.limits));
 }
 
@@ -243,144 +243,6 @@ void Journey::leave_saddles(Solution& s, const std::string& name, const Limits& 
     if (times > 0 && (times == kTimesAside || s.growing.empty())) break;
     keep_better(s, solve_itself(name + ", shaken", away_from(s), limits));
   }
-}
-
-/// From a little aside of a saddle, where forces have no energy, to where that moves; else there itself, or
-/// if it is stiff, by way of softer ones. Whoever only looks has no time to move.
-Journey::Displacements Journey::away_from(const Solution& saddle) {
-  Displacements aside = saddle.growing.empty() ? shaken(saddle.u, kLeaveShare) : grown(saddle);
-  if (!is_conservative_ && may_move_)
-    if (const auto moved = move(aside)) return moved->u;
-  if (!is_conservative_ || !is_stiff()) return aside;
-  const double stiffest = largest_stiffness(scene_, registry_);
-  return stiffened(std::move(aside), kBack * stiffest, stiffest);
-}
-
-std::optional<Journey::Displacements> Journey::over_nothing(const Displacements& start, const Solution&) {
-  return start;
-}
-
-/// A start without forces shows no way.
-std::optional<Journey::Displacements> Journey::over_shaking(const Displacements& start,
-                                                            const Solution& best) {
-  if (best.balance.scale > 0) return {};
-  Displacements u = start;
-  u.resize(best.u.size());
-  return shaken(std::move(u), kLeaveShare);
-}
-
-/// Every unknown aside by up to a share of an element's size, by fractions of multiples of the golden ratio:
-/// no symmetry survives it.
-Journey::Displacements Journey::shaken(Displacements u, double share) const {
-  constexpr double kGolden = 0.61803398874989485, kSilver = 0.41421356237309505;
-  const double size = StaticProblem(assembler_, options_.make, options_.limits).element_size();
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const double multiple = kGolden * static_cast<double>(i + 1) + kSilver * turn_;
-    u[i] += share * size * (2 * (multiple - std::floor(multiple)) - 1);
-  }
-  return u;
-}
-
-std::optional<Journey::Displacements> Journey::over_own_start(const Displacements& start, const Solution&) {
-  return options_.own_start.find(start, seconds_left(), legs_);
-}
-
-/// Aside along what grows, by a share of an element's size; the next time to the other side.
-Journey::Displacements Journey::grown(const Solution& s) {
-  double largest = 0;
-  for (const double g : s.growing) largest = std::max(largest, std::abs(g));
-  const double size = StaticProblem(assembler_, options_.make, options_.limits).element_size();
-  if (!(largest > 0) || !std::isfinite(largest)) return shaken(s.u, kLeaveShare);
-  side_ = -side_;
-  const double share = side_ * kLeaveShare * size / largest;
-  Displacements u = s.u;
-  for (std::size_t i = 0; i < u.size(); ++i) u[i] += share * s.growing[i];
-  return u;
-}
-
-std::optional<Journey::Displacements> Journey::over_tension_only(const Displacements& start,
-                                                                 const Solution&) {
-  const auto easier = without_compression(scene_, registry_);
-  if (!easier) return {};
-  return solve_leg("tension only", *easier, options_.solver, start, kLegTolerance).u;
-}
-
-std::optional<Journey::Displacements> Journey::over_stiffness(const Displacements& start, const Solution&) {
-  const double stiffest = largest_stiffness(scene_, registry_);
-  const double load = StaticProblem(assembler_, options_.make, options_.limits).driving_load().largest;
-  const double softest = std::max(kSoftest * load, kWeakest * stiffest);
-  if (stiffest <= softest) return {};
-  return stiffened(start, softest, stiffest);
-}
-
-/// From where all stiffness is at most `cap` to where it is just below `stiffest` [N].
-Journey::Displacements Journey::stiffened(Displacements u, double cap, double stiffest) {
-  double done = 0;
-  for (double factor = kStiffer; cap < stiffest && !out_of_time(); cap = done * factor) {
-    const Solution s = solve_stage(u, cap);
-    if (is_near(s)) {
-      u = s.u, done = cap;
-      if (s.books.iterations <= kShortStage) factor = std::min(factor * std::sqrt(kStiffer), kMostStiffer);
-    } else if (done == 0 || (factor = std::sqrt(factor)) < kLeastStiffer) {
-      return s.u;
-    }
-  }
-  return u;
-}
-
-/// What is pressed may give way while it is soft.
-Solution Journey::solve_stage(const Displacements& start, double cap) {
-  const std::string name = "stiffness up to " + std::to_string(std::llround(cap)) + " N";
-  const Scene softer = softened(scene_, registry_, cap);
-  const Solution s = solve_leg(name, softer, options_.solver, start, kLegTolerance, kLongStage);
-  if (s.status != SolveStatus::unstable) return s;
-  return solve_leg(name + ", shaken", softer, options_.solver, shaken(s.u, kLeaveShare), kLegTolerance);
-}
-
-std::optional<Journey::Displacements> Journey::over_current(const Displacements& start, const Solution&) {
-  if (!scene_.current.flows()) return {};
-  Displacements u =
-      solve_leg("still water", with_current(scene_, 0), options_.solver, start, kLegTolerance).u;
-  double share = 0, step = 0.25;
-  while (share + step < 1 && !out_of_time()) {
-    const Solution s = solve_leg("current x " + std::to_string(share + step),
-                                 with_current(scene_, share + step), options_.solver, u, kLegTolerance);
-    if (is_near(s))
-      share += step, u = s.u, step *= 2;
-    else if ((step *= 0.5) < kShortestRamp)
-      return {};
-  }
-  return u;
-}
-
-std::optional<Journey::Displacements> Journey::over_relaxation(const Displacements& start, const Solution&) {
-  const auto relaxation = other_solver("relaxation");
-  if (!relaxation) return {};
-  if (sticks()) leg_patience_ = patience_;
-  relaxed_ = solve_leg("relaxation", scene_, *relaxation, start, sticks() ? kRelaxedToStick : kRelaxed).u;
-  return relaxed_;
-}
-
-std::optional<Journey::Displacements> Journey::over_motion(const Displacements& start, const Solution&) {
-  const auto s = move(start);
-  if (!s) return {};
-  moved_ = is_near(*s) ? Displacements{} : s->u;
-  return s->u;
-}
-
-/// To where it comes to rest when nothing but its linear stiffness resists it.
-std::optional<Solution> Journey::move(const Displacements& start) {
-  auto motion = other_solver("ptc");
-  if (!motion) return {};
-  motion->parameters["method"] = std::string("implicit");
-  const double before = std::exchange(leg_patience_, kMotionPatience * patience_);
-  Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance, kMotionSteps);
-  leg_patience_ = before;
-  return s;
-}
-
-std::optional<Journey::Displacements> Journey::over_more_motion(const Displacements&, const Solution& best) {
-  return moved_.empty() ? std::nullopt : over_motion(Displacements(moved_), best);
 }
 
 std::optional<SolverUse> Journey::other_solver(const std::string& name) const {

@@ -78,6 +78,8 @@ class Journey {
   bool is_stiff() const;
   bool sticks() const;
   void be_patient(const Solution& first, const Limits& limits);
+  void go_further(Solution& best, const std::string& name, const Limits& limits);
+  bool comes_on(const Solution& now, const Solution& before) const;
   void try_once_more(Solution& best, const Displacements& start, const Limits& before);
 
   std::optional<Displacements> over_nothing(const Displacements& start, const Solution& best);
@@ -114,6 +116,9 @@ class Journey {
   double patience_left() const;
   bool out_of_time() const;
   Solution finish(Solution solution) const;
+
+  // Whoever is to leave a saddle is shaken by this share of an element's size.
+  static constexpr double kLeaveShare = 0.02;
 
   const Scene& scene_;
   Assembler& assembler_;

@@ -52,6 +52,11 @@ struct Solution {
   Shapes shapes;
 };
 
+/// Forces balance there, whether or not it is stable.
+inline bool is_stationary(const Solution& s) {
+  return s.status == SolveStatus::converged || s.status == SolveStatus::unstable;
+}
+
 /// Lets `solver` find the static equilibrium of the assembled scene, from displacements `start` of the
 /// unknowns (empty: from the scene's own start), recomputes the residual where it ended and judges it. How
 /// far from the equilibrium a balanced point is estimated to be, says `correction`. A stationary point whose

@@ -264,7 +264,7 @@ std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, cons
                               .seconds = limits.seconds,
                               .interrupt = watch.interrupt,
                               .on_iteration = watch.on_iteration}));
-  if (legs.back().status != SolveStatus::converged) return {};
+  if (!cones.is_near()) return {};
   return assembler_->displacements(cones.positions());
 }
 

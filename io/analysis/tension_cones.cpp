@@ -13,6 +13,8 @@ namespace {
 constexpr double kRoom = 0.1;  // of z0 above what it must at least be, at the start
 constexpr double kToBoundary = 0.98;
 constexpr double kForces = 1e-6;  // largest force that may be left over the first tension
+// What is left of both over the first tension, where a solver may go on.
+constexpr double kNear = 1e-5;
 // So many steps in a row of at most this length: it does not come on.
 constexpr double kTiny = 0.02;
 constexpr int kTinySteps = 5;
@@ -55,7 +57,7 @@ Leg TensionCones::solve(const ConeOptions& options) {
     factorisation_->analyse(net_.pattern());
   }
   begin(options.tension);
-  mu_ = options.tension;
+  first_mu_ = mu_ = options.tension;
   damping_ = 0;
   most_pressed_ = net_.pattern().symmetric && some_are_pressed() ? kMostPressed * options.tension : 0;
   for (int tiny = 0; tiny < kTinySteps && assemble(is_indefinite_);) {
@@ -79,6 +81,10 @@ Leg TensionCones::solve(const ConeOptions& options) {
   books_.total_cpu_seconds = books_.solver_cpu_seconds = cpu_seconds() - cpu;
   leg.books = books_;
   return leg;
+}
+
+bool TensionCones::is_near() const {
+  return mu_ <= kNear * first_mu_ && largest_of({residual_.data(), net_.unknowns()}) <= kNear * first_mu_;
 }
 
 /// On the path of (2), wherever the nodes are; (1) need not hold.

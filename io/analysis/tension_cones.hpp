@@ -50,6 +50,9 @@ class TensionCones {
   /// From the positions of the scene. Not converged: iterations are spent, or steps have become tiny.
   Leg solve(const ConeOptions& options);
 
+  /// Whether a solver may start from where it ended: little is left, converged or not.
+  bool is_near() const;
+
   /// Positions of the nodes of the scene, 3 each [m].
   std::vector<double> positions() const { return net_.positions(); }
 
@@ -90,7 +93,7 @@ class TensionCones {
   std::vector<MemberNet::Block> blocks_;
   std::vector<MemberNet::Vector> forces_, changes_;
   std::vector<double> residual_, values_, step_;
-  double mu_ = 0, damping_ = 0, most_pressed_ = 0;  // [N]; the last of E_c
+  double first_mu_ = 0, mu_ = 0, damping_ = 0, most_pressed_ = 0;  // [N]; the last of E_c
   bool is_indefinite_ = false;                      // the rest of (3), too
   Books books_;
 };
