@@ -90,8 +90,9 @@ Solution Journey::arrive(Displacements start) {
   const Displacements first = *(this->*ways[0].to)(start, {});
   Solution best = solve_itself(ways[0].name, first, limits);
   be_patient(best, limits);
-  const bool goes_on = best.books.iterations >= limits.iterations && is_on_its_way(best);
-  if (!options_.own_start.soon) leave_saddles(best, ways[0].name, limits);
+  const bool goes_on =
+      best.books.iterations >= limits.iterations && !is_stationary(best) && is_on_its_way(best);
+  if (!goes_on && !options_.own_start.soon) leave_saddles(best, ways[0].name, limits);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
   if (goes_on) go_further(best, std::string(ways[0].name) + ", further", limits);
   for (std::size_t i = 1; i < ways.size() && !has_arrived(best) && !out_of_time(); ++i)
@@ -116,7 +117,7 @@ std::vector<Journey::Way> Journey::ways_from(const Displacements& start) const {
   if (sticks())
     ways.insert(ways.begin() + 1, relaxed);
   else
-    ways.insert(is_conservative_ ? ways.end() : ways.begin() + 1, {moved, moved_on});
+    ways.insert(is_conservative_ || soft_soon ? ways.end() : ways.begin() + 1, {moved, moved_on});
   const OwnStart& own = options_.own_start;
   if (own.find)
     ways.insert(own.soon ? ways.begin() + 1 : ways.end(), {own.name.c_str(), &Journey::over_own_start});

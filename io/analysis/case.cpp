@@ -257,13 +257,15 @@ std::optional<std::vector<double>> Case::start_in_cones(const Watch& watch, cons
     assembler_->place(from, x);
     set_start(scene, positions(x));
   }
-  const double load = load_of(*assembler_);
+  const double wall = wall_seconds(), cpu = cpu_seconds(), load = load_of(*assembler_);
   TensionCones cones(scene, registry_, make_, source_.threads);
   legs.push_back(cones.solve({.tension = load,
                               .iterations = std::min(ConeOptions{}.iterations, limits.iterations),
                               .seconds = limits.seconds,
                               .interrupt = watch.interrupt,
                               .on_iteration = watch.on_iteration}));
+  Books& books = legs.back().books;
+  books.total_seconds = wall_seconds() - wall, books.total_cpu_seconds = cpu_seconds() - cpu;
   if (!cones.is_near()) return {};
   return assembler_->displacements(cones.positions());
 }

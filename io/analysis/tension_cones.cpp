@@ -60,31 +60,40 @@ Leg TensionCones::solve(const ConeOptions& options) {
   first_mu_ = mu_ = options.tension;
   damping_ = 0;
   most_pressed_ = net_.pattern().symmetric && some_are_pressed() ? kMostPressed * options.tension : 0;
-  for (int tiny = 0; tiny < kTinySteps && assemble(is_indefinite_);) {
-    const double left = largest_of({residual_.data(), net_.unknowns()});
-    if (mu_ <= options.tolerance * options.tension && left <= kForces * options.tension) {
-      leg.status = SolveStatus::converged;
-      break;
-    }
-    if (!goes_on(options, left, wall) || !factorise()) break;
-    ++books_.iterations;
-    const double a = step();
-    if (!std::isfinite(a)) break;
-    take(a);
-    adapt(a, options.tension);
-    tiny = a <= kTiny ? tiny + 1 : 0;
-  }
-  char reason[64];
-  std::snprintf(reason, sizeof reason, "tension still to be told from slackness %.2g N", mu_);
-  leg.reason = reason;
+  const std::string ending = run(options, wall);
+  if (ending.empty()) leg.status = SolveStatus::converged;
+  char rest[96];
+  std::snprintf(rest, sizeof rest, "largest residual %.3g N, tension still to be told from slackness %.2g N",
+                largest_residual(), mu_);
+  leg.reason = ending.empty() ? rest : ending + "; " + rest;
   books_.total_seconds = wall_seconds() - wall;
   books_.total_cpu_seconds = books_.solver_cpu_seconds = cpu_seconds() - cpu;
   leg.books = books_;
   return leg;
 }
 
+/// Until tension is told from slackness; else what ended it.
+std::string TensionCones::run(const ConeOptions& options, double begun) {
+  for (int tiny = 0; tiny < kTinySteps;) {
+    if (!assemble(is_indefinite_)) return "forces are no numbers";
+    if (mu_ <= options.tolerance * options.tension && largest_residual() <= kForces * options.tension)
+      return "";
+    if (const std::string why = called_off(options, begun); !why.empty()) return why;
+    if (!factorise()) return "no factorisation";
+    ++books_.iterations;
+    const double a = step();
+    if (!std::isfinite(a)) return "a step is no number";
+    take(a);
+    adapt(a, options.tension);
+    tiny = a <= kTiny ? tiny + 1 : 0;
+  }
+  return "steps have become tiny";
+}
+
+double TensionCones::largest_residual() const { return largest_of({residual_.data(), net_.unknowns()}); }
+
 bool TensionCones::is_near() const {
-  return mu_ <= kNear * first_mu_ && largest_of({residual_.data(), net_.unknowns()}) <= kNear * first_mu_;
+  return mu_ <= kNear * first_mu_ && largest_residual() <= kNear * first_mu_;
 }
 
 /// On the path of (2), wherever the nodes are; (1) need not hold.
@@ -282,14 +291,16 @@ void TensionCones::adapt(double a, double tension) {
     damping_ = kFall * damping_ < kNoDamping * tension ? 0 : kFall * damping_;
 }
 
-/// Within the limits; tells who looks on.
-bool TensionCones::goes_on(const ConeOptions& options, double left, double begun) {
+/// Which of the limits is reached, empty: none; tells who looks on.
+std::string TensionCones::called_off(const ConeOptions& options, double begun) {
   const double seconds = wall_seconds() - begun;
   if (options.on_iteration)
-    options.on_iteration(
-        {books_.iterations, left, options.tension, 0, books_.factorisations, seconds, "in cones"});
-  return books_.iterations < options.iterations && seconds < options.seconds &&
-         !(options.interrupt && options.interrupt->load());
+    options.on_iteration({books_.iterations, largest_residual(), options.tension, 0, books_.factorisations,
+                          seconds, "in cones"});
+  if (options.interrupt && options.interrupt->load()) return "it was interrupted";
+  if (books_.iterations >= options.iterations)
+    return "the limit of " + std::to_string(options.iterations) + " iterations was reached";
+  return seconds >= options.seconds ? "the time limit was reached" : "";
 }
 
 }  // namespace netloft::io

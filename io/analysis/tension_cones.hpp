@@ -83,7 +83,9 @@ class TensionCones {
   double step();
   void take(double a);
   void adapt(double a, double tension);
-  bool goes_on(const ConeOptions& options, double left, double begun);
+  std::string run(const ConeOptions& options, double begun);
+  std::string called_off(const ConeOptions& options, double begun);
+  double largest_residual() const;
 
   MemberNet net_;
   MakeFactorisation make_;
@@ -94,7 +96,7 @@ class TensionCones {
   std::vector<MemberNet::Vector> forces_, changes_;
   std::vector<double> residual_, values_, step_;
   double first_mu_ = 0, mu_ = 0, damping_ = 0, most_pressed_ = 0;  // [N]; the last of E_c
-  bool is_indefinite_ = false;                      // the rest of (3), too
+  bool is_indefinite_ = false;                                     // the rest of (3), too
   Books books_;
 };
 

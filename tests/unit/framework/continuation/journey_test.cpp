@@ -28,12 +28,13 @@ struct Travelled {
   double away = 0;  // of node 1 from the line [m]
 };
 
-Travelled travel(const Scene& scene, Limits limits = {}, int looks = 0, OwnStart own_start = {}) {
+Travelled travel(const Scene& scene, Limits limits = {}, int looks = 0, OwnStart own_start = {},
+                 const char* solver = "newton") {
   Registry& registry = shipped_plugins();
   const Plan plan = make_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
   JourneyOptions options;
-  options.solver.type = &registry.solver("newton");
+  options.solver.type = &registry.solver(solver);
   options.limits = limits, options.make = make_factorisation, options.looks = looks;
   options.own_start = std::move(own_start);
   Travelled t{Journey(scene, assembler, registry, options).arrive({}), 0};
@@ -152,6 +153,26 @@ TEST(Journey, GoesOnWhereItIsNearlyThereBeforeItTriesOtherWays) {
   EXPECT_EQ(s.legs.back().name, "as it is, further");
 }
 
+int times_further(const Limits& limits, const OwnStart& own) {
+  const Solution s = travel(slack_rope(1e4), limits, 0, own, "lbfgs").solution;
+  return static_cast<int>(std::count_if(s.legs.begin(), s.legs.end(),
+                                        [](const Leg& leg) { return leg.name == "as it is, further"; }));
+}
+
+TEST(Journey, GoesOnFromAnOwnStartAsOftenAsThatBringsItOn) {
+  const OwnStart own{"own", true,
+                     [](const auto&, double, auto&) { return std::optional<std::vector<double>>(); }};
+  const int needed = travel(slack_rope(1e4), {}, 0, {}, "lbfgs").solution.books.iterations;
+  int most = 0;
+  Limits limits;
+  for (limits.iterations = 2; limits.iterations < needed; ++limits.iterations) {
+    most = std::max(most, times_further(limits, own));
+    EXPECT_LE(times_further(limits, {}), 1);
+  }
+  EXPECT_GT(most, 1) << needed;
+  EXPECT_LE(most, 5);
+}
+
 TEST(Journey, TakesTheStartThatItsCallerKnowsBeforeItsOwnWaysIfThatIsToBeSoon) {
   const Scene scene = slack_rope(1e10);
   const std::vector<double> there = travel(scene).solution.u;
@@ -186,6 +207,27 @@ TEST(Journey, MovesOffAPointThatIsNotStableWhereForcesHaveNoEnergy) {
   EXPECT_TRUE(has_leg(s, "motion"));
   EXPECT_TRUE(s.growing.empty()) << "nothing grows any more";
   EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.1, 1e-6) << "it hangs";
+}
+
+/// Of the first leg whose name begins so; that of all if there is none.
+std::size_t place_of(const Solution& s, const std::string& name) {
+  const auto leg =
+      std::find_if(s.legs.begin(), s.legs.end(), [&](const Leg& l) { return l.name.starts_with(name); });
+  return static_cast<std::size_t>(leg - s.legs.begin());
+}
+
+TEST(Journey, MovesWhatIsStiffOnlyAfterItWasSofter) {
+  plugins();
+  Limits few;
+  few.iterations = 2;
+  for (const double EA : {1e2, 1e6}) {
+    Scene scene = slack_rope(EA);
+    scene.parts.push_back(toppling_bar(0).parts.back());  // a force without an energy, here of 0 N
+    const Solution s = travel(scene, few).solution;
+    const std::size_t soft = place_of(s, "stiffness"), motion = place_of(s, "motion");
+    ASSERT_LT(motion, s.legs.size());
+    EXPECT_EQ(soft < motion, EA == 1e6) << EA;
+  }
 }
 
 TEST(Journey, AddsUpWhatAllItsLegsCost) {

@@ -112,7 +112,33 @@ TEST(TensionCones, SayThatTheyHaveNotArrivedWhereIterationsAreSpent) {
   const Found found = find(sample::hanging_panel(8, 30), {.tension = 1000, .iterations = 3});
   EXPECT_EQ(found.leg.status, SolveStatus::not_converged);
   EXPECT_EQ(found.leg.books.iterations, 3);
+  EXPECT_TRUE(found.leg.reason.starts_with("the limit of 3 iterations was reached; largest residual"))
+      << found.leg.reason;
   EXPECT_NE(found.leg.reason.find("slackness"), std::string::npos);
+}
+
+TEST(TensionCones, SayWhoCalledThemOff) {
+  const std::atomic<bool> now = true;
+  const Scene panel = sample::hanging_panel(8, 30);
+  EXPECT_TRUE(
+      find(panel, {.tension = 1000, .interrupt = &now}).leg.reason.starts_with("it was interrupted;"));
+  EXPECT_TRUE(find(panel, {.tension = 1000, .seconds = 0}).leg.reason.starts_with("the time limit was "));
+}
+
+TEST(TensionCones, AreNearWhereLittleIsLeftThoughIterationsAreSpent) {
+  const Scene panel = sample::hanging_panel(8, 30);
+  const int needed = find(panel).leg.books.iterations;
+  bool was_near = false;
+  for (int less = 1; less <= 4; ++less) {
+    TensionCones cones(panel, test::shipped_plugins(), make_factorisation, 1);
+    const Leg leg = cones.solve({.tension = 1000, .iterations = needed - less});
+    EXPECT_EQ(leg.status, SolveStatus::not_converged);
+    was_near = was_near || cones.is_near();
+  }
+  EXPECT_TRUE(was_near);
+  TensionCones begun(panel, test::shipped_plugins(), make_factorisation, 1);
+  begun.solve({.tension = 1000, .iterations = 3});
+  EXPECT_FALSE(begun.is_near());
 }
 
 TEST(TensionCones, RefuseNodesThatMoveOtherwise) {
