@@ -29,10 +29,11 @@ bool bears_tension_mainly(const std::vector<AxialMember>& members, double load) 
 ConeUse use_of_cones(const Scene& scene, Registry& registry, Assembler& assembler) {
   if (!scene.bodies.empty() || !scene.frames.empty() || !assembler.memory().empty()) return ConeUse::never;
   const auto members = axial_members(scene, registry);
-  if (members.size() <= static_cast<std::size_t>(assembler.pattern().size)) return ConeUse::never;
   const double load = load_of(assembler);
-  if (load == 0) return ConeUse::never;
-  return scene.current.flows() || bears_tension_mainly(members, load) ? ConeUse::first : ConeUse::as_a_way;
+  if (members.empty() || load == 0) return ConeUse::never;
+  const bool may_be_slack = members.size() > static_cast<std::size_t>(assembler.pattern().size);
+  const bool first = scene.current.flows() ? may_be_slack : bears_tension_mainly(members, load);
+  return first ? ConeUse::first : ConeUse::as_a_way;
 }
 
 double load_of(Assembler& assembler) {

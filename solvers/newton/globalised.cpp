@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace netloft::newton {
@@ -25,6 +26,8 @@ constexpr double kLargestDamping = 64, kSmallestDamping = 1e-12;
 // K is hardly indefinite where a σ between the latter two makes it positive definite; only asked where
 // damping is below the first, or no step leads on.
 constexpr double kHardlyDamped = 1e-6, kLeastSigma = 1e-7, kMostSigma = 1e-4;
+// So many steps in a row that promise no less to gain than before: (8) leads nowhere.
+constexpr int kStalled = 5;
 
 class Globalised {
  public:
@@ -121,20 +124,26 @@ class Globalised {
       return false;
     if (problem_.factorise(Matrix::exact, 0) == Factor::ok) {
       solve_for_step();
-      if (problem_.step_length(s_) > 1) return false;
       move_trial(1);
-      if (!accept_blindly(0.25) && !accept_shortening()) return false;
+      const bool is_short = problem_.step_length(s_) <= 1;
+      if (!(is_short && (accept_blindly(0.25) || accept_shortening())) &&
+          !accept_by_slope({0, energy_, dot(r_, s_)}))
+        return false;
       mu_ = 0;
       return true;
     }
-    if (!factorise_with_sigma() || !leave_saddle()) return false;
+    if (!factorise_with_sigma()) return false;
+    const bool is_saddle = curvature_.find(problem_, sigma_) < 0;
+    if (!is_saddle) solve_for_step();
+    if (!(is_saddle ? go_aside() : accept_by_slope({0, energy_, dot(r_, s_)}))) return false;
     mu_ = sigma_;
     return true;
   }
 
+  bool leave_saddle() { return curvature_.find(problem_, sigma_) < 0 && go_aside(); }
+
   /// Moves u along the v of (7) to where the energy no longer falls; false if it never does.
-  bool leave_saddle() {
-    if (!(curvature_.find(problem_, sigma_) < 0)) return false;
+  bool go_aside() {
     std::copy_n(curvature_.direction().begin(), s_.size(), s_.begin());
     const double one_element = (dot(r_, s_) > 0 ? -1 : 1) / problem_.step_length(s_);
     for (double& v : s_) v *= one_element;
@@ -169,7 +178,7 @@ class Globalised {
     const double noise = kEnergyNoise * (std::abs(energy_) + std::abs(dot(frozen_, s_)));
     move_trial(1);
     is_in_noise_ = -first.slope <= noise;
-    if (is_in_noise_) return accept_blindly(1) || accept_shortening();
+    if (is_in_noise_) return accept_blindly(1) || accept_shortening() || (mu_ == 0 && accept_by_slope(first));
     if (!frozen_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
     LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
     auto found = whole_step_uphill(first);
@@ -229,6 +238,23 @@ class Globalised {
     return accept();
   }
 
+  /// (8).
+  bool accept_by_slope(const Sample& first) {
+    if (!frozen_.empty() || first.slope >= 0 || has_stalled(-first.slope)) return false;
+    const auto found = SlopeSearch{}([&](double t) { return merit(t); }, first);
+    if (!found) return false;
+    move_trial(found->t);
+    return accept();
+  }
+
+  /// Whether what Newton's steps promise to gain has not halved for so long.
+  bool has_stalled(double gain) {
+    const bool is_less = gain < 0.5 * least_gain_;
+    if (is_less) least_gain_ = gain;
+    times_no_less_ = is_less ? 0 : times_no_less_ + 1;
+    return times_no_less_ > kStalled;
+  }
+
   /// A whole step means that the model is trusted; a short one that it reaches too far.
   void adapt_damping(double t) {
     if (t > 0.9)
@@ -258,7 +284,8 @@ class Globalised {
 
   const Newton::Parameters& p_;
   Problem& problem_;
-  double mu_, sigma_ = kLeastSigma, energy_ = 0;
+  double mu_, sigma_ = kLeastSigma, energy_ = 0, least_gain_ = std::numeric_limits<double>::infinity();
+  int times_no_less_ = 0;
   bool was_uphill_ = false, may_be_hardly_ = true, at_saddle_ = false, is_in_noise_ = false,
        tried_softly_ = false;
   const char* note_ = "";

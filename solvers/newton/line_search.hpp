@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace netloft::newton {
 
@@ -58,6 +59,39 @@ struct LineSearch {
       return std::clamp(-low.slope / (high.slope - low.slope), least, most);
     const double rise = high.value - low.value - low.slope * length;
     return std::clamp(rise > 0 ? -low.slope * length / (2 * rise) : 0.5, least, 0.5);
+  }
+};
+
+/// A step along a line where m has no digits left: its slope has.
+struct SlopeSearch {
+  double flatness = 0.1;   // share of the first slope that m' may keep
+  double shortest = 1e-9;  // bracket that is not divided any more
+
+  /// The first t in (0, 1] found:
+  ///   |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) ≤ 0                                              (2)
+  /// by secants and halves of a bracket (the approximate Wolfe conditions of W. W. Hager and H. Zhang, SIAM
+  /// J. Optim. 16, 2005). `merit` as above.
+  template <class Merit>
+  std::optional<Sample> operator()(Merit&& merit, const Sample& first) const {
+    const std::optional<Sample> whole = merit(1.0);
+    if (!whole || whole->slope <= 0) return whole;
+    Sample last = first, here = *whole;
+    for (double low = 0, high = 1, t = next(last, here, low, high); high - low > shortest;
+         t = next(last, here, low, high)) {
+      const std::optional<Sample> there = merit(t);
+      if (!there || std::abs(there->slope) <= flatness * std::abs(first.slope)) return there;
+      last = std::exchange(here, *there);
+      (here.slope > 0 ? high : low) = t;
+    }
+    return {};
+  }
+
+ private:
+  /// By a secant through the last two, which behind a kink is exact; else the middle.
+  static double next(const Sample& last, const Sample& here, double low, double high) {
+    const double t = here.t - here.slope * (here.t - last.t) / (here.slope - last.slope),
+                 margin = 0.01 * (high - low);
+    return t > low + margin && t < high - margin ? t : 0.5 * (low + high);
   }
 };
 

@@ -18,6 +18,7 @@ namespace netloft::newton {
 ///   m(1) ≤ m(0) − c_up r·s is enough after a step that was not such a one                 (5)
 ///   |s'| ≤ |s| / 2, (K + μ M) s' = −r(u + s) with the matrix of u                         (6)
 ///   u + t v, K v = λ M v with the least λ < 0, m'(t) ≈ 0                                   (7)
+///   |m'(t)| ≤ |m'(0)| / 10, or t = 1 and m'(1) ≤ 0                                         (8)
 /// (5) lets an iterate cross the kinks between slack and taut, one step at a time (watched as by Chamberlain
 /// et al. 1982, Math. Programming Study 16). μ falls after a whole step and rises after a short one. With μ₊
 /// = 1 the step cannot raise a convex energy (Levenberg 1944, in the metric of the linear stiffness); with μ
@@ -25,7 +26,9 @@ namespace netloft::newton {
 /// downhill. Near the end m has no digits left for (4); then a step counts that does not raise ‖r‖, or that
 /// (6) says halves what is left (the natural monotonicity test of Deuflhard, Newton Methods for Nonlinear
 /// Problems, 2004): in stiff parts rounding alone may keep ‖r‖ where it is. With drag, a step that quarters
-/// ‖r‖ counts as well: d has then moved little.
+/// ‖r‖ counts as well: d has then moved little. Where neither does, (8) goes by the slope, which still has
+/// digits, as long as −r·s halves now and then: what is slack at u is taut on the way, one member after the
+/// other.
 /// (7) follows (2) where K is indefinite and K + σ M is not, which then is the matrix of (2), for a σ of
 /// 1e-7, 1e-6, … 1e-4: a saddle that symmetry hides, such as a plane net's whose edge would fold (a direction
 /// of negative curvature: J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979). Also where E has no

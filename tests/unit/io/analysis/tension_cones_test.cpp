@@ -176,7 +176,9 @@ ConeUse use_in(const std::string& file, std::vector<std::string> overrides) {
 // Ropes alone have nothing to tell apart, and a panel's slack twines bear something.
 TEST(ConeUse, GoesByMembersWaterAndWhatSlackTwinesBear) {
   const std::string panel = "gear-library/scenes/dead-weight-panel.toml";
-  EXPECT_EQ(use_in("gear-library/scenes/verification/catenary-wire.toml", {}), ConeUse::never);
+  const std::string wire = "gear-library/scenes/verification/catenary-wire.toml";
+  EXPECT_EQ(use_in(wire, {}), ConeUse::first);
+  EXPECT_EQ(use_in(wire, {"water.current=[1,0,0]"}), ConeUse::as_a_way) << "no member need be slack";
   EXPECT_EQ(use_in(panel, {}), ConeUse::as_a_way);
   EXPECT_EQ(use_in(panel, {"parts.net.twine.EA_compression=0"}), ConeUse::first);
   EXPECT_EQ(use_in(panel, {"water.gravity=0"}), ConeUse::never);
