@@ -10,8 +10,9 @@
 
 namespace netloft {
 
-/// Rows of NETLOFT_LANES numbers that the terms of a tile add to, zero whenever a tile begins. Only what the
-/// tile before may have left is set to zero again: what no term asks for costs nothing.
+/// Rows of NETLOFT_LANES numbers that the terms of a tile add to, zero whenever a tile begins. Only rows that
+/// the tile before may have left something in are set to zero again, all at once: what no term asks for costs
+/// nothing, and what one wrongly wrote beyond the last lane is gone before it is seen.
 class TileRows {
  public:
   explicit TileRows(std::size_t rows) : all_(rows * kWidth) {}
@@ -21,22 +22,19 @@ class TileRows {
 
   /// Zeros for the next tile.
   void clear() {
-    for (std::size_t row = 0; row < rows_; ++row) std::fill_n(all_.data() + row * kWidth, lanes_, 0.0);
+    std::fill_n(all_.data(), rows_ * kWidth, 0.0);
     rows_ = 0;
   }
-  /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a
-  /// tile. What a term wrongly wrote beyond the last lane of an earlier tile is gone before it is seen.
+  /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a tile.
   double* open(std::size_t rows, std::size_t lanes) {
-    for (std::size_t row = 0; lanes > lanes_ && row < opened_; ++row)
-      std::fill_n(all_.data() + row * kWidth + lanes_, lanes - lanes_, 0.0);
-    rows_ = std::max(rows_, rows), opened_ = std::max(opened_, rows), lanes_ = lanes;
+    rows_ = std::max(rows_, rows), lanes_ = lanes;
     return all_.data();
   }
-  /// Whether this tile has added nothing.
+  /// Whether this tile has added nothing; a full one then leaves nothing to set to zero.
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)
       if (!is_zero(all_.data() + row * kWidth)) return false;
-    rows_ = 0;
+    if (lanes_ == kWidth) rows_ = 0;
     return true;
   }
 
@@ -56,8 +54,7 @@ class TileRows {
   }
 
   std::vector<double> all_;
-  std::size_t rows_ = 0, lanes_ = 0;  // beyond these all should be zero
-  std::size_t opened_ = 0;            // most rows so far
+  std::size_t rows_ = 0, lanes_ = 0;  // beyond these rows all is zero, beyond these lanes it should be
 };
 
 }  // namespace netloft
