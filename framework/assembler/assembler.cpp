@@ -100,7 +100,8 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
   std::size_t tiles = 0;
   for (Company& company : companies_) {
     const ElementFamily& first = *families_[company.families.front()];
-    company.tiling = make_tiling(first, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles);
+    company.tiling =
+        make_tiling(first, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles);
     company.first_tile = tiles;
     tiles += company.tiling.tiles;
   }
@@ -331,14 +332,17 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
     add_symmetric_part(w.scratch.data(), n, triangle);
     return NETLOFT_OK;
   }
+  if (kind == MatrixKind::metric) {
+    add_bounds(w.scratch.data(), symmetric, n, t.count, triangle);
+    return NETLOFT_OK;
+  }
   for (std::size_t lane = 0; lane < t.count; ++lane) {
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c < n; ++c) {
         const std::size_t entry = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * n + c;
         w.element[r * n + c] = w.scratch[entry * kLanes + lane];
       }
-    if (kind == MatrixKind::convex) project_convex(w.element.data(), dofs);
-    if (kind == MatrixKind::metric) bound_by_diagonal(w.element.data(), dofs);
+    project_convex(w.element.data(), dofs);
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c <= r; ++c) triangle[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];
   }

@@ -38,8 +38,9 @@ struct ElementFault {
   char message[256] = "";
 };
 
-/// The families of a scene as one sum: gathers positions, evaluates active terms on tiles of 64 elements, those
-/// of all families on the same nodes, and scatters. Vectors over all dofs are in the order of `numbering()`. Evaluation allocates nothing.
+/// The families of a scene as one sum: gathers positions, evaluates active terms on tiles of 64 elements,
+/// those of all families on the same nodes, and scatters. Vectors over all dofs are in the order of
+/// `numbering()`. Evaluation allocates nothing.
 class Assembler {
  public:
   Assembler(const Scene& scene, const Plan& plan, int threads);

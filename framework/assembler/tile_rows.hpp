@@ -25,7 +25,8 @@ class TileRows {
     std::fill_n(all_.data(), rows_ * kWidth, 0.0);
     rows_ = 0;
   }
-  /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a tile.
+  /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a
+  /// tile.
   double* open(std::size_t rows, std::size_t lanes) {
     rows_ = std::max(rows_, rows), lanes_ = lanes;
     return all_.data();
