@@ -420,6 +420,34 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   }
 }
 
+/// The register with the signs of all its numbers gone.
+template <class Register>
+NETLOFT_INLINE void take_size(typename Register::V& v) {
+  v = v < 0 ? -v : v;
+}
+
+template <class Register>
+NETLOFT_INLINE void multiply(std::span<const MatrixBlock> blocks, const double* values, const double* x,
+                             double* products, double* sizes) {
+  using V = typename Register::V;
+  constexpr int kParts = 8 / Register::kLanes;
+  const double three[12] = {x[0], x[1], x[2], x[0], x[1], x[2], x[0], x[1], x[2]};
+  V factor[kParts];
+  for (int i = 0; i < kParts; ++i) factor[i] = *reinterpret_cast<const V*>(three + i * Register::kLanes);
+  for (const MatrixBlock& block : blocks) {
+    const double* a = values + block.slot;
+    double *product = products + 3 * std::ptrdiff_t{block.row}, *size = sizes + 3 * std::ptrdiff_t{block.row};
+    for (int i = 0; i < kParts; ++i) {
+      V each = *reinterpret_cast<const V*>(a + i * Register::kLanes) * factor[i];
+      *reinterpret_cast<V*>(product + i * Register::kLanes) += each;
+      take_size<Register>(each);
+      *reinterpret_cast<V*>(size + i * Register::kLanes) += each;
+    }
+    const double last = a[8] * x[2];
+    product[8] += last, size[8] += std::abs(last);
+  }
+}
+
 /// The same for one set of instructions.
 #define NETLOFT_KERNELS(name, Register, ...)                                                                 \
   struct name {                                                                                              \
@@ -429,7 +457,11 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
     __VA_ARGS__ static void update(const FrontPanels& f, double* C) { netloft::update<Register>(f, C); }     \
     __VA_ARGS__ static void forward(const FrontPanels& f, double* y) { netloft::forward<Register>(f, y); }   \
     __VA_ARGS__ static void backward(const FrontPanels& f, double* y) { netloft::backward<Register>(f, y); } \
-    static constexpr FrontKernels all{eliminate, update, forward, backward};                                 \
+    __VA_ARGS__ static void multiply(std::span<const MatrixBlock> blocks, const double* values,              \
+                                     const double* x, double* products, double* sizes) {                     \
+      netloft::multiply<Register>(blocks, values, x, products, sizes);                                       \
+    }                                                                                                        \
+    static constexpr FrontKernels all{eliminate, update, forward, backward, multiply};                       \
   };
 
 NETLOFT_KERNELS(Plain, Two, )

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace netloft {
@@ -29,6 +30,13 @@ struct Elimination {
   bool column_is_zero = false;   // and so is all of its column
 };
 
+/// A block of three rows and columns of a matrix: its first row, and where the first of its nine values
+/// stands, row by row.
+struct MatrixBlock {
+  std::int32_t row;
+  std::uint32_t slot;
+};
+
 /// The dense work on a front, for the instructions this processor has:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
@@ -44,6 +52,10 @@ struct FrontKernels {
   void (*forward)(const FrontPanels& front, double* y);
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂).
   void (*backward)(const FrontPanels& front, double* y);
+  /// Products of the blocks of three columns with the three x that belong to these: aᵢⱼ xⱼ added to
+  /// `products`, its size to `sizes`, both at 3 i and the next two.
+  void (*multiply)(std::span<const MatrixBlock> blocks, const double* values, const double* x,
+                   double* products, double* sizes);
 };
 
 /// The best there is, and all that run here, the best last.

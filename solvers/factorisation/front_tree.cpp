@@ -85,14 +85,16 @@ class FrontTreeBuilder {
   void stack_updates();
   void find_places();
   void number_locally(const Front& front);
-  void list_columns();
-  bool follows(std::int32_t column, std::int32_t first) const;
-  void sort_rows();
+  void list_blocks();
+  void sort_entries();
   void find_targets();
   template <class Visit>
-  void for_rows(const Visit& visit) const;
+  void for_pieces(const Visit& visit) const;
+  bool are_a_node(std::int32_t unknown) const;
+  bool have_same_rows(std::int32_t column) const;
+  bool are_a_block(std::size_t entry, std::int32_t column) const;
   std::int32_t front_of_entry(std::int32_t row, std::int32_t column) const;
-  void set_target(const Front& front, std::int32_t row, std::int32_t column, ShortRow& entries) const;
+  void set_target(const Front& front, std::int32_t row, std::int32_t column, FrontEntries& entries) const;
 
   const SparsePattern& pattern_;
   FrontTree tree_;
@@ -100,7 +102,7 @@ class FrontTreeBuilder {
   Indices place_;         // unknown -> k
   Indices front_;         // k -> front
   Indices local_;         // k -> place in the front at hand
-  Indices row_, column_;  // of the short rows, by fronts
+  Indices row_, column_;  // the first of the entries of fronts
 };
 
 FrontTree FrontTreeBuilder::build(OrderingMethod method) {
@@ -115,8 +117,8 @@ FrontTree FrontTreeBuilder::build(OrderingMethod method) {
   lay_out();
   stack_updates();
   find_places();
-  list_columns();
-  sort_rows();
+  list_blocks();
+  sort_entries();
   find_targets();
   return std::move(tree_);
 }
@@ -216,73 +218,109 @@ std::int32_t FrontTreeBuilder::front_of_entry(std::int32_t row, std::int32_t col
   return front_[std::min(place_[row], place_[column])];
 }
 
-/// Three columns of one node stand in the same rows, and their slots are neighbours.
-void FrontTreeBuilder::list_columns() {
-  for (std::int32_t column = 0; column < pattern_.size;) {
-    tree_.columns.push_back(column);
-    const bool three =
-        column + 2 < pattern_.size && follows(column + 1, column) && follows(column + 2, column);
-    column += three ? 3 : 1;
-  }
-  tree_.columns.push_back(pattern_.size);
-}
-
-/// In the order of elimination, too.
-bool FrontTreeBuilder::follows(std::int32_t column, std::int32_t first) const {
-  const std::int32_t by = column - first, k = place_[first], begin = pattern_.column_start[column],
-                     start = pattern_.column_start[first], count = pattern_.column_start[first + 1] - start;
-  if (pattern_.column_start[column + 1] - begin != count || place_[column] != k + by ||
-      front_[k + by] != front_[k])
-    return false;
-  for (std::int32_t e = 0; e < count; ++e)
-    if (pattern_.row[begin + e] != pattern_.row[start + e] ||
-        pattern_.slot_of(begin + e) != pattern_.slot_of(start + e) + static_cast<std::size_t>(by))
+/// Whether this unknown and the two after it are those of one node, in the order of elimination, too.
+bool FrontTreeBuilder::are_a_node(std::int32_t unknown) const {
+  if (unknown + 2 >= pattern_.size) return false;
+  for (std::int32_t i : {1, 2})
+    if (pattern_.node[unknown + i] != pattern_.node[unknown] || place_[unknown + i] != place_[unknown] + i ||
+        front_[place_[unknown] + i] != front_[place_[unknown]])
       return false;
   return true;
 }
 
+/// As the two columns after it.
+bool FrontTreeBuilder::have_same_rows(std::int32_t column) const {
+  const auto rows = [&](std::int32_t c) {
+    return std::span(pattern_.row.data() + pattern_.column_start[c],
+                     pattern_.row.data() + pattern_.column_start[c + 1]);
+  };
+  return std::ranges::equal(rows(column), rows(column + 1)) &&
+         std::ranges::equal(rows(column), rows(column + 2));
+}
+
+/// Whether an entry of the first of three columns is the first of a block.
+bool FrontTreeBuilder::are_a_block(std::size_t entry, std::int32_t column) const {
+  const std::int32_t count = pattern_.column_start[column + 1] - pattern_.column_start[column];
+  if (entry + 2 >= static_cast<std::size_t>(pattern_.column_start[column + 1]) ||
+      !are_a_node(pattern_.row[entry]))
+    return false;
+  for (std::int32_t i = 0; i < 3; ++i)
+    for (std::int32_t j = 0; j < 3; ++j)
+      if (pattern_.row[entry + i] != pattern_.row[entry] + i ||
+          pattern_.slot_of(entry + i + j * count) !=
+              pattern_.slot_of(entry) + static_cast<std::size_t>(3 * i + j))
+        return false;
+  return true;
+}
+
+/// Calls visit(slot, row, column, size) for all entries of the matrix, in blocks where there are such.
 template <class Visit>
-void FrontTreeBuilder::for_rows(const Visit& visit) const {
-  for (std::size_t c = 0; c + 1 < tree_.columns.size(); ++c) {
-    const std::int32_t column = tree_.columns[c], columns = tree_.columns[c + 1] - column;
-    for (std::int32_t e = pattern_.column_start[column]; e < pattern_.column_start[column + 1]; ++e)
-      visit(static_cast<std::size_t>(e), pattern_.row[e], column, columns);
+void FrontTreeBuilder::for_pieces(const Visit& visit) const {
+  for (std::int32_t column = 0, columns = 1; column < pattern_.size; column += columns) {
+    columns = are_a_node(column) && have_same_rows(column) ? 3 : 1;
+    const std::size_t end = static_cast<std::size_t>(pattern_.column_start[column + 1]),
+                      count = end - static_cast<std::size_t>(pattern_.column_start[column]);
+    for (std::size_t e = end - count, rows = 1; e < end; e += rows) {
+      const bool is_block = columns == 3 && are_a_block(e, column);
+      rows = is_block ? 3 : 1;
+      if (is_block)
+        visit(pattern_.slot_of(e), pattern_.row[e], column, 3);
+      else
+        for (std::int32_t j = 0; j < columns; ++j)
+          visit(pattern_.slot_of(e + static_cast<std::size_t>(j) * count), pattern_.row[e], column + j, 1);
+    }
   }
 }
 
+void FrontTreeBuilder::list_blocks() {
+  MatrixBlocks& matrix = tree_.matrix;
+  for_pieces([&](std::size_t slot, std::int32_t row, std::int32_t column, int size) {
+    const auto first = static_cast<std::uint32_t>(slot);
+    if (size == 1) {
+      matrix.entries.push_back({row, column, first});
+      return;
+    }
+    if (matrix.columns.empty() || matrix.columns.back().column != column)
+      matrix.columns.push_back({column, matrix.blocks.size()});
+    matrix.blocks.push_back({row, first});
+  });
+  matrix.columns.push_back({pattern_.size, matrix.blocks.size()});
+}
+
 /// By fronts.
-void FrontTreeBuilder::sort_rows() {
+void FrontTreeBuilder::sort_entries() {
   std::vector<std::size_t> next(tree_.fronts.size() + 1, 0);
-  for_rows([&](auto, auto row, auto column, auto) { ++next[front_of_entry(row, column) + 1]; });
+  for_pieces([&](auto, auto row, auto column, auto) { ++next[front_of_entry(row, column) + 1]; });
   std::partial_sum(next.begin(), next.end(), next.begin());
-  for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].rows = next[s];
+  for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].entries = next[s];
   Front end;
-  end.rows = next.back(), end.panels = tree_.panels, end.indices = tree_.other.size();
-  tree_.rows.resize(end.rows), row_.resize(end.rows), column_.resize(end.rows);
-  for_rows([&](std::size_t e, auto row, auto column, auto columns) {
+  end.entries = next.back(), end.panels = tree_.panels, end.indices = tree_.other.size();
+  tree_.of_matrix.resize(end.entries), row_.resize(end.entries), column_.resize(end.entries);
+  for_pieces([&](std::size_t slot, auto row, auto column, auto size) {
     const std::size_t k = next[front_of_entry(row, column)]++;
     row_[k] = row, column_[k] = column;
-    tree_.rows[k] = {static_cast<std::uint32_t>(pattern_.slot_of(e)), 0, 0, columns};
+    tree_.of_matrix[k].slot = static_cast<std::uint32_t>(slot), tree_.of_matrix[k].size = size;
   });
   tree_.fronts.push_back(end);
 }
 
 void FrontTreeBuilder::set_target(const Front& f, std::int32_t row, std::int32_t column,
-                                  ShortRow& entries) const {
+                                  FrontEntries& entries) const {
   const std::int32_t i = local_[place_[row]], j = local_[place_[column]];
   const std::ptrdiff_t left = left_stride(f.pivots, f.others);
   const bool is_left = j < f.pivots;
   entries.target = static_cast<std::uint32_t>(
       is_left ? i + j * left : f.pivots * left + (j - f.pivots) + i * upper_stride(f.others));
-  entries.stride = is_left ? static_cast<std::int32_t>(left) : 1;
+  entries.down = is_left ? 1 : static_cast<std::int32_t>(upper_stride(f.others));
+  entries.across = is_left ? static_cast<std::int32_t>(left) : 1;
 }
 
 void FrontTreeBuilder::find_targets() {
   for (std::size_t s = 0; s + 1 < tree_.fronts.size(); ++s) {
     const Front& front = tree_.fronts[s];
     number_locally(front);
-    for (std::size_t k = front.rows; k < tree_.fronts[s + 1].rows; ++k)
-      set_target(front, row_[k], column_[k], tree_.rows[k]);
+    for (std::size_t k = front.entries; k < tree_.fronts[s + 1].entries; ++k)
+      set_target(front, row_[k], column_[k], tree_.of_matrix[k]);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "framework/problem/factorisation.hpp"
+#include "solvers/factorisation/front_kernels.hpp"
 #include "solvers/factorisation/node_ordering.hpp"
 
 namespace netloft {
@@ -18,15 +19,32 @@ struct Front {
   std::size_t indices = 0;   // of the others, in FrontTree::other and FrontTree::place
   std::size_t panels = 0;    // in the factors
   std::size_t update = 0;    // in the stack of its parity
-  std::size_t rows = 0;      // of the matrix, in FrontTree::rows
+  std::size_t entries = 0;   // of the matrix, in FrontTree::of_matrix
 };
 
-/// Entries of the matrix in one row and in one column, or in the three of a node, whose slots are neighbours.
-struct ShortRow {
-  std::uint32_t slot = 0;    // of the first
-  std::uint32_t target = 0;  // its place in the panels of its front
-  std::int32_t stride = 0;   // from there to the next
-  std::int32_t columns = 1;
+/// Entries of the matrix that a front begins with: one, or nine of three rows and columns, whose slots are
+/// neighbours row by row, as a pair of nodes has them.
+struct FrontEntries {
+  std::uint32_t slot = 0;             // of the first
+  std::uint32_t target = 0;           // its place in the panels of its front
+  std::int32_t down = 0, across = 0;  // from there to the next row, and to the next column
+  std::int32_t size = 1;              // rows and columns
+};
+
+/// The same where they stand in the matrix: of the blocks of three columns by their first rows, and what is
+/// in no block.
+struct MatrixBlocks {
+  struct Column {
+    std::int32_t column;
+    std::size_t first;  // block
+  };
+  struct Entry {
+    std::int32_t row, column;
+    std::uint32_t slot;
+  };
+  std::vector<Column> columns;  // and one more, where all ends
+  std::vector<MatrixBlock> blocks;
+  std::vector<Entry> entries;
 };
 
 /// How a matrix of symmetric pattern is eliminated front by front (Duff and Reid 1983): every front adds up
@@ -40,9 +58,9 @@ struct FrontTree {
   std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
   std::vector<std::int32_t> place;    // of each of them among the unknowns of its parent, pivots first
   std::vector<std::int32_t> child_start, child;
-  std::vector<std::uint8_t> parity;    // of the depth of each front
-  std::vector<std::int32_t> columns;   // the first of those that have their slots side by side, and the end
-  std::vector<ShortRow> rows;          // all entries, by fronts
+  std::vector<std::uint8_t> parity;     // of the depth of each front
+  std::vector<FrontEntries> of_matrix;  // by fronts
+  MatrixBlocks matrix;
   std::size_t panels = 0, stack[2]{};  // doubles
   std::int32_t most_unknowns = 0;      // of a front
   double entries = 0, flops = 0;       // of the factors

@@ -71,8 +71,7 @@ class MultifrontalFactorisation final : public Factorisation {
   void solve_alone(std::span<double> x);
   void forward(std::size_t front);
   void backward(std::size_t front);
-  template <int kColumns>
-  void subtract_columns(std::int32_t column, std::span<const double> x);
+  void multiply(std::span<const double> x);
   double find_residual(std::span<const double> x, std::span<const double> rhs);
   void check(std::span<double> x);
 
@@ -84,7 +83,7 @@ class MultifrontalFactorisation final : public Factorisation {
   std::vector<double> values_;  // by slots
   Room panels_, updates_[2];
   std::vector<std::int32_t> exchanged_;  // rows, by place
-  std::vector<double> by_place_, of_front_, rhs_, residual_, sums_;
+  std::vector<double> by_place_, of_front_, rhs_, residual_, products_, sizes_;
   SparsePattern spare_pattern_;  // without slots
   std::vector<double> spare_values_;
   std::unique_ptr<Factorisation> spare_;
@@ -115,7 +114,8 @@ void MultifrontalFactorisation::make_room() {
   const auto size = static_cast<std::size_t>(pattern_->size);
   for (int parity : {0, 1}) updates_[parity].resize(tree_.stack[parity]);
   values_.resize(pattern_->value_slots()), exchanged_.resize(size);
-  for (auto* v : {&by_place_, &rhs_, &residual_, &sums_}) v->resize(size);
+  for (auto* v : {&by_place_, &rhs_, &residual_}) v->resize(size);
+  for (auto* v : {&products_, &sizes_}) v->resize(3 * size);
   of_front_.assign(static_cast<std::size_t>(tree_.most_unknowns) + kTileRows, 0.0);
   panels_.resize(tree_.panels);
 }
@@ -190,12 +190,18 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
 /// Where they go nothing has been added yet.
 void MultifrontalFactorisation::set_entries(std::size_t front) {
   double* panels = panels_.at(tree_.fronts[front].panels);
-  for (std::size_t k = tree_.fronts[front].rows; k < tree_.fronts[front + 1].rows; ++k) {
-    const ShortRow& row = tree_.rows[k];
-    const double* from = values_.data() + row.slot;
-    double* to = panels + row.target;
+  for (std::size_t k = tree_.fronts[front].entries; k < tree_.fronts[front + 1].entries; ++k) {
+    const FrontEntries& entries = tree_.of_matrix[k];
+    const double* from = values_.data() + entries.slot;
+    double* to = panels + entries.target;
     to[0] = from[0];
-    if (row.columns == 3) to[row.stride] = from[1], to[2 * row.stride] = from[2];
+    if (entries.size == 1) continue;
+    const std::ptrdiff_t down = entries.down, across = entries.across;
+    to[across] = from[1], to[2 * across] = from[2];
+    to += down;
+    to[0] = from[3], to[across] = from[4], to[2 * across] = from[5];
+    to += down;
+    to[0] = from[6], to[across] = from[7], to[2 * across] = from[8];
   }
 }
 
@@ -275,36 +281,31 @@ void MultifrontalFactorisation::backward(std::size_t front) {
   std::copy_n(y, f.pivots, own);
 }
 
-/// A x of some columns, taken from the residual, and |A| |x|.
-template <int kColumns>
-void MultifrontalFactorisation::subtract_columns(std::int32_t column, std::span<const double> x) {
-  const std::int32_t *row = pattern_->row.data(), *slot = pattern_->slot.data();
-  const bool has_slots = !pattern_->slot.empty();
-  for (std::int32_t e = pattern_->column_start[column]; e < pattern_->column_start[column + 1]; ++e) {
-    const double* values = values_.data() + (has_slots ? slot[e] : e);
-    double sum = 0, size = 0;
-    for (int k = 0; k < kColumns; ++k) {
-      const double product = values[k] * x[column + k];
-      sum += product, size += std::abs(product);
-    }
-    residual_[row[e]] -= sum, sums_[row[e]] += size;
+/// A x and |A| |x|, the products of a row in three sums.
+void MultifrontalFactorisation::multiply(std::span<const double> x) {
+  const MatrixBlocks& matrix = tree_.matrix;
+  for (auto* sums : {&products_, &sizes_}) std::fill(sums->begin(), sums->end(), 0.0);
+  for (std::size_t c = 0; c + 1 < matrix.columns.size(); ++c) {
+    const std::size_t first = matrix.columns[c].first, count = matrix.columns[c + 1].first - first;
+    kernels_.multiply({matrix.blocks.data() + first, count}, values_.data(), &x[matrix.columns[c].column],
+                      products_.data(), sizes_.data());
+  }
+  for (const auto& [row, column, slot] : matrix.entries) {
+    const double product = values_[slot] * x[column];
+    products_[3 * row] += product, sizes_[3 * row] += std::abs(product);
   }
 }
 
 /// b − A x, and (2).
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
-  for (std::size_t i = 0; i < rhs.size(); ++i) residual_[i] = rhs[i], sums_[i] = std::abs(rhs[i]);
-  for (std::size_t k = 0; k + 1 < tree_.columns.size(); ++k) {
-    const std::int32_t column = tree_.columns[k];
-    if (tree_.columns[k + 1] == column + 3)
-      subtract_columns<3>(column, x);
-    else
-      subtract_columns<1>(column, x);
-  }
+  multiply(x);
   double error = 0;
   for (std::size_t i = 0; i < rhs.size(); ++i) {
-    if (!std::isfinite(sums_[i])) return std::numeric_limits<double>::infinity();
-    if (std::abs(residual_[i]) > error * sums_[i]) error = std::abs(residual_[i]) / sums_[i];
+    const double *product = &products_[3 * i], *size = &sizes_[3 * i];
+    residual_[i] = rhs[i] - (product[0] + product[1] + product[2]);
+    const double sum = std::abs(rhs[i]) + (size[0] + size[1] + size[2]);
+    if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
+    if (std::abs(residual_[i]) > error * sum) error = std::abs(residual_[i]) / sum;
   }
   return error;
 }
