@@ -137,13 +137,16 @@ struct OwnRows {
 };
 
 /// In pairs, pairs of pairs and so on: no addition waits for all others.
+NETLOFT_INLINE double sum_of(const Two::V& v) { return v[0] + v[1]; }
+NETLOFT_INLINE double sum_of(const Four::V& v) {
+  return sum_of(__builtin_shufflevector(v, v, 0, 1) + __builtin_shufflevector(v, v, 2, 3));
+}
+NETLOFT_INLINE double sum_of(const Eight::V& v) {
+  return sum_of(__builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7));
+}
 template <class Register>
 NETLOFT_INLINE double sum_of_lanes(const typename Register::V& v) {
-  double lanes[Register::kLanes];
-  for (int lane = 0; lane < Register::kLanes; ++lane) lanes[lane] = v[lane];
-  for (int half = Register::kLanes / 2; half > 0; half /= 2)
-    for (int lane = 0; lane < half; ++lane) lanes[lane] += lanes[lane + half];
-  return lanes[0];
+  return sum_of(v);
 }
 
 /// Whether entry k of a column is a pivot as it is: not small beside the entries from there to row n.
@@ -367,21 +370,15 @@ NETLOFT_INLINE void forward(const FrontPanels& f, double* y) {
   }
 }
 
-/// y₁[k …] ← y₁[k …] − (U₁₂ y₂)[k …], kColumns of them.
+/// y₁[k …] ← y₁[k …] − (U₁₂ y₂)[k …], kColumns of them; rows go on to the next multiple of kTileRows.
 template <class Register, int kColumns>
-NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const double* x,
-                                  std::ptrdiff_t count, double* y) {
-  typename Register::V sum[kColumns] = {};
-  std::ptrdiff_t i = 0;
-  for (; i + Register::kLanes <= count; i += Register::kLanes)
+NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const double* x, double* y) {
+  using V = typename Register::V;
+  V sum[kColumns] = {};
+  for (std::ptrdiff_t i = 0; i < stride; i += Register::kLanes)
     for (int j = 0; j < kColumns; ++j)
-      sum[j] += *reinterpret_cast<const typename Register::V*>(a + j * stride + i) *
-                *reinterpret_cast<const typename Register::V*>(x + i);
-  for (int j = 0; j < kColumns; ++j) {
-    double total = sum_of_lanes<Register>(sum[j]);
-    for (std::ptrdiff_t rest = i; rest < count; ++rest) total += a[j * stride + rest] * x[rest];
-    y[j] -= total;
-  }
+      sum[j] += *reinterpret_cast<const V*>(a + j * stride + i) * *reinterpret_cast<const V*>(x + i);
+  for (int j = 0; j < kColumns; ++j) y[j] -= sum_of_lanes<Register>(sum[j]);
 }
 
 /// y ← U⁻¹ y, U upper triangular of `width` columns, at most kBlock: y and what it becomes stay in registers.
@@ -390,8 +387,9 @@ NETLOFT_INLINE void solve_upper_triangle(const double* U, std::ptrdiff_t stride,
                                          double* y) {
   using V = typename Register::V;
   constexpr int kParts = static_cast<int>(kBlock) / Register::kLanes;
-  double reciprocal[kBlock] = {}, known[kBlock] = {};
-  for (std::ptrdiff_t k = 0; k < width; ++k) reciprocal[k] = 1 / U[k + k * stride];
+  double reciprocal[kBlock] = {1, 1, 1, 1, 1, 1, 1, 1}, known[kBlock] = {};
+  for (std::ptrdiff_t k = 0; k < width; ++k) reciprocal[k] = U[k + k * stride];
+  for (double& pivot : reciprocal) pivot = 1 / pivot;
   V rows[kParts];
   for (int i = 0; i < kParts; ++i) rows[i] = *reinterpret_cast<const V*>(y + i * Register::kLanes);
 #pragma GCC unroll 8
@@ -411,8 +409,9 @@ template <class Register>
 NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u), down = left_stride(n, u);
   std::ptrdiff_t k = 0;
-  for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, u, y + k);
-  for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, u, y + k);
+  std::fill_n(y + n + u, kTileRows, 0.0);
+  for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, y + k);
+  for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, y + k);
   for (std::ptrdiff_t end = n, begin = 0; end > 0; end = begin) {
     begin = (end - 1) / kBlock * kBlock;
     solve_upper_triangle<Register>(f.left + begin + begin * down, down, end - begin, y + begin);
