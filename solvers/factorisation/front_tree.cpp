@@ -85,6 +85,7 @@ class FrontTreeBuilder {
   void stack_updates();
   void find_places();
   void number_locally(const Front& front);
+  void list_runs();
   void list_blocks();
   void sort_entries();
   void find_targets();
@@ -117,6 +118,7 @@ FrontTree FrontTreeBuilder::build(OrderingMethod method) {
   lay_out();
   stack_updates();
   find_places();
+  list_runs();
   list_blocks();
   sort_entries();
   find_targets();
@@ -214,6 +216,20 @@ void FrontTreeBuilder::find_places() {
   }
 }
 
+/// Of places that ascend by one, pivots of the parent apart.
+void FrontTreeBuilder::list_runs() {
+  for (Front& front : tree_.fronts) {
+    front.runs = tree_.runs.size();
+    const std::int32_t *place = tree_.place.data() + front.indices,
+                       pivots = front.parent < 0 ? 0 : tree_.fronts[front.parent].pivots;
+    for (std::int32_t i = 0; i < front.others; ++i)
+      if (i > 0 && place[i] == place[i - 1] + 1 && place[i] != pivots)
+        ++tree_.runs.back().count;
+      else
+        tree_.runs.push_back({i, place[i], 1});
+  }
+}
+
 std::int32_t FrontTreeBuilder::front_of_entry(std::int32_t row, std::int32_t column) const {
   return front_[std::min(place_[row], place_[column])];
 }
@@ -295,6 +311,7 @@ void FrontTreeBuilder::sort_entries() {
   for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].entries = next[s];
   Front end;
   end.entries = next.back(), end.panels = tree_.panels, end.indices = tree_.other.size();
+  end.runs = tree_.runs.size();
   tree_.of_matrix.resize(end.entries), row_.resize(end.entries), column_.resize(end.entries);
   for_pieces([&](std::size_t slot, auto row, auto column, auto size) {
     const std::size_t k = next[front_of_entry(row, column)]++;

@@ -19,6 +19,7 @@ struct Front {
   std::size_t indices = 0;   // of the others, in FrontTree::other and FrontTree::place
   std::size_t panels = 0;    // in the factors
   std::size_t update = 0;    // in the stack of its parity
+  std::size_t runs = 0;      // of the others, in FrontTree::runs
   std::size_t entries = 0;   // of the matrix, in FrontTree::of_matrix
 };
 
@@ -31,22 +32,6 @@ struct FrontEntries {
   std::int32_t size = 1;              // rows and columns
 };
 
-/// The same where they stand in the matrix: of the blocks of three columns by their first rows, and what is
-/// in no block.
-struct MatrixBlocks {
-  struct Column {
-    std::int32_t column;
-    std::size_t first;  // block
-  };
-  struct Entry {
-    std::int32_t row, column;
-    std::uint32_t slot;
-  };
-  std::vector<Column> columns;  // and one more, where all ends
-  std::vector<MatrixBlock> blocks;
-  std::vector<Entry> entries;
-};
-
 /// How a matrix of symmetric pattern is eliminated front by front (Duff and Reid 1983): every front adds up
 /// its entries of the matrix and what its children leave, eliminates its pivots, and leaves
 ///   C = Σ C_child − L₂₁ U₁₂                                               (1)
@@ -57,6 +42,7 @@ struct FrontTree {
   std::vector<Front> fronts;          // and one more, where all ends
   std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
   std::vector<std::int32_t> place;    // of each of them among the unknowns of its parent, pivots first
+  std::vector<UnknownRun> runs;       // of the same, by the front of which they are the others
   std::vector<std::int32_t> child_start, child;
   std::vector<std::uint8_t> parity;     // of the depth of each front
   std::vector<FrontEntries> of_matrix;  // by fronts

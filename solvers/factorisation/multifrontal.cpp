@@ -66,12 +66,11 @@ class MultifrontalFactorisation final : public Factorisation {
   FrontPanels panels_of(std::size_t front);
   double* update_of(std::size_t front);
   void set_entries(std::size_t front);
-  void add_child(std::size_t child, const FrontPanels& parent, double* parent_update);
+  ChildUpdate left_by(std::size_t child);
   FactorResult hand_over();
   void solve_alone(std::span<double> x);
   void forward(std::size_t front);
   void backward(std::size_t front);
-  void multiply(std::span<const double> x);
   double find_residual(std::span<const double> x, std::span<const double> rhs);
   void check(std::span<double> x);
 
@@ -148,13 +147,8 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
 
 /// False if some are not finite; what stands between the entries does not count.
 bool MultifrontalFactorisation::take(std::span<const double> values) {
-  constexpr std::uint64_t kInfinity = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
-  std::uint64_t carry = 0;  // its highest bit, if an exponent has all of its bits
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    values_[i] = values[i];
-    carry |= (std::bit_cast<std::uint64_t>(values[i]) & kInfinity) + (std::uint64_t{1} << 52);
-  }
-  return carry >> 63 == 0 || find_column_not_finite(*pattern_, values) < 0;
+  return kernels_.take(values.first(values_.size()), values_.data()) ||
+         find_column_not_finite(*pattern_, values) < 0;
 }
 
 Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
@@ -181,7 +175,7 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
   std::fill_n(update, f.others * upper_stride(f.others), 0.0);
   set_entries(front);
   for (std::int32_t c = tree_.child_start[front]; c < tree_.child_start[front + 1]; ++c)
-    add_child(static_cast<std::size_t>(tree_.child[c]), panels, update);
+    kernels_.add_child(left_by(static_cast<std::size_t>(tree_.child[c])), panels, update);
   const Elimination e = kernels_.eliminate(panels, kLeastPivot, exchanged_.data() + f.first);
   if (e.stopped_at < 0) kernels_.update(panels, update);
   return e;
@@ -205,24 +199,10 @@ void MultifrontalFactorisation::set_entries(std::size_t front) {
   }
 }
 
-/// The sum of (1) of the tree.
-void MultifrontalFactorisation::add_child(std::size_t child, const FrontPanels& parent,
-                                          double* parent_update) {
-  const Front& f = tree_.fronts[child];
-  const std::int32_t n = parent.pivots, *place = tree_.place.data() + f.indices;
-  const std::ptrdiff_t from_stride = upper_stride(f.others), stride = upper_stride(parent.others),
-                       left = left_stride(n, parent.others);
-  const std::ptrdiff_t among_pivots = std::lower_bound(place, place + f.others, n) - place;
-  const double* from = update_of(child);
-  for (std::ptrdiff_t j = 0; j < among_pivots; ++j, from += from_stride) {
-    double* to = parent.left + place[j] * left;
-    for (std::ptrdiff_t i = 0; i < f.others; ++i) to[place[i]] += from[i];
-  }
-  for (std::ptrdiff_t j = among_pivots; j < f.others; ++j, from += from_stride) {
-    double *upper = parent.upper + (place[j] - n), *to = parent_update + (place[j] - n) * stride - n;
-    for (std::ptrdiff_t i = 0; i < among_pivots; ++i) upper[place[i] * stride] += from[i];
-    for (std::ptrdiff_t i = among_pivots; i < f.others; ++i) to[place[i]] += from[i];
-  }
+/// What it adds to the sum of (1) of the tree.
+ChildUpdate MultifrontalFactorisation::left_by(std::size_t child) {
+  const Front &front = tree_.fronts[child], &next = tree_.fronts[child + 1];
+  return {update_of(child), front.others, {tree_.runs.data() + front.runs, next.runs - front.runs}};
 }
 
 /// Lets the spare factorise the same values.
@@ -281,24 +261,9 @@ void MultifrontalFactorisation::backward(std::size_t front) {
   std::copy_n(y, f.pivots, own);
 }
 
-/// A x and |A| |x|, the products of a row in three sums.
-void MultifrontalFactorisation::multiply(std::span<const double> x) {
-  const MatrixBlocks& matrix = tree_.matrix;
-  for (auto* sums : {&products_, &sizes_}) std::fill(sums->begin(), sums->end(), 0.0);
-  for (std::size_t c = 0; c + 1 < matrix.columns.size(); ++c) {
-    const std::size_t first = matrix.columns[c].first, count = matrix.columns[c + 1].first - first;
-    kernels_.multiply({matrix.blocks.data() + first, count}, values_.data(), &x[matrix.columns[c].column],
-                      products_.data(), sizes_.data());
-  }
-  for (const auto& [row, column, slot] : matrix.entries) {
-    const double product = values_[slot] * x[column];
-    products_[3 * row] += product, sizes_[3 * row] += std::abs(product);
-  }
-}
-
 /// b − A x, and (2).
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
-  multiply(x);
+  kernels_.multiply(tree_.matrix, values_.data(), x, products_.data(), sizes_.data());
   double error = 0;
   for (std::size_t i = 0; i < rhs.size(); ++i) {
     const double *product = &products_[3 * i], *size = &sizes_[3 * i];
