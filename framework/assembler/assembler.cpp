@@ -256,7 +256,7 @@ void Assembler::run_tile(const Company& company, std::size_t tile, std::span<con
                          const Request& request, Workspace& w) {
   gather(company, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
-  w.force.clear(), w.packed_tangent.clear(), w.square_tangent.clear();
+  w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
   w.message[0] = 0;
   for (const std::size_t family : company.families) {
     netloft_tile t = make_tile(family, tile, request.motion, w);

@@ -10,42 +10,52 @@
 
 namespace netloft {
 
-/// Rows of NETLOFT_LANES numbers that the terms of a tile add to, zero whenever a tile begins. Only rows that
-/// the tile before may have left something in are set to zero again, whole: what no term asks for costs
-/// nothing, and what one wrongly wrote beyond the last lane is gone before it is seen.
+/// Rows of NETLOFT_LANES numbers that the terms of a tile add to. They are set to zero when the first term of
+/// a tile asks for them, in the lanes of that tile, unless the tile before has left them so: what no term
+/// asks for costs nothing, and what one wrongly wrote beyond the last lane is gone before it is seen.
 class TileRows {
  public:
-  explicit TileRows(std::size_t rows) : all_((rows + kAtOnce - 1) / kAtOnce * kAtOnce * kWidth) {}
+  explicit TileRows(std::size_t rows) : all_((rows + kAtOnce) * kWidth) {}
 
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
 
-  /// Zeros for the next tile.
-  void clear() {
-    for (std::size_t row = 0; row < rows_; row += kAtOnce)
-      std::fill_n(all_.data() + row * kWidth, kAtOnce * kWidth, 0.0);
-    rows_ = 0;
-  }
+  /// For the next tile.
+  void begin() { rows_ = 0; }
   /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a
   /// tile.
   double* open(std::size_t rows, std::size_t lanes) {
-    rows_ = std::max(rows_, rows), lanes_ = lanes;
+    if (rows > rows_) {
+      set_zero(rows_, rows, lanes);
+      rows_ = rows, zero_rows_ = 0;
+    }
+    lanes_ = lanes;
     return all_.data();
   }
-  /// Whether this tile has added nothing; a full one then leaves nothing to set to zero.
+  /// Whether this tile has added nothing.
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)
       if (!is_zero(all_.data() + row * kWidth)) return false;
-    if (lanes_ == kWidth) rows_ = 0;
+    if (rows_ > 0) zero_rows_ = rows_, zero_lanes_ = lanes_;
     return true;
   }
 
  private:
   static constexpr std::size_t kWidth = NETLOFT_LANES;
   // Rows set to zero by one call: 2 KiB, of which libraries make plain stores. For more they take
-  // instructions that are slow to begin, and row by row the calls count.
-  static constexpr std::size_t kAtOnce = 4;
+  // instructions that are slow to begin, and row by row the calls count. Of fewer lanes than these, eight by
+  // eight.
+  static constexpr std::size_t kAtOnce = 4, kManyLanes = 48, kEight = 8;
 
+  void set_zero(std::size_t begin, std::size_t end, std::size_t lanes) {
+    if (lanes <= zero_lanes_) begin = std::max(begin, zero_rows_);
+    double *from = all_.data() + begin * kWidth, *to = all_.data() + end * kWidth;
+    if (lanes > kManyLanes)
+      for (; from < to; from += kAtOnce * kWidth) std::fill_n(from, kAtOnce * kWidth, 0.0);
+    else
+      for (std::size_t lane = 0; lane < lanes; lane += kEight)
+        for (double* row = from; row < to; row += kWidth) std::fill_n(row + lane, kEight, 0.0);
+  }
   bool is_zero(const double* row) const {
     constexpr std::size_t kApart = 8;  // none waits for the one before
     std::uint64_t some[kApart] = {};   // of integers the compiler makes vectors
@@ -59,7 +69,8 @@ class TileRows {
   }
 
   std::vector<double> all_;
-  std::size_t rows_ = 0, lanes_ = 0;  // beyond these rows all is zero, beyond these lanes it should be
+  std::size_t rows_ = 0, lanes_ = 0;            // of this tile
+  std::size_t zero_rows_ = 0, zero_lanes_ = 0;  // left by the tile before
 };
 
 }  // namespace netloft

@@ -49,7 +49,7 @@ bool Assembler::visit_tiles(std::span<const double> x, const Kinematics& motion,
   for (std::size_t tile = 0; tile < company.tiling.tiles; ++tile) {
     gather(company, tile, x, motion, w);
     netloft_tile t = make_tile(family, tile, motion, w);
-    w.force.clear();
+    w.force.begin();
     t.force = w.force.open(dofs, t.count), t.want = NETLOFT_WANT_FORCE;
     if (const int status = evaluate(tile, t); status != NETLOFT_OK) {
       report(family, t, status, w);
