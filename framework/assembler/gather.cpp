@@ -12,8 +12,9 @@ void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, d
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
   const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
-  for (std::size_t d = 0; d < dofs; ++d)
-    for (std::size_t lane = 0; lane < count; ++lane) to[d * kLanes + lane] = from[map[d * kLanes + lane]];
+  for (std::size_t d = 0; d < dofs; ++d, map += kLanes, to += kLanes)
+#pragma GCC unroll 8
+    for (std::size_t lane = 0; lane < count; ++lane) to[lane] = from[map[lane]];
 }
 
 }  // namespace

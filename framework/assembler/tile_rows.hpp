@@ -15,7 +15,7 @@ namespace netloft {
 /// asks for costs nothing, and what one wrongly wrote beyond the last lane is gone before it is seen.
 class TileRows {
  public:
-  explicit TileRows(std::size_t rows) : all_((rows + kAtOnce) * kWidth) {}
+  explicit TileRows(std::size_t rows) : all_(rows * kWidth) {}
 
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
@@ -51,7 +51,7 @@ class TileRows {
     if (lanes <= zero_lanes_) begin = std::max(begin, zero_rows_);
     double *from = all_.data() + begin * kWidth, *to = all_.data() + end * kWidth;
     if (lanes > kManyLanes)
-      for (; from < to; from += kAtOnce * kWidth) std::fill_n(from, kAtOnce * kWidth, 0.0);
+      for (; from < to; from += kAtOnce * kWidth) std::fill(from, std::min(from + kAtOnce * kWidth, to), 0.0);
     else
       for (std::size_t lane = 0; lane < lanes; lane += kEight)
         for (double* row = from; row < to; row += kWidth) std::fill_n(row + lane, kEight, 0.0);
