@@ -86,11 +86,10 @@ class FrontTreeBuilder {
   void find_places();
   void number_locally(const Front& front);
   void list_runs();
+  void list_pieces();
   void list_blocks();
   void sort_entries();
   void find_targets();
-  template <class Visit>
-  void for_pieces(const Visit& visit) const;
   bool are_a_node(std::int32_t unknown) const;
   bool have_same_rows(std::int32_t column) const;
   bool are_a_block(std::size_t entry, std::int32_t column) const;
@@ -104,6 +103,14 @@ class FrontTreeBuilder {
   Indices front_;         // k -> front
   Indices local_;         // k -> place in the front at hand
   Indices row_, column_;  // the first of the entries of fronts
+  /// Entries of the matrix: three rows and columns, or one.
+  struct Piece {
+    std::int32_t row, column;
+    std::uint32_t slot;
+    std::int32_t size;
+  };
+  std::vector<Piece> pieces_;        // by columns
+  std::vector<bool> begins_a_node_;  // unknown -> whether it and the next two are those of one node
 };
 
 FrontTree FrontTreeBuilder::build(OrderingMethod method) {
@@ -119,6 +126,7 @@ FrontTree FrontTreeBuilder::build(OrderingMethod method) {
   stack_updates();
   find_places();
   list_runs();
+  list_pieces();
   list_blocks();
   sort_entries();
   find_targets();
@@ -258,7 +266,7 @@ bool FrontTreeBuilder::have_same_rows(std::int32_t column) const {
 bool FrontTreeBuilder::are_a_block(std::size_t entry, std::int32_t column) const {
   const std::int32_t count = pattern_.column_start[column + 1] - pattern_.column_start[column];
   if (entry + 2 >= static_cast<std::size_t>(pattern_.column_start[column + 1]) ||
-      !are_a_node(pattern_.row[entry]))
+      !begins_a_node_[pattern_.row[entry]])
     return false;
   for (std::int32_t i = 0; i < 3; ++i)
     for (std::int32_t j = 0; j < 3; ++j)
@@ -269,55 +277,56 @@ bool FrontTreeBuilder::are_a_block(std::size_t entry, std::int32_t column) const
   return true;
 }
 
-/// Calls visit(slot, row, column, size) for all entries of the matrix, in blocks where there are such.
-template <class Visit>
-void FrontTreeBuilder::for_pieces(const Visit& visit) const {
+/// In blocks where there are such.
+void FrontTreeBuilder::list_pieces() {
+  begins_a_node_.resize(static_cast<std::size_t>(pattern_.size));
+  for (std::int32_t u = 0; u < pattern_.size; ++u) begins_a_node_[u] = are_a_node(u);
   for (std::int32_t column = 0, columns = 1; column < pattern_.size; column += columns) {
-    columns = are_a_node(column) && have_same_rows(column) ? 3 : 1;
-    const std::size_t end = static_cast<std::size_t>(pattern_.column_start[column + 1]),
-                      count = end - static_cast<std::size_t>(pattern_.column_start[column]);
-    for (std::size_t e = end - count, rows = 1; e < end; e += rows) {
-      const bool is_block = columns == 3 && are_a_block(e, column);
-      rows = is_block ? 3 : 1;
-      if (is_block)
-        visit(pattern_.slot_of(e), pattern_.row[e], column, 3);
+    columns = begins_a_node_[column] && have_same_rows(column) ? 3 : 1;
+    const std::int32_t begin = pattern_.column_start[column], end = pattern_.column_start[column + 1];
+    const auto add = [&](std::int32_t entry, std::int32_t by, std::int32_t size) {
+      const auto slot = pattern_.slot_of(entry + by * (end - begin));
+      pieces_.push_back({pattern_.row[entry], column + by, static_cast<std::uint32_t>(slot), size});
+    };
+    for (std::int32_t entry = begin, rows = 1; entry < end; entry += rows) {
+      rows = columns == 3 && are_a_block(entry, column) ? 3 : 1;
+      if (rows == 3)
+        add(entry, 0, 3);
       else
-        for (std::int32_t j = 0; j < columns; ++j)
-          visit(pattern_.slot_of(e + static_cast<std::size_t>(j) * count), pattern_.row[e], column + j, 1);
+        for (std::int32_t by = 0; by < columns; ++by) add(entry, by, 1);
     }
   }
 }
 
 void FrontTreeBuilder::list_blocks() {
   MatrixBlocks& matrix = tree_.matrix;
-  for_pieces([&](std::size_t slot, std::int32_t row, std::int32_t column, int size) {
-    const auto first = static_cast<std::uint32_t>(slot);
+  for (const auto& [row, column, slot, size] : pieces_) {
     if (size == 1) {
-      matrix.entries.push_back({row, column, first});
-      return;
+      matrix.entries.push_back({row, column, slot});
+      continue;
     }
     if (matrix.columns.empty() || matrix.columns.back().column != column)
       matrix.columns.push_back({column, matrix.blocks.size()});
-    matrix.blocks.push_back({row, first});
-  });
+    matrix.blocks.push_back({row, slot});
+  }
   matrix.columns.push_back({pattern_.size, matrix.blocks.size()});
 }
 
 /// By fronts.
 void FrontTreeBuilder::sort_entries() {
   std::vector<std::size_t> next(tree_.fronts.size() + 1, 0);
-  for_pieces([&](auto, auto row, auto column, auto) { ++next[front_of_entry(row, column) + 1]; });
+  for (const Piece& piece : pieces_) ++next[front_of_entry(piece.row, piece.column) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].entries = next[s];
   Front end;
   end.entries = next.back(), end.panels = tree_.panels, end.indices = tree_.other.size();
   end.runs = tree_.runs.size();
   tree_.of_matrix.resize(end.entries), row_.resize(end.entries), column_.resize(end.entries);
-  for_pieces([&](std::size_t slot, auto row, auto column, auto size) {
+  for (const auto& [row, column, slot, size] : pieces_) {
     const std::size_t k = next[front_of_entry(row, column)]++;
     row_[k] = row, column_[k] = column;
-    tree_.of_matrix[k].slot = static_cast<std::uint32_t>(slot), tree_.of_matrix[k].size = size;
-  });
+    tree_.of_matrix[k].slot = slot, tree_.of_matrix[k].size = size;
+  }
   tree_.fronts.push_back(end);
 }
 
