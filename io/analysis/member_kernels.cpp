@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/analysis/member_kernels.hpp"
 
+#include "solvers/factorisation/registers.hpp"
+
 #include <type_traits>
 
 namespace netloft::io {
 
 namespace {
 
-#define NETLOFT_INLINE [[gnu::always_inline]] inline
-#define NETLOFT_INLINED __attribute__((always_inline))
-
-/// As many doubles as one register holds, anywhere in memory.
-struct Two {
-  typedef double V __attribute__((vector_size(16), aligned(8), may_alias));
-};
-struct Four {
-  typedef double V __attribute__((vector_size(32), aligned(8), may_alias));
-};
-struct Eight {
-  typedef double V __attribute__((vector_size(64), aligned(8), may_alias));
-};
+using wide::Eight, wide::Four, wide::Two;
 
 constexpr double kIdentity[8] = {1, 0, 0, 0, 1, 0, 0, 0};
 
@@ -27,7 +17,7 @@ constexpr double kIdentity[8] = {1, 0, 0, 0, 1, 0, 0, 0};
 template <class Register>
 struct WideBlock {
   using V = typename Register::V;
-  static constexpr int kLanes = sizeof(V) / sizeof(double), kParts = 8 / kLanes;
+  static constexpr int kLanes = Register::kLanes, kParts = 8 / kLanes;
   V part[kParts] = {};
   double last = 0;
 
@@ -138,24 +128,13 @@ NETLOFT_INLINE void add_tangents(const MemberTable& table, const MemberLine* lin
   };
 
 NETLOFT_KERNELS(Plain, Two, )
-#if defined(__x86_64__)
-NETLOFT_KERNELS(Avx2, Four, [[gnu::target("avx2,fma")]])
-NETLOFT_KERNELS(Avx512, Eight, [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma")]])
-#endif
+NETLOFT_KERNELS(Avx2, Four, NETLOFT_AVX2)
+NETLOFT_KERNELS(Avx512, Eight, NETLOFT_AVX512)
 
 }  // namespace
 
 std::vector<MemberKernels> member_kernels_here() {
-  std::vector<MemberKernels> here{Plain::all};
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (avx2) here.push_back(Avx2::all);
-  if (avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl"))
-    here.push_back(Avx512::all);
-#endif
-  return here;
+  return wide::those_here(Plain::all, Avx2::all, Avx512::all);
 }
 
 const MemberKernels& member_kernels() {

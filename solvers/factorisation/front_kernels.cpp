@@ -4,28 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/factorisation/registers.hpp"
+
 namespace netloft {
 namespace {
 
-#define NETLOFT_INLINE [[gnu::always_inline]] inline
+using wide::Eight, wide::Four, wide::Two;
 
 constexpr double kSuits = 0.1;  // a pivot over the norm of what is below it, that no exchange is looked for
 constexpr std::ptrdiff_t kBlock = 8;  // pivots that are eliminated one by one before the rest is updated
 
-/// As many doubles as one register holds, anywhere in memory, and how many columns a tile has so that its
-/// sums and a column of A stay in the registers.
-struct Two {
-  typedef double V __attribute__((vector_size(16), aligned(8), may_alias));
-  static constexpr int kLanes = 2, kTileColumns = 3;
-};
-struct Four {
-  typedef double V __attribute__((vector_size(32), aligned(8), may_alias));
-  static constexpr int kLanes = 4, kTileColumns = 6;
-};
-struct Eight {
-  typedef double V __attribute__((vector_size(64), aligned(8), may_alias));
-  static constexpr int kLanes = 8, kTileColumns = 8;
-};
+/// How many columns a tile has so that its sums and a column of A stay in the registers.
+template <class Register>
+constexpr int kTileColumns = Register::kLanes == 2   ? 3
+                             : Register::kLanes == 4 ? 6
+                                                     : 8;
 
 /// Entry (p, j) at at[p·down + j·across].
 struct Factor {
@@ -64,7 +57,7 @@ NETLOFT_INLINE void subtract_columns(std::ptrdiff_t m, std::ptrdiff_t k, const d
 template <class Register>
 NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::ptrdiff_t k, const double* a,
                                      std::ptrdiff_t lda, Factor b, double* c, std::ptrdiff_t ldc) {
-  constexpr int kColumns = Register::kTileColumns;
+  constexpr int kColumns = kTileColumns<Register>;
   std::ptrdiff_t j = 0;
   for (; j + kColumns <= n; j += kColumns, b.at += kColumns * b.across)
     subtract_columns<Register, kColumns>(m, k, a, lda, b, c + j * ldc, ldc);
@@ -136,19 +129,6 @@ struct OwnRows {
   const double *beyond, *before;
 };
 
-/// In pairs, pairs of pairs and so on: no addition waits for all others.
-NETLOFT_INLINE double sum_of(const Two::V& v) { return v[0] + v[1]; }
-NETLOFT_INLINE double sum_of(const Four::V& v) {
-  return sum_of(__builtin_shufflevector(v, v, 0, 1) + __builtin_shufflevector(v, v, 2, 3));
-}
-NETLOFT_INLINE double sum_of(const Eight::V& v) {
-  return sum_of(__builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7));
-}
-template <class Register>
-NETLOFT_INLINE double sum_of_lanes(const typename Register::V& v) {
-  return sum_of(v);
-}
-
 /// Whether entry k of a column is a pivot as it is: not small beside the entries from there to row n.
 template <class Register>
 NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
@@ -162,7 +142,7 @@ NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::pt
       squares += rows * rows;
     }
   }
-  const double sum = sum_of_lanes<Register>(squares);
+  const double sum = wide::sum_of(squares);
   const double square = column[k] * column[k];
   return square > 0 && square >= kSuits * kSuits * sum;
 }
@@ -378,7 +358,7 @@ NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const 
   for (std::ptrdiff_t i = 0; i < stride; i += Register::kLanes)
     for (int j = 0; j < kColumns; ++j)
       sum[j] += *reinterpret_cast<const V*>(a + j * stride + i) * *reinterpret_cast<const V*>(x + i);
-  for (int j = 0; j < kColumns; ++j) y[j] -= sum_of_lanes<Register>(sum[j]);
+  for (int j = 0; j < kColumns; ++j) y[j] -= wide::sum_of(sum[j]);
 }
 
 /// y ← U⁻¹ y, U upper triangular of `width` columns, at most kBlock: y and what it becomes stay in registers.
@@ -419,98 +399,6 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   }
 }
 
-/// y ← y + x
-template <class Register>
-NETLOFT_INLINE void add(const double* x, std::ptrdiff_t count, double* y) {
-  using V = typename Register::V;
-  std::ptrdiff_t i = 0;
-  for (; i + Register::kLanes <= count; i += Register::kLanes)
-    *reinterpret_cast<V*>(y + i) += *reinterpret_cast<const V*>(x + i);
-  if constexpr (Register::kLanes > 4)
-    if (i + 4 <= count)
-      *reinterpret_cast<Four::V*>(y + i) += *reinterpret_cast<const Four::V*>(x + i), i += 4;
-  if constexpr (Register::kLanes > 2)
-    if (i + 2 <= count) *reinterpret_cast<Two::V*>(y + i) += *reinterpret_cast<const Two::V*>(x + i), i += 2;
-  if (i < count) y[i] += x[i];
-}
-
-/// Columns of the child that are pivots go to the left panel; of the others, rows that are go to the upper
-/// one.
-template <class Register>
-NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {
-  const std::ptrdiff_t n = f.pivots, from = upper_stride(child.others), left = left_stride(n, f.others),
-                       stride = upper_stride(f.others);
-  for (const UnknownRun& columns : child.runs)
-    for (const UnknownRun& rows : child.runs) {
-      const double* x = child.C + rows.from + columns.from * from;
-      if (columns.place < n) {
-        double* y = f.left + rows.place + columns.place * left;
-        for (std::int32_t j = 0; j < columns.count; ++j)
-          add<Register>(x + j * from, rows.count, y + j * left);
-      } else if (rows.place < n) {
-        double* y = f.upper + (columns.place - n) + rows.place * stride;
-        for (std::int32_t i = 0; i < rows.count; ++i)
-          for (std::int32_t j = 0; j < columns.count; ++j) y[i * stride + j] += x[i + j * from];
-      } else {
-        double* y = C + (rows.place - n) + (columns.place - n) * stride;
-        for (std::int32_t j = 0; j < columns.count; ++j)
-          add<Register>(x + j * from, rows.count, y + j * stride);
-      }
-    }
-}
-
-/// Not a number as soon as one of them is infinite or none.
-template <class Register>
-NETLOFT_INLINE bool take(std::span<const double> from, double* to) {
-  using V = typename Register::V;
-  constexpr int kApart = 4;  // none waits for the one before
-  V sum[kApart] = {};
-  std::size_t i = 0;
-  for (; i + kApart * Register::kLanes <= from.size(); i += kApart * Register::kLanes)
-    for (int part = 0; part < kApart; ++part) {
-      const std::size_t at = i + static_cast<std::size_t>(part * Register::kLanes);
-      const V some = *reinterpret_cast<const V*>(from.data() + at);
-      *reinterpret_cast<V*>(to + at) = some;
-      sum[part] += some - some;
-    }
-  double rest = 0;
-  for (; i < from.size(); ++i) to[i] = from[i], rest += from[i] - from[i];
-  return sum_of_lanes<Register>((sum[0] + sum[1]) + (sum[2] + sum[3])) + rest == 0;
-}
-
-template <class Register>
-NETLOFT_INLINE void multiply(const MatrixBlocks& A, const double* values, std::span<const double> x,
-                             double* products, double* sizes) {
-  using V = typename Register::V;
-  constexpr int kParts = 8 / Register::kLanes;
-  std::fill_n(products, 3 * x.size(), 0.0), std::fill_n(sizes, 3 * x.size(), 0.0);
-  for (std::size_t c = 0; c + 1 < A.columns.size(); ++c) {
-    const double* three = x.data() + A.columns[c].column;
-    const Four::V once = {three[0], three[1], three[2], 0};
-    const Eight::V all = __builtin_shufflevector(once, once, 0, 1, 2, 0, 1, 2, 0, 1);
-    V factor[kParts];
-    for (int i = 0; i < kParts; ++i)
-      factor[i] = *reinterpret_cast<const V*>(reinterpret_cast<const double*>(&all) + i * Register::kLanes);
-    for (std::size_t b = A.columns[c].first; b < A.columns[c + 1].first; ++b) {
-      const MatrixBlocks::Block& block = A.blocks[b];
-      const double* a = values + block.slot;
-      double *product = products + 3 * std::ptrdiff_t{block.row},
-             *size = sizes + 3 * std::ptrdiff_t{block.row};
-      for (int i = 0; i < kParts; ++i) {
-        const V each = *reinterpret_cast<const V*>(a + i * Register::kLanes) * factor[i];
-        *reinterpret_cast<V*>(product + i * Register::kLanes) += each;
-        *reinterpret_cast<V*>(size + i * Register::kLanes) += each < 0 ? -each : each;
-      }
-      const double last = a[8] * three[2];
-      product[8] += last, size[8] += std::abs(last);
-    }
-  }
-  for (const auto& [row, column, slot] : A.entries) {
-    const double product = values[slot] * x[static_cast<std::size_t>(column)];
-    products[3 * row] += product, sizes[3 * row] += std::abs(product);
-  }
-}
-
 /// The same for one set of instructions.
 #define NETLOFT_KERNELS(name, Register, ...)                                                                 \
   struct name {                                                                                              \
@@ -520,38 +408,17 @@ NETLOFT_INLINE void multiply(const MatrixBlocks& A, const double* values, std::s
     __VA_ARGS__ static void update(const FrontPanels& f, double* C) { netloft::update<Register>(f, C); }     \
     __VA_ARGS__ static void forward(const FrontPanels& f, double* y) { netloft::forward<Register>(f, y); }   \
     __VA_ARGS__ static void backward(const FrontPanels& f, double* y) { netloft::backward<Register>(f, y); } \
-    __VA_ARGS__ static void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {           \
-      netloft::add_child<Register>(child, f, C);                                                             \
-    }                                                                                                        \
-    __VA_ARGS__ static bool take(std::span<const double> from, double* to) {                                 \
-      return netloft::take<Register>(from, to);                                                              \
-    }                                                                                                        \
-    __VA_ARGS__ static void multiply(const MatrixBlocks& A, const double* values, std::span<const double> x, \
-                                     double* products, double* sizes) {                                      \
-      netloft::multiply<Register>(A, values, x, products, sizes);                                            \
-    }                                                                                                        \
-    static constexpr FrontKernels all{eliminate, update, forward, backward, add_child, take, multiply};      \
+    static constexpr FrontKernels all{eliminate, update, forward, backward};                                 \
   };
 
 NETLOFT_KERNELS(Plain, Two, )
-#if defined(__x86_64__)
-NETLOFT_KERNELS(Avx2, Four, [[gnu::target("avx2,fma")]])
-NETLOFT_KERNELS(Avx512, Eight, [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma")]])
-#endif
+NETLOFT_KERNELS(Avx2, Four, NETLOFT_AVX2)
+NETLOFT_KERNELS(Avx512, Eight, NETLOFT_AVX512)
 
 }  // namespace
 
 std::vector<FrontKernels> front_kernels_here() {
-  std::vector<FrontKernels> here{Plain::all};
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (avx2) here.push_back(Avx2::all);
-  if (avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl"))
-    here.push_back(Avx512::all);
-#endif
-  return here;
+  return wide::those_here(Plain::all, Avx2::all, Avx512::all);
 }
 
 const FrontKernels& front_kernels() {

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace netloft {
@@ -30,39 +29,6 @@ struct Elimination {
   bool column_is_zero = false;   // and so is all of its column
 };
 
-/// A matrix in blocks of three rows and columns, of which the nine values stand side by side, row by row.
-struct MatrixBlocks {
-  struct Column {
-    std::int32_t column;  // the first of three
-    std::size_t first;    // block
-  };
-  struct Block {
-    std::int32_t row;  // the first of three
-    std::uint32_t slot;
-  };
-  struct Entry {
-    std::int32_t row, column;
-    std::uint32_t slot;
-  };
-  std::vector<Column> columns;  // and one more, where all ends
-  std::vector<Block> blocks;
-  std::vector<Entry> entries;  // that are in no block
-};
-
-/// Unknowns of a front that are neighbours among those of its parent, too; all or none are pivots there.
-struct UnknownRun {
-  std::int32_t from = 0;   // among the others of the front
-  std::int32_t place = 0;  // among the unknowns of the parent
-  std::int32_t count = 0;
-};
-
-/// What a child left: its columns, of the stride of its own `upper`, and where they go.
-struct ChildUpdate {
-  const double* C;
-  std::int32_t others;
-  std::span<const UnknownRun> runs;
-};
-
 /// The dense work on a front, for the instructions this processor has:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
@@ -78,13 +44,6 @@ struct FrontKernels {
   void (*forward)(const FrontPanels& front, double* y);
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); what comes behind y₂ is set to zero.
   void (*backward)(const FrontPanels& front, double* y);
-  /// Adds what a child left to the panels, and to C, which has the stride of `upper`.
-  void (*add_child)(const ChildUpdate& child, const FrontPanels& front, double* C);
-  /// to ← from. False if some are not finite.
-  bool (*take)(std::span<const double> from, double* to);
-  /// A x and |A| |x|; row i has its products in three sums at 3 i.
-  void (*multiply)(const MatrixBlocks& A, const double* values, std::span<const double> x, double* products,
-                   double* sizes);
 };
 
 /// The best there is, and all that run here, the best last.

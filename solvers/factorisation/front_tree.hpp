@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "framework/problem/factorisation.hpp"
-#include "solvers/factorisation/front_kernels.hpp"
+#include "solvers/factorisation/matrix_kernels.hpp"
 #include "solvers/factorisation/node_ordering.hpp"
 
 namespace netloft {

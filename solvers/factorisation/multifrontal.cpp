@@ -79,6 +79,7 @@ class MultifrontalFactorisation final : public Factorisation {
   const SparsePattern* pattern_ = nullptr;
   FrontTree tree_;
   const FrontKernels& kernels_ = front_kernels();
+  const MatrixKernels& matrix_kernels_ = matrix_kernels();
   std::vector<double> values_;  // by slots
   Room panels_, updates_[2];
   std::vector<std::int32_t> exchanged_;  // rows, by place
@@ -147,7 +148,7 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
 
 /// False if some are not finite; what stands between the entries does not count.
 bool MultifrontalFactorisation::take(std::span<const double> values) {
-  return kernels_.take(values.first(values_.size()), values_.data()) ||
+  return matrix_kernels_.take(values.first(values_.size()), values_.data()) ||
          find_column_not_finite(*pattern_, values) < 0;
 }
 
@@ -175,7 +176,7 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
   std::fill_n(update, f.others * upper_stride(f.others), 0.0);
   set_entries(front);
   for (std::int32_t c = tree_.child_start[front]; c < tree_.child_start[front + 1]; ++c)
-    kernels_.add_child(left_by(static_cast<std::size_t>(tree_.child[c])), panels, update);
+    matrix_kernels_.add_child(left_by(static_cast<std::size_t>(tree_.child[c])), panels, update);
   const Elimination e = kernels_.eliminate(panels, kLeastPivot, exchanged_.data() + f.first);
   if (e.stopped_at < 0) kernels_.update(panels, update);
   return e;
@@ -263,7 +264,7 @@ void MultifrontalFactorisation::backward(std::size_t front) {
 
 /// b − A x, and (2).
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
-  kernels_.multiply(tree_.matrix, values_.data(), x, products_.data(), sizes_.data());
+  matrix_kernels_.multiply(tree_.matrix, values_.data(), x, products_.data(), sizes_.data());
   double error = 0;
   for (std::size_t i = 0; i < rhs.size(); ++i) {
     const double *product = &products_[3 * i], *size = &sizes_[3 * i];
