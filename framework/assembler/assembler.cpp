@@ -92,20 +92,21 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
       axes_(scene.frames),
       guides_(scene.guides),
       workers_(threads) {
-  std::size_t tiles = 0;
   const NodeBlocks blocks = make_blocks(families_, nodes, plan.symmetric);
   pattern_ = make_pattern(blocks, numbering_, plan.symmetric);
   frames_ = Frames(nodes, numbering_, blocks, plan.symmetric);
   bodies_ = Bodies(nodes, numbering_, blocks, plan.symmetric);
-  for (const auto& family : families_) {
-    const std::size_t first_spare = pattern_.slots + 9 * tiles;
-    const Tiling* alike = find_alike(tilings_, *family);
-    tilings_.push_back(alike ? make_tiling_like(*alike, *family, first_spare)
-                             : make_tiling(*family, nodes, numbering_, blocks, plan.symmetric, first_spare));
-    memories_.push_back(make_memory(*family, tilings_.back().tiles));
-    first_tile_.push_back(tiles);
-    tiles += tilings_.back().tiles;
+  companies_ = find_companies(families_);
+  std::size_t tiles = 0;
+  for (Company& company : companies_) {
+    const ElementFamily& first = *families_[company.families.front()];
+    company.tiling =
+        make_tiling(first, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles);
+    company.first_tile = tiles;
+    tiles += company.tiling.tiles;
   }
+  for (std::size_t f = 0; f < families_.size(); ++f)
+    memories_.push_back(make_memory(*families_[f], company_of(f).tiling.tiles));
   value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
   start_.resize(numbering_.dofs());
@@ -178,8 +179,8 @@ void Assembler::hand_on(std::span<const double> x, const Request& request) {
   const bool exact = request.matrix == MatrixKind::exact;
   if (!residual && exact) {
     body_forces_.assign(numbering_.dofs(), 0.0);
-    for (std::size_t f = 0; f < families_.size(); ++f)
-      run_family(f, x, {.residual = body_forces_.data(), .motion = request.motion});
+    for (const Company& company : companies_)
+      run_company(company, x, {.residual = body_forces_.data(), .motion = request.motion});
     residual = body_forces_.data();
   }
   bodies_.hand_on(x, residual, request.values, exact);
@@ -207,8 +208,14 @@ std::array<double, 3> Assembler::part_of(std::uint32_t node, std::span<const dou
   return force;
 }
 
+const Company& Assembler::company_of(std::size_t family) const {
+  return *std::find_if(companies_.begin(), companies_.end(), [&](const Company& company) {
+    return std::find(company.families.begin(), company.families.end(), family) != company.families.end();
+  });
+}
+
 int Assembler::threads_used() const {
-  for (const auto& tiling : tilings_)
+  for (const auto& [tiling, families, first_tile] : companies_)
     for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
       if (tiling.colour_begin[c + 1] - tiling.colour_begin[c] >= kSerialBelow)
         return static_cast<int>(workers_.size());
@@ -218,8 +225,8 @@ int Assembler::threads_used() const {
 bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   if (request.residual) std::fill_n(request.residual, numbering_.dofs(), 0.0);
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);
-  for (std::size_t f = 0; f < families_.size(); ++f)
-    if (!run_family(f, x, request)) return false;
+  for (const Company& company : companies_)
+    if (!run_company(company, x, request)) return false;
   hand_on(x, request);
   if (request.residual) frames_.turn(request.residual);
   if (request.values) frames_.turn_matrix(request.values);
@@ -230,11 +237,11 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   return true;
 }
 
-bool Assembler::run_family(std::size_t family, std::span<const double> x, const Request& request) {
-  const Tiling& tiling = tilings_[family];
+bool Assembler::run_company(const Company& company, std::span<const double> x, const Request& request) {
+  const Tiling& tiling = company.tiling;
   const auto run = [&](std::size_t begin, std::size_t end) {
     workers_.run(end - begin, kSerialBelow, [&](std::size_t worker, std::size_t i) {
-      run_tile(family, tiling.order[begin + i], x, request, *workspaces_[worker]);
+      run_tile(company, tiling.order[begin + i], x, request, *workspaces_[worker]);
     });
   };
   if (!request.residual && !request.values)
@@ -245,81 +252,18 @@ bool Assembler::run_family(std::size_t family, std::span<const double> x, const 
   return collect_faults();
 }
 
-void Assembler::run_tile(std::size_t family, std::size_t tile, std::span<const double> x,
+void Assembler::run_tile(const Company& company, std::size_t tile, std::span<const double> x,
                          const Request& request, Workspace& w) {
-  const Tiling& tiling = tilings_[family];
-  netloft_tile t = make_tile(tiling, tile, x, request.motion, w);
+  gather(company, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
-  w.force.clear(), w.packed_tangent.clear(), w.square_tangent.clear();
+  w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
   w.message[0] = 0;
-  if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
-    return report(family, t, status, w);
-  scatter(family, tile, request, w);
-}
-
-namespace {
-
-/// Entries of a vector over all dofs as a tile wants them.
-void gather(const Tiling& tiling, std::size_t tile, const double* from, double* to) {
-  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
-  const std::size_t count = tiling.lanes(tile);
-  const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
-  for (std::size_t d = 0; d < dofs; ++d)
-    for (std::size_t lane = 0; lane < count; ++lane) to[d * kLanes + lane] = from[map[d * kLanes + lane]];
-}
-
-}  // namespace
-
-netloft_tile Assembler::make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
-                                  const Kinematics& motion, Workspace& w) const {
-  const ElementFamily& family = *tiling.family;
-  gather(tiling, tile, x.data(), w.x.data());
-  netloft_tile t{};
-  t.size = sizeof t;
-  t.first = static_cast<std::uint32_t>(tile * kLanes),
-  t.count = static_cast<std::uint32_t>(tiling.lanes(tile));
-  t.time = motion.time, t.cu = motion.cu, t.cv = motion.cv, t.ca = motion.ca;
-  t.water_density = water_.density, t.gravity = water_.gravity, t.water_viscosity = water_.viscosity;
-  if (motion.v && family.reads(NETLOFT_READS_VELOCITY)) {
-    gather(tiling, tile, motion.v, w.v.data());
-    t.v = w.v.data();
+  for (const std::size_t family : company.families) {
+    netloft_tile t = make_tile(family, tile, request.motion, w);
+    if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
+      return report(family, t, status, w);
   }
-  if (motion.a && family.reads(NETLOFT_READS_ACCELERATION)) {
-    gather(tiling, tile, motion.a, w.a.data());
-    t.a = w.a.data();
-  }
-  if (!w.current.empty() && family.reads(NETLOFT_READS_CURRENT)) {
-    gather_current(tiling, tile, motion.time, w);
-    t.current = w.current.data(), t.current_dz = w.current_dz.data();
-  }
-  t.x = w.x.data();
-  t.state = memories_[static_cast<std::size_t>(&tiling - tilings_.data())].kept(tile);
-  t.message = w.message, t.message_size = sizeof w.message;
-  return t;
-}
-
-/// Velocity of the water at the nodes of a tile, whose positions have been gathered. What is the same
-/// everywhere stands there already.
-void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
-  if (current_.is_uniform()) return fill_current(time, w);
-  std::array<double, 3> velocity, dz;
-  for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
-    for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
-      current_.at(w.x[(3 * node + 2) * kLanes + lane], velocity, dz, time);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        w.current[(3 * node + axis) * kLanes + lane] = velocity[axis];
-        w.current_dz[(3 * node + axis) * kLanes + lane] = dz[axis];
-      }
-    }
-}
-
-/// A current that is the same at all heights, for all tiles of this time.
-void Assembler::fill_current(double time, Workspace& w) const {
-  if (w.current_time == time) return;
-  w.current_time = time;
-  std::array<double, 3> velocity, dz;
-  current_.at(0, velocity, dz, time);
-  for (std::size_t i = 0; i < w.current.size(); ++i) w.current[i] = velocity[i / kLanes % 3];
+  scatter(company, tile, request, w);
 }
 
 int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
@@ -388,14 +332,17 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
     add_symmetric_part(w.scratch.data(), n, triangle);
     return NETLOFT_OK;
   }
+  if (kind == MatrixKind::metric) {
+    add_bounds(w.scratch.data(), symmetric, n, t.count, triangle);
+    return NETLOFT_OK;
+  }
   for (std::size_t lane = 0; lane < t.count; ++lane) {
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c < n; ++c) {
         const std::size_t entry = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * n + c;
         w.element[r * n + c] = w.scratch[entry * kLanes + lane];
       }
-    if (kind == MatrixKind::convex) project_convex(w.element.data(), dofs);
-    if (kind == MatrixKind::metric) bound_by_diagonal(w.element.data(), dofs);
+    project_convex(w.element.data(), dofs);
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c <= r; ++c) triangle[(packed(r) + c) * kLanes + lane] += w.element[r * n + c];
   }

@@ -3,7 +3,7 @@
 #include "framework/assembler/bodies.hpp"
 #include "framework/assembler/frames.hpp"
 #include "framework/assembler/memory.hpp"
-#include "framework/assembler/tiling.hpp"
+#include "framework/assembler/riders.hpp"
 #include "framework/assembler/workers.hpp"
 
 #include <memory>
@@ -39,7 +39,8 @@ struct ElementFault {
 };
 
 /// The families of a scene as one sum: gathers positions, evaluates active terms on tiles of 64 elements,
-/// scatters. Vectors over all dofs are in the order of `numbering()`. Evaluation allocates nothing.
+/// those of all families on the same nodes, and scatters. Vectors over all dofs are in the order of
+/// `numbering()`. Evaluation allocates nothing.
 class Assembler {
  public:
   Assembler(const Scene& scene, const Plan& plan, int threads);
@@ -113,16 +114,18 @@ class Assembler {
   /// `nodes` are those of the scene and of what families share.
   Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>>&& families);
-  bool run_family(std::size_t family, std::span<const double> x, const Request& request);
-  void run_tile(std::size_t family, std::size_t tile, std::span<const double> x, const Request& request,
+  bool run_company(const Company& company, std::span<const double> x, const Request& request);
+  void run_tile(const Company& company, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
   int call_terms(std::size_t family, netloft_tile& tile, const Request& request, Workspace& w);
   int call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& tile,
                        MatrixKind kind, Workspace& w);
-  void scatter(std::size_t family, std::size_t tile, const Request& request, Workspace& w);
+  void scatter(const Company& company, std::size_t tile, const Request& request, Workspace& w);
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
-  netloft_tile make_tile(const Tiling& tiling, std::size_t tile, std::span<const double> x,
-                         const Kinematics& motion, Workspace& w) const;
+  const Company& company_of(std::size_t family) const;
+  void gather(const Company& company, std::size_t tile, std::span<const double> x, const Kinematics& motion,
+              Workspace& w) const;
+  netloft_tile make_tile(std::size_t family, std::size_t tile, const Kinematics& motion, Workspace& w) const;
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
                                 std::uint8_t axes) const;
   void hand_on(std::span<const double> x, const Request& request);
@@ -148,9 +151,8 @@ class Assembler {
   Bodies bodies_;
   std::vector<Guide> guides_;
   SparsePattern pattern_;
-  std::vector<Tiling> tilings_;
-  std::vector<Memory> memories_;         // per family
-  std::vector<std::size_t> first_tile_;  // per family
+  std::vector<Company> companies_;
+  std::vector<Memory> memories_;  // per family
   std::size_t value_slots_ = 0;
   std::vector<double> start_, tile_energy_, body_forces_;
   Workers workers_;

@@ -14,20 +14,16 @@ bool have_same_nodes(const ElementFamily& a, const ElementFamily& b) {
   return true;
 }
 
-const Tiling* find_alike(std::span<const Tiling> tilings, const ElementFamily& family) {
-  const auto at = std::find_if(tilings.begin(), tilings.end(),
-                               [&](const Tiling& tiling) { return have_same_nodes(*tiling.family, family); });
-  return at == tilings.end() ? nullptr : &*at;
-}
-
-Tiling make_tiling_like(const Tiling& other, const ElementFamily& family, std::size_t first_spare) {
-  Tiling tiling = other;
-  tiling.family = &family, tiling.first_spare = first_spare;
-  const auto first = static_cast<std::int32_t>(other.first_spare),
-             shift = static_cast<std::int32_t>(first_spare) - first;
-  for (std::int32_t& block : tiling.block_map)
-    if (block >= first) block += shift;
-  return tiling;
+std::vector<Company> find_companies(std::span<const std::unique_ptr<ElementFamily>> families) {
+  std::vector<Company> companies;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    const auto at = std::find_if(companies.begin(), companies.end(), [&](const Company& company) {
+      return have_same_nodes(*families[company.families.front()], *families[f]);
+    });
+    Company& company = at == companies.end() ? companies.emplace_back() : *at;
+    company.families.push_back(f);
+  }
+  return companies;
 }
 
 }  // namespace netloft

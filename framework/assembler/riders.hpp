@@ -10,10 +10,15 @@ namespace netloft {
 /// what has been found of the nodes of one then holds for the other.
 bool have_same_nodes(const ElementFamily& a, const ElementFamily& b);
 
-/// The tiling of a family with the same nodes; null if there is none.
-const Tiling* find_alike(std::span<const Tiling> tilings, const ElementFamily& family);
+/// A family and those that ride on it: one tiling serves them all, and a tile is gathered once, and scattered
+/// when all of them have added to it.
+struct Company {
+  Tiling tiling;
+  std::vector<std::size_t> families;  // the one that is ridden on first
+  std::size_t first_tile = 0;         // among those of all companies
+};
 
-/// A tiling for a family with the same nodes, with spare slots of its own.
-Tiling make_tiling_like(const Tiling& other, const ElementFamily& family, std::size_t first_spare);
+/// Which families keep company, in the order of the first of each; without tilings.
+std::vector<Company> find_companies(std::span<const std::unique_ptr<ElementFamily>> families);
 
 }  // namespace netloft

@@ -44,25 +44,45 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
   }
 }
 
-/// Two numbers in a register, anywhere in memory.
+#define NETLOFT_INLINE [[gnu::always_inline]] inline
+
+/// Two and four numbers in a register, anywhere in memory.
 typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
+typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
 
 /// The nine entries of a block, row by row, each in all lanes.
 struct Entries {
   std::array<const double*, 9> at;
-  Two pair(std::size_t i, std::size_t lane) const { return *reinterpret_cast<const Two*>(at[i] + lane); }
-  double one(std::size_t i, std::size_t lane) const { return at[i][lane]; }
+  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Two& two) const {
+    two = *reinterpret_cast<const Two*>(at[i] + lane);
+  }
+  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Four& four) const {
+    four = *reinterpret_cast<const Four*>(at[i] + lane);
+  }
+  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, double& one) const { one = at[i][lane]; }
 };
 
 /// The sum of two.
 struct BothEntries {
   Entries a, b;
-  Two pair(std::size_t i, std::size_t lane) const { return a.pair(i, lane) + b.pair(i, lane); }
-  double one(std::size_t i, std::size_t lane) const { return a.one(i, lane) + b.one(i, lane); }
+  // By name: deduced types forget that registers stand anywhere in memory.
+  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Two& two) const {
+    Two other;
+    a.get(i, lane, two), b.get(i, lane, other);
+    two += other;
+  }
+  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Four& four) const {
+    Four other;
+    a.get(i, lane, four), b.get(i, lane, other);
+    four += other;
+  }
+  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, double& one) const {
+    one = a.at[i][lane] + b.at[i][lane];
+  }
 };
 
 template <int Nodes>
-Entries square_entries(const double* square, int P, int Q) {
+NETLOFT_INLINE Entries square_entries(const double* square, int P, int Q) {
   Entries entries;
   for (std::size_t i = 0; i < 9; ++i)
     entries.at[i] = square + ((3 * static_cast<std::size_t>(P) + i / 3) * 3 * Nodes +
@@ -71,7 +91,7 @@ Entries square_entries(const double* square, int P, int Q) {
   return entries;
 }
 
-Entries packed_entries(const double* packed_tangent, int P, int Q) {
+NETLOFT_INLINE Entries packed_entries(const double* packed_tangent, int P, int Q) {
   Entries entries;
   for (std::size_t i = 0; i < 9; ++i) {
     const std::size_t row = 3 * static_cast<std::size_t>(P) + i / 3,
@@ -81,33 +101,116 @@ Entries packed_entries(const double* packed_tangent, int P, int Q) {
   return entries;
 }
 
-/// values[to + i] += entry i of a lane, for two lanes, whose entries become neighbours in the registers.
-template <class Pair>
-void add_two_lanes(double* first, double* second, const Pair& pair) {
+/// values[to + i] += entry i of a lane, for two lanes from `lane` on, whose entries become neighbours in the
+/// registers.
+template <class EntriesOfLanes>
+NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
+                                  double* values) {
+  double *first = values + to[lane], *second = values + to[lane + 1];
+  Two a, b;
   for (std::size_t i = 0; i < 8; i += 2) {
-    const Two a = pair(i), b = pair(i + 1);
+    entries.get(i, lane, a), entries.get(i + 1, lane, b);
     *reinterpret_cast<Two*>(first + i) += Two{a[0], b[0]};
     *reinterpret_cast<Two*>(second + i) += Two{a[1], b[1]};
   }
-  const Two last = pair(8);
-  first[8] += last[0], second[8] += last[1];
+  entries.get(8, lane, a);
+  first[8] += a[0], second[8] += a[1];
 }
 
-/// Adds the blocks of all pairs of corners; entries_of(P, Q) has pair(i) and one(i), entry i of two lanes and
-/// of one.
-template <int Nodes, class EntriesOf>
-void add_blocks(const std::int32_t* map, std::size_t count, const EntriesOf& entries_of, double* values) {
-  for (int P = 0; P < Nodes; ++P)
-    for (int Q = 0; Q < Nodes; ++Q, map += kLanes) {
-      const auto entry = entries_of(P, Q);
-      std::size_t lane = 0;
-      for (; lane + 2 <= count; lane += 2)
-        add_two_lanes(values + map[lane], values + map[lane + 1],
-                      [&](std::size_t i) { return entry.pair(i, lane); });
-      if (lane < count)
-        for (std::size_t i = 0; i < 9; ++i)
-          values[map[lane] + static_cast<std::ptrdiff_t>(i)] += entry.one(i, lane);
+/// The same for four.
+template <class EntriesOfLanes>
+NETLOFT_INLINE void add_four_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
+                                   double* values) {
+  Four v[4];
+  for (std::size_t i = 0; i < 8; i += 4) {
+    for (std::size_t k = 0; k < 4; ++k) entries.get(i + k, lane, v[k]);
+    const Four even = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6),
+               odd = __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7),
+               even_below = __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6),
+               odd_below = __builtin_shufflevector(v[2], v[3], 1, 5, 3, 7);
+    double* at = values + i;
+    *reinterpret_cast<Four*>(at + to[lane]) += __builtin_shufflevector(even, even_below, 0, 1, 4, 5);
+    *reinterpret_cast<Four*>(at + to[lane + 1]) += __builtin_shufflevector(odd, odd_below, 0, 1, 4, 5);
+    *reinterpret_cast<Four*>(at + to[lane + 2]) += __builtin_shufflevector(even, even_below, 2, 3, 6, 7);
+    *reinterpret_cast<Four*>(at + to[lane + 3]) += __builtin_shufflevector(odd, odd_below, 2, 3, 6, 7);
+  }
+  entries.get(8, lane, v[0]);
+  for (std::size_t k = 0; k < 4; ++k) values[to[lane + k] + 8] += v[0][k];
+}
+
+/// Adds the blocks of one pair of corners.
+template <bool kWide, class EntriesOfLanes>
+NETLOFT_INLINE void add_pair(const std::int32_t* to, std::size_t count, const EntriesOfLanes& entries,
+                             double* values) {
+  std::size_t lane = 0;
+  if constexpr (kWide)
+    for (; lane + 4 <= count; lane += 4) add_four_lanes(to, entries, lane, values);
+  for (; lane + 2 <= count; lane += 2) add_two_lanes(to, entries, lane, values);
+  if (lane < count)
+    for (std::size_t i = 0; i < 9; ++i) {
+      double entry;
+      entries.get(i, lane, entry);
+      values[to[lane] + static_cast<std::ptrdiff_t>(i)] += entry;
     }
+}
+
+/// Tangents of all lanes of a tile; null: none.
+struct Tangents {
+  const double *triangle, *square;
+};
+
+/// Adds the blocks of all pairs of corners.
+template <bool kWide, int Nodes>
+NETLOFT_INLINE void add_blocks(const std::int32_t* to, std::size_t count, const Tangents& t, double* values) {
+  for (int P = 0; P < Nodes; ++P)
+    for (int Q = 0; Q < Nodes; ++Q, to += kLanes)
+      if (!t.triangle)
+        add_pair<kWide>(to, count, square_entries<Nodes>(t.square, P, Q), values);
+      else if (!t.square)
+        add_pair<kWide>(to, count, packed_entries(t.triangle, P, Q), values);
+      else
+        add_pair<kWide>(to, count,
+                        BothEntries{square_entries<Nodes>(t.square, P, Q), packed_entries(t.triangle, P, Q)},
+                        values);
+}
+
+template <bool kWide>
+NETLOFT_INLINE void add_all_blocks(std::size_t dofs, const std::int32_t* to, std::size_t count,
+                                   const Tangents& tangents, double* values) {
+  switch (dofs) {
+    case 3:
+      return add_blocks<kWide, 1>(to, count, tangents, values);
+    case 6:
+      return add_blocks<kWide, 2>(to, count, tangents, values);
+    case 9:
+      return add_blocks<kWide, 3>(to, count, tangents, values);
+    default:
+      return add_blocks<kWide, 4>(to, count, tangents, values);
+  }
+}
+
+using AddBlocks = void (*)(std::size_t dofs, const std::int32_t* to, std::size_t count,
+                           const Tangents& tangents, double* values);
+
+void add_blocks_plainly(std::size_t dofs, const std::int32_t* to, std::size_t count, const Tangents& tangents,
+                        double* values) {
+  add_all_blocks<false>(dofs, to, count, tangents, values);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void add_blocks_widely(std::size_t dofs, const std::int32_t* to, std::size_t count,
+                                               const Tangents& tangents, double* values) {
+  add_all_blocks<true>(dofs, to, count, tangents, values);
+}
+#endif
+
+/// The same bits either way.
+AddBlocks best_way_to_add_blocks() {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2")) return add_blocks_widely;
+#endif
+  return add_blocks_plainly;
 }
 
 /// Calls add(nodes of an element), known at compile time.
@@ -127,14 +230,14 @@ void with_nodes(std::size_t dofs, const Add& add) {
 
 }  // namespace
 
-void Assembler::scatter(std::size_t family, std::size_t tile, const Request& request, Workspace& w) {
-  const Tiling& tiling = tilings_[family];
+void Assembler::scatter(const Company& company, std::size_t tile, const Request& request, Workspace& w) {
+  const Tiling& tiling = company.tiling;
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
   if (request.energy) {
     double sum = 0;
     for (std::size_t lane = 0; lane < count; ++lane) sum += w.energy[lane];
-    tile_energy_[first_tile_[family] + tile] = sum;
+    tile_energy_[company.first_tile + tile] = sum;
   }
   if (request.residual && !w.force.is_zero()) {
     const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
@@ -157,21 +260,9 @@ void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* v
     if (!symmetric) return;
     add_twins(tiling, tile, map, triangle, values);
     with_nodes(dofs, [&](auto nodes) { add_lower_blocks<nodes>(map, count, triangle, values); });
-  } else if (symmetric && unsymmetric) {
-    with_nodes(dofs, [&](auto nodes) {
-      const auto entries = [&](int P, int Q) {
-        return BothEntries{square_entries<nodes>(square, P, Q), packed_entries(triangle, P, Q)};
-      };
-      add_blocks<nodes>(map, count, entries, values);
-    });
-  } else if (symmetric) {
-    const auto entries = [&](int P, int Q) { return packed_entries(triangle, P, Q); };
-    with_nodes(dofs, [&](auto nodes) { add_blocks<nodes>(map, count, entries, values); });
-  } else if (unsymmetric) {
-    with_nodes(dofs, [&](auto nodes) {
-      const auto entries = [&](int P, int Q) { return square_entries<nodes>(square, P, Q); };
-      add_blocks<nodes>(map, count, entries, values);
-    });
+  } else if (symmetric || unsymmetric) {
+    static const AddBlocks add = best_way_to_add_blocks();
+    add(dofs, map, count, {symmetric ? triangle : nullptr, unsymmetric ? square : nullptr}, values);
   }
 }
 

@@ -10,8 +10,9 @@
 
 namespace netloft {
 
-/// Rows of NETLOFT_LANES numbers that the terms of a tile add to, zero whenever a tile begins. Only what the
-/// tile before may have left is set to zero again: what no term asks for costs nothing.
+/// Rows of NETLOFT_LANES numbers that the terms of a tile add to. They are set to zero when the first term of
+/// a tile asks for them, in the lanes of that tile, unless the tile before has left them so: what no term
+/// asks for costs nothing, and what one wrongly wrote beyond the last lane is gone before it is seen.
 class TileRows {
  public:
   explicit TileRows(std::size_t rows) : all_(rows * kWidth) {}
@@ -19,30 +20,42 @@ class TileRows {
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
 
-  /// Zeros for the next tile.
-  void clear() {
-    for (std::size_t row = 0; row < rows_; ++row) std::fill_n(all_.data() + row * kWidth, lanes_, 0.0);
-    rows_ = 0;
-  }
+  /// For the next tile.
+  void begin() { rows_ = 0; }
   /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a
-  /// tile. What a term wrongly wrote beyond the last lane of an earlier tile is gone before it is seen.
+  /// tile.
   double* open(std::size_t rows, std::size_t lanes) {
-    for (std::size_t row = 0; lanes > lanes_ && row < opened_; ++row)
-      std::fill_n(all_.data() + row * kWidth + lanes_, lanes - lanes_, 0.0);
-    rows_ = std::max(rows_, rows), opened_ = std::max(opened_, rows), lanes_ = lanes;
+    if (rows > rows_) {
+      set_zero(rows_, rows, lanes);
+      rows_ = rows, zero_rows_ = 0;
+    }
+    lanes_ = lanes;
     return all_.data();
   }
   /// Whether this tile has added nothing.
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)
       if (!is_zero(all_.data() + row * kWidth)) return false;
-    rows_ = 0;
+    if (rows_ > 0) zero_rows_ = rows_, zero_lanes_ = lanes_;
     return true;
   }
 
  private:
   static constexpr std::size_t kWidth = NETLOFT_LANES;
+  // Rows set to zero by one call: 2 KiB, of which libraries make plain stores. For more they take
+  // instructions that are slow to begin, and row by row the calls count. Of fewer lanes than these, eight by
+  // eight.
+  static constexpr std::size_t kAtOnce = 4, kManyLanes = 48, kEight = 8;
 
+  void set_zero(std::size_t begin, std::size_t end, std::size_t lanes) {
+    if (lanes <= zero_lanes_) begin = std::max(begin, zero_rows_);
+    double *from = all_.data() + begin * kWidth, *to = all_.data() + end * kWidth;
+    if (lanes > kManyLanes)
+      for (; from < to; from += kAtOnce * kWidth) std::fill(from, std::min(from + kAtOnce * kWidth, to), 0.0);
+    else
+      for (std::size_t lane = 0; lane < lanes; lane += kEight)
+        for (double* row = from; row < to; row += kWidth) std::fill_n(row + lane, kEight, 0.0);
+  }
   bool is_zero(const double* row) const {
     constexpr std::size_t kApart = 8;  // none waits for the one before
     std::uint64_t some[kApart] = {};   // of integers the compiler makes vectors
@@ -56,8 +69,8 @@ class TileRows {
   }
 
   std::vector<double> all_;
-  std::size_t rows_ = 0, lanes_ = 0;  // beyond these all should be zero
-  std::size_t opened_ = 0;            // most rows so far
+  std::size_t rows_ = 0, lanes_ = 0;            // of this tile
+  std::size_t zero_rows_ = 0, zero_lanes_ = 0;  // left by the tile before
 };
 
 }  // namespace netloft

@@ -43,12 +43,13 @@ struct Assembler::Workspace {
 template <class Evaluate, class Visit>
 bool Assembler::visit_tiles(std::span<const double> x, const Kinematics& motion, std::size_t family,
                             const Evaluate& evaluate, const Visit& visit) {
-  const Tiling& tiling = tilings_[family];
+  const Company& company = company_of(family);
   const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
   Workspace& w = *workspaces_[0];
-  for (std::size_t tile = 0; tile < tiling.tiles; ++tile) {
-    netloft_tile t = make_tile(tiling, tile, x, motion, w);
-    w.force.clear();
+  for (std::size_t tile = 0; tile < company.tiling.tiles; ++tile) {
+    gather(company, tile, x, motion, w);
+    netloft_tile t = make_tile(family, tile, motion, w);
+    w.force.begin();
     t.force = w.force.open(dofs, t.count), t.want = NETLOFT_WANT_FORCE;
     if (const int status = evaluate(tile, t); status != NETLOFT_OK) {
       report(family, t, status, w);

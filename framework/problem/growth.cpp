@@ -124,7 +124,9 @@ Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFa
   if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}) ||
       !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
     return {std::numeric_limits<double>::quiet_NaN(), {}};
-  return find_growth(assembler.pattern(), K, M, make);
+  const SparsePattern& pattern = assembler.pattern();  // an assembler has more values than its pattern
+  return find_growth(pattern, std::span(K).first(pattern.value_slots()),
+                     std::span(M).first(pattern.value_slots()), make);
 }
 
 Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,

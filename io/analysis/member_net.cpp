@@ -40,12 +40,12 @@ void MemberNet::list_sites() {
       sites_.push_back(site_of(m));
       sites_.back().first = e;
     }
-    weights_.push_back({m.c, {m.count * m.c[0], m.count * m.c[1], m.count * m.c[2]}});
+    weights_.push_back({m.c, {m.count * m.c[0], m.count * m.c[1], m.count * m.c[2]}, 1 / m.l0});
   }
 }
 
-MemberNet::Site MemberNet::site_of(const AxialMember& m) const {
-  Site site;
+MemberSite MemberNet::site_of(const AxialMember& m) const {
+  MemberSite site;
   site.nodes = m.nodes;
   for (std::uint32_t i = 0; i < 3 * m.nodes; ++i)
     site.dof[i] = rest_->numbering().index(m.node[i / 3], static_cast<int>(i % 3));
@@ -55,7 +55,7 @@ MemberNet::Site MemberNet::site_of(const AxialMember& m) const {
 }
 
 /// By any of its entries that is kept.
-std::int32_t MemberNet::find_block(const Site& site, std::uint32_t p, std::uint32_t q) const {
+std::int32_t MemberNet::find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const {
   const SparsePattern& pattern = rest_->pattern();
   for (std::uint32_t entry = 0; entry < 9; ++entry) {
     const std::int32_t i = site.dof[3 * p + entry / 3], j = site.dof[3 * q + entry % 3];
@@ -84,7 +84,7 @@ void with_shape(std::uint32_t nodes, std::uint32_t members, const Visit& visit) 
 /// Calls visit(member, Σ c v) for all members, v over all dofs.
 template <class Visit>
 void MemberNet::for_weighted(std::span<const double> v, const Visit& visit) const {
-  for (const Site& site : sites_)
+  for (const MemberSite& site : sites_)
     with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
       std::array<double, 3 * nodes> at;
       for (std::uint32_t i = 0; i < 3 * nodes; ++i) at[i] = v[static_cast<std::size_t>(site.dof[i])];
@@ -103,7 +103,8 @@ void MemberNet::for_weighted(std::span<const double> v, const Visit& visit) cons
 void MemberNet::update_lines() {
   for_weighted(x_, [&](std::size_t e, const Vector& w) {
     const double l = std::sqrt(dot(w, w)), inverse = 1 / l;
-    lines_[e] = {l, inverse, l / members_[e].l0 - 1, w, {w[0] * inverse, w[1] * inverse, w[2] * inverse}};
+    lines_[e] = {
+        {w[0] * inverse, w[1] * inverse, w[2] * inverse}, inverse, w, l, l * weights_[e].inverse_l0 - 1};
   });
 }
 
@@ -115,9 +116,9 @@ bool MemberNet::evaluate(std::vector<double>& residual, std::vector<double>& val
 }
 
 void MemberNet::add_forces(std::span<const Vector> f, std::vector<double>& residual) const {
-  for (const Site& site : sites_)
+  for (const MemberSite& site : sites_)
     with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
-      const Weights* weights = &weights_[site.first];
+      const MemberWeights* weights = &weights_[site.first];
       const Vector* forces = &f[site.first];
       for (std::uint32_t k = 0; k < nodes; ++k) {
         Vector sum{};
@@ -129,43 +130,14 @@ void MemberNet::add_forces(std::span<const Vector> f, std::vector<double>& resid
     });
 }
 
-namespace {
-
-/// Two numbers in a register, anywhere in memory.
-typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
-
-/// A block in registers.
-struct WideBlock {
-  Two pair[4] = {};
-  double last = 0;
-
-  void add(double a, const MemberNet::Block& K) {
-    for (int i = 0; i < 4; ++i) pair[i] += a * *reinterpret_cast<const Two*>(K.data() + 2 * i);
-    last += a * K[8];
-  }
-  void add_to(double* values) const {
-    for (int i = 0; i < 4; ++i) *reinterpret_cast<Two*>(values + 2 * i) += pair[i];
-    values[8] += last;
-  }
-};
-
-}  // namespace
-
-/// The block of nodes p and q is that of q and p: K is symmetric.
 void MemberNet::add_blocks(std::span<const Block> K, std::vector<double>& values) const {
-  for (const Site& site : sites_)
-    with_shape(site.nodes, site.members, [&](auto nodes, auto members) {
-      const Weights* weights = &weights_[site.first];
-      for (std::uint32_t p = 0; p < nodes; ++p)
-        for (std::uint32_t q = 0; q <= p; ++q) {
-          WideBlock sum;
-          for (std::uint32_t i = 0; i < members; ++i)
-            sum.add(weights[i].count_c[p] * weights[i].c[q], K[site.first + i]);
-          const std::int32_t block = site.block[3 * p + q], mirrored = site.block[3 * q + p];
-          if (block >= 0) sum.add_to(values.data() + block);
-          if (q != p && mirrored >= 0) sum.add_to(values.data() + mirrored);
-        }
-    });
+  member_kernels().add_blocks({sites_, weights_}, K.data(), values.data());
+}
+
+void MemberNet::add_tangents(std::span<const MemberTangent> tangents, std::vector<double>& residual,
+                             std::vector<double>& values) const {
+  member_kernels().add_tangents({sites_, weights_}, lines_.data(), tangents.data(), residual.data(),
+                                values.data());
 }
 
 void MemberNet::find_changes(std::span<const double> step, std::span<Vector> changes) {

@@ -3,6 +3,7 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/scene/plan.hpp"
 #include "io/analysis/axial_members.hpp"
+#include "io/analysis/member_kernels.hpp"
 
 #include <memory>
 #include <span>
@@ -14,13 +15,8 @@ namespace netloft::io {
 class MemberNet {
  public:
   using Vector = std::array<double, 3>;
-  using Block = std::array<double, 9>;
-  /// A member at the positions of now: length [m], 1/length [1/m], strain [1], w [m] and its direction, no
-  /// numbers where w is zero.
-  struct Line {
-    double l, inverse, strain;
-    Vector w, t;
-  };
+  using Block = MemberBlock;
+  using Line = MemberLine;
 
   /// Bodies and frames of its own make std::invalid_argument.
   MemberNet(const Scene& scene, Registry& registry, int threads);
@@ -43,6 +39,9 @@ class MemberNet {
   void add_forces(std::span<const Vector> f, std::vector<double>& residual) const;
   /// Adds n c cᵀ K of all members, K row by row and symmetric, to the tangent.
   void add_blocks(std::span<const Block> K, std::vector<double>& values) const;
+  /// Both of what members do in their lines.
+  void add_tangents(std::span<const MemberTangent> tangents, std::vector<double>& residual,
+                    std::vector<double>& values) const;
 
   /// Σ c s: by how much a step of the unknowns changes the w of all members [m].
   void find_changes(std::span<const double> step, std::span<Vector> changes);
@@ -52,19 +51,9 @@ class MemberNet {
   std::vector<double> positions() const;
 
  private:
-  /// Nodes that members stand on, one, or both directions of a triangle, one after the other: where the nodes
-  /// stand, 3 each, and the blocks of their pairs, row by row, among the values; -1: none.
-  struct Site {
-    std::uint32_t first = 0, members = 1, nodes = 2;
-    std::array<std::int32_t, 9> dof{}, block{};
-  };
-  /// A member's share in what its nodes do: c, and n c.
-  struct Weights {
-    std::array<double, 3> c, count_c;
-  };
   void list_sites();
-  Site site_of(const AxialMember& member) const;
-  std::int32_t find_block(const Site& site, std::uint32_t p, std::uint32_t q) const;
+  MemberSite site_of(const AxialMember& member) const;
+  std::int32_t find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const;
   template <class Visit>
   void for_weighted(std::span<const double> v, const Visit& visit) const;
   void update_lines();
@@ -73,9 +62,9 @@ class MemberNet {
   Scene loose_;
   Plan plan_;
   std::unique_ptr<Assembler> rest_;  // all but the members
-  std::vector<Site> sites_;
-  std::vector<Weights> weights_;  // by member
-  std::vector<Line> lines_;       // at x_
+  std::vector<MemberSite> sites_;
+  std::vector<MemberWeights> weights_;  // by member
+  std::vector<Line> lines_;             // at x_
   std::vector<double> x_, step_;
 };
 

@@ -26,7 +26,7 @@ TensionNewton::TensionNewton(const Scene& scene, Registry& registry, MakeFactori
     : net_(scene, registry, threads),
       changes_(net_.size()),
       forces_(net_.size()),
-      blocks_(net_.size()),
+      tangents_(net_.size()),
       stiffness_(scene.parts.size(), 0.0) {
   const SparsePattern& pattern = net_.pattern();
   factorisation_ = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
@@ -115,23 +115,19 @@ bool TensionNewton::find_residual() {
 /// The matrix and the right-hand side of (2); false where that is no number.
 bool TensionNewton::assemble() {
   Timed timed(books_.assembly_seconds);
-  for (std::size_t e = 0; e < net_.size(); ++e) set_member(e);
-  net_.add_forces(forces_, mixed_);
-  net_.add_blocks(blocks_, values_);
+  set_tangents();
+  net_.add_tangents(tangents_, mixed_, values_);
   knows_rest_ = false;
   return all_finite(mixed_);
 }
 
-/// What a member adds to (2): k ε t, and to the matrix.
-void TensionNewton::set_member(std::size_t e) {
-  const MemberNet::Line& now = net_.line(e);
-  const double k = stiffness_now(e), turning = tension_[e] * now.inverse, linear = k * now.strain;
-  const double all = turning + damping_ * laws_[e].EA * laws_[e].inverse,
-               along = k * laws_[e].inverse - turning;
-  for (std::size_t i = 0; i < 3; ++i) {
-    forces_[e][i] = linear * now.t[i];
-    for (std::size_t j = 0; j < 3; ++j)
-      blocks_[e][3 * i + j] = along * now.t[i] * now.t[j] + (i == j ? all : 0.0);
+/// What members add to (2): k ε t, and to the matrix.
+void TensionNewton::set_tangents() {
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const MemberNet::Line& now = net_.line(e);
+    const double k = stiffness_now(e), turning = tension_[e] * now.inverse;
+    tangents_[e] = {k * now.strain, k * laws_[e].inverse - turning,
+                    turning + damping_ * laws_[e].EA * laws_[e].inverse};
   }
 }
 

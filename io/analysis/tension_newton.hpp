@@ -63,7 +63,7 @@ class TensionNewton {
   bool find_rest();
   bool find_residual();
   bool assemble();
-  void set_member(std::size_t member);
+  void set_tangents();
   bool is_balanced(double tolerance) const;
   bool find_step();
   /// Of any member in the whole step [rad].
@@ -78,7 +78,7 @@ class TensionNewton {
   std::unique_ptr<Factorisation> factorisation_;
   std::vector<MemberNet::Vector> changes_;  // Σ c s, by the whole step
   std::vector<MemberNet::Vector> forces_;   // along the members [N]
-  std::vector<MemberNet::Block> blocks_;
+  std::vector<MemberTangent> tangents_;
   struct Law {
     double EA, EA_compression, inverse;
   };

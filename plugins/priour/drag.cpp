@@ -8,10 +8,18 @@ namespace netloft::priour {
 namespace {
 
 /// F of every lane and its derivatives after W and, [corner], after positions without the shear of the
-/// current.
+/// current. What is first sets them.
 struct Force {
-  double F[3][kLanes] = {}, flow[9][kLanes] = {}, x[3][9][kLanes] = {};
+  double F[3][kLanes], flow[9][kLanes], x[3][9][kLanes];
 };
+
+enum class Turn { first, later };
+
+/// to ← number, or to ← to + number.
+template <Turn turn>
+void put(double& to, double number) {
+  to = turn == Turn::first ? number : to + number;
+}
 
 /// W and the diameter, which both kinds of law want.
 void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f) {
@@ -25,15 +33,17 @@ void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f) {
 }
 
 /// Adds `factor` times force and flow derivative of a law.
+template <Turn turn>
 void add_law(const FlowLanes& f, const double* factor, const netloft_tile& t, Force& out) {
   for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t i = 0; i < t.count; ++i) out.F[r][i] += factor[i] * f.force[r][i];
+    for (std::size_t i = 0; i < t.count; ++i) put<turn>(out.F[r][i], factor[i] * f.force[r][i]);
   if (!t.tangent) return;
   for (std::size_t k = 0; k < 9; ++k)
-    for (std::size_t i = 0; i < t.count; ++i) out.flow[k][i] += factor[i] * f.d_flow[k][i];
+    for (std::size_t i = 0; i < t.count; ++i) put<turn>(out.flow[k][i], factor[i] * f.d_flow[k][i]);
 }
 
 /// (2), (3) of one direction; `c` is a or b.
+template <Turn turn>
 void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const double (&c)[3][kLanes],
                 const netloft_tile& t, FlowLanes& f, Force& out) {
   const Twines twines(t, c, p.l0);
@@ -43,7 +53,7 @@ void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const do
     f.solidity[i] = 0, length[i] = p.bars[i] * p.l0[i];
   }
   f.call(law, t, t.tangent != nullptr);
-  add_law(f, length, t, out);
+  add_law<turn>(f, length, t, out);
   if (!t.tangent) return;
   for (int r = 0; r < 3; ++r)
     for (std::size_t i = 0; i < t.count; ++i) {
@@ -51,8 +61,8 @@ void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const do
       double along = 0;  // f_t Û of row r
       for (int a = 0; a < 3; ++a) along += f.d_direction[3 * r + a][i] * twines.t[a][i];
       for (int a = 0; a < 3; ++a) {
-        const double turn = k * (f.d_direction[3 * r + a][i] - along * twines.t[a][i]);
-        for (int q = 0; q < 3; ++q) out.x[q][3 * r + a][i] += c[q][i] * turn;
+        const double across = k * (f.d_direction[3 * r + a][i] - along * twines.t[a][i]);
+        for (int q = 0; q < 3; ++q) put<turn>(out.x[q][3 * r + a][i], c[q][i] * across);
       }
     }
 }
@@ -72,7 +82,7 @@ void fill_screen(const Triangle::Lanes& p, const netloft_tile& t, double* area, 
 }
 
 /// (6), (7)
-void add_screen_tangent(const netloft_tile& t, const FlowLanes& f, Force& out) {
+void set_screen_tangent(const netloft_tile& t, const FlowLanes& f, Force& out) {
   for (std::size_t i = 0; i < t.count; ++i) {
     const Vec3<double> m{f.direction[0][i], f.direction[1][i], f.direction[2][i]};
     for (int r = 0; r < 3; ++r) {
@@ -82,19 +92,19 @@ void add_screen_tangent(const netloft_tile& t, const FlowLanes& f, Force& out) {
       const Vec3<double> G = 0.5 * (scale * m + f_m);
       for (int q = 0; q < 3; ++q) {
         const Vec3<double> row = cross(G, corner(t, (q + 2) % 3, i) - corner(t, (q + 1) % 3, i));
-        for (int a = 0; a < 3; ++a) out.x[q][3 * r + a][i] += row[a];
+        for (int a = 0; a < 3; ++a) out.x[q][3 * r + a][i] = row[a];
       }
     }
   }
 }
 
-void add_screen(const netloft_bound_law& law, const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f,
+void set_screen(const netloft_bound_law& law, const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f,
                 Force& out) {
   double area[kLanes];
   fill_screen(p, t, area, f);
   f.call(law, t, t.tangent != nullptr);
-  add_law(f, area, t, out);  // (5)
-  if (t.tangent) add_screen_tangent(t, f, out);
+  add_law<Turn::first>(f, area, t, out);  // (5)
+  if (t.tangent) set_screen_tangent(t, f, out);
 }
 
 void compute(const Family<Triangle>& family, const netloft_tile& t, Force& out) {
@@ -102,9 +112,9 @@ void compute(const Family<Triangle>& family, const netloft_tile& t, Force& out) 
   const netloft_bound_law& law = family.law(0);
   FlowLanes f;
   fill_flow(p, t, f);
-  if (law.kind == NETLOFT_SCREEN_LAW) return add_screen(law, p, t, f, out);
-  add_twines(law, p, p.a, t, f, out);
-  add_twines(law, p, p.b, t, f, out);
+  if (law.kind == NETLOFT_SCREEN_LAW) return set_screen(law, p, t, f, out);
+  add_twines<Turn::first>(law, p, p.a, t, f, out);
+  add_twines<Turn::later>(law, p, p.b, t, f, out);
 }
 
 /// ⅓ F_W dc/dz of row r and corner q.

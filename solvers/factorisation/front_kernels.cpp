@@ -4,28 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/factorisation/registers.hpp"
+
 namespace netloft {
 namespace {
 
-#define NETLOFT_INLINE [[gnu::always_inline]] inline
+using wide::Eight, wide::Four, wide::Two;
 
 constexpr double kSuits = 0.1;  // a pivot over the norm of what is below it, that no exchange is looked for
 constexpr std::ptrdiff_t kBlock = 8;  // pivots that are eliminated one by one before the rest is updated
 
-/// As many doubles as one register holds, anywhere in memory, and how many columns a tile has so that its
-/// sums and a column of A stay in the registers.
-struct Two {
-  typedef double V __attribute__((vector_size(16), aligned(8), may_alias));
-  static constexpr int kLanes = 2, kTileColumns = 3;
-};
-struct Four {
-  typedef double V __attribute__((vector_size(32), aligned(8), may_alias));
-  static constexpr int kLanes = 4, kTileColumns = 6;
-};
-struct Eight {
-  typedef double V __attribute__((vector_size(64), aligned(8), may_alias));
-  static constexpr int kLanes = 8, kTileColumns = 8;
-};
+/// How many columns a tile has so that its sums and a column of A stay in the registers.
+template <class Register>
+constexpr int kTileColumns = Register::kLanes == 2   ? 3
+                             : Register::kLanes == 4 ? 6
+                                                     : 8;
 
 /// Entry (p, j) at at[p·down + j·across].
 struct Factor {
@@ -64,7 +57,7 @@ NETLOFT_INLINE void subtract_columns(std::ptrdiff_t m, std::ptrdiff_t k, const d
 template <class Register>
 NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::ptrdiff_t k, const double* a,
                                      std::ptrdiff_t lda, Factor b, double* c, std::ptrdiff_t ldc) {
-  constexpr int kColumns = Register::kTileColumns;
+  constexpr int kColumns = kTileColumns<Register>;
   std::ptrdiff_t j = 0;
   for (; j + kColumns <= n; j += kColumns, b.at += kColumns * b.across)
     subtract_columns<Register, kColumns>(m, k, a, lda, b, c + j * ldc, ldc);
@@ -136,16 +129,6 @@ struct OwnRows {
   const double *beyond, *before;
 };
 
-/// In pairs, pairs of pairs and so on: no addition waits for all others.
-template <class Register>
-NETLOFT_INLINE double sum_of_lanes(const typename Register::V& v) {
-  double lanes[Register::kLanes];
-  for (int lane = 0; lane < Register::kLanes; ++lane) lanes[lane] = v[lane];
-  for (int half = Register::kLanes / 2; half > 0; half /= 2)
-    for (int lane = 0; lane < half; ++lane) lanes[lane] += lanes[lane + half];
-  return lanes[0];
-}
-
 /// Whether entry k of a column is a pivot as it is: not small beside the entries from there to row n.
 template <class Register>
 NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
@@ -159,7 +142,7 @@ NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::pt
       squares += rows * rows;
     }
   }
-  const double sum = sum_of_lanes<Register>(squares);
+  const double sum = wide::sum_of(squares);
   const double square = column[k] * column[k];
   return square > 0 && square >= kSuits * kSuits * sum;
 }
@@ -367,21 +350,15 @@ NETLOFT_INLINE void forward(const FrontPanels& f, double* y) {
   }
 }
 
-/// y₁[k …] ← y₁[k …] − (U₁₂ y₂)[k …], kColumns of them.
+/// y₁[k …] ← y₁[k …] − (U₁₂ y₂)[k …], kColumns of them; rows go on to the next multiple of kTileRows.
 template <class Register, int kColumns>
-NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const double* x,
-                                  std::ptrdiff_t count, double* y) {
-  typename Register::V sum[kColumns] = {};
-  std::ptrdiff_t i = 0;
-  for (; i + Register::kLanes <= count; i += Register::kLanes)
+NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const double* x, double* y) {
+  using V = typename Register::V;
+  V sum[kColumns] = {};
+  for (std::ptrdiff_t i = 0; i < stride; i += Register::kLanes)
     for (int j = 0; j < kColumns; ++j)
-      sum[j] += *reinterpret_cast<const typename Register::V*>(a + j * stride + i) *
-                *reinterpret_cast<const typename Register::V*>(x + i);
-  for (int j = 0; j < kColumns; ++j) {
-    double total = sum_of_lanes<Register>(sum[j]);
-    for (std::ptrdiff_t rest = i; rest < count; ++rest) total += a[j * stride + rest] * x[rest];
-    y[j] -= total;
-  }
+      sum[j] += *reinterpret_cast<const V*>(a + j * stride + i) * *reinterpret_cast<const V*>(x + i);
+  for (int j = 0; j < kColumns; ++j) y[j] -= wide::sum_of(sum[j]);
 }
 
 /// y ← U⁻¹ y, U upper triangular of `width` columns, at most kBlock: y and what it becomes stay in registers.
@@ -390,8 +367,9 @@ NETLOFT_INLINE void solve_upper_triangle(const double* U, std::ptrdiff_t stride,
                                          double* y) {
   using V = typename Register::V;
   constexpr int kParts = static_cast<int>(kBlock) / Register::kLanes;
-  double reciprocal[kBlock] = {}, known[kBlock] = {};
-  for (std::ptrdiff_t k = 0; k < width; ++k) reciprocal[k] = 1 / U[k + k * stride];
+  double reciprocal[kBlock] = {1, 1, 1, 1, 1, 1, 1, 1}, known[kBlock] = {};
+  for (std::ptrdiff_t k = 0; k < width; ++k) reciprocal[k] = U[k + k * stride];
+  for (double& pivot : reciprocal) pivot = 1 / pivot;
   V rows[kParts];
   for (int i = 0; i < kParts; ++i) rows[i] = *reinterpret_cast<const V*>(y + i * Register::kLanes);
 #pragma GCC unroll 8
@@ -411,8 +389,9 @@ template <class Register>
 NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u), down = left_stride(n, u);
   std::ptrdiff_t k = 0;
-  for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, u, y + k);
-  for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, u, y + k);
+  std::fill_n(y + n + u, kTileRows, 0.0);
+  for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, y + k);
+  for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, y + k);
   for (std::ptrdiff_t end = n, begin = 0; end > 0; end = begin) {
     begin = (end - 1) / kBlock * kBlock;
     solve_upper_triangle<Register>(f.left + begin + begin * down, down, end - begin, y + begin);
@@ -433,24 +412,13 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   };
 
 NETLOFT_KERNELS(Plain, Two, )
-#if defined(__x86_64__)
-NETLOFT_KERNELS(Avx2, Four, [[gnu::target("avx2,fma")]])
-NETLOFT_KERNELS(Avx512, Eight, [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma")]])
-#endif
+NETLOFT_KERNELS(Avx2, Four, NETLOFT_AVX2)
+NETLOFT_KERNELS(Avx512, Eight, NETLOFT_AVX512)
 
 }  // namespace
 
 std::vector<FrontKernels> front_kernels_here() {
-  std::vector<FrontKernels> here{Plain::all};
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (avx2) here.push_back(Avx2::all);
-  if (avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl"))
-    here.push_back(Avx512::all);
-#endif
-  return here;
+  return wide::those_here(Plain::all, Avx2::all, Avx512::all);
 }
 
 const FrontKernels& front_kernels() {

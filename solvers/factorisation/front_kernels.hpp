@@ -42,7 +42,7 @@ struct FrontKernels {
   void (*update)(const FrontPanels& front, double* C);
   /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) and kTileRows more; P has been done.
   void (*forward)(const FrontPanels& front, double* y);
-  /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂).
+  /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); what comes behind y₂ is set to zero.
   void (*backward)(const FrontPanels& front, double* y);
 };
 

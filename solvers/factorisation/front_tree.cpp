@@ -85,14 +85,16 @@ class FrontTreeBuilder {
   void stack_updates();
   void find_places();
   void number_locally(const Front& front);
-  void list_columns();
-  bool follows(std::int32_t column, std::int32_t first) const;
-  void sort_rows();
+  void list_runs();
+  void list_pieces();
+  void list_blocks();
+  void sort_entries();
   void find_targets();
-  template <class Visit>
-  void for_rows(const Visit& visit) const;
+  bool are_a_node(std::int32_t unknown) const;
+  bool have_same_rows(std::int32_t column) const;
+  bool are_a_block(std::size_t entry, std::int32_t column) const;
   std::int32_t front_of_entry(std::int32_t row, std::int32_t column) const;
-  void set_target(const Front& front, std::int32_t row, std::int32_t column, ShortRow& entries) const;
+  void set_target(const Front& front, std::int32_t row, std::int32_t column, FrontEntries& entries) const;
 
   const SparsePattern& pattern_;
   FrontTree tree_;
@@ -100,7 +102,15 @@ class FrontTreeBuilder {
   Indices place_;         // unknown -> k
   Indices front_;         // k -> front
   Indices local_;         // k -> place in the front at hand
-  Indices row_, column_;  // of the short rows, by fronts
+  Indices row_, column_;  // the first of the entries of fronts
+  /// Entries of the matrix: three rows and columns, or one.
+  struct Piece {
+    std::int32_t row, column;
+    std::uint32_t slot;
+    std::int32_t size;
+  };
+  std::vector<Piece> pieces_;        // by columns
+  std::vector<bool> begins_a_node_;  // unknown -> whether it and the next two are those of one node
 };
 
 FrontTree FrontTreeBuilder::build(OrderingMethod method) {
@@ -115,8 +125,10 @@ FrontTree FrontTreeBuilder::build(OrderingMethod method) {
   lay_out();
   stack_updates();
   find_places();
-  list_columns();
-  sort_rows();
+  list_runs();
+  list_pieces();
+  list_blocks();
+  sort_entries();
   find_targets();
   return std::move(tree_);
 }
@@ -212,77 +224,129 @@ void FrontTreeBuilder::find_places() {
   }
 }
 
+/// Of places that ascend by one, pivots of the parent apart.
+void FrontTreeBuilder::list_runs() {
+  for (Front& front : tree_.fronts) {
+    front.runs = tree_.runs.size();
+    const std::int32_t *place = tree_.place.data() + front.indices,
+                       pivots = front.parent < 0 ? 0 : tree_.fronts[front.parent].pivots;
+    for (std::int32_t i = 0; i < front.others; ++i)
+      if (i > 0 && place[i] == place[i - 1] + 1 && place[i] != pivots)
+        ++tree_.runs.back().count;
+      else
+        tree_.runs.push_back({i, place[i], 1});
+  }
+}
+
 std::int32_t FrontTreeBuilder::front_of_entry(std::int32_t row, std::int32_t column) const {
   return front_[std::min(place_[row], place_[column])];
 }
 
-/// Three columns of one node stand in the same rows, and their slots are neighbours.
-void FrontTreeBuilder::list_columns() {
-  for (std::int32_t column = 0; column < pattern_.size;) {
-    tree_.columns.push_back(column);
-    const bool three =
-        column + 2 < pattern_.size && follows(column + 1, column) && follows(column + 2, column);
-    column += three ? 3 : 1;
-  }
-  tree_.columns.push_back(pattern_.size);
-}
-
-/// In the order of elimination, too.
-bool FrontTreeBuilder::follows(std::int32_t column, std::int32_t first) const {
-  const std::int32_t by = column - first, k = place_[first], begin = pattern_.column_start[column],
-                     start = pattern_.column_start[first], count = pattern_.column_start[first + 1] - start;
-  if (pattern_.column_start[column + 1] - begin != count || place_[column] != k + by ||
-      front_[k + by] != front_[k])
-    return false;
-  for (std::int32_t e = 0; e < count; ++e)
-    if (pattern_.row[begin + e] != pattern_.row[start + e] ||
-        pattern_.slot_of(begin + e) != pattern_.slot_of(start + e) + static_cast<std::size_t>(by))
+/// Whether this unknown and the two after it are those of one node, in the order of elimination, too.
+bool FrontTreeBuilder::are_a_node(std::int32_t unknown) const {
+  if (unknown + 2 >= pattern_.size) return false;
+  for (std::int32_t i : {1, 2})
+    if (pattern_.node[unknown + i] != pattern_.node[unknown] || place_[unknown + i] != place_[unknown] + i ||
+        front_[place_[unknown] + i] != front_[place_[unknown]])
       return false;
   return true;
 }
 
-template <class Visit>
-void FrontTreeBuilder::for_rows(const Visit& visit) const {
-  for (std::size_t c = 0; c + 1 < tree_.columns.size(); ++c) {
-    const std::int32_t column = tree_.columns[c], columns = tree_.columns[c + 1] - column;
-    for (std::int32_t e = pattern_.column_start[column]; e < pattern_.column_start[column + 1]; ++e)
-      visit(static_cast<std::size_t>(e), pattern_.row[e], column, columns);
+/// As the two columns after it.
+bool FrontTreeBuilder::have_same_rows(std::int32_t column) const {
+  const auto rows = [&](std::int32_t c) {
+    return std::span(pattern_.row.data() + pattern_.column_start[c],
+                     pattern_.row.data() + pattern_.column_start[c + 1]);
+  };
+  return std::ranges::equal(rows(column), rows(column + 1)) &&
+         std::ranges::equal(rows(column), rows(column + 2));
+}
+
+/// Whether an entry of the first of three columns is the first of a block.
+bool FrontTreeBuilder::are_a_block(std::size_t entry, std::int32_t column) const {
+  const std::int32_t count = pattern_.column_start[column + 1] - pattern_.column_start[column];
+  if (entry + 2 >= static_cast<std::size_t>(pattern_.column_start[column + 1]) ||
+      !begins_a_node_[pattern_.row[entry]])
+    return false;
+  for (std::int32_t i = 0; i < 3; ++i)
+    for (std::int32_t j = 0; j < 3; ++j)
+      if (pattern_.row[entry + i] != pattern_.row[entry] + i ||
+          pattern_.slot_of(entry + i + j * count) !=
+              pattern_.slot_of(entry) + static_cast<std::size_t>(3 * i + j))
+        return false;
+  return true;
+}
+
+/// In blocks where there are such.
+void FrontTreeBuilder::list_pieces() {
+  begins_a_node_.resize(static_cast<std::size_t>(pattern_.size));
+  for (std::int32_t u = 0; u < pattern_.size; ++u) begins_a_node_[u] = are_a_node(u);
+  for (std::int32_t column = 0, columns = 1; column < pattern_.size; column += columns) {
+    columns = begins_a_node_[column] && have_same_rows(column) ? 3 : 1;
+    const std::int32_t begin = pattern_.column_start[column], end = pattern_.column_start[column + 1];
+    const auto add = [&](std::int32_t entry, std::int32_t by, std::int32_t size) {
+      const auto slot = pattern_.slot_of(entry + by * (end - begin));
+      pieces_.push_back({pattern_.row[entry], column + by, static_cast<std::uint32_t>(slot), size});
+    };
+    for (std::int32_t entry = begin, rows = 1; entry < end; entry += rows) {
+      rows = columns == 3 && are_a_block(entry, column) ? 3 : 1;
+      if (rows == 3)
+        add(entry, 0, 3);
+      else
+        for (std::int32_t by = 0; by < columns; ++by) add(entry, by, 1);
+    }
   }
 }
 
+void FrontTreeBuilder::list_blocks() {
+  MatrixBlocks& matrix = tree_.matrix;
+  for (const auto& [row, column, slot, size] : pieces_) {
+    if (size == 1) {
+      matrix.entries.push_back({row, column, slot});
+      continue;
+    }
+    if (matrix.columns.empty() || matrix.columns.back().column != column)
+      matrix.columns.push_back({column, matrix.blocks.size()});
+    matrix.blocks.push_back({row, slot});
+  }
+  matrix.columns.push_back({pattern_.size, matrix.blocks.size()});
+}
+
 /// By fronts.
-void FrontTreeBuilder::sort_rows() {
+void FrontTreeBuilder::sort_entries() {
   std::vector<std::size_t> next(tree_.fronts.size() + 1, 0);
-  for_rows([&](auto, auto row, auto column, auto) { ++next[front_of_entry(row, column) + 1]; });
+  for (const Piece& piece : pieces_) ++next[front_of_entry(piece.row, piece.column) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
-  for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].rows = next[s];
+  for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].entries = next[s];
   Front end;
-  end.rows = next.back(), end.panels = tree_.panels, end.indices = tree_.other.size();
-  tree_.rows.resize(end.rows), row_.resize(end.rows), column_.resize(end.rows);
-  for_rows([&](std::size_t e, auto row, auto column, auto columns) {
+  end.entries = next.back(), end.panels = tree_.panels, end.indices = tree_.other.size();
+  end.runs = tree_.runs.size();
+  tree_.of_matrix.resize(end.entries), row_.resize(end.entries), column_.resize(end.entries);
+  for (const auto& [row, column, slot, size] : pieces_) {
     const std::size_t k = next[front_of_entry(row, column)]++;
     row_[k] = row, column_[k] = column;
-    tree_.rows[k] = {static_cast<std::uint32_t>(pattern_.slot_of(e)), 0, 0, columns};
-  });
+    tree_.of_matrix[k].slot = slot, tree_.of_matrix[k].size = size;
+  }
   tree_.fronts.push_back(end);
 }
 
 void FrontTreeBuilder::set_target(const Front& f, std::int32_t row, std::int32_t column,
-                                  ShortRow& entries) const {
+                                  FrontEntries& entries) const {
   const std::int32_t i = local_[place_[row]], j = local_[place_[column]];
   const std::ptrdiff_t left = left_stride(f.pivots, f.others);
   const bool is_left = j < f.pivots;
   entries.target = static_cast<std::uint32_t>(
       is_left ? i + j * left : f.pivots * left + (j - f.pivots) + i * upper_stride(f.others));
-  entries.stride = is_left ? static_cast<std::int32_t>(left) : 1;
+  entries.down = is_left ? 1 : static_cast<std::int32_t>(upper_stride(f.others));
+  entries.across = is_left ? static_cast<std::int32_t>(left) : 1;
 }
 
 void FrontTreeBuilder::find_targets() {
   for (std::size_t s = 0; s + 1 < tree_.fronts.size(); ++s) {
     const Front& front = tree_.fronts[s];
     number_locally(front);
-    for (std::size_t k = front.rows; k < tree_.fronts[s + 1].rows; ++k)
-      set_target(front, row_[k], column_[k], tree_.rows[k]);
+    for (std::size_t k = front.entries; k < tree_.fronts[s + 1].entries; ++k)
+      set_target(front, row_[k], column_[k], tree_.of_matrix[k]);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "framework/problem/factorisation.hpp"
+#include "solvers/factorisation/matrix_kernels.hpp"
 #include "solvers/factorisation/node_ordering.hpp"
 
 namespace netloft {
@@ -18,15 +19,17 @@ struct Front {
   std::size_t indices = 0;   // of the others, in FrontTree::other and FrontTree::place
   std::size_t panels = 0;    // in the factors
   std::size_t update = 0;    // in the stack of its parity
-  std::size_t rows = 0;      // of the matrix, in FrontTree::rows
+  std::size_t runs = 0;      // of the others, in FrontTree::runs
+  std::size_t entries = 0;   // of the matrix, in FrontTree::of_matrix
 };
 
-/// Entries of the matrix in one row and in one column, or in the three of a node, whose slots are neighbours.
-struct ShortRow {
-  std::uint32_t slot = 0;    // of the first
-  std::uint32_t target = 0;  // its place in the panels of its front
-  std::int32_t stride = 0;   // from there to the next
-  std::int32_t columns = 1;
+/// Entries of the matrix that a front begins with: one, or nine of three rows and columns, whose slots are
+/// neighbours row by row, as a pair of nodes has them.
+struct FrontEntries {
+  std::uint32_t slot = 0;             // of the first
+  std::uint32_t target = 0;           // its place in the panels of its front
+  std::int32_t down = 0, across = 0;  // from there to the next row, and to the next column
+  std::int32_t size = 1;              // rows and columns
 };
 
 /// How a matrix of symmetric pattern is eliminated front by front (Duff and Reid 1983): every front adds up
@@ -39,10 +42,11 @@ struct FrontTree {
   std::vector<Front> fronts;          // and one more, where all ends
   std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
   std::vector<std::int32_t> place;    // of each of them among the unknowns of its parent, pivots first
+  std::vector<UnknownRun> runs;       // of the same, by the front of which they are the others
   std::vector<std::int32_t> child_start, child;
-  std::vector<std::uint8_t> parity;    // of the depth of each front
-  std::vector<std::int32_t> columns;   // the first of those that have their slots side by side, and the end
-  std::vector<ShortRow> rows;          // all entries, by fronts
+  std::vector<std::uint8_t> parity;     // of the depth of each front
+  std::vector<FrontEntries> of_matrix;  // by fronts
+  MatrixBlocks matrix;
   std::size_t panels = 0, stack[2]{};  // doubles
   std::int32_t most_unknowns = 0;      // of a front
   double entries = 0, flops = 0;       // of the factors

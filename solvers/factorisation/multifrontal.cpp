@@ -66,13 +66,11 @@ class MultifrontalFactorisation final : public Factorisation {
   FrontPanels panels_of(std::size_t front);
   double* update_of(std::size_t front);
   void set_entries(std::size_t front);
-  void add_child(std::size_t child, const FrontPanels& parent, double* parent_update);
+  ChildUpdate left_by(std::size_t child);
   FactorResult hand_over();
   void solve_alone(std::span<double> x);
   void forward(std::size_t front);
   void backward(std::size_t front);
-  template <int kColumns>
-  void subtract_columns(std::int32_t column, std::span<const double> x);
   double find_residual(std::span<const double> x, std::span<const double> rhs);
   void check(std::span<double> x);
 
@@ -81,10 +79,11 @@ class MultifrontalFactorisation final : public Factorisation {
   const SparsePattern* pattern_ = nullptr;
   FrontTree tree_;
   const FrontKernels& kernels_ = front_kernels();
+  const MatrixKernels& matrix_kernels_ = matrix_kernels();
   std::vector<double> values_;  // by slots
   Room panels_, updates_[2];
   std::vector<std::int32_t> exchanged_;  // rows, by place
-  std::vector<double> by_place_, of_front_, rhs_, residual_, sums_;
+  std::vector<double> by_place_, of_front_, rhs_, residual_, products_, sizes_;
   SparsePattern spare_pattern_;  // without slots
   std::vector<double> spare_values_;
   std::unique_ptr<Factorisation> spare_;
@@ -115,7 +114,8 @@ void MultifrontalFactorisation::make_room() {
   const auto size = static_cast<std::size_t>(pattern_->size);
   for (int parity : {0, 1}) updates_[parity].resize(tree_.stack[parity]);
   values_.resize(pattern_->value_slots()), exchanged_.resize(size);
-  for (auto* v : {&by_place_, &rhs_, &residual_, &sums_}) v->resize(size);
+  for (auto* v : {&by_place_, &rhs_, &residual_}) v->resize(size);
+  for (auto* v : {&products_, &sizes_}) v->resize(3 * size);
   of_front_.assign(static_cast<std::size_t>(tree_.most_unknowns) + kTileRows, 0.0);
   panels_.resize(tree_.panels);
 }
@@ -148,13 +148,8 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
 
 /// False if some are not finite; what stands between the entries does not count.
 bool MultifrontalFactorisation::take(std::span<const double> values) {
-  constexpr std::uint64_t kInfinity = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
-  std::uint64_t carry = 0;  // its highest bit, if an exponent has all of its bits
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    values_[i] = values[i];
-    carry |= (std::bit_cast<std::uint64_t>(values[i]) & kInfinity) + (std::uint64_t{1} << 52);
-  }
-  return carry >> 63 == 0 || find_column_not_finite(*pattern_, values) < 0;
+  return matrix_kernels_.take(values.first(values_.size()), values_.data()) ||
+         find_column_not_finite(*pattern_, values) < 0;
 }
 
 Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
@@ -181,7 +176,7 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
   std::fill_n(update, f.others * upper_stride(f.others), 0.0);
   set_entries(front);
   for (std::int32_t c = tree_.child_start[front]; c < tree_.child_start[front + 1]; ++c)
-    add_child(static_cast<std::size_t>(tree_.child[c]), panels, update);
+    matrix_kernels_.add_child(left_by(static_cast<std::size_t>(tree_.child[c])), panels, update);
   const Elimination e = kernels_.eliminate(panels, kLeastPivot, exchanged_.data() + f.first);
   if (e.stopped_at < 0) kernels_.update(panels, update);
   return e;
@@ -190,33 +185,25 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
 /// Where they go nothing has been added yet.
 void MultifrontalFactorisation::set_entries(std::size_t front) {
   double* panels = panels_.at(tree_.fronts[front].panels);
-  for (std::size_t k = tree_.fronts[front].rows; k < tree_.fronts[front + 1].rows; ++k) {
-    const ShortRow& row = tree_.rows[k];
-    const double* from = values_.data() + row.slot;
-    double* to = panels + row.target;
+  for (std::size_t k = tree_.fronts[front].entries; k < tree_.fronts[front + 1].entries; ++k) {
+    const FrontEntries& entries = tree_.of_matrix[k];
+    const double* from = values_.data() + entries.slot;
+    double* to = panels + entries.target;
     to[0] = from[0];
-    if (row.columns == 3) to[row.stride] = from[1], to[2 * row.stride] = from[2];
+    if (entries.size == 1) continue;
+    const std::ptrdiff_t down = entries.down, across = entries.across;
+    to[across] = from[1], to[2 * across] = from[2];
+    to += down;
+    to[0] = from[3], to[across] = from[4], to[2 * across] = from[5];
+    to += down;
+    to[0] = from[6], to[across] = from[7], to[2 * across] = from[8];
   }
 }
 
-/// The sum of (1) of the tree.
-void MultifrontalFactorisation::add_child(std::size_t child, const FrontPanels& parent,
-                                          double* parent_update) {
-  const Front& f = tree_.fronts[child];
-  const std::int32_t n = parent.pivots, *place = tree_.place.data() + f.indices;
-  const std::ptrdiff_t from_stride = upper_stride(f.others), stride = upper_stride(parent.others),
-                       left = left_stride(n, parent.others);
-  const std::ptrdiff_t among_pivots = std::lower_bound(place, place + f.others, n) - place;
-  const double* from = update_of(child);
-  for (std::ptrdiff_t j = 0; j < among_pivots; ++j, from += from_stride) {
-    double* to = parent.left + place[j] * left;
-    for (std::ptrdiff_t i = 0; i < f.others; ++i) to[place[i]] += from[i];
-  }
-  for (std::ptrdiff_t j = among_pivots; j < f.others; ++j, from += from_stride) {
-    double *upper = parent.upper + (place[j] - n), *to = parent_update + (place[j] - n) * stride - n;
-    for (std::ptrdiff_t i = 0; i < among_pivots; ++i) upper[place[i] * stride] += from[i];
-    for (std::ptrdiff_t i = among_pivots; i < f.others; ++i) to[place[i]] += from[i];
-  }
+/// What it adds to the sum of (1) of the tree.
+ChildUpdate MultifrontalFactorisation::left_by(std::size_t child) {
+  const Front &front = tree_.fronts[child], &next = tree_.fronts[child + 1];
+  return {update_of(child), front.others, {tree_.runs.data() + front.runs, next.runs - front.runs}};
 }
 
 /// Lets the spare factorise the same values.
@@ -275,36 +262,16 @@ void MultifrontalFactorisation::backward(std::size_t front) {
   std::copy_n(y, f.pivots, own);
 }
 
-/// A x of some columns, taken from the residual, and |A| |x|.
-template <int kColumns>
-void MultifrontalFactorisation::subtract_columns(std::int32_t column, std::span<const double> x) {
-  const std::int32_t *row = pattern_->row.data(), *slot = pattern_->slot.data();
-  const bool has_slots = !pattern_->slot.empty();
-  for (std::int32_t e = pattern_->column_start[column]; e < pattern_->column_start[column + 1]; ++e) {
-    const double* values = values_.data() + (has_slots ? slot[e] : e);
-    double sum = 0, size = 0;
-    for (int k = 0; k < kColumns; ++k) {
-      const double product = values[k] * x[column + k];
-      sum += product, size += std::abs(product);
-    }
-    residual_[row[e]] -= sum, sums_[row[e]] += size;
-  }
-}
-
 /// b − A x, and (2).
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
-  for (std::size_t i = 0; i < rhs.size(); ++i) residual_[i] = rhs[i], sums_[i] = std::abs(rhs[i]);
-  for (std::size_t k = 0; k + 1 < tree_.columns.size(); ++k) {
-    const std::int32_t column = tree_.columns[k];
-    if (tree_.columns[k + 1] == column + 3)
-      subtract_columns<3>(column, x);
-    else
-      subtract_columns<1>(column, x);
-  }
+  matrix_kernels_.multiply(tree_.matrix, values_.data(), x, products_.data(), sizes_.data());
   double error = 0;
   for (std::size_t i = 0; i < rhs.size(); ++i) {
-    if (!std::isfinite(sums_[i])) return std::numeric_limits<double>::infinity();
-    if (std::abs(residual_[i]) > error * sums_[i]) error = std::abs(residual_[i]) / sums_[i];
+    const double *product = &products_[3 * i], *size = &sizes_[3 * i];
+    residual_[i] = rhs[i] - (product[0] + product[1] + product[2]);
+    const double sum = std::abs(rhs[i]) + (size[0] + size[1] + size[2]);
+    if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
+    if (std::abs(residual_[i]) > error * sum) error = std::abs(residual_[i]) / sum;
   }
   return error;
 }

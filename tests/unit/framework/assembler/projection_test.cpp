@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/projection.hpp"
 
+#include <netloft/plugin.h>
+
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -34,10 +36,30 @@ TEST(ProjectConvex, MakesNothingOfANegativeMatrix) {
   for (const double v : k) EXPECT_NEAR(v, 0, 1e-15);
 }
 
-TEST(BoundByDiagonal, SumsRowsOfTheSymmetricPart) {
-  std::vector<double> k{1, -4, 0, 2};  // symmetric part [1 -2; -2 2]
-  bound_by_diagonal(k.data(), 2);
-  EXPECT_EQ(k, (std::vector<double>{3, 0, 0, 4}));
+/// Tangents of a tile in lane 1 of two, and zeros for what is to be added.
+struct Bounds {
+  Bounds(std::initializer_list<double> entries, bool symmetric)
+      : tangent(entries.size() * NETLOFT_LANES), sum(3 * NETLOFT_LANES) {
+    std::size_t row = 0;
+    for (const double entry : entries) tangent[row++ * NETLOFT_LANES + 1] = entry;
+    add_bounds(tangent.data(), symmetric, 2, 2, sum.data());
+  }
+  std::vector<double> entries() const { return {sum[1], sum[NETLOFT_LANES + 1], sum[2 * NETLOFT_LANES + 1]}; }
+  std::vector<double> tangent, sum;
+};
+
+TEST(AddBounds, SumsRowsOfTheSymmetricPart) {
+  const Bounds full({1, -4, 0, 2}, false);  // symmetric part [1 -2; -2 2]
+  EXPECT_EQ(full.entries(), (std::vector<double>{3, 0, 4}));
+  const Bounds packed_one({1, -2, 2}, true);
+  EXPECT_EQ(packed_one.entries(), (std::vector<double>{3, 0, 4}));
+}
+
+TEST(AddBounds, AddsToWhatIsThereInEveryLaneByItself) {
+  Bounds twice({1, -4, 0, 2}, false);
+  add_bounds(twice.tangent.data(), false, 2, 2, twice.sum.data());
+  EXPECT_EQ(twice.entries(), (std::vector<double>{6, 0, 8}));
+  EXPECT_EQ(twice.sum[0], 0);
 }
 
 }  // namespace

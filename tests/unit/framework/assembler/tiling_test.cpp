@@ -75,30 +75,19 @@ TEST(Tiling, LeavesTheLastTilePartlyEmpty) {
   expect_no_shared_nodes(t);
 }
 
-TEST(Tiling, OfARiderIsThatOfWhatItRidesOnWithSparesOfItsOwn) {
-  const Tiled t(sample::hanging_rope(130));  // its upper end is held: blocks there are spare
+TEST(Companies, AreFamiliesOnTheSameNodes) {
+  const Tiled rope(sample::hanging_rope(130)), shorter(sample::hanging_rope(129));
   std::vector<std::unique_ptr<ElementFamily>> families;
-  for (int i = 0; i < 2; ++i)
-    families.push_back(std::make_unique<ElementFamily>(t.scene, t.plan.families[0], 0));
-  const ElementFamily &ridden = *families[0], &rider = *families[1];
-  const NodeBlocks blocks = make_blocks(families, t.scene, true);
-  const auto tile = [&](const ElementFamily& family, std::size_t first_spare) {
-    return make_tiling(family, t.scene, t.numbering, blocks, true, first_spare);
-  };
-  const std::size_t first_spare = 9 * blocks.count();
-  const Tiling first = tile(ridden, first_spare), made = tile(rider, first_spare + 9 * first.tiles);
-  ASSERT_EQ(find_alike({&first, 1}, rider), &first);
-  const Tiling taken = make_tiling_like(first, rider, made.first_spare);
-  EXPECT_NE(taken.block_map, first.block_map);
-  EXPECT_EQ(taken.block_map, made.block_map);
-  EXPECT_EQ(taken.vector_map, made.vector_map);
-  EXPECT_EQ(taken.order, made.order);
-  EXPECT_EQ(taken.family, &rider);
+  for (const Tiled* of : {&rope, &shorter, &rope})
+    families.push_back(std::make_unique<ElementFamily>(of->scene, of->plan.families[0], 0));
+  const std::vector<Company> companies = find_companies(families);
+  ASSERT_EQ(companies.size(), 2u);
+  EXPECT_EQ(companies[0].families, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(companies[1].families, std::vector<std::size_t>{1});
 }
 
-TEST(Tiling, IsNotTakenFromAFamilyOnOtherNodes) {
-  const Tiled rope(sample::hanging_rope(130)), shorter(sample::hanging_rope(129));
-  EXPECT_EQ(find_alike({&rope.tiling, 1}, shorter.family), nullptr);
+TEST(Companies, AreNotKeptWithElementsOfMoreNodes) {
+  const Tiled rope(sample::hanging_rope(130));
   EXPECT_FALSE(have_same_nodes(rope.family, Tiled(sample::hanging_panel(4, 4)).family));
 }
 

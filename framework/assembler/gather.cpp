@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the elements of a tile are handed.
+#include "framework/assembler/workspace.hpp"
+
+namespace netloft {
+
+namespace {
+
+/// Entries of a vector over all dofs as a tile wants them.
+void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, double* to) {
+  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
+  const std::size_t count = tiling.lanes(tile);
+  const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
+  for (std::size_t d = 0; d < dofs; ++d, map += kLanes, to += kLanes)
+#pragma GCC unroll 8
+    for (std::size_t lane = 0; lane < count; ++lane) to[lane] = from[map[lane]];
+}
+
+}  // namespace
+
+/// For all families of a company at once.
+void Assembler::gather(const Company& company, std::size_t tile, std::span<const double> x,
+                       const Kinematics& motion, Workspace& w) const {
+  const Tiling& tiling = company.tiling;
+  const auto some_read = [&](std::uint32_t trait) {
+    return std::any_of(company.families.begin(), company.families.end(),
+                       [&](std::size_t family) { return families_[family]->reads(trait); });
+  };
+  gather_vector(tiling, tile, x.data(), w.x.data());
+  if (motion.v && some_read(NETLOFT_READS_VELOCITY)) gather_vector(tiling, tile, motion.v, w.v.data());
+  if (motion.a && some_read(NETLOFT_READS_ACCELERATION)) gather_vector(tiling, tile, motion.a, w.a.data());
+  if (!w.current.empty() && some_read(NETLOFT_READS_CURRENT)) gather_current(tiling, tile, motion.time, w);
+}
+
+/// A tile as one family may see it.
+netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Kinematics& motion,
+                                  Workspace& w) const {
+  const ElementFamily& f = *families_[family];
+  netloft_tile t{};
+  t.size = sizeof t;
+  t.first = static_cast<std::uint32_t>(tile * kLanes),
+  t.count = static_cast<std::uint32_t>(std::min(kLanes, f.size() - tile * kLanes));
+  t.time = motion.time, t.cu = motion.cu, t.cv = motion.cv, t.ca = motion.ca;
+  t.water_density = water_.density, t.gravity = water_.gravity, t.water_viscosity = water_.viscosity;
+  t.x = w.x.data();
+  if (motion.v && f.reads(NETLOFT_READS_VELOCITY)) t.v = w.v.data();
+  if (motion.a && f.reads(NETLOFT_READS_ACCELERATION)) t.a = w.a.data();
+  if (!w.current.empty() && f.reads(NETLOFT_READS_CURRENT))
+    t.current = w.current.data(), t.current_dz = w.current_dz.data();
+  t.state = memories_[family].kept(tile);
+  t.message = w.message, t.message_size = sizeof w.message;
+  return t;
+}
+
+/// Velocity of the water at the nodes of a tile, whose positions have been gathered. What is the same
+/// everywhere stands there already.
+void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
+  if (current_.is_uniform()) return fill_current(time, w);
+  std::array<double, 3> velocity, dz;
+  for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
+    for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
+      current_.at(w.x[(3 * node + 2) * kLanes + lane], velocity, dz, time);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        w.current[(3 * node + axis) * kLanes + lane] = velocity[axis];
+        w.current_dz[(3 * node + axis) * kLanes + lane] = dz[axis];
+      }
+    }
+}
+
+/// A current that is the same at all heights, for all tiles of this time.
+void Assembler::fill_current(double time, Workspace& w) const {
+  if (w.current_time == time) return;
+  w.current_time = time;
+  std::array<double, 3> velocity, dz;
+  current_.at(0, velocity, dz, time);
+  for (std::size_t i = 0; i < w.current.size(); ++i) w.current[i] = velocity[i / kLanes % 3];
+}
+
+}  // namespace netloft

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/analysis/member_kernels.hpp"
+
+#include "solvers/factorisation/registers.hpp"
+
+#include <type_traits>
+
+namespace netloft::io {
+
+namespace {
+
+using wide::Eight, wide::Four, wide::Two;
+
+constexpr double kIdentity[8] = {1, 0, 0, 0, 1, 0, 0, 0};
+
+/// A block in registers.
+template <class Register>
+struct WideBlock {
+  using V = typename Register::V;
+  static constexpr int kLanes = Register::kLanes, kParts = 8 / kLanes;
+  V part[kParts] = {};
+  double last = 0;
+
+  NETLOFT_INLINE static const V& load(const double* from) { return *reinterpret_cast<const V*>(from); }
+  NETLOFT_INLINE void set(const MemberBlock& K) {
+    for (int i = 0; i < kParts; ++i) part[i] = load(K.data() + kLanes * i);
+    last = K[8];
+  }
+  NETLOFT_INLINE void add(double a, const WideBlock& K) {
+    for (int i = 0; i < kParts; ++i) part[i] += a * K.part[i];
+    last += a * K.last;
+  }
+  NETLOFT_INLINE void add_to(double* values) const {
+    for (int i = 0; i < kParts; ++i) *reinterpret_cast<V*>(values + kLanes * i) += part[i];
+    values[8] += last;
+  }
+};
+
+/// a t tᵀ + b I.
+template <class Register>
+NETLOFT_INLINE void set_block(const MemberLine& line, const MemberTangent& k, WideBlock<Register>& K) {
+  using Block = WideBlock<Register>;
+  const Four::V t = *reinterpret_cast<const Four::V*>(line.t.data());
+  const Eight::V ti = __builtin_shufflevector(t, t, 0, 0, 0, 1, 1, 1, 2, 2),
+                 tj = __builtin_shufflevector(t, t, 0, 1, 2, 0, 1, 2, 0, 1);
+  const auto *rows = reinterpret_cast<const double*>(&ti), *columns = reinterpret_cast<const double*>(&tj);
+  for (int i = 0; i < Block::kParts; ++i)
+    K.part[i] = k.a * Block::load(rows + Block::kLanes * i) * Block::load(columns + Block::kLanes * i) +
+                k.b * Block::load(kIdentity + Block::kLanes * i);
+  K.last = k.a * line.t[2] * line.t[2] + k.b;
+}
+
+/// The block of nodes p and q is that of q and p.
+template <class Register, std::uint32_t kNodes, std::uint32_t kMembers>
+NETLOFT_INLINE void add_to_pairs(const MemberSite& site, const MemberWeights* weights,
+                                 const WideBlock<Register> (&K)[kMembers], double* values) {
+  for (std::uint32_t p = 0; p < kNodes; ++p)
+    for (std::uint32_t q = 0; q <= p; ++q) {
+      WideBlock<Register> sum;
+      for (std::uint32_t i = 0; i < kMembers; ++i) sum.add(weights[i].count_c[p] * weights[i].c[q], K[i]);
+      const std::int32_t block = site.block[3 * p + q], mirrored = site.block[3 * q + p];
+      if (block >= 0) sum.add_to(values + block);
+      if (q != p && mirrored >= 0) sum.add_to(values + mirrored);
+    }
+}
+
+template <std::uint32_t kNodes, std::uint32_t kMembers>
+NETLOFT_INLINE void add_to_nodes(const MemberSite& site, const MemberWeights* weights,
+                                 const MemberLine* lines, const MemberTangent* tangents, double* forces) {
+  for (std::uint32_t p = 0; p < kNodes; ++p)
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      double sum = 0;
+      for (std::uint32_t i = 0; i < kMembers; ++i)
+        sum += weights[i].count_c[p] * (tangents[i].f * lines[i].t[axis]);
+      forces[site.dof[3 * p + axis]] += sum;
+    }
+}
+
+/// Calls visit(site, nodes, members) for all sites, both known at compile time so that loops over them
+/// unroll.
+template <class Visit>
+NETLOFT_INLINE void for_sites(const MemberTable& table, const Visit& visit) {
+  constexpr std::integral_constant<std::uint32_t, 1> one;
+  constexpr std::integral_constant<std::uint32_t, 2> two;
+  constexpr std::integral_constant<std::uint32_t, 3> three;
+  for (const MemberSite& site : table.sites)
+    if (site.nodes == 2)
+      site.members == 1 ? visit(site, two, one) : visit(site, two, two);
+    else
+      site.members == 1 ? visit(site, three, one) : visit(site, three, two);
+}
+
+template <class Register>
+NETLOFT_INLINE void add_blocks(const MemberTable& table, const MemberBlock* K, double* values) {
+  const auto add = [&](const MemberSite& site, auto nodes, auto members) NETLOFT_INLINED {
+    WideBlock<Register> blocks[members];
+    for (std::uint32_t i = 0; i < members; ++i) blocks[i].set(K[site.first + i]);
+    add_to_pairs<Register, nodes, members>(site, &table.weights[site.first], blocks, values);
+  };
+  for_sites(table, add);
+}
+
+template <class Register>
+NETLOFT_INLINE void add_tangents(const MemberTable& table, const MemberLine* lines,
+                                 const MemberTangent* tangents, double* forces, double* values) {
+  const auto add = [&](const MemberSite& site, auto nodes, auto members) NETLOFT_INLINED {
+    const MemberWeights* weights = &table.weights[site.first];
+    WideBlock<Register> blocks[members];
+    for (std::uint32_t i = 0; i < members; ++i)
+      set_block(lines[site.first + i], tangents[site.first + i], blocks[i]);
+    add_to_pairs<Register, nodes, members>(site, weights, blocks, values);
+    add_to_nodes<nodes, members>(site, weights, lines + site.first, tangents + site.first, forces);
+  };
+  for_sites(table, add);
+}
+
+/// The same for one set of instructions.
+#define NETLOFT_KERNELS(name, Register, ...)                                                              \
+  struct name {                                                                                           \
+    __VA_ARGS__ static void add_blocks(const MemberTable& table, const MemberBlock* K, double* values) {  \
+      io::add_blocks<Register>(table, K, values);                                                         \
+    }                                                                                                     \
+    __VA_ARGS__ static void add_tangents(const MemberTable& table, const MemberLine* lines,               \
+                                         const MemberTangent* tangents, double* forces, double* values) { \
+      io::add_tangents<Register>(table, lines, tangents, forces, values);                                 \
+    }                                                                                                     \
+    static constexpr MemberKernels all{add_blocks, add_tangents};                                         \
+  };
+
+NETLOFT_KERNELS(Plain, Two, )
+NETLOFT_KERNELS(Avx2, Four, NETLOFT_AVX2)
+NETLOFT_KERNELS(Avx512, Eight, NETLOFT_AVX512)
+
+}  // namespace
+
+std::vector<MemberKernels> member_kernels_here() {
+  return wide::those_here(Plain::all, Avx2::all, Avx512::all);
+}
+
+const MemberKernels& member_kernels() {
+  static const MemberKernels best = member_kernels_here().back();
+  return best;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <span>
+
+#include "solvers/factorisation/front_kernels.hpp"
+
+namespace netloft {
+
+/// A matrix in blocks of three rows and columns, of which the nine values stand side by side, row by row.
+struct MatrixBlocks {
+  struct Column {
+    std::int32_t column;  // the first of three
+    std::size_t first;    // block
+  };
+  struct Block {
+    std::int32_t row;  // the first of three
+    std::uint32_t slot;
+  };
+  struct Entry {
+    std::int32_t row, column;
+    std::uint32_t slot;
+  };
+  std::vector<Column> columns;  // and one more, where all ends
+  std::vector<Block> blocks;
+  std::vector<Entry> entries;  // that are in no block
+};
+
+/// Unknowns of a front that are neighbours among those of its parent, too; all or none are pivots there.
+struct UnknownRun {
+  std::int32_t from = 0;   // among the others of the front
+  std::int32_t place = 0;  // among the unknowns of the parent
+  std::int32_t count = 0;
+};
+
+/// What a child left: its columns, of the stride of its own `upper`, and where they go.
+struct ChildUpdate {
+  const double* C;
+  std::int32_t others;
+  std::span<const UnknownRun> runs;
+};
+
+/// What is done with numbers of the matrix and of fronts besides, for the instructions this processor has.
+struct MatrixKernels {
+  /// Adds what a child left to the panels, and to C, which has the stride of `upper`.
+  void (*add_child)(const ChildUpdate& child, const FrontPanels& front, double* C);
+  /// to ← from. False if some are not finite.
+  bool (*take)(std::span<const double> from, double* to);
+  /// A x and |A| |x|; row i has its products in three sums at 3 i.
+  void (*multiply)(const MatrixBlocks& A, const double* values, std::span<const double> x, double* products,
+                   double* sizes);
+};
+
+/// The best there is, and all that run here, the best last.
+const MatrixKernels& matrix_kernels();
+std::vector<MatrixKernels> matrix_kernels_here();
+
+}  // namespace netloft
