@@ -192,7 +192,7 @@ void Journey::look_for_other_shapes(Solution& best, const Displacements& start, 
   const bool as_suits = options_.looks == JourneyOptions::kLooksThatSuit;
   const bool was_long = work() >= kLongWay * static_cast<double>(best.u.size());
   // What sticks stands in any number of ways.
-  if (as_suits && (sticks() || !(was_long || may_well_stand_otherwise()))) return;
+  if (as_suits && (sticks() || !(was_long || may_well_stand_otherwise(best)))) return;
   const int looks = as_suits ? kOwnLooks : options_.looks;
   const double worth = !as_suits  ? std::numeric_limits<double>::infinity()
                        : was_long ? kLookWork
@@ -208,9 +208,21 @@ void Journey::look_for_other_shapes(Solution& best, const Displacements& start, 
   best = finder.best();
 }
 
-/// An own start leads past the many ways in which what is pressed may fold, to one of them.
-bool Journey::may_well_stand_otherwise() const {
-  return options_.own_start.soon && is_conservative_ && without_compression(scene_, registry_);
+/// An own start leads past the many ways in which what is pressed may fold, to one of them. Where nothing is
+/// pressed there, the gear would stand so if it bore tension only, and that is the shape of least energy.
+bool Journey::may_well_stand_otherwise(const Solution& best) const {
+  if (!options_.own_start.soon || !is_conservative_) return false;
+  const auto easier = without_compression(scene_, registry_);
+  return easier && !is_in_balance(*easier, best.u);
+}
+
+bool Journey::is_in_balance(const Scene& scene, const Displacements& u) const {
+  const Plan plan = make_plan(scene, registry_, options_.tangent);
+  Assembler assembler(scene, plan, options_.threads);
+  StaticProblem problem(assembler, options_.make, options_.limits);
+  std::vector<double> x, residual;
+  double energy = 0;
+  return problem.recompute(u, x, residual, energy) && problem.balance(x, residual).balanced;
 }
 
 /// At first where it stands with nothing pressed; then from where it was found, shaken by an element's size,

@@ -121,6 +121,11 @@ TEST(Journey, LooksForOtherShapesByItselfWhereAnOwnStartLedPastThem) {
   slack.parts[0].parameters["rope.EA_compression"] = 0.0;
   EXPECT_EQ(travel(slack, {}, JourneyOptions::kLooksThatSuit, own).solution.shapes.looks, 0)
       << "tension only has one energy";
+  Scene hanging = arch();
+  hanging.positions[5] = -0.43;
+  const Travelled taut = travel(hanging, {}, JourneyOptions::kLooksThatSuit, own);
+  EXPECT_EQ(taut.solution.shapes.looks, 0) << "nothing is pressed";
+  EXPECT_NEAR(taut.solution.energy, s.energy, 1e-9 * std::abs(s.energy));
 }
 
 /// A heavy rope of 20 bars that is 10 percent too long, folded to one side, `EA` in newtons.
