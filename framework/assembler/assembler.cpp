@@ -257,8 +257,8 @@ void Assembler::run_tile(const Company& company, std::size_t tile, std::span<con
   gather(company, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
-  w.message[0] = 0;
   for (const std::size_t family : company.families) {
+    w.message[0] = 0;
     netloft_tile t = make_tile(family, tile, request.motion, w);
     if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
       return report(family, t, status, w);

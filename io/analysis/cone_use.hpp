@@ -6,8 +6,8 @@
 namespace netloft::io {
 
 /// What the interior-point method of tension_cones.hpp is worth to a scene.
-///   never      bodies and frames carry nodes; or things stick and slide; or nothing has one tension or a
-///   load as_a_way   after some others: members stretch much, so that coarser meshes lead better, or stand by
+///   never      bodies and frames carry nodes; or things stick and slide; or there is no member, or no load
+///   as_a_way   after some others: members stretch much, so that coarser meshes lead better, or stand by
 ///              themselves when pressed, or are ropes in a current, of which no member need be slack: there
 ///              are no more of them than their nodes have unknowns
 ///   first      a net in a current, which gives what is slack its place; or without one, members that bear

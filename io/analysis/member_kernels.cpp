@@ -13,7 +13,7 @@ using wide::Eight, wide::Four, wide::Two;
 
 constexpr double kIdentity[8] = {1, 0, 0, 0, 1, 0, 0, 0};
 
-/// A block in registers.
+/// A block in registers. Read where it stands: a reference that a call returns is taken for aligned by clang.
 template <class Register>
 struct WideBlock {
   using V = typename Register::V;
@@ -21,9 +21,8 @@ struct WideBlock {
   V part[kParts] = {};
   double last = 0;
 
-  NETLOFT_INLINE static const V& load(const double* from) { return *reinterpret_cast<const V*>(from); }
   NETLOFT_INLINE void set(const MemberBlock& K) {
-    for (int i = 0; i < kParts; ++i) part[i] = load(K.data() + kLanes * i);
+    for (int i = 0; i < kParts; ++i) part[i] = *reinterpret_cast<const V*>(K.data() + kLanes * i);
     last = K[8];
   }
   NETLOFT_INLINE void add(double a, const WideBlock& K) {
@@ -40,13 +39,15 @@ struct WideBlock {
 template <class Register>
 NETLOFT_INLINE void set_block(const MemberLine& line, const MemberTangent& k, WideBlock<Register>& K) {
   using Block = WideBlock<Register>;
+  using V = typename Register::V;
   const Four::V t = *reinterpret_cast<const Four::V*>(line.t.data());
   const Eight::V ti = __builtin_shufflevector(t, t, 0, 0, 0, 1, 1, 1, 2, 2),
                  tj = __builtin_shufflevector(t, t, 0, 1, 2, 0, 1, 2, 0, 1);
   const auto *rows = reinterpret_cast<const double*>(&ti), *columns = reinterpret_cast<const double*>(&tj);
   for (int i = 0; i < Block::kParts; ++i)
-    K.part[i] = k.a * Block::load(rows + Block::kLanes * i) * Block::load(columns + Block::kLanes * i) +
-                k.b * Block::load(kIdentity + Block::kLanes * i);
+    K.part[i] = k.a * *reinterpret_cast<const V*>(rows + Block::kLanes * i) *
+                    *reinterpret_cast<const V*>(columns + Block::kLanes * i) +
+                k.b * *reinterpret_cast<const V*>(kIdentity + Block::kLanes * i);
   K.last = k.a * line.t[2] * line.t[2] + k.b;
 }
 

@@ -93,7 +93,7 @@ std::string TensionCones::run(const ConeOptions& options, double begun) {
 double TensionCones::largest_residual() const { return largest_of({residual_.data(), net_.unknowns()}); }
 
 bool TensionCones::is_near() const {
-  return mu_ <= kNear * first_mu_ && largest_residual() <= kNear * first_mu_;
+  return has_forces_ && mu_ <= kNear * first_mu_ && largest_residual() <= kNear * first_mu_;
 }
 
 /// On the path of (2), wherever the nodes are; (1) need not hold.
@@ -127,13 +127,14 @@ double TensionCones::mean_complementarity() const {
 bool TensionCones::assemble(bool convex) {
   Timed timed(books_.assembly_seconds);
   ++books_.residuals, ++books_.matrices;
+  has_forces_ = false;
   if (!net_.evaluate(residual_, values_)) return false;
   scaling_.clear();
   for (std::size_t e = 0; e < net_.size(); ++e) set_member(e, convex);
   net_.add_blocks(blocks_, values_);
   net_.add_forces(forces_, residual_);
   mu_ = mean_complementarity();
-  return std::isfinite(norm_of(residual_)) && std::isfinite(mu_);
+  return has_forces_ = std::isfinite(norm_of(residual_)) && std::isfinite(mu_);
 }
 
 /// K and q + p of (3).

@@ -47,10 +47,10 @@ class TensionCones {
   /// Bodies and frames of its own make std::invalid_argument.
   TensionCones(const Scene& scene, Registry& registry, MakeFactorisation make, int threads);
 
-  /// From the positions of the scene. Not converged: iterations are spent, or steps have become tiny.
+  /// From the positions of the scene. Not converged: the reason says why.
   Leg solve(const ConeOptions& options);
 
-  /// Whether a solver may start from where it ended: little is left, converged or not.
+  /// Whether a solver may start from where the last solve ended: little is left, converged or not.
   bool is_near() const;
 
   /// Positions of the nodes of the scene, 3 each [m].
@@ -97,6 +97,7 @@ class TensionCones {
   std::vector<double> residual_, values_, step_;
   double first_mu_ = 0, mu_ = 0, damping_ = 0, most_pressed_ = 0;  // [N]; the last of E_c
   bool is_indefinite_ = false;                                     // the rest of (3), too
+  bool has_forces_ = false;                                        // residual_ and mu_ are of where it is
   Books books_;
 };
 

@@ -19,8 +19,9 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return sum;
 }
 
-/// Energies this close cannot be told apart: rounding of a sum of many terms.
-constexpr double kEnergyNoise = 1e-13;
+/// Energies this close cannot be told apart: rounding of a sum of many terms. Of so many such steps none goes
+/// uphill.
+constexpr double kEnergyNoise = 1e-13, kRoundings = 10;
 // Damping never needs to exceed the metric itself by much, and below the lower end it no longer matters.
 constexpr double kLargestDamping = 64, kSmallestDamping = 1e-12;
 // K is hardly indefinite where a σ between the latter two makes it positive definite; only asked where
@@ -117,7 +118,7 @@ class Globalised {
   }
 
   /// Where what a step would gain is no longer seen in the energy and damping leads nowhere: by Newton's own
-  /// step, or if this is a saddle, by (7).
+  /// step, or if this is a saddle, by (7), or if K is singular, by a step of K + σM.
   bool go_on_softly() {
     if (!is_in_noise_ || mu_ == 0 || std::exchange(tried_softly_, true) || !frozen_.empty() ||
         !problem_.symmetric())
@@ -151,6 +152,7 @@ class Globalised {
                                      kEnergyNoise * std::abs(energy_));
     if (!found) return false;
     move_trial(found->t);
+    forget_gains();
     return accept();
   }
 
@@ -241,7 +243,8 @@ class Globalised {
   /// (8).
   bool accept_by_slope(const Sample& first) {
     if (!frozen_.empty() || first.slope >= 0 || has_stalled(-first.slope)) return false;
-    const auto found = SlopeSearch{}([&](double t) { return merit(t); }, first);
+    const SlopeSearch search{.noise = kRoundings * kEnergyNoise * std::abs(energy_)};
+    const auto found = search([&](double t) { return merit(t); }, first);
     if (!found) return false;
     move_trial(found->t);
     return accept();
@@ -254,6 +257,8 @@ class Globalised {
     times_no_less_ = is_less ? 0 : times_no_less_ + 1;
     return times_no_less_ > kStalled;
   }
+
+  void forget_gains() { least_gain_ = std::numeric_limits<double>::infinity(), times_no_less_ = 0; }
 
   /// A whole step means that the model is trusted; a short one that it reaches too far.
   void adapt_damping(double t) {
@@ -280,6 +285,7 @@ class Globalised {
     std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
     std::swap(r_, r_trial_);
     energy_ = energy, tried_softly_ = false;
+    if (!is_in_noise_) forget_gains();
   }
 
   const Newton::Parameters& p_;

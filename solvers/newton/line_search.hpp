@@ -64,24 +64,25 @@ struct LineSearch {
 
 /// A step along a line where m has no digits left: its slope has.
 struct SlopeSearch {
+  double noise = 0;        // by so much m may rise: rounding
   double flatness = 0.1;   // share of the first slope that m' may keep
   double shortest = 1e-9;  // bracket that is not divided any more
 
   /// The first t in (0, 1] found:
-  ///   |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) ≤ 0                                              (2)
+  ///   m(t) ≤ m(0) + noise, |m'(t)| ≤ η |m'(0)| or t = 1 and m'(1) ≤ 0                          (2)
   /// by secants and halves of a bracket (the approximate Wolfe conditions of W. W. Hager and H. Zhang, SIAM
   /// J. Optim. 16, 2005). `merit` as above.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& first) const {
-    const std::optional<Sample> whole = merit(1.0);
-    if (!whole || whole->slope <= 0) return whole;
-    Sample last = first, here = *whole;
-    for (double low = 0, high = 1, t = next(last, here, low, high); high - low > shortest;
-         t = next(last, here, low, high)) {
+    Sample last = first, here = first;
+    for (double low = 0, high = 1, t = 1; high - low > shortest;) {
       const std::optional<Sample> there = merit(t);
-      if (!there || std::abs(there->slope) <= flatness * std::abs(first.slope)) return there;
+      if (!there) return {};
+      const bool is_uphill = there->value > first.value + noise, is_done = t == 1 && there->slope <= 0;
+      if (!is_uphill && (is_done || std::abs(there->slope) <= flatness * std::abs(first.slope))) return there;
       last = std::exchange(here, *there);
-      (here.slope > 0 ? high : low) = t;
+      (is_uphill || here.slope > 0 ? high : low) = t;
+      t = is_uphill ? 0.5 * (low + high) : next(last, here, low, high);
     }
     return {};
   }

@@ -18,7 +18,7 @@ namespace netloft::newton {
 ///   m(1) ≤ m(0) − c_up r·s is enough after a step that was not such a one                 (5)
 ///   |s'| ≤ |s| / 2, (K + μ M) s' = −r(u + s) with the matrix of u                         (6)
 ///   u + t v, K v = λ M v with the least λ < 0, m'(t) ≈ 0                                   (7)
-///   |m'(t)| ≤ |m'(0)| / 10, or t = 1 and m'(1) ≤ 0                                         (8)
+///   |m'(t)| ≤ |m'(0)| / 10 or t = 1 and m'(1) ≤ 0, m(t) not above m(0) but for rounding    (8)
 /// (5) lets an iterate cross the kinks between slack and taut, one step at a time (watched as by Chamberlain
 /// et al. 1982, Math. Programming Study 16). μ falls after a whole step and rises after a short one. With μ₊
 /// = 1 the step cannot raise a convex energy (Levenberg 1944, in the metric of the linear stiffness); with μ

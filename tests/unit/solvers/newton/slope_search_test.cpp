@@ -34,6 +34,30 @@ TEST(SlopeSearch, TakesAWholeStepThatLeadsDownhillAllTheWay) {
   EXPECT_EQ(found->t, 1);
 }
 
+TEST(SlopeSearch, TakesAWholeStepBehindWhichTheSlopeHasNearlyGone) {
+  int asked = 0;
+  const auto m = [&](double t) {
+    ++asked;
+    return std::optional<Sample>({t, 0, -1 + 1.001 * t});
+  };
+  const auto found = SlopeSearch{}(m, {0, 0, -1});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->t, 1);
+  EXPECT_EQ(asked, 1);
+}
+
+// m falls to t = 0.1 and rises to a hill there, behind which its slope looks as if it led downhill all the
+// way.
+TEST(SlopeSearch, CrossesNoHillThatRoundingDoesNotExplain) {
+  const auto hill = [](double t) {
+    return std::optional<Sample>({t, t > 0.2 ? 5.0 : 0.0, t > 0.2 ? -1e-3 : t - 0.1});
+  };
+  const auto found = SlopeSearch{.noise = 1e-6}(hill, {0, 0, -0.1});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->t, 0.1, 0.02);
+  EXPECT_EQ(SlopeSearch{.noise = 10}(hill, {0, 0, -0.1})->t, 1) << "here it does";
+}
+
 TEST(SlopeSearch, FindsNothingWhereThereAreNoForcesOrNoEndOfThem) {
   const auto nowhere = [](double) { return std::optional<Sample>(); };
   const auto jump = [](double t) { return std::optional<Sample>({t, 0, t < 0.3 ? -1.0 : 1.0}); };
