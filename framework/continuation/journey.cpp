@@ -209,7 +209,8 @@ void Journey::look_for_other_shapes(Solution& best, const Displacements& start, 
 }
 
 /// An own start leads past the many ways in which what is pressed may fold, to one of them. Where nothing is
-/// pressed there, the gear would stand so if it bore tension only, and that is the shape of least energy.
+/// pressed there, the gear would stand so if it bore tension only: under dead loads the shape of least
+/// energy.
 bool Journey::may_well_stand_otherwise(const Solution& best) const {
   if (!options_.own_start.soon || !is_conservative_) return false;
   const auto easier = without_compression(scene_, registry_);

@@ -3,20 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "tests/unit/solvers/factorisation/made_up.hpp"
 
 namespace netloft {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
-
-Matrix made_up(Eigen::Index rows, Eigen::Index columns, double seed) {
-  return Matrix::NullaryExpr(rows, columns, [seed](Eigen::Index i, Eigen::Index j) {
-    return std::sin(seed + 1.7 * static_cast<double>(i * i) + 2.3 * static_cast<double>(i * j + j));
-  });
-}
 
 /// A front with its panels and the update it is to leave.
 struct DenseFront {

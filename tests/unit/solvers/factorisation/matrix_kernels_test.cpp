@@ -3,19 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
+
+#include "tests/unit/solvers/factorisation/made_up.hpp"
 
 namespace netloft {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
-
-Matrix made_up(Eigen::Index rows, Eigen::Index columns, double seed) {
-  return Matrix::NullaryExpr(rows, columns, [seed](Eigen::Index i, Eigen::Index j) {
-    return std::sin(seed + 1.7 * static_cast<double>(i * i) + 2.3 * static_cast<double>(i * j + j));
-  });
-}
 
 /// A child of 11 others, of which the first five are pivots of a parent with 8 of them and 9 others.
 struct Adoption {
