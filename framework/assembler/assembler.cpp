@@ -143,6 +143,19 @@ void Assembler::place(std::span<const double> u, std::span<double> x, double tim
   bodies_.place(x);
 }
 
+void Assembler::place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
+                           std::span<double> x_low) const {
+  std::copy(u.begin(), u.end(), x_low.begin());
+  std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
+  frames_.turn_back(u, x_low);
+  for (std::size_t i = 0; i < x.size(); ++i) {  // the sum of two numbers and its rounding error: Knuth 1969
+    const double way = x_low[i];
+    x[i] = base[i] + way;
+    const double moved = x[i] - base[i];
+    x_low[i] = (base[i] - (x[i] - moved)) + (way - moved);
+  }
+}
+
 void Assembler::move(double time, std::span<const double> v, std::span<const double> a,
                      std::span<double> all_v, std::span<double> all_a) const {
   for (const auto& [from, to] : {std::pair{v, all_v}, std::pair{a, all_a}}) {
@@ -254,12 +267,13 @@ bool Assembler::run_company(const Company& company, std::span<const double> x, c
 
 void Assembler::run_tile(const Company& company, std::size_t tile, std::span<const double> x,
                          const Request& request, Workspace& w) {
-  gather(company, tile, x, request.motion, w);
+  gather(company, tile, x, request.motion, w, request.x_low);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
   for (const std::size_t family : company.families) {
     w.message[0] = 0;
     netloft_tile t = make_tile(family, tile, request.motion, w);
+    if (request.x_low) t.x_low = w.x_low.data();
     if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
       return report(family, t, status, w);
   }

@@ -29,6 +29,7 @@ struct Request {
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
   Kinematics motion = {};
+  const double* x_low = nullptr;  // over all dofs: digits that positions have no room for [m]
 };
 
 /// Which element could not be evaluated, and why.
@@ -58,6 +59,11 @@ class Assembler {
   /// Positions over all dofs at displacements u of the unknowns [m], with guides where they are at a time
   /// [s].
   void place(std::span<const double> u, std::span<double> x, double time = 0) const;
+  /// Positions at displacements u from positions `base`, as their double-precision numbers and what these
+  /// round off [m]. Nothing may be carried by a body.
+  void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
+                  std::span<double> x_low) const;
+  bool has_bodies() const { return !bodies_.empty(); }
   /// Rates over all dofs from those of the unknowns and of the guides.
   void move(double time, std::span<const double> v, std::span<const double> a, std::span<double> all_v,
             std::span<double> all_a) const;
@@ -124,7 +130,7 @@ class Assembler {
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
   const Company& company_of(std::size_t family) const;
   void gather(const Company& company, std::size_t tile, std::span<const double> x, const Kinematics& motion,
-              Workspace& w) const;
+              Workspace& w, const double* x_low = nullptr) const;
   netloft_tile make_tile(std::size_t family, std::size_t tile, const Kinematics& motion, Workspace& w) const;
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
                                 std::uint8_t axes) const;

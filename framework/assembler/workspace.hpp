@@ -18,6 +18,7 @@ struct Assembler::Workspace {
       : current(flows ? dofs * kLanes : 0),
         current_dz(flows ? dofs * kLanes : 0),
         x(dofs * kLanes),
+        x_low(x.size()),
         v(plan.kind == AnalysisKind::dynamics ? dofs * kLanes : 0),
         a(v.size()),
         force(dofs),
@@ -27,7 +28,7 @@ struct Assembler::Workspace {
         element(dofs * dofs) {}
   std::vector<double> current, current_dz;                         // empty in still water
   double current_time = std::numeric_limits<double>::quiet_NaN();  // of a current that is uniform [s]
-  std::vector<double> x, v, a;                                     // no rates where everything is at rest
+  std::vector<double> x, x_low, v, a;                              // no rates where everything is at rest
   TileRows force, packed_tangent, square_tangent;
   double* open_tangent(bool symmetric, std::size_t dofs, std::size_t lanes) {
     return symmetric ? packed_tangent.open(packed(dofs), lanes) : square_tangent.open(dofs * dofs, lanes);

@@ -54,6 +54,7 @@ Finding metric_is_constant(Bench&);
 Finding metric_bounds_convex(Bench&);
 
 // Is it the same wherever it is? (motion_checks.cpp)
+Finding low_digits_ignored_or_taken(Bench&);
 Finding translation_changes_nothing(Bench&);
 Finding rotation_turns_the_force(Bench&);
 Finding forces_sum_to_zero(Bench&);

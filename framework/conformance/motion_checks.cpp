@@ -9,6 +9,7 @@ namespace netloft::conformance {
 namespace {
 
 constexpr double kMotionLimit = 1e-8;
+constexpr double kLowDigits = 1e-3;  // far more than positions round off, that it can be seen [spacing]
 constexpr const char* kAllFromOutside = "all terms act from outside";
 
 bool is_from_outside(const netloft_term& term) { return term.traits & NETLOFT_FROM_OUTSIDE; }
@@ -44,6 +45,16 @@ void compare(Bench& b, const netloft_term& term, const States& s, const Answer& 
                [&] { return b.place(term, s, lane) + (found.ok() ? "" : ": " + found.message); });
 }
 
+/// Of two answers, by the better one; infinite where neither is any.
+double least_difference(const Bench& b, const Answer& found, const Answer& one, const Answer& other,
+                        const States& s, double scale, std::size_t lane) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Answer* expected : {&one, &other})
+    if (expected->ok() && found.ok())
+      least = std::min(least, difference(b, *expected, found, s, scale, lane));
+  return least;
+}
+
 States translated(const Bench& b, States s, const double (&by)[3]) {
   for (std::size_t d = 0; d < b.dofs(); ++d)
     for (std::size_t lane = 0; lane < s.count; ++lane) s.x[at(d, lane)] += by[d % 3];
@@ -67,6 +78,28 @@ States turned(States s, double angle) {
 }
 
 }  // namespace
+
+Finding low_digits_ignored_or_taken(Bench& b) {
+  Worst worst(kMotionLimit);
+  for (const auto& term : b.type.terms)
+    for (const auto& s : b.tiles) {
+      States low = s;
+      low.x_low = b.random_field();
+      for (std::size_t d = 0; d < b.dofs(); ++d)
+        for (std::size_t lane = 0; lane < s.count; ++lane)
+          low.x_low[at(d, lane)] *= kLowDigits * b.spacing(s, lane);
+      States moved_there = s;
+      for (std::size_t i = 0; i < s.x.size(); ++i) moved_there.x[i] += low.x_low[i];
+      const Answer ignored = b.specimen->evaluate(term, s, all_of(term)),
+                   taken = b.specimen->evaluate(term, moved_there, all_of(term)),
+                   found = b.specimen->evaluate(term, low, all_of(term));
+      const auto scale = b.force_scale(term, s);
+      for (std::size_t lane = 0; lane < s.count; ++lane)
+        worst.note(least_difference(b, found, ignored, taken, s, scale[lane], lane),
+                   [&] { return b.place(term, s, lane); });
+    }
+  return judged(worst, "there are no terms");
+}
 
 Finding translation_changes_nothing(Bench& b) {
   Worst worst(kMotionLimit);

@@ -80,6 +80,7 @@ netloft_tile Specimen::tile(const States& states, Factors factors) const {
   t.cu = factors.cu, t.cv = factors.cv, t.ca = factors.ca;
   t.water_density = 1025, t.gravity = 9.81, t.water_viscosity = 1.19e-6;
   t.x = pointer(states.x), t.v = pointer(states.v), t.a = pointer(states.a);
+  t.x_low = pointer(states.x_low);
   t.current = pointer(states.current), t.current_dz = pointer(states.current_dz);
   t.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
   return t;

@@ -26,11 +26,13 @@ struct States {
   std::uint32_t first = 0, count = 0;
   std::vector<double> x, v, a, current, current_dz;
   std::vector<double> memory = {};  // [state_width][64], what elements remember; empty: nothing yet
+  std::vector<double> x_low = {};
 };
 
 /// All fields of States, for loops.
 inline constexpr std::vector<double> States::*kFields[] = {
-    &States::x, &States::v, &States::a, &States::current, &States::current_dz, &States::memory};
+    &States::x,          &States::v,      &States::a,    &States::current,
+    &States::current_dz, &States::memory, &States::x_low};
 
 struct Factors {
   double cu = 1, cv = 0, ca = 0;

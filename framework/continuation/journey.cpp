@@ -100,6 +100,7 @@ Solution Journey::arrive(Displacements start) {
       keep_better(best, solve_itself_off_saddles(ways[i].name, *nearer, limits));
   try_once_more(best, start, limits);
   if (options_.looks != 0) look_for_other_shapes(best, start, limits);
+  gain_digits(best);
   return finish(std::move(best));
 }
 
@@ -153,6 +154,19 @@ void Journey::go_further(Solution& best, const std::string& name, const Limits& 
     keep_better(best, std::move(next));
     if (!goes_on) break;
   }
+}
+
+/// Where it ended at the rounding of its positions, from there with all their digits.
+void Journey::gain_digits(Solution& best) {
+  const bool is_rounded = best.balance.at_round_off && best.balance.residual <= best.balance.floor;
+  if (!options_.detours || !has_arrived(best) || !is_rounded || assembler_.has_bodies() || out_of_time())
+    return;
+  Limits limits = options_.limits;
+  limits.iterations = std::min(limits.iterations, kFewIterations);
+  Solution s = solve_itself("with more digits", options_.solver, best.u, limits, Digits::all);
+  if (!has_arrived(s) || s.balance.residual > best.balance.residual) return;
+  s.shapes = std::move(best.shapes);
+  best = std::move(s);
 }
 
 /// By its energy; the residual flickers where many members are just taut.
@@ -273,14 +287,14 @@ Solution Journey::solve_itself(const std::string& name, const Displacements& sta
 }
 
 Solution Journey::solve_itself(const std::string& name, const SolverUse& solver, const Displacements& start,
-                               const Limits& limits) {
+                               const Limits& limits, Digits digits) {
   std::vector<std::string> faults;
   const SolverType& type = *solver.type;
   const ParameterBlock parameters(type.parameters, type.solver.parameter_bytes, solver.parameters, faults);
   Limits left = limits;
   left.seconds = seconds_left(), left.cpu_seconds = patience_left();
   Solution s = solve_static(scene_, assembler_, type, parameters.data(), left, options_.make,
-                            options_.on_iteration, start);
+                            options_.on_iteration, start, digits);
   legs_.push_back({name, type.type, s.u.size(), s.status, s.reason, s.books});
   return s;
 }

@@ -79,6 +79,7 @@ class Journey {
   bool sticks() const;
   void be_patient(const Solution& first, const Limits& limits);
   void go_further(Solution& best, const std::string& name, const Limits& limits);
+  void gain_digits(Solution& best);
   bool comes_on(const Solution& now, const Solution& before) const;
   void try_once_more(Solution& best, const Displacements& start, const Limits& before);
 
@@ -106,7 +107,7 @@ class Journey {
                                     const Limits& limits);
   Solution solve_itself(const std::string& name, const Displacements& start, const Limits& limits);
   Solution solve_itself(const std::string& name, const SolverUse& solver, const Displacements& start,
-                        const Limits& limits);
+                        const Limits& limits, Digits digits = Digits::of_doubles);
   Solution solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,
                      const Displacements& start, double tolerance, int iterations = 200);
   Displacements stiffened(Displacements u, double cap, double stiffest);

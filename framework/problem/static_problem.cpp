@@ -170,7 +170,18 @@ void StaticProblem::begin(const StepProblem& step) {
   v_.resize(u_.size()), a_.resize(u_.size());
 }
 
+void StaticProblem::count_from(std::vector<double> base) {
+  base_ = std::move(base);
+  x_low_.assign(base_.size(), 0.0);
+}
+
+const std::vector<double>& StaticProblem::positions(std::span<const double> u) {
+  place(u.data());
+  return x_;
+}
+
 void StaticProblem::place(const double* u) {
+  if (!base_.empty()) return assembler_.place_from(base_, {u, u_.size()}, x_, x_low_);
   if (!step_.state) return assembler_.place({u, u_.size()}, x_);
   for (std::size_t i = 0; i < u_.size(); ++i)
     v_[i] = step_.v0[i] + step_.cv * u[i], a_[i] = step_.a0[i] + step_.ca * u[i];
@@ -196,6 +207,7 @@ int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy,
   request.matrix = kind;
   request.values = kind == MatrixKind::none ? nullptr : values(kind).data();
   request.motion = motion_;
+  request.x_low = low_digits();
   if (!assembler_.evaluate(x_, request)) {
     met_error_ = assembler_.fault().status == NETLOFT_ERROR;
     return assembler_.fault().status;
@@ -352,12 +364,14 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
   return b;
 }
 
-/// Forces come from differences of coordinates: stiffness x rounding of the position is what they are worth.
+/// Forces come from differences of coordinates: stiffness x rounding of the position is what they are worth;
+/// of the difference, where positions keep all their digits.
 double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> x) const {
   const auto i = static_cast<std::size_t>(unknown);
   double stiffness = metric_[find_slot(assembler_.pattern(), unknown, unknown)];
   if (step_.state) stiffness += step_.ca * step_.mass[i];
-  return 4 * std::numeric_limits<double>::epsilon() * stiffness * std::abs(x[i]);
+  const double largest = base_.empty() ? std::abs(x[i]) : element_size_;
+  return 4 * std::numeric_limits<double>::epsilon() * stiffness * largest;
 }
 
 /// Further from the start than any gear can be long: nothing holds what drives it.
@@ -381,7 +395,8 @@ bool StaticProblem::recompute(std::span<const double> u, std::vector<double>& x,
   x = x_;
   residual.resize(residual_.size());
   bad_numbers_ = false;
-  if (!assembler_.evaluate(x, {.energy = &energy, .residual = residual.data()})) return false;
+  if (!assembler_.evaluate(x, {.energy = &energy, .residual = residual.data(), .x_low = low_digits()}))
+    return false;
   bad_numbers_ = !all_finite(residual);
   return !bad_numbers_;
 }

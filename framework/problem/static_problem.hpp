@@ -80,6 +80,11 @@ class StaticProblem {
   DrivingLoad driving_load();
   /// From now on this step is the problem, until the next.
   void begin(const StepProblem& step);
+  /// From now on u counts from positions `base`, where the problem is all but solved: differences of
+  /// positions then have the digits that positions round off. Not where bodies carry nodes.
+  void count_from(std::vector<double> base);
+  /// Over all dofs at u [m].
+  const std::vector<double>& positions(std::span<const double> u);
   /// The next solution starts without a factor, as if nothing had been solved before.
   void forget_factor() { last_ = nullptr; }
   /// Longest extent of an element at the start [m].
@@ -102,6 +107,7 @@ class StaticProblem {
   double rounding_at(std::int32_t unknown, std::span<const double> x) const;
 
   void place(const double* u);
+  const double* low_digits() const { return base_.empty() ? nullptr : x_low_.data(); }
   std::vector<double>& values(MatrixKind kind);
   void need_metric();
   std::span<const double> shifted(int matrix, double shift);
@@ -128,6 +134,7 @@ class StaticProblem {
   char message_[256] = "";
 
   std::vector<double> u_, x_, residual_, gradient_;
+  std::vector<double> base_, x_low_;  // empty: u counts from the start
   std::vector<double> exact_, convex_, metric_, shifted_;
   std::array<std::unique_ptr<Factorisation>, 3> factorisations_;  // by MatrixClass, made when wanted
   Factorisation* last_ = nullptr;

@@ -104,8 +104,7 @@ void find_correction(Solution& s, StaticProblem& problem, const Assembler& assem
                    : find_correction(problem, s.u, s.residual, step)))
     return;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
-  s.corrected = s.x;
-  assembler.place(u, s.corrected);
+  s.corrected = problem.positions(u);
   s.correction = largest_node_distance(scene, assembler.numbering(), s.x, s.corrected);
 }
 
@@ -169,11 +168,14 @@ void judge(Solution& s, const std::string& ending, StaticProblem& problem, const
 
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
-                      std::function<void(const IterationRecord&)> on_iteration,
-                      std::span<const double> start) {
+                      std::function<void(const IterationRecord&)> on_iteration, std::span<const double> start,
+                      Digits digits) {
   const double wall = wall_seconds(), cpu = cpu_seconds();
   StaticProblem problem(assembler, make, limits, std::move(on_iteration));
-  std::copy(start.begin(), start.end(), problem.interface().u);
+  if (digits == Digits::all)
+    problem.count_from(problem.positions(start));
+  else
+    std::copy(start.begin(), start.end(), problem.interface().u);
   const std::uint32_t lacking = solver.solver.needs & ~problem.interface().traits;
   Solution s;
   netloft_outcome outcome = NETLOFT_SOLVER_ERROR;
@@ -203,6 +205,8 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   else
     judge_without_forces(s, problem, assembler, scene);
   if (s.status == SolveStatus::converged) assembler.remember(s.x);
+  if (digits == Digits::all)
+    for (std::size_t i = 0; i < start.size(); ++i) s.u[i] += start[i];
   s.history = problem.history();
   s.books.total_seconds = wall_seconds() - wall;
   s.books.total_cpu_seconds = cpu_seconds() - cpu;

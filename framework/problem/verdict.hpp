@@ -57,6 +57,10 @@ inline bool is_stationary(const Solution& s) {
   return s.status == SolveStatus::converged || s.status == SolveStatus::unstable;
 }
 
+/// Of positions, while they are looked for: what a double has room for, or also what it rounds off
+/// (StaticProblem::count_from).
+enum class Digits { of_doubles, all };
+
 /// Lets `solver` find the static equilibrium of the assembled scene, from displacements `start` of the
 /// unknowns (empty: from the scene's own start), recomputes the residual where it ended and judges it. How
 /// far from the equilibrium a balanced point is estimated to be, says `correction`. A stationary point whose
@@ -65,7 +69,7 @@ inline bool is_stationary(const Solution& s) {
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
                       std::function<void(const IterationRecord&)> on_iteration = {},
-                      std::span<const double> start = {});
+                      std::span<const double> start = {}, Digits digits = Digits::of_doubles);
 
 const char* name_of(SolveStatus status);
 const char* name_of(Stability stability);

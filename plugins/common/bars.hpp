@@ -75,11 +75,11 @@ inline Status add_elastic(const Lanes& p, netloft_tile& t) {
     add_metric(p, t);
     return Status::ok;
   }
-  const double* __restrict x = t.x;
   // Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
-  double wx[kLanes], wy[kLanes], wz[kLanes], inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
+  double w[3][kLanes], inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
+  find_spans(t, w);
+  const double(&wx)[kLanes] = w[0], (&wy)[kLanes] = w[1], (&wz)[kLanes] = w[2];
   for (std::size_t i = 0; i < t.count; ++i) {
-    wx[i] = x[at(3, i)] - x[at(0, i)], wy[i] = x[at(4, i)] - x[at(1, i)], wz[i] = x[at(5, i)] - x[at(2, i)];
     const auto b = axial::stretch(wx[i], wy[i], wz[i], p.l0[i], p.EA[i], p.EA_compression[i]);
     inverse[i] = b.inverse, T[i] = b.T, k[i] = b.k, energy[i] = b.energy;
   }

@@ -6,13 +6,23 @@ namespace netloft::bars {
 
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
+/// x₁ − x₀ of the bars of a tile [m], with the digits that positions round off where the tile has them.
+inline void find_spans(const netloft_tile& t, double (&__restrict w)[3][kLanes]) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double *first = t.x + at(axis, 0), *second = t.x + at(axis + 3, 0);
+    for (std::size_t i = 0; i < t.count; ++i) w[axis][i] = second[i] - first[i];
+  }
+  if (!t.x_low) return;
+  for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t i = 0; i < t.count; ++i) w[axis][i] += t.x_low[at(axis + 3, i)] - t.x_low[at(axis, i)];
+}
+
 /// Length l, unit vector t and 1/l of the bars of a tile; t and 1/l of a collapsed bar as in axial.hpp.
 struct Chords {
   Chords(const netloft_tile& tile, const double (&l0)[kLanes]) {
-    const double* x = tile.x;
+    find_spans(tile, t);
     for (std::size_t i = 0; i < tile.count; ++i) {
-      const double wx = x[at(3, i)] - x[at(0, i)], wy = x[at(4, i)] - x[at(1, i)],
-                   wz = x[at(5, i)] - x[at(2, i)];
+      const double wx = t[0][i], wy = t[1][i], wz = t[2][i];
       l[i] = std::sqrt(wx * wx + wy * wy + wz * wz);
       inverse[i] = 1 / std::max(l[i], axial::kCollapsed * l0[i]);
       t[0][i] = wx * inverse[i], t[1][i] = wy * inverse[i], t[2][i] = wz * inverse[i];

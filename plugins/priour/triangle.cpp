@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/priour/triangle.hpp"
 
+#include "plugins/priour/twines.hpp"
+
 #include <limits>
 #include <numbers>
 
@@ -104,21 +106,16 @@ struct Blocks {
 
 /// The bars of one direction in every lane: vector, scalars of axial (1)–(4).
 struct Stretched {
-  double wx[kLanes], wy[kLanes], wz[kLanes];
+  double w[3][kLanes];
   double inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
 };
 
 /// Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
 void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], const netloft_tile& t,
                        Stretched& __restrict s) {
-  const double* x = t.x;
+  find_spans(t, c, s.w);
   for (std::size_t i = 0; i < t.count; ++i) {
-    const double c0 = c[0][i], c1 = c[1][i], c2 = c[2][i];
-    const double wx = c0 * x[at(0, i)] + c1 * x[at(3, i)] + c2 * x[at(6, i)];
-    const double wy = c0 * x[at(1, i)] + c1 * x[at(4, i)] + c2 * x[at(7, i)];
-    const double wz = c0 * x[at(2, i)] + c1 * x[at(5, i)] + c2 * x[at(8, i)];
-    const auto b = axial::stretch(wx, wy, wz, p.l0[i], p.EA[i], p.EA_compression[i]);
-    s.wx[i] = wx, s.wy[i] = wy, s.wz[i] = wz;
+    const auto b = axial::stretch(s.w[0][i], s.w[1][i], s.w[2][i], p.l0[i], p.EA[i], p.EA_compression[i]);
     s.inverse[i] = b.inverse, s.T[i] = b.T, s.k[i] = b.k, s.energy[i] = b.energy;
   }
 }
@@ -128,7 +125,7 @@ void add_force(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Str
                std::uint32_t count, double* __restrict force) {
   for (std::size_t i = 0; i < count; ++i) {
     const double f = p.bars[i] * s.T[i] * s.inverse[i];
-    const double fx = f * s.wx[i], fy = f * s.wy[i], fz = f * s.wz[i];
+    const double fx = f * s.w[0][i], fy = f * s.w[1][i], fz = f * s.w[2][i];
     force[at(0, i)] += c[0][i] * fx, force[at(1, i)] += c[0][i] * fy, force[at(2, i)] += c[0][i] * fz;
     force[at(3, i)] += c[1][i] * fx, force[at(4, i)] += c[1][i] * fy, force[at(5, i)] += c[1][i] * fz;
     force[at(6, i)] += c[2][i] * fx, force[at(7, i)] += c[2][i] * fy, force[at(8, i)] += c[2][i] * fz;
@@ -140,7 +137,7 @@ void fill_stiffness(const Triangle::Lanes& p, const Stretched& s, double cu, boo
   const double lowest = convex ? 0.0 : -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < count; ++i) {
     const axial::Bar b{0, s.inverse[i], s.T[i], s.k[i], 0};
-    const auto A = axial::stiffness(b, s.wx[i], s.wy[i], s.wz[i], cu * p.bars[i], lowest);
+    const auto A = axial::stiffness(b, s.w[0][i], s.w[1][i], s.w[2][i], cu * p.bars[i], lowest);
     for (int k = 0; k < 6; ++k) blocks.v[k][i] = A.v[k];
   }
 }

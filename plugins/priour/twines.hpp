@@ -4,16 +4,32 @@
 
 namespace netloft::priour {
 
+/// Vector of a twine in every lane of a tile, triangle (2) or (3) with its coefficients c [m]. Where the tile
+/// has the digits that positions round off, differences of positions keep them: Σ c = 0.
+inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
+                       double (&__restrict w)[3][kLanes]) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double *x0 = t.x + at(axis, 0), *x1 = t.x + at(axis + 3, 0), *x2 = t.x + at(axis + 6, 0);
+    if (!t.x_low) {
+      for (std::size_t i = 0; i < t.count; ++i)
+        w[axis][i] = c[0][i] * x0[i] + c[1][i] * x1[i] + c[2][i] * x2[i];
+      continue;
+    }
+    const double *low0 = t.x_low + at(axis, 0), *low1 = t.x_low + at(axis + 3, 0),
+                 *low2 = t.x_low + at(axis + 6, 0);
+    for (std::size_t i = 0; i < t.count; ++i)
+      w[axis][i] = c[1][i] * ((x1[i] - x0[i]) + (low1[i] - low0[i])) +
+                   c[2][i] * ((x2[i] - x0[i]) + (low2[i] - low0[i]));
+  }
+}
+
 /// The twines of one direction in every lane: unit vector and 1/length of a bar, or, shorter than axial's
 /// kCollapsed l₀, what axial.hpp puts in their place. `c` is a or b of triangle (2), (3).
 struct Twines {
   Twines(const netloft_tile& tile, const double (&c)[3][kLanes], const double (&l0)[kLanes]) {
-    const double* x = tile.x;
+    find_spans(tile, c, t);
     for (std::size_t i = 0; i < tile.count; ++i) {
-      const double c0 = c[0][i], c1 = c[1][i], c2 = c[2][i];
-      const double wx = c0 * x[at(0, i)] + c1 * x[at(3, i)] + c2 * x[at(6, i)];
-      const double wy = c0 * x[at(1, i)] + c1 * x[at(4, i)] + c2 * x[at(7, i)];
-      const double wz = c0 * x[at(2, i)] + c1 * x[at(5, i)] + c2 * x[at(8, i)];
+      const double wx = t[0][i], wy = t[1][i], wz = t[2][i];
       const double l = std::sqrt(wx * wx + wy * wy + wz * wz);
       inverse[i] = 1 / std::max(l, axial::kCollapsed * l0[i]);
       t[0][i] = inverse[i] * wx, t[1][i] = inverse[i] * wy, t[2][i] = inverse[i] * wz;

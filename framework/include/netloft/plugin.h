@@ -161,6 +161,8 @@ typedef struct netloft_tile {
   double water_viscosity; /* kinematic [m2/s] */
   const double* state;    /* [state_width][64] what the element remembers of the last accepted step */
   double* state_new;      /* [state_width][64] what it will remember if this one is accepted */
+  const double* x_low;    /* digits that x has no room for: positions are x + x_low; mostly null: not known.
+                             A term may ignore them; stiff ones gain digits in differences of positions [m] */
 } netloft_tile;
 
 typedef struct netloft_term {

@@ -221,6 +221,16 @@ struct Lopsided {  // the second node is pulled half as much
   }
 };
 
+struct LowDigitsTwice {
+  static Status tile(const Family<On<LowDigitsTwice>>& f, netloft_tile& t) {
+    netloft_tile there = t;
+    double x[6 * kLanes];
+    for (std::size_t i = 0; i < 6 * kLanes; ++i) x[i] = t.x[i] + (t.x_low ? 2 * t.x_low[i] : 0);
+    there.x = x;
+    return each_lane(f, there, true, [](std::size_t, Local<2>&) {});
+  }
+};
+
 struct Anchored {
   template <class T>
   static T energy(const Parameters& p, const Data&, const Water&, const Points<T, 2>& x) {
@@ -333,6 +343,7 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   add<StifferUpright>(plugin, "stiffer_upright", "moments-sum-to-zero");
   add<Lopsided, 0>(plugin, "lopsided", "forces-sum-to-zero");
   add<Anchored>(plugin, "anchored", "translation-changes-nothing");
+  add<LowDigitsTwice>(plugin, "low_digits_twice", "low-digits-ignored-or-taken");
   add<Throws>(plugin, "throws", "evaluates-without-error");
   add<NotANumber>(plugin, "not_a_number", "outputs-finite");
   add<NotANumberAtRest>(plugin, "not_a_number_at_rest", "finite-at-rest");

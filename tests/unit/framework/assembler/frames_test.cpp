@@ -117,5 +117,23 @@ TEST(SymmetryPlane, MakesHalfAPanelHangLikeTheWhole) {
         EXPECT_NEAR(half.position(j * (n / 2 + 1) + i)[axis], whole.position(j * (n + 1) + i)[axis], 1e-8);
 }
 
+// Positions and what they round off together are the sum in twice the digits, turned nodes included.
+TEST(Frames, KeepWhatPositionsRoundOff) {
+  const Scene scene = bead_on_a_line();
+  Assembler assembler(scene, make_plan(scene, test::shipped_plugins()), 1);
+  const std::vector<double> base = assembler.start(), u = {1e-17};
+  std::vector<double> x(base.size()), low(base.size());
+  assembler.place_from(base, u, x, low);
+  EXPECT_EQ(x, base);
+  const auto at = [&](int axis) { return static_cast<std::size_t>(assembler.numbering().index(1, axis)); };
+  EXPECT_NEAR(low[at(0)], 1e-17 * std::sqrt(0.5), 1e-32);
+  EXPECT_NEAR(low[at(2)], -1e-17 * std::sqrt(0.5), 1e-32);
+  assembler.place_from(base, std::vector{0.3}, x, low);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const long double way = i == at(0) ? 0.3 * std::sqrt(0.5) : i == at(2) ? -0.3 * std::sqrt(0.5) : 0;
+    EXPECT_NEAR(static_cast<double>((long double){x[i]} + low[i] - base[i] - way), 0, 1e-17);
+  }
+}
+
 }  // namespace
 }  // namespace netloft

@@ -244,5 +244,25 @@ TEST(StaticProblem, TakesRoundOffOfThePositionsForBalance) {
   }
 }
 
+// 1e-12 m are below what a number near 1e6 m can tell, and worth 1e-10 N.
+TEST(StaticProblem, KeepsTheDigitsThatPositionsHaveNoRoomFor) {
+  Limits limits;
+  limits.tolerance = 1e-14;
+  Called c(pulled_bar(1e6).scene, limits);
+  c.problem.count_from(c.assembled.assembler.start());
+  c.p.u[2] = -1e-12;
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_FORCE | NETLOFT_WANT_TANGENT), NETLOFT_OK);
+  EXPECT_NEAR(c.residual[2], -1e-10, 2e-14);
+  EXPECT_EQ(c.problem.positions({c.p.u, c.p.unknowns})[2], 1e6 - 1.5);
+
+  std::vector<double> x, residual;
+  double energy = 0;
+  ASSERT_TRUE(c.problem.recompute({c.p.u, c.p.unknowns}, x, residual, energy));
+  EXPECT_EQ(residual[2], c.residual[2]);
+  const Balance b = c.problem.balance(x, residual);
+  EXPECT_FALSE(b.balanced);
+  EXPECT_LT(b.floor, 2e-13);  // 4 ε x 100 N/m x 1.5 m
+}
+
 }  // namespace
 }  // namespace netloft::test
