@@ -12,7 +12,9 @@ namespace netloft {
 
 namespace {
 
-constexpr int kDecades = 9, kPowers = 60, kMeasured = 20;
+constexpr int kDecades = 11, kPowers = 60, kMeasured = 20;
+// ε of (2), by which flow damps where it does not; what is equal but for rounding, of the largest entry.
+constexpr double kLittle = 0.01, kRounding = 1e-9;
 // Growth that still falls by this from one measure to the next may be passing: so often it is measured again.
 constexpr double kFalls = 1e-3;
 constexpr int kMeasures = 16;
@@ -48,6 +50,31 @@ std::vector<double> scattered(std::size_t size) {
   return v;
 }
 
+/// Calls visit(row, column, place of the value) for every entry.
+template <class Visit>
+void for_entries(const SparsePattern& p, Visit&& visit) {
+  for (std::int32_t c = 0; c < p.size; ++c)
+    for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
+         k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k)
+      visit(p.row[k], c, p.slot_of(k));
+}
+
+double trace(const SparsePattern& p, std::span<const double> A) {
+  double sum = 0;
+  for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) { sum += r == c ? A[at] : 0; });
+  return sum;
+}
+
+bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
+  if (p.symmetric) return true;
+  double largest = 0, apart = 0;
+  for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) {
+    largest = std::max(largest, std::abs(A[at]));
+    if (r > c) apart = std::max(apart, std::abs(A[at] - A[find_slot(p, c, r)]));
+  });
+  return apart <= kRounding * largest;
+}
+
 /// Whether ½ (A + Aᵀ) has positive eigenvalues only. The pattern of A is symmetric.
 bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> A,
                                 const MakeFactorisation& make) {
@@ -69,7 +96,7 @@ bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> 
   return factorisation->factorise(values).status == FactorStatus::ok;
 }
 
-/// A scattered vector under powers of (2).
+/// A scattered vector under powers of (3).
 class Powers {
  public:
   Powers(const SparsePattern& p, std::span<const double> sigma_M_minus_K, Factorisation& plus)
@@ -100,7 +127,7 @@ class Powers {
   std::vector<double> y_, z_;
 };
 
-/// Growth under powers of (2): over the last of them, or where it settles.
+/// Growth under powers of (3): over the last of them, or where it settles.
 Growth growth_at(double sigma, const SparsePattern& p, std::span<const double> K, std::span<const double> M,
                  Factorisation& factorisation) {
   std::vector<double> plus(K.size()), minus(K.size());
@@ -117,21 +144,35 @@ Growth growth_at(double sigma, const SparsePattern& p, std::span<const double> K
   return {growth, std::move(powers.vector())};
 }
 
+/// Makes the linear stiffness M the matrix of (2), out of K and K + C.
+void add_damping(const SparsePattern& p, std::span<const double> K, std::span<const double> K_plus_C,
+                 std::span<double> M) {
+  const double C = trace(p, K_plus_C) - trace(p, K);
+  if (!(C > kRounding * kRounding * trace(p, K))) return;
+  const double share = trace(p, M) / (kLittle * C);
+  for (std::size_t i = 0; i < p.value_slots(); ++i) M[i] += share * (K_plus_C[i] - K[i]);
+}
+
 }  // namespace
 
 Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make) {
-  std::vector<double> K(assembler.value_slots()), M(assembler.value_slots());
+  // An assembler has more values than its pattern.
+  std::vector<double> K(assembler.value_slots()), damped = K, M = K;
   if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}) ||
+      !assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = damped.data(), .motion = {.cv = 1}}) ||
       !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
     return {std::numeric_limits<double>::quiet_NaN(), {}};
-  const SparsePattern& pattern = assembler.pattern();  // an assembler has more values than its pattern
-  return find_growth(pattern, std::span(K).first(pattern.value_slots()),
-                     std::span(M).first(pattern.value_slots()), make);
+  const SparsePattern& pattern = assembler.pattern();
+  const std::size_t entries = pattern.value_slots();
+  add_damping(pattern, K, damped, M);
+  return find_growth(pattern, std::span(K).first(entries), std::span(M).first(entries), make);
 }
 
 Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
                    const MakeFactorisation& make) {
-  if (is_symmetric_part_positive(pattern, K, make)) return {0, {}};  // (3)
+  if (is_symmetric(pattern, M) && is_symmetric_part_positive(pattern, M, make) &&
+      is_symmetric_part_positive(pattern, K, make))
+    return {0, {}};  // (4)
   const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   Growth most{0, {}};
