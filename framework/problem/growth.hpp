@@ -10,8 +10,10 @@ inline constexpr double kGrows = 1.01;
 
 /// What a small disturbance does, and what it turns into.
 struct Growth {
-  double per_power = 0;      // of the matrix (3), see find_growth
-  std::vector<double> mode;  // over the unknowns, of length 1; empty where nothing could grow
+  double per_power = 0;           // of the matrix (3), see find_growth
+  double rate = 0;                // of what grows [1/s]; without a unit, or zero, where nothing flows
+  double frequency = 0;           // with which it swings, likewise [rad/s]; zero where it diverges
+  std::vector<double> mode = {};  // over the unknowns, of length 1; empty where nothing could grow
   bool grows() const { return per_power > kGrows; }
 };
 
