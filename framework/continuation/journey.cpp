@@ -267,7 +267,7 @@ Solution Journey::solve_itself_off_saddles(const std::string& name, const Displa
 }
 
 void Journey::leave_saddles(Solution& s, const std::string& name, const Limits& limits) {
-  for (int times = 0; options_.detours && is_at_saddle(s) && !out_of_time(); ++times) {
+  for (int times = 0; options_.detours && is_at_saddle(s) && !flutters(s) && !out_of_time(); ++times) {
     if (times > 0 && (times == kTimesAside || s.growing.empty())) break;
     keep_better(s, solve_itself(name + ", shaken", away_from(s), limits));
   }

@@ -142,7 +142,8 @@ std::optional<Journey::Displacements> Journey::over_relaxation(const Displacemen
   return relaxed_;
 }
 
-std::optional<Journey::Displacements> Journey::over_motion(const Displacements& start, const Solution&) {
+std::optional<Journey::Displacements> Journey::over_motion(const Displacements& start, const Solution& best) {
+  if (flutters(best)) return {};
   const auto s = move(start);
   if (!s) return {};
   moved_ = is_stationary(*s) ? Displacements{} : s->u;

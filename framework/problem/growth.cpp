@@ -3,16 +3,25 @@
 
 #include "framework/assembler/pattern.hpp"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace netloft {
 
 namespace {
 
-constexpr int kDecades = 9, kPowers = 60, kMeasured = 20;
+constexpr int kDecades = 11, kPowers = 60, kMeasured = 20;
+// ε of (2), by which flow damps where it does not; what is equal but for rounding, of the largest entry.
+constexpr double kLittle = 0.01, kRounding = 1e-9;
+// Steps that tell the largest eigenvalue; no more where what is new is below this share.
+constexpr int kArnoldi = 20;
+constexpr double kOneDirection = 1e-9;
 // Growth that still falls by this from one measure to the next may be passing: so often it is measured again.
 constexpr double kFalls = 1e-3;
 constexpr int kMeasures = 16;
@@ -30,11 +39,11 @@ void multiply(const SparsePattern& p, std::span<const double> values, std::span<
     }
 }
 
-double norm(std::span<const double> v) {
-  double sum = 0;
-  for (const double a : v) sum += a * a;
-  return std::sqrt(sum);
+double dot(std::span<const double> v, std::span<const double> w) {
+  return std::inner_product(v.begin(), v.end(), w.begin(), 0.0);
 }
+
+double norm(std::span<const double> v) { return std::sqrt(dot(v, v)); }
 
 /// A vector with a share in every direction, the same on every machine: fractions of multiples of the golden
 /// ratio.
@@ -46,6 +55,31 @@ std::vector<double> scattered(std::size_t size) {
     v[i] = 2 * (multiple - std::floor(multiple)) - 1;
   }
   return v;
+}
+
+/// Calls visit(row, column, place of the value) for every entry.
+template <class Visit>
+void for_entries(const SparsePattern& p, Visit&& visit) {
+  for (std::int32_t c = 0; c < p.size; ++c)
+    for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
+         k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k)
+      visit(p.row[k], c, p.slot_of(k));
+}
+
+double trace(const SparsePattern& p, std::span<const double> A) {
+  double sum = 0;
+  for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) { sum += r == c ? A[at] : 0; });
+  return sum;
+}
+
+bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
+  if (p.symmetric) return true;
+  double largest = 0, apart = 0;
+  for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) {
+    largest = std::max(largest, std::abs(A[at]));
+    if (r > c) apart = std::max(apart, std::abs(A[at] - A[find_slot(p, c, r)]));
+  });
+  return apart <= kRounding * largest;
 }
 
 /// Whether ½ (A + Aᵀ) has positive eigenvalues only. The pattern of A is symmetric.
@@ -69,7 +103,7 @@ bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> 
   return factorisation->factorise(values).status == FactorStatus::ok;
 }
 
-/// A scattered vector under powers of (2).
+/// A scattered vector under powers of (3).
 class Powers {
  public:
   Powers(const SparsePattern& p, std::span<const double> sigma_M_minus_K, Factorisation& plus)
@@ -79,8 +113,7 @@ class Powers {
   double grow(int powers) {
     double logarithm = 0;
     for (int k = 0; k < powers; ++k) {
-      multiply(p_, minus_, y_, z_);
-      plus_.solve(z_, y_);
+      advance(y_, y_);
       const double length = norm(y_);
       if (!std::isfinite(length)) return std::numeric_limits<double>::infinity();
       if (length == 0) return 0;
@@ -93,20 +126,47 @@ class Powers {
   /// Of length 1.
   std::vector<double>& vector() { return y_; }
 
+  /// The largest eigenvalue of (3), by a few steps of Arnoldi's from what the powers have left (Y. Saad,
+  /// Numerical Methods for Large Eigenvalue Problems, 2011, chapter 6).
+  std::complex<double> eigenvalue() {
+    Eigen::MatrixXd Q(p_.size, kArnoldi + 1), H = Eigen::MatrixXd::Zero(kArnoldi, kArnoldi);
+    Q.col(0) = Eigen::Map<const Eigen::VectorXd>(y_.data(), p_.size);
+    int k = 0;
+    for (double rest = 1; k < kArnoldi && rest > kOneDirection * std::abs(H(0, 0)); ++k) {
+      if (k > 0) H(k, k - 1) = rest;
+      advance({Q.col(k).data(), y_.size()}, next_);
+      Q.col(k + 1) = Eigen::Map<const Eigen::VectorXd>(next_.data(), p_.size);
+      for (int i = 0; i <= k; ++i) {
+        H(i, k) = Q.col(i).dot(Q.col(k + 1));
+        Q.col(k + 1) -= H(i, k) * Q.col(i);
+      }
+      rest = Q.col(k + 1).norm();
+      Q.col(k + 1) /= rest;
+    }
+    const Eigen::VectorXcd all = H.topLeftCorner(k, k).eigenvalues();
+    return *std::max_element(all.begin(), all.end(),
+                             [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); });
+  }
+
  private:
+  void advance(std::span<const double> from, std::vector<double>& to) {
+    multiply(p_, minus_, from, z_);
+    plus_.solve(z_, to);
+  }
+
   const SparsePattern& p_;
   std::span<const double> minus_;
   Factorisation& plus_;
-  std::vector<double> y_, z_;
+  std::vector<double> y_, z_, next_{y_};
 };
 
-/// Growth under powers of (2): over the last of them, or where it settles.
+/// Growth under powers of (3): over the last of them, or where it settles.
 Growth growth_at(double sigma, const SparsePattern& p, std::span<const double> K, std::span<const double> M,
                  Factorisation& factorisation) {
   std::vector<double> plus(K.size()), minus(K.size());
   for (std::size_t i = 0; i < K.size(); ++i) plus[i] = K[i] + sigma * M[i], minus[i] = sigma * M[i] - K[i];
   if (factorisation.factorise(plus).status != FactorStatus::ok)
-    return {std::numeric_limits<double>::quiet_NaN(), {}};
+    return {.per_power = std::numeric_limits<double>::quiet_NaN()};
   Powers powers(p, minus, factorisation);
   powers.grow(kPowers - kMeasured);
   double growth = powers.grow(kMeasured);
@@ -114,27 +174,46 @@ Growth growth_at(double sigma, const SparsePattern& p, std::span<const double> K
     const double before = std::exchange(growth, powers.grow(kMeasured));
     if (growth > (1 - kFalls) * before) break;
   }
-  return {growth, std::move(powers.vector())};
+  if (!(growth > kGrows) || !std::isfinite(growth)) return {.per_power = growth};
+  const std::complex<double> mu = powers.eigenvalue(), lambda = sigma * (1.0 - mu) / (1.0 + mu);
+  return {growth, -lambda.real(), std::abs(lambda.imag()), std::move(powers.vector())};
+}
+
+/// Makes the linear stiffness M the matrix of (2), out of K and K + C. 1/τ; zero where C = 0.
+double add_damping(const SparsePattern& p, std::span<const double> K, std::span<const double> K_plus_C,
+                   std::span<double> M) {
+  const double C = trace(p, K_plus_C) - trace(p, K);
+  if (!(C > kRounding * kRounding * trace(p, K))) return 0;
+  const double share = trace(p, M) / (kLittle * C);
+  for (std::size_t i = 0; i < p.value_slots(); ++i) M[i] += share * (K_plus_C[i] - K[i]);
+  return share;
 }
 
 }  // namespace
 
 Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make) {
-  std::vector<double> K(assembler.value_slots()), M(assembler.value_slots());
+  // An assembler has more values than its pattern.
+  std::vector<double> K(assembler.value_slots()), damped = K, M = K;
   if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}) ||
+      !assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = damped.data(), .motion = {.cv = 1}}) ||
       !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
-    return {std::numeric_limits<double>::quiet_NaN(), {}};
-  const SparsePattern& pattern = assembler.pattern();  // an assembler has more values than its pattern
-  return find_growth(pattern, std::span(K).first(pattern.value_slots()),
-                     std::span(M).first(pattern.value_slots()), make);
+    return {.per_power = std::numeric_limits<double>::quiet_NaN()};
+  const SparsePattern& pattern = assembler.pattern();
+  const std::size_t entries = pattern.value_slots();
+  const double per_second = add_damping(pattern, K, damped, M);
+  Growth growth = find_growth(pattern, std::span(K).first(entries), std::span(M).first(entries), make);
+  growth.rate *= per_second, growth.frequency *= per_second;
+  return growth;
 }
 
 Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
                    const MakeFactorisation& make) {
-  if (is_symmetric_part_positive(pattern, K, make)) return {0, {}};  // (3)
+  if (is_symmetric(pattern, M) && is_symmetric_part_positive(pattern, M, make) &&
+      is_symmetric_part_positive(pattern, K, make))
+    return {};  // (4)
   const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
-  Growth most{0, {}};
+  Growth most;
   double sigma = 1;
   for (int decade = 0; decade < kDecades && !most.grows(); ++decade, sigma /= 10) {
     Growth growth = growth_at(sigma, pattern, K, M, *factorisation);

@@ -40,6 +40,8 @@ struct Solution {
   std::vector<double> x, residual;  // over all dofs [m], [N]
   std::vector<double> u;            // displacements of the unknowns that x stands for
   std::vector<double> growing;      // a disturbance of u that grows, where forces have no energy; length 1
+  double growth_rate = 0;  // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
+  double growth_frequency = 0;
   double energy = 0;
   Balance balance;
   std::vector<double> corrected;  // x after the Newton step that is left, over all dofs; empty: not known
@@ -56,6 +58,9 @@ struct Solution {
 inline bool is_stationary(const Solution& s) {
   return s.status == SolveStatus::converged || s.status == SolveStatus::unstable;
 }
+
+/// Where a disturbance swings as it grows: its motion goes round and comes to rest nowhere near.
+inline bool flutters(const Solution& s) { return s.growth_frequency > 0; }
 
 /// Of positions, while they are looked for: what a double has room for, or also what it rounds off
 /// (StaticProblem::count_from).

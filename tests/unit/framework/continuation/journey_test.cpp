@@ -272,5 +272,30 @@ TEST(Journey, SaysSoWhereTimeIsUp) {
   EXPECT_NE(travel(pressed_bars(), limits).solution.status, SolveStatus::converged);
 }
 
+/// A float at the head of a pressed spring, pushed sideways, in a current in which it flutters
+/// (growth_test.cpp); a load holds it in balance.
+Scene fluttering_float() {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  s.scene.current.samples = {{0, {1, 0, 0}}};
+  const auto foot = s.node(0, 0, 0, kAllAxes), head = s.node(std::sqrt(0.55), 0, 0, 1 << 2);
+  s.part("spring", "test/spring", {{"k", 1000.0}}, {foot, head}).data["rest_length"] = {1};
+  s.part("push", "test/follower", {{"k", 200.0}}, {foot, head}).data["rest_length"] = {1};
+  s.part("float", "float/float", {{"float.buoyancy", 10.0}, {"float.diameter", 0.2}}, {head})
+      .data["share"] = {1};
+  Assembled unloaded(s.scene);
+  const auto r = unloaded.residual(unloaded.assembler.start());
+  s.part("load", "test/load", {{"x", r[0]}, {"y", r[1]}}, {head});
+  return s.scene;
+}
+
+TEST(Journey, TellsOfFlutterAndDoesNotWaitForItToComeToRest) {
+  const Solution s = travel(fluttering_float()).solution;
+  EXPECT_EQ(s.legs.front().status, SolveStatus::unstable) << s.legs.front().reason;
+  EXPECT_NE(s.legs.front().reason.find("swinging with a period of"), std::string::npos)
+      << s.legs.front().reason;
+  EXPECT_FALSE(has_leg(s, "motion"));
+}
+
 }  // namespace
 }  // namespace netloft::test

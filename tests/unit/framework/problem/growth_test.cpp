@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "framework/assembler/pattern.hpp"
 #include "solvers/factorisation/factorisation.hpp"
+#include "tests/unit/framework/assembler/sketch.hpp"
 
 namespace netloft::test {
 namespace {
@@ -28,10 +30,11 @@ struct ThreeDiagonals {
   std::vector<double> values;
 };
 
-double growth_of(const ThreeDiagonals& K) {
-  const ThreeDiagonals M(K.pattern.size, 0, 1, 0);
+double growth_of(const ThreeDiagonals& K, const ThreeDiagonals& M) {
   return find_growth(K.pattern, K.values, M.values, make_factorisation).per_power;
 }
+
+double growth_of(const ThreeDiagonals& K) { return growth_of(K, {K.pattern.size, 0, 1, 0}); }
 
 // Eigenvalues a ± ib of [a b; −b a]: with |λ| = σ and a = −σ cos θ, |(σ − λ)/(σ + λ)|² is (1 + cos θ)/(1 −
 // cos θ).
@@ -53,6 +56,78 @@ TEST(GrowthOfMatrices, TellsWhatGrows) {
   const Growth growth = find_growth(K.pattern, K.values, M.values, make_factorisation);
   ASSERT_TRUE(growth.grows());
   EXPECT_NEAR(growth.mode[0] / growth.mode[1], -std::sqrt(3.1 / 3), 1e-6);
+}
+
+// λ² − (K₁₁/M₁₁ + K₂₂/M₂₂) λ + det K/det M = 0: its sum of roots changes its sign with M, that of its product
+// cannot.
+TEST(GrowthOfMatrices, DependsOnTheDampingWhereItIsFlutterAlone) {
+  ThreeDiagonals flutter(2, -3, 2, 3), divergence(2, -1, 2, 1), M(2, 0, 1, 0);
+  flutter.values.back() = divergence.values.back() = -1;
+  for (const double first : {1.0, 4.0}) {
+    M.values.front() = first;
+    EXPECT_EQ(growth_of(flutter, M) > kGrows, 2 / first - 1 < 0) << first;
+    EXPECT_GT(growth_of(divergence, M), kGrows) << first;
+  }
+}
+
+// λ² − (K₁₁ + K₂₂) λ + det K = 0.
+TEST(GrowthOfMatrices, TellsHowFastItGrowsAndSwings) {
+  const ThreeDiagonals M(2, 0, 1, 0), flutter(2, -3, -0.5, 3), divergence(2, 3, 2, 3.1);
+  const Growth swings = find_growth(flutter.pattern, flutter.values, M.values, make_factorisation);
+  EXPECT_NEAR(swings.rate, 0.5, 1e-6);
+  EXPECT_NEAR(swings.frequency, 3, 1e-6);
+  const Growth topples = find_growth(divergence.pattern, divergence.values, M.values, make_factorisation);
+  EXPECT_NEAR(topples.rate, std::sqrt(9.3) - 2, 1e-6);
+  EXPECT_EQ(topples.frequency, 0);
+}
+
+/// A float at the head of a pressed spring along x, which something pushes sideways as it turns; it may move
+/// in x and y. Of the spring, with l² = 0.55 l₀²:
+///   K₁₁ = k (3 l² − l₀²)/2l₀² = 0.325 k,   K₂₂ = k (l² − l₀²)/2l₀² = −0.225 k,   K₁₂ = −K₂₁ = 3 push
+Growth find_growth_of_float(double push, double along_x, double along_y) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  s.scene.current.samples = {{0, {along_x, along_y, 0}}};
+  const auto foot = s.node(0, 0, 0, kAllAxes), head = s.node(std::sqrt(0.55), 0, 0, 1 << 2);
+  s.part("spring", "test/spring", {{"k", 1000.0}}, {foot, head}).data["rest_length"] = {1};
+  s.part("push", "test/follower", {{"k", push}}, {foot, head}).data["rest_length"] = {1};
+  s.part("float", "float/float", {{"float.buoyancy", 10.0}, {"float.diameter", 0.2}}, {head})
+      .data["share"] = {1};
+  Assembled a(s.scene);
+  return find_growth(a.assembler, a.assembler.start(), make_factorisation);
+}
+
+double growth_of_float(double push, double along_x, double along_y) {
+  return find_growth_of_float(push, along_x, along_y).per_power;
+}
+
+// A float's drag damps twice as much along the flow as across it: K₁₁/2 + K₂₂ < 0 < K₁₁ + K₂₂/2.
+TEST(Growth, IsFlutterByTheDampingOfTheFlow) {
+  EXPECT_GT(growth_of_float(200, 1, 0), kGrows);
+  EXPECT_LE(growth_of_float(200, 0, 1), kGrows);
+}
+
+// M = c diag(2, 1), c = ½ ρ C_d (π/4) D² |W|, but for the little of the linear stiffness:
+//   Re λ = ½ (K₁₁/2 + K₂₂)/c,   |λ|² = det K/2c²
+TEST(Growth, IsToldInSeconds) {
+  const double c = 0.5 * 1025 * 0.47 * 0.25 * std::numbers::pi * 0.04,
+               rate = 0.5 * (0.225 - 0.325 / 2) * 1000 / c;
+  const Growth growth = find_growth_of_float(200, 1, 0);
+  EXPECT_NEAR(growth.rate, rate, 0.03 * rate);
+  const double squared = (9 * 200.0 * 200 - 0.325 * 0.225 * 1e6) / (2 * c * c) - rate * rate;
+  EXPECT_NEAR(growth.frequency, std::sqrt(squared), 0.03 * std::sqrt(squared));
+}
+
+// det K = −0.325 x 0.225 k² + 9 push² < 0.
+TEST(Growth, IsDivergenceWhateverTheFlow) {
+  EXPECT_GT(growth_of_float(30, 1, 0), kGrows);
+  EXPECT_GT(growth_of_float(30, 0, 1), kGrows);
+}
+
+// K₁₁ + K₂₂ > 0: by the linear stiffness alone, it rests.
+TEST(Growth, IsJudgedByTheLinearStiffnessInStillWater) {
+  EXPECT_LE(growth_of_float(200, 0, 0), kGrows);
+  EXPECT_GT(growth_of_float(30, 0, 0), kGrows);
 }
 
 }  // namespace
