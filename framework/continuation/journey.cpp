@@ -317,6 +317,7 @@ Limits Journey::limits_of_leg(double tolerance, int iterations) const {
   Limits limits = options_.limits;
   limits.tolerance = std::max(tolerance, limits.tolerance);
   limits.ask_growth = false;
+  limits.way = leg_way_;
   limits.iterations = std::min(iterations, limits.iterations);
   limits.seconds = seconds_left(), limits.cpu_seconds = std::min(patience_left(), leg_patience_);
   return limits;

@@ -127,6 +127,7 @@ class Journey {
   Registry& registry_;
   JourneyOptions options_;
   double begun_, begun_cpu_ = 0, patience_, leg_patience_;  // by the wall and of the processor [s]
+  double leg_way_ = Limits{}.way;                           // over the gear's size
   std::vector<Leg> legs_;
   double stretch_ = 1;  // of the stiffest part, under all that drives the gear
   bool is_conservative_ = true;

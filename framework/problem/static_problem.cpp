@@ -336,6 +336,8 @@ int StaticProblem::progress(const double* u, double energy, const double* residu
     stop_ = Stop::share;
   else if (has_run_away(x_))
     stop_ = Stop::ran_away;
+  else if (is_restless(u))
+    stop_ = Stop::restless;
   if (stop_ != Stop::none) return stop_ == Stop::arrived ? NETLOFT_ARRIVED : NETLOFT_GIVE_UP;
   ++books_.iterations;
   return NETLOFT_GO_ON;
@@ -381,6 +383,16 @@ bool StaticProblem::has_run_away(std::span<const double> x) const {
   for (std::size_t i = 0; i < x.size(); ++i)
     largest = std::max(largest, std::abs(x[i] - assembler_.start()[i]));
   return largest > kFar * gear_size_;
+}
+
+/// Sums up the largest moves from one accepted point to the next.
+bool StaticProblem::is_restless(const double* u) {
+  if (!std::isfinite(limits_.way)) return false;
+  double largest = 0;
+  for (std::size_t i = 0; i < way_from_.size(); ++i)
+    largest = std::max(largest, std::abs(u[i] - way_from_[i]));
+  way_from_.assign(u, u + u_.size());
+  return (way_ += largest) > limits_.way * gear_size_;
 }
 
 double StaticProblem::step_length(const double* du) const {

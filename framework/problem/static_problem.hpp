@@ -19,6 +19,8 @@ struct Limits {
   const std::atomic<bool>* interrupt = nullptr;
   bool ask_growth = false;  // whether a small disturbance grows, where forces have no energy: dear
   double cpu_seconds = std::numeric_limits<double>::infinity();  // that one attempt of several may take
+  // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
+  double way = std::numeric_limits<double>::infinity();
 };
 
 /// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
@@ -47,7 +49,7 @@ struct StepProblem {
 /// Counts and times every call, decides on convergence, keeps matrices and factors.
 class StaticProblem {
  public:
-  enum class Stop { none, arrived, iterations, time, share, interrupted, ran_away };
+  enum class Stop { none, arrived, iterations, time, share, interrupted, ran_away, restless };
 
   StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
@@ -103,6 +105,7 @@ class StaticProblem {
   int row_sums(int matrix, double shift, double* y);
   int progress(const double* u, double energy, const double* residual, const char* note);
   double step_length(const double* du) const;
+  bool is_restless(const double* u);
   bool has_run_away(std::span<const double> x) const;
   double rounding_at(std::int32_t unknown, std::span<const double> x) const;
 
@@ -132,6 +135,8 @@ class StaticProblem {
   bool bad_numbers_ = false, met_error_ = false;
   double begun_ = 0, begun_cpu_ = 0, dead_load_ = 0, element_size_ = 1, gear_size_ = 1;
   char message_[256] = "";
+  std::vector<double> way_from_;  // u of the last accepted point, if it is asked how far it goes
+  double way_ = 0;                // [m]
 
   std::vector<double> u_, x_, residual_, gradient_;
   std::vector<double> base_, x_low_;  // empty: u counts from the start

@@ -45,6 +45,8 @@ std::string outcome_text(netloft_outcome outcome, const StaticProblem& problem, 
           return "interrupted";
         case StaticProblem::Stop::ran_away:
           return "it runs away: nothing holds what drives it";
+        case StaticProblem::Stop::restless:
+          return "it goes on moving and does not come to rest";
         default:
           return "the solver stopped by itself";
       }

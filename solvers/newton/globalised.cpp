@@ -41,14 +41,14 @@ class Globalised {
         trial_(problem.size()),
         r_trial_(problem.size()),
         curvature_(problem.symmetric() ? problem.size() : 0),
-        frozen_(problem.conservative() ? 0 : problem.size()) {}
+        d_(problem.conservative() ? 0 : problem.size()) {}
 
   Outcome run() {
     if (problem_.evaluate(problem_.u(), energy_, r_, Matrix::exact) != Evaluation::ok)
       return Outcome::left_domain;
     bool first = true;
     while (problem_.progress(problem_.u(), energy_, r_, note_)) {
-      if (!freeze_drag()) return Outcome::left_domain;
+      if (!find_d()) return Outcome::left_domain;
       if (!(std::exchange(first, false) && find_short_step()) && !find_step()) return Outcome::linear_solve;
       const bool moved = search_line();
       if (std::exchange(at_saddle_, false) && leave_saddle()) continue;
@@ -62,11 +62,11 @@ class Globalised {
 
  private:
   /// d = r − g of (3).
-  bool freeze_drag() {
-    if (frozen_.empty()) return true;
+  bool find_d() {
+    if (d_.empty()) return true;
     double energy = 0;
-    if (problem_.evaluate_gradient(problem_.u(), energy, frozen_) != Evaluation::ok) return false;
-    for (std::size_t i = 0; i < frozen_.size(); ++i) frozen_[i] = r_[i] - frozen_[i];
+    if (problem_.evaluate_gradient(problem_.u(), energy, d_) != Evaluation::ok) return false;
+    for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = r_[i] - d_[i];
     return true;
   }
 
@@ -103,7 +103,7 @@ class Globalised {
   /// Whether K + σM is positive definite with a small σ: then (7) tells more of K than K₊ does. Where it was
   /// not the last time, it is not asked again before K itself is.
   bool is_hardly_indefinite() {
-    if (!frozen_.empty() || !may_be_hardly_ || mu_ >= kHardlyDamped || !factorise_with_sigma()) return false;
+    if (!d_.empty() || !may_be_hardly_ || mu_ >= kHardlyDamped || !factorise_with_sigma()) return false;
     mu_ = sigma_, at_saddle_ = true;
     note_ = "hardly indefinite";
     return true;
@@ -120,7 +120,7 @@ class Globalised {
   /// Where what a step would gain is no longer seen in the energy and damping leads nowhere: by Newton's own
   /// step, or if this is a saddle, by (7), or if K is singular, by a step of K + σM.
   bool go_on_softly() {
-    if (!is_in_noise_ || mu_ == 0 || std::exchange(tried_softly_, true) || !frozen_.empty() ||
+    if (!is_in_noise_ || mu_ == 0 || std::exchange(tried_softly_, true) || !d_.empty() ||
         !problem_.symmetric())
       return false;
     if (problem_.factorise(Matrix::exact, 0) == Factor::ok) {
@@ -177,11 +177,11 @@ class Globalised {
   /// Moves u along s as (4) wants it; false when no length will do.
   bool search_line() {
     const Sample first{0, energy_, dot(r_, s_)};
-    const double noise = kEnergyNoise * (std::abs(energy_) + std::abs(dot(frozen_, s_)));
+    const double noise = kEnergyNoise * (std::abs(energy_) + std::abs(dot(d_, s_)));
     move_trial(1);
     is_in_noise_ = -first.slope <= noise;
     if (is_in_noise_) return accept_blindly(1) || accept_shortening() || (mu_ == 0 && accept_by_slope(first));
-    if (!frozen_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
+    if (!d_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
     LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
     auto found = whole_step_uphill(first);
     if (!found) found = search([&](double t) { return merit(t); }, first);
@@ -208,11 +208,12 @@ class Globalised {
   std::optional<Sample> merit(double t) {
     move_trial(t);
     double energy = 0;
-    const auto status = frozen_.empty() ? problem_.evaluate(trial_, energy, r_trial_)
-                                        : problem_.evaluate_gradient(trial_, energy, r_trial_);
-    if (status != Evaluation::ok) return {};
-    const double work = dot(frozen_, s_);
-    return Sample{t, energy + t * work, dot(r_trial_, s_) + work};
+    if (problem_.evaluate(trial_, energy, r_trial_) != Evaluation::ok) return {};
+    const double slope = dot(r_trial_, s_);
+    if (d_.empty()) return Sample{t, energy, slope};
+    if (problem_.evaluate_gradient(trial_, energy, r_trial_) != Evaluation::ok) return {};
+    const double work = 0.5 * t * (dot(d_, s_) + slope - dot(r_trial_, s_));
+    return Sample{t, energy + work, slope};
   }
 
   /// Takes the trial if it brings ‖r‖² down to `share` of what it is.
@@ -242,7 +243,7 @@ class Globalised {
 
   /// (8).
   bool accept_by_slope(const Sample& first) {
-    if (!frozen_.empty() || first.slope >= 0 || has_stalled(-first.slope)) return false;
+    if (!d_.empty() || first.slope >= 0 || has_stalled(-first.slope)) return false;
     const SlopeSearch search{.noise = kRoundings * kEnergyNoise * std::abs(energy_)};
     const auto found = search([&](double t) { return merit(t); }, first);
     if (!found) return false;
@@ -297,7 +298,7 @@ class Globalised {
   const char* note_ = "";
   std::vector<double> r_, s_, trial_, r_trial_, left_;
   LeastCurvature curvature_;
-  std::vector<double> frozen_;  // drag at u; empty if every force has an energy
+  std::vector<double> d_;  // forces without an energy at u; empty if there are none
 };
 
 }  // namespace

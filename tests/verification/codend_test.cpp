@@ -238,7 +238,7 @@ TEST(CatchVolume, ThatDoesNotFitIsNotConverged) {
   const SolvedFile s = solve_codend(kCodends[0], by_volume(60));
   std::printf("60 m3: %s\n", s.solved.solution.reason.c_str());
   EXPECT_EQ(s.solved.solution.status, SolveStatus::not_converged);
-  EXPECT_NE(s.solved.solution.reason.find("catch front"), std::string::npos);
+  EXPECT_NE(s.solved.solution.reason.find("the front of the catch has left its netting"), std::string::npos);
   EXPECT_NE(s.solved.solution.reason.find("is that too small for the volume?"), std::string::npos);
 }
 

@@ -43,6 +43,17 @@ inline Scene pushed_bar(double push) {
   return s.scene;
 }
 
+/// A bar of 1 m and 100 N that bears pressure as well as tension, held at one end; the other is pushed round
+/// it in a plane, always at right angles to the bar: there is no balance.
+inline Scene whirling_bar() {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto middle = s.node(0, 0, 0, kAllAxes), end = s.node(1.2, 0, 0, kAxisZ);
+  s.rope("bar", {middle, end}, 1, 100).parameters["rope.EA_compression"] = 100.0;
+  s.part("push", "test/follower", {{"k", 5.0}}, {middle, end}).data["rest_length"] = {1};
+  return s.scene;
+}
+
 /// A bar of 1 m and 100 N that bears pressure as well as tension, nearly upright, loaded with 10 N at its
 /// top, `aside` of its foot. In balance it is 0.9 m long upright, which is not stable, or hangs 1.1 m long.
 /// Its tangent is as unsymmetric as that of a pushed bar.

@@ -237,6 +237,14 @@ std::size_t place_of(const Solution& s, const std::string& name) {
   return static_cast<std::size_t>(leg - s.legs.begin());
 }
 
+TEST(Journey, MovesNoMoreOnceItIsSeenToGoRoundAndRound) {
+  plugins();
+  const Solution s = travel(whirling_bar()).solution;
+  const std::size_t motion = place_of(s, "motion");
+  ASSERT_LT(motion, s.legs.size());
+  EXPECT_NE(s.legs[motion].reason.find("does not come to rest"), std::string::npos) << s.legs[motion].reason;
+}
+
 TEST(Journey, MovesWhatIsStiffOnlyAfterItWasSofter) {
   plugins();
   Limits few;

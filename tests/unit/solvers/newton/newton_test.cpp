@@ -50,5 +50,34 @@ TEST(Newton, StaysOnALineThatIsPulled) {
   EXPECT_EQ(away_from_line(s), 0);
 }
 
+/// A net of one triangle, held by three legs that meet in node 0, and pressed away from it with 1000 N, which
+/// go through that node however the triangle turns. A spring of 1 N, tied to its first corner, alone says
+/// where to; it is a quarter turn away.
+Scene pressed_kite() {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  constexpr double kEA = 1e5;
+  const double h = std::sqrt(0.75);
+  const auto top = s.node(0, 0, 0, kAllAxes), a = s.node(0, -1, 1), b = s.node(-h, -1, -0.5),
+             c = s.node(h, -1, -0.5), tie = s.node(9, 0, 1, kAllAxes);
+  s.rope("leg a", {top, a}, std::sqrt(2), kEA);
+  s.rope("legs b and c", {b, top, c}, std::sqrt(2), kEA);
+  s.rope("rim", {a, b, c, a}, std::sqrt(3), kEA).parameters["rope.EA_compression"] = kEA;
+  s.rope("spring", {a, tie}, 4, 1);
+  s.part("catch", "catch/pressure", {{"catch.pressure", 1000 / (1.5 * h)}, {"catch.meshes", 1.0}}, {a, b, c})
+      .data["to_aft"] = {0, 0, 0};
+  return s.scene;
+}
+
+// It stands where the line of the spring goes through node 0, but for what the bars stretch: 1 %.
+TEST(Newton, TurnsAGearWithTheForcesThatTurnWithIt) {
+  const Solved s = solve_with("newton", pressed_kite(), {}, {.iterations = 200});
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  const auto corner = s.position(1);
+  EXPECT_GT(corner[0], 1.4);
+  EXPECT_NEAR(corner[1], 0, 0.01);
+  EXPECT_NEAR(corner[2], corner[0] / 9, 0.01);
+}
+
 }  // namespace
 }  // namespace netloft::test

@@ -141,6 +141,16 @@ TEST(ImplicitSteps, FindACodEndWithALongNarrowNeck) {
   EXPECT_LT(s.solved.solution.books.iterations, 60);
 }
 
+TEST(ImplicitSteps, GiveUpWhatGoesRoundForEver) {
+  Limits limits;
+  limits.way = 10;
+  EXPECT_EQ(solve_with("ptc", pushed_bar(5), kImplicit, limits).solution.status, SolveStatus::converged);
+  const Solved s = solve_with("ptc", whirling_bar(), kImplicit, limits);
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(says(s, "does not come to rest")) << s.solution.reason;
+  EXPECT_LT(s.solution.books.iterations, 200);
+}
+
 TEST(ImplicitSteps, ThatLeadTooFarAreTakenBack) {
   const Solved s = solve_with("ptc", two_bar_truss(), {{"method", std::string("implicit")}, {"reach", 0.1}});
   EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
