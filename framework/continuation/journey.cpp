@@ -92,7 +92,7 @@ Solution Journey::arrive(Displacements start) {
   be_patient(best, limits);
   const bool goes_on =
       best.books.iterations >= limits.iterations && !is_stationary(best) && is_on_its_way(best);
-  if (!goes_on && !options_.own_start.soon) leave_saddles(best, ways[0].name, limits);
+  if (!goes_on) leave_saddles(best, ways[0].name, limits);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
   if (goes_on) go_further(best, std::string(ways[0].name) + ", further", limits);
   for (std::size_t i = 1; i < ways.size() && !has_arrived(best) && !out_of_time(); ++i)

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kRoom = 0.1;  // of z0 above what it must at least be, at the start
 constexpr double kToBoundary = 0.98;
-constexpr double kForces = 1e-6;  // largest force that may be left over the first tension
+// Over the first tension: the largest force that may be left, and by how much T may be off the tension that
+// the length of its member stands for. The stiffer members are, the smaller a μ that asks for.
+constexpr double kForces = 1e-6, kLaw = 1e-5;
 // What is left of both over the first tension, where a solver may go on.
 constexpr double kNear = 1e-5;
 // So many steps in a row of at most this length: it does not come on.
@@ -22,8 +24,11 @@ constexpr int kTinySteps = 5;
 constexpr double kShort = 0.05, kLong = 0.5, kRise = 10, kFall = 0.1;
 constexpr double kLeastDamping = 1e-6, kMostDamping = 1e-2, kNoDamping = 1e-9;
 
-// E_c of (7) over the first tension.
-constexpr double kMostPressed = 0.01;
+// Bounds of E_c over the first tension: the first one where the mean EA_c is not above it, else the second.
+constexpr double kMostPressed = 0.1, kLittlePressed = 0.01;
+// Mean EA_c over the first tension above which what is pressed decides where things come to rest, and the
+// least μ then over the largest force that is left.
+constexpr double kDecides = 0.02, kCentral = 0.03;
 constexpr double kCollapsed = 1e-9;  // l/l₀ below which a member has no direction
 
 double largest_of(std::span<const double> v) {
@@ -59,7 +64,10 @@ Leg TensionCones::solve(const ConeOptions& options) {
   begin(options.tension);
   first_mu_ = mu_ = options.tension;
   damping_ = 0;
-  most_pressed_ = net_.pattern().symmetric && some_are_pressed() ? kMostPressed * options.tension : 0;
+  const double pressed = net_.pattern().symmetric ? mean_pressed() / options.tension : 0;
+  most_pressed_ =
+      pressed > 0 ? (pressed <= kMostPressed ? kMostPressed : kLittlePressed) * options.tension : 0;
+  central_ = pressed > kDecides && pressed <= kMostPressed ? kCentral : 0;
   const std::string ending = run(options, wall);
   if (ending.empty()) leg.status = SolveStatus::converged;
   char rest[96];
@@ -76,7 +84,8 @@ Leg TensionCones::solve(const ConeOptions& options) {
 std::string TensionCones::run(const ConeOptions& options, double begun) {
   for (int tiny = 0; tiny < kTinySteps;) {
     if (!assemble(is_indefinite_)) return "forces are no numbers";
-    if (mu_ <= options.tolerance * options.tension && largest_residual() <= kForces * options.tension)
+    if (mu_ <= options.tolerance * options.tension && largest_residual() <= kForces * options.tension &&
+        largest_law_error() <= kLaw * options.tension)
       return "";
     if (const std::string why = called_off(options, begun); !why.empty()) return why;
     if (!factorise()) return "no factorisation";
@@ -88,6 +97,17 @@ std::string TensionCones::run(const ConeOptions& options, double begun) {
     tiny = a <= kTiny ? tiny + 1 : 0;
   }
   return "steps have become tiny";
+}
+
+/// Of the tension in (1) by the tension that the length of the member stands for, members side by side
+/// together [N].
+double TensionCones::largest_law_error() const {
+  double largest = 0;
+  for (std::size_t e = 0; e < net_.size(); ++e) {
+    const double own = EA(e) * std::max(0.0, net_.line(e).strain);
+    largest = std::max(largest, net_.members()[e].count * std::abs(own - members_[e].y[0]));
+  }
+  return largest;
 }
 
 double TensionCones::largest_residual() const { return largest_of({residual_.data(), net_.unknowns()}); }
@@ -166,9 +186,12 @@ void TensionCones::add_pressed(std::size_t e, bool convex) {
   }
 }
 
-bool TensionCones::some_are_pressed() const {
-  return std::any_of(net_.members().begin(), net_.members().end(),
-                     [](const AxialMember& m) { return m.EA_compression > 0; });
+/// EA_c, the mean over all length of bars.
+double TensionCones::mean_pressed() const {
+  double sum = 0, length = 0;
+  for (const AxialMember& m : net_.members())
+    sum += m.count * m.l0 * m.EA_compression, length += m.count * m.l0;
+  return sum / length;
 }
 
 /// Half of its stiffness is left to the cone of what bears as much when pressed.
@@ -207,7 +230,7 @@ double TensionCones::step() {
   solve_for_step(predictor());
   const double reached = at_most_whole(longest_step());
   const double sigma = (1 - reached) * (1 - reached) * (1 - reached);
-  solve_for_step(corrector(sigma * mu_));
+  solve_for_step(corrector(std::max(sigma * mu_, central_ * largest_residual())));
   return at_most_whole(kToBoundary * longest_step());
 }
 

@@ -10,7 +10,7 @@ namespace netloft::io {
 struct ConeOptions {
   double tension = 0;       // first μ of (2) [N]: what drives the gear, all in all
   double tolerance = 1e-9;  // last μ over the first one
-  int iterations = 60;
+  int iterations = 200;
   double seconds = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const IterationRecord&)> on_iteration;
@@ -39,9 +39,13 @@ struct ConeOptions {
 ///
 /// Under dead loads members bear a little when pressed, too, so that they come to rest where that leaves them
 /// instead of anywhere; EA in (1) to (4) is what is beyond it:
-///   p = E_c (l/l₀ − 1) t,  E_c the least of EA_c, a hundredth of the first tension and half of EA    (7)
+///   p = E_c (l/l₀ − 1) t,  E_c the least of EA_c and half of EA                                       (7)
 ///   ∂p/∂w = E_c/l₀ [t tᵀ + a (I − t tᵀ)],  a = 1 − l₀/l, or where that makes (3) indefinite max(0, a) (8)
-/// (7) is not convex: of several shapes in balance it ends at one.
+/// but no more than a tenth of the first tension, and a hundredth where the mean EA_c is above that tenth.
+/// (7) is not convex: of several shapes in balance it ends at one. Where what is pressed decides which, μ
+/// that goes ahead of (1) would make up its mind too soon: (5) then aims at no less than a share of what is
+/// left. A μ in the tension T of a member is worth EA μ/T by its own law, which is what a solver meets who
+/// goes on: the end waits for that, too.
 class TensionCones {
  public:
   /// Bodies and frames of its own make std::invalid_argument.
@@ -73,7 +77,7 @@ class TensionCones {
   bool factorise();
   double EA(std::size_t member) const;
   double EA_pressed(std::size_t member) const;
-  bool some_are_pressed() const;
+  double mean_pressed() const;
   void solve_for_step(const std::vector<cone::Point>& g);
   void set_step(std::size_t member, const cone::Point& g);
   double zeta(std::size_t member, double g0, double along) const;
@@ -86,6 +90,7 @@ class TensionCones {
   std::string run(const ConeOptions& options, double begun);
   std::string called_off(const ConeOptions& options, double begun);
   double largest_residual() const;
+  double largest_law_error() const;
 
   MemberNet net_;
   MakeFactorisation make_;
@@ -96,6 +101,7 @@ class TensionCones {
   std::vector<MemberNet::Vector> forces_, changes_;
   std::vector<double> residual_, values_, step_;
   double first_mu_ = 0, mu_ = 0, damping_ = 0, most_pressed_ = 0;  // [N]; the last of E_c
+  double central_ = 0;                                             // least σ μ over the largest residual
   bool is_indefinite_ = false;                                     // the rest of (3), too
   bool has_forces_ = false;                                        // residual_ and mu_ are of where it is
   Books books_;
