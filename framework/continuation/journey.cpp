@@ -28,6 +28,8 @@ constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
 constexpr double kLookShare = 1;
 // Where it is known what grows, there are two sides to leave to, and one saddle may lead to another.
 constexpr int kTimesAside = 2;
+// What flutters, and from another way again, is taken for what it is.
+constexpr int kTimesFluttering = 2;
 // A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
 constexpr double kNearly = 1e-5;
 // A residual of this share of the largest load: as many iterations again may well be enough; so often from
@@ -95,13 +97,25 @@ Solution Journey::arrive(Displacements start) {
   if (!goes_on) leave_saddles(best, ways[0].name, limits);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
   if (goes_on) go_further(best, std::string(ways[0].name) + ", further", limits);
-  for (std::size_t i = 1; i < ways.size() && !has_arrived(best) && !out_of_time(); ++i)
-    if (const auto nearer = (this->*ways[i].to)(start, best))
-      keep_better(best, solve_itself_off_saddles(ways[i].name, *nearer, limits));
+  try_other_ways(best, ways, start, limits);
   try_once_more(best, start, limits);
   if (options_.looks != 0) look_for_other_shapes(best, start, limits);
   gain_digits(best);
   return finish(std::move(best));
+}
+
+/// Until it has arrived, or swings on wherever it is brought to.
+void Journey::try_other_ways(Solution& best, const std::vector<Way>& ways, const Displacements& start,
+                             const Limits& limits) {
+  int fluttering = flutters(best);
+  for (std::size_t i = 1; i < ways.size() && !has_arrived(best) && !out_of_time(); ++i) {
+    const auto nearer = (this->*ways[i].to)(start, best);
+    if (!nearer) continue;
+    Solution next = solve_itself_off_saddles(ways[i].name, *nearer, limits);
+    fluttering += flutters(next);
+    keep_better(best, std::move(next));
+    if (fluttering >= kTimesFluttering) return;
+  }
 }
 
 /// In the order in which they promise something; the first one always leads somewhere.
@@ -191,7 +205,7 @@ void Journey::be_patient(const Solution& first, const Limits& limits) {
 /// Where forces flicker (sticking and sliding), no tangent helps, and motion with its damping does. Else with
 /// all the iterations that the user allows.
 void Journey::try_once_more(Solution& best, const Displacements& start, const Limits& before) {
-  if (!options_.detours) return;
+  if (!options_.detours || flutters(best)) return;
   const auto relaxation = !is_stationary(best) && !out_of_time() ? other_solver("relaxation") : std::nullopt;
   if (relaxation)
     keep_better(best, solve_itself("by relaxation", *relaxation, relaxed_.empty() ? start : relaxed_,

@@ -79,6 +79,8 @@ class Journey {
   bool sticks() const;
   void be_patient(const Solution& first, const Limits& limits);
   void go_further(Solution& best, const std::string& name, const Limits& limits);
+  void try_other_ways(Solution& best, const std::vector<Way>& ways, const Displacements& start,
+                      const Limits& limits);
   void gain_digits(Solution& best);
   bool comes_on(const Solution& now, const Solution& before) const;
   void try_once_more(Solution& best, const Displacements& start, const Limits& before);

@@ -35,9 +35,10 @@ double diagonal(const std::vector<double>& x) {
 
 bool claims_success(const Solution& s) { return s.status == SolveStatus::converged; }
 
-Where judge_failure(const Ended& ended, Expected expected) {
+Where judge_failure(const Ended& ended, Expected expected, bool has_reference) {
   if (expected == Expected::none) return ended.out_of_time ? Where::late : Where::honest;
-  return ended.solution.status == SolveStatus::unstable ? Where::unstable : Where::failed;
+  if (ended.solution.status != SolveStatus::unstable) return Where::failed;
+  return flutters(ended.solution) && !has_reference ? Where::flutters : Where::unstable;
 }
 
 /// A solver that stops at its tolerance is as near as that; a unique answer is wanted closer.
@@ -72,7 +73,7 @@ Verdict judge(const StabilityCase& c, const std::optional<Reference>& reference,
   if (ended.unfit)
     v.where = Where::unfit;
   else if (!claims_success(s))
-    v.where = judge_failure(ended, c.expected);
+    v.where = judge_failure(ended, c.expected, reference.has_value());
   else if (c.expected == Expected::none)
     v.where = Where::lied;
   else if (s.stability == Stability::unstable || ended.grows)
@@ -85,7 +86,7 @@ Verdict judge(const StabilityCase& c, const std::optional<Reference>& reference,
 bool is_arrival(Where where) {
   return where == Where::reference || where == Where::lower || where == Where::another;
 }
-bool is_right(Where where) { return is_arrival(where) || where == Where::honest; }
+bool is_right(Where where) { return is_arrival(where) || where == Where::honest || where == Where::flutters; }
 bool is_lie(Where where) { return where == Where::wrong || where == Where::lied; }
 
 const char* name_of(Where where) {
@@ -106,6 +107,8 @@ const char* name_of(Where where) {
       return "unstable";
     case Where::honest:
       return "honest";
+    case Where::flutters:
+      return "flutters";
     case Where::late:
       return "late";
     case Where::lied:

@@ -35,6 +35,7 @@ enum class Where {
   unstable,   // at a stationary point that is not stable, and says so
   failed,     // says that it has not arrived
   honest,     // there is no equilibrium, and it says so
+  flutters,   // swings on about an equilibrium, says so, and nobody knows one where it would rest
   late,       // the same, but only because its time was up
   lied,       // there is no equilibrium, and it says that it has arrived
   not_run,    // the case could not be set up

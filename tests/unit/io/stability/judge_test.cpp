@@ -90,6 +90,18 @@ TEST(Judge, AnUnstablePlaceThatIsCalledSoIsNoLieAndNoArrival) {
   EXPECT_FALSE(is_right(Where::unstable) || is_lie(Where::unstable));
 }
 
+// What only grows will come to rest elsewhere.
+TEST(Judge, ToSwingOnIsRightOnlyWhereNobodyKnowsAPlaceToRest) {
+  Ended e = ended_at(-100);
+  e.solution.status = SolveStatus::unstable, e.solution.stability = Stability::unstable;
+  const StabilityCase c;
+  EXPECT_EQ(judge(c, std::nullopt, e).where, Where::unstable);
+  e.solution.growth_frequency = 0.2;
+  EXPECT_EQ(judge(c, std::nullopt, e).where, Where::flutters);
+  EXPECT_EQ(where(e), Where::unstable);
+  EXPECT_TRUE(is_right(Where::flutters) && !is_arrival(Where::flutters) && !is_lie(Where::flutters));
+}
+
 TEST(Judge, FailureIsRightOnlyWhereThereIsNoEquilibriumAndInTime) {
   Ended e = ended_at(-100);
   e.solution.status = SolveStatus::not_converged;
