@@ -2,6 +2,7 @@
 #include "framework/continuation/journey.hpp"
 
 #include "framework/continuation/shape_finder.hpp"
+#include "framework/problem/correction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,9 @@ constexpr double kLookShare = 1;
 constexpr int kTimesAside = 2;
 // What flutters, and from another way again, is taken for what it is.
 constexpr int kTimesFluttering = 2;
+constexpr const char* kMoreDigits = "with more digits";
+// Digits that positions round off change a shape by no more than this, over its size.
+constexpr double kSameShape = 1e-4;
 // A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
 constexpr double kNearly = 1e-5;
 // A residual of this share of the largest load: as many iterations again may well be enough; so often from
@@ -97,6 +101,7 @@ Solution Journey::arrive(Displacements start) {
   if (!goes_on) leave_saddles(best, ways[0].name, limits);
   limits.iterations = std::min(options_.limits.iterations, kFirstIterations);
   if (goes_on) go_further(best, std::string(ways[0].name) + ", further", limits);
+  if (!has_arrived(best)) gain_digits(best);
   try_other_ways(best, ways, start, limits);
   try_once_more(best, start, limits);
   if (options_.looks != 0) look_for_other_shapes(best, start, limits);
@@ -170,16 +175,26 @@ void Journey::go_further(Solution& best, const std::string& name, const Limits& 
   }
 }
 
-/// Where it ended at the rounding of its positions, from there with all their digits.
+/// Where it ended at the rounding of its positions, or that is all that keeps it from balance, from there
+/// with all their digits.
 void Journey::gain_digits(Solution& best) {
-  const bool is_rounded = best.balance.at_round_off && best.balance.residual <= best.balance.floor;
-  if (!options_.detours || !has_arrived(best) || !is_rounded || assembler_.has_bodies() || out_of_time())
+  const bool arrived = has_arrived(best), is_rounded = best.balance.residual <= best.balance.floor &&
+                                                       (!arrived || best.balance.at_round_off);
+  const bool has_them = !legs_.empty() && legs_.back().name == kMoreDigits;
+  if (!options_.detours || !is_rounded || has_them || best.status == SolveStatus::unstable || sticks() ||
+      assembler_.has_bodies() || out_of_time())
     return;
   Limits limits = options_.limits;
-  limits.iterations = std::min(limits.iterations, kFewIterations);
-  Solution s = solve_itself("with more digits", options_.solver, best.u, limits, Digits::all);
-  if (!has_arrived(s) || s.balance.residual > best.balance.residual) return;
+  limits.iterations = std::min(limits.iterations, kFewIterations), limits.ask_growth = !arrived;
+  Solution s = solve_itself(kMoreDigits, options_.solver, best.u, limits, Digits::all);
+  const double moved = largest_node_distance(scene_, assembler_.numbering(), best.x, s.x),
+               size = StaticProblem(assembler_, options_.make, options_.limits).gear_size();
+  if (!has_arrived(s) || s.balance.residual > best.balance.residual || (arrived && moved > kSameShape * size))
+    return;
   s.shapes = std::move(best.shapes);
+  if (arrived && !is_conservative_) s.stability = best.stability;
+  for (IterationRecord& record : s.history) record.iteration += best.books.iterations;
+  s.history.insert(s.history.begin(), best.history.begin(), best.history.end());
   best = std::move(s);
 }
 

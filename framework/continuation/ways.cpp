@@ -150,7 +150,7 @@ std::optional<Journey::Displacements> Journey::over_motion(const Displacements& 
   if (flutters(best)) return {};
   const auto s = move(start);
   if (!s) return {};
-  moved_ = is_stationary(*s) ? Displacements{} : s->u;
+  moved_ = is_stationary(*s) || s->is_restless ? Displacements{} : s->u;
   return s->u;
 }
 

@@ -179,13 +179,11 @@ Growth growth_at(double sigma, const SparsePattern& p, std::span<const double> K
   return {growth, -lambda.real(), std::abs(lambda.imag()), std::move(powers.vector())};
 }
 
-/// Makes the linear stiffness M the matrix of (2), out of K and K + C. 1/τ; zero where C = 0.
-double add_damping(const SparsePattern& p, std::span<const double> K, std::span<const double> K_plus_C,
-                   std::span<double> M) {
-  const double C = trace(p, K_plus_C) - trace(p, K);
-  if (!(C > kRounding * kRounding * trace(p, K))) return 0;
-  const double share = trace(p, M) / (kLittle * C);
-  for (std::size_t i = 0; i < p.value_slots(); ++i) M[i] += share * (K_plus_C[i] - K[i]);
+/// Makes the linear stiffness M the matrix of (2). 1/τ; zero where the trace of C is not positive.
+double add_damping(const SparsePattern& p, std::span<const double> C, std::span<double> M) {
+  if (!(trace(p, C) > 0)) return 0;
+  const double share = trace(p, M) / (kLittle * trace(p, C));
+  for (std::size_t i = 0; i < p.value_slots(); ++i) M[i] += share * C[i];
   return share;
 }
 
@@ -193,14 +191,15 @@ double add_damping(const SparsePattern& p, std::span<const double> K, std::span<
 
 Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make) {
   // An assembler has more values than its pattern.
-  std::vector<double> K(assembler.value_slots()), damped = K, M = K;
+  std::vector<double> K(assembler.value_slots()), C = K, M = K;
   if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}) ||
-      !assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = damped.data(), .motion = {.cv = 1}}) ||
+      !assembler.evaluate(x,
+                          {.matrix = MatrixKind::exact, .values = C.data(), .motion = {.cu = 0, .cv = 1}}) ||
       !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
     return {.per_power = std::numeric_limits<double>::quiet_NaN()};
   const SparsePattern& pattern = assembler.pattern();
   const std::size_t entries = pattern.value_slots();
-  const double per_second = add_damping(pattern, K, damped, M);
+  const double per_second = add_damping(pattern, C, M);
   Growth growth = find_growth(pattern, std::span(K).first(entries), std::span(M).first(entries), make);
   growth.rate *= per_second, growth.frequency *= per_second;
   return growth;

@@ -19,7 +19,7 @@ struct Growth {
 
 /// Stability of an equilibrium whose forces have no energy (drag, pressure), by its motion
 ///   M ẏ = −K y,   K = ∂r/∂x, the exact tangent                                            (1)
-///   M = C/τ + G,   C = ∂r/∂ẋ,   τ = ε tr C / tr G;   M = G where C = 0                     (2)
+///   M = C/τ + G,   C = ∂r/∂ẋ,   τ = ε tr C / tr G;   M = G where tr C is not above 0                     (2)
 /// C is the damping by the water that flows past, G the linear stiffness, which damps by the little ε what
 /// no flow does; time counts in τ. y decays if every eigenvalue λ of K v = λ M v has Re λ > 0. A real λ < 0
 /// (divergence) that det K < 0 tells of is there for any damping; whether a pair grows (flutter) depends on

@@ -112,7 +112,8 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   // touched.
   for (auto* matrix : {&exact_, &convex_, &metric_, &shifted_}) matrix->reserve(assembler.value_slots());
   find_dead_loads();
-  find_element_size();
+  if (const double largest = largest_extent(x_); largest > 0) element_size_ = largest;
+  for (std::size_t i = 0; i < x_.size(); ++i) gear_size_ = std::max(gear_size_, std::abs(x_[i] - x_[0]));
 }
 
 void StaticProblem::keep_message(const char* text) { std::snprintf(message_, sizeof message_, "%s", text); }
@@ -149,18 +150,20 @@ StaticProblem::DrivingLoad StaticProblem::driving_load() {
   return load;
 }
 
-void StaticProblem::find_element_size() {
+/// Of an element, along an axis.
+double StaticProblem::largest_extent(std::span<const double> x) const {
   double largest = 0;
   const Numbering& numbering = assembler_.numbering();
+  const auto at = [&](std::uint32_t node, int axis) {
+    return x[static_cast<std::size_t>(numbering.index(node, axis))];
+  };
   for (const auto& family : assembler_.families())
     for (std::size_t e = 0; e < family->size(); ++e)
       for (int corner = 1; corner < family->nodes_per_element(); ++corner)
         for (int axis = 0; axis < 3; ++axis)
-          largest = std::max(
-              largest, std::abs(x_[static_cast<std::size_t>(numbering.index(family->node(e, corner), axis))] -
-                                x_[static_cast<std::size_t>(numbering.index(family->node(e, 0), axis))]));
-  if (largest > 0) element_size_ = largest;
-  for (std::size_t i = 0; i < x_.size(); ++i) gear_size_ = std::max(gear_size_, std::abs(x_[i] - x_[0]));
+          largest =
+              std::max(largest, std::abs(at(family->node(e, corner), axis) - at(family->node(e, 0), axis)));
+  return largest;
 }
 
 void StaticProblem::begin(const StepProblem& step) {
@@ -173,6 +176,7 @@ void StaticProblem::begin(const StepProblem& step) {
 void StaticProblem::count_from(std::vector<double> base) {
   base_ = std::move(base);
   x_low_.assign(base_.size(), 0.0);
+  base_extent_ = largest_extent(base_);
 }
 
 const std::vector<double>& StaticProblem::positions(std::span<const double> u) {
@@ -372,7 +376,7 @@ double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> 
   const auto i = static_cast<std::size_t>(unknown);
   double stiffness = metric_[find_slot(assembler_.pattern(), unknown, unknown)];
   if (step_.state) stiffness += step_.ca * step_.mass[i];
-  const double largest = base_.empty() ? std::abs(x[i]) : element_size_;
+  const double largest = base_.empty() ? std::abs(x[i]) : base_extent_;
   return 4 * std::numeric_limits<double>::epsilon() * stiffness * largest;
 }
 
@@ -415,7 +419,9 @@ bool StaticProblem::recompute(std::span<const double> u, std::vector<double>& x,
 
 netloft_factor StaticProblem::factorise_at(std::span<const double> u, double shift) {
   place(u.data());
-  if (!assembler_.evaluate(x_, {.matrix = MatrixKind::exact, .values = values(MatrixKind::exact).data()}))
+  if (!assembler_.evaluate(
+          x_,
+          {.matrix = MatrixKind::exact, .values = values(MatrixKind::exact).data(), .x_low = low_digits()}))
     return NETLOFT_FACTOR_FAILED;
   return factorise_as(MatrixClass::positive_definite, shifted(NETLOFT_EXACT, shift));
 }

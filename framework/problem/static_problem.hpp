@@ -118,7 +118,7 @@ class StaticProblem {
   netloft_factor factorise_as(MatrixClass kind, std::span<const double> values);
   std::vector<double> sum_of_terms(bool (*counts)(std::uint32_t traits));
   void find_dead_loads();
-  void find_element_size();
+  double largest_extent(std::span<const double> x) const;
 
   Assembler& assembler_;
   MakeFactorisation make_;
@@ -140,6 +140,7 @@ class StaticProblem {
 
   std::vector<double> u_, x_, residual_, gradient_;
   std::vector<double> base_, x_low_;  // empty: u counts from the start
+  double base_extent_ = 0;            // of elements there [m]
   std::vector<double> exact_, convex_, metric_, shifted_;
   std::array<std::unique_ptr<Factorisation>, 3> factorisations_;  // by MatrixClass, made when wanted
   Factorisation* last_ = nullptr;

@@ -213,6 +213,7 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   if (evaluated) s.balance = problem.balance(s.x, s.residual);
   if (outcome == NETLOFT_STEP_TOO_SHORT && evaluated && !s.balance.balanced)
     s.balance.balanced = s.balance.at_round_off = has_nothing_to_gain(s, problem);
+  s.is_restless = problem.stop() == StaticProblem::Stop::restless;
   s.books = problem.books();
   s.factorisation = problem.factorisation_name();
   if (s.balance.balanced && (problem.interface().traits & NETLOFT_CONSERVATIVE))

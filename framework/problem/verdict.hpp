@@ -42,6 +42,7 @@ struct Solution {
   std::vector<double> growing;      // a disturbance of u that grows, where forces have no energy; length 1
   double growth_rate = 0;  // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
   double growth_frequency = 0;
+  bool is_restless = false;  // given up because it went on and on (Limits::way)
   double energy = 0;
   Balance balance;
   std::vector<double> corrected;  // x after the Newton step that is left, over all dofs; empty: not known
@@ -59,8 +60,8 @@ inline bool is_stationary(const Solution& s) {
   return s.status == SolveStatus::converged || s.status == SolveStatus::unstable;
 }
 
-/// Where a disturbance swings as it grows: its motion goes round and comes to rest nowhere near.
-inline bool flutters(const Solution& s) { return s.growth_frequency > 0; }
+/// Where a disturbance swings faster than it grows: its motion goes round and comes to rest nowhere near.
+inline bool flutters(const Solution& s) { return s.growth_frequency > s.growth_rate; }
 
 /// Of positions, while they are looked for: what a double has room for, or also what it rounds off
 /// (StaticProblem::count_from).

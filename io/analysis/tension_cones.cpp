@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace netloft::io {
@@ -15,6 +16,8 @@ constexpr double kToBoundary = 0.98;
 // Over the first tension: the largest force that may be left, and by how much T may be off the tension that
 // the length of its member stands for. The stiffer members are, the smaller a μ that asks for.
 constexpr double kForces = 1e-6, kLaw = 1e-5;
+// No smaller μ is asked for, over the first tension: rounding.
+constexpr double kLeastMu = 1e-12;
 // What is left of both over the first tension, where a solver may go on.
 constexpr double kNear = 1e-5;
 // So many steps in a row of at most this length: it does not come on.
@@ -85,7 +88,7 @@ std::string TensionCones::run(const ConeOptions& options, double begun) {
   for (int tiny = 0; tiny < kTinySteps;) {
     if (!assemble(is_indefinite_)) return "forces are no numbers";
     if (mu_ <= options.tolerance * options.tension && largest_residual() <= kForces * options.tension &&
-        largest_law_error() <= kLaw * options.tension)
+        (mu_ <= kLeastMu * options.tension || largest_law_error() <= kLaw * options.tension))
       return "";
     if (const std::string why = called_off(options, begun); !why.empty()) return why;
     if (!factorise()) return "no factorisation";
@@ -100,12 +103,14 @@ std::string TensionCones::run(const ConeOptions& options, double begun) {
 }
 
 /// Of the tension in (1) by the tension that the length of the member stands for, members side by side
-/// together [N].
+/// together, but for what rounding of the positions is worth there [N].
 double TensionCones::largest_law_error() const {
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest_of(net_.positions());
   double largest = 0;
   for (std::size_t e = 0; e < net_.size(); ++e) {
-    const double own = EA(e) * std::max(0.0, net_.line(e).strain);
-    largest = std::max(largest, net_.members()[e].count * std::abs(own - members_[e].y[0]));
+    const AxialMember& m = net_.members()[e];
+    const double off = std::abs(EA(e) * std::max(0.0, net_.line(e).strain) - members_[e].y[0]);
+    largest = std::max(largest, m.count * (off - EA(e) * rounding / m.l0));
   }
   return largest;
 }

@@ -35,9 +35,9 @@ enum class Where {
   unstable,   // at a stationary point that is not stable, and says so
   failed,     // says that it has not arrived
   honest,     // there is no equilibrium, and it says so
-  flutters,   // swings on about an equilibrium, says so, and nobody knows one where it would rest
   late,       // the same, but only because its time was up
   lied,       // there is no equilibrium, and it says that it has arrived
+  flutters,   // swings on about an equilibrium, says so, and no solver of this run knows one where it rests
   not_run,    // the case could not be set up
   unfit,      // the solver is not made for such a problem: it wants an energy
 };

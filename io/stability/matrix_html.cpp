@@ -99,7 +99,7 @@ constexpr const char* kLegend =
     "energy, at a "
     "stable one elsewhere. <span class=\"honest\">honest, flutters</span>: there is no equilibrium; or it "
     "swings "
-    "on about one, and no solver found one where it would rest; and it says so. "
+    "on about one, and no solver of this run found one where it rests; and it says so. "
     "<span class=\"off\">near, higher, unstable, late</span>: at the only answer, but not within 1e-8 of the "
     "size; at a stable shape of more energy; at an unstable "
     "one, saying so; "

@@ -185,7 +185,11 @@ class Globalised {
     LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
     auto found = whole_step_uphill(first);
     if (!found) found = search([&](double t) { return merit(t); }, first);
-    if (!found) return false;
+    if (!found) {  // reactions that are known are those of the last point evaluated: tolerances want those of
+                   // u
+      problem_.evaluate(problem_.u(), energy_, r_);
+      return false;
+    }
     move_trial(found->t);
     if (!accept()) return false;  // a force without an energy has no value there
     adapt_damping(found->t);

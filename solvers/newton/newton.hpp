@@ -13,13 +13,14 @@ namespace netloft::newton {
 /// where d are the forces without an energy (drag). M is the linear stiffness, which bounds the convex part
 /// K₊ of K.
 ///   (K + μ M) s = −r   if that matrix is positive definite, else (K₊ + μ₊ M) s = −r      (2)
-///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) = r(u + t s)·s                   (3)
+///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
 ///   m(t) ≤ m(0) + c t r·s and |m'(t)| ≤ η |r·s|, or t = 1                                (4)
 ///   m(1) ≤ m(0) − c_up r·s is enough after a step that was not such a one                 (5)
 ///   |s'| ≤ |s| / 2, (K + μ M) s' = −r(u + s) with the matrix of u                         (6)
 ///   u + t v, K v = λ M v with the least λ < 0, m'(t) ≈ 0                                   (7)
 ///   |m'(t)| ≤ |m'(0)| / 10 or t = 1 and m'(1) ≤ 0, m(t) not above m(0) but for rounding    (8)
-/// The second term of (3) is the work of d on the way, by the trapezoidal rule. Were d frozen as a dead load,
+/// The second term of (3) is the work of d on the way, by the trapezoidal rule; the slope is that of the work
+/// itself, which differs by ¼ t² s·d″, zero at t = 0. Were d frozen as a dead load,
 /// it would turn back what it turns with: a long cod-end swings about the ring that holds it with a catch
 /// that pulls a million times as hard as anything keeps it from swinging (195 unknowns, `--draw 57`: 862
 /// factorisations instead of 31, and no end in 1000 instead of 53).

@@ -243,6 +243,8 @@ TEST(Journey, MovesNoMoreOnceItIsSeenToGoRoundAndRound) {
   const std::size_t motion = place_of(s, "motion");
   ASSERT_LT(motion, s.legs.size());
   EXPECT_NE(s.legs[motion].reason.find("does not come to rest"), std::string::npos) << s.legs[motion].reason;
+  EXPECT_EQ(std::count_if(s.legs.begin(), s.legs.end(), [](const Leg& leg) { return leg.name == "motion"; }),
+            1);
 }
 
 TEST(Journey, MovesWhatIsStiffOnlyAfterItWasSofter) {
