@@ -29,7 +29,7 @@ breach() {
 }
 
 check_top_level() {
-  local allowed=' CMakeLists.txt framework plugins solvers io tests gear-library README.md CMakePresets.json LICENSE CHANGELOG.md CONTRIBUTING.md bootstrap cmake docs '
+  local allowed=' CMakeLists.txt framework plugins solvers io tests gear-library README.md CMakePresets.json LICENSE CHANGELOG.md CONTRIBUTING.md bootstrap cmake '
   local file name
   while read -r name; do
     [[ $name == .* || $allowed == *" $name "* ]] || breach "$name: does not belong to the top level"

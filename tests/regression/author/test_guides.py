@@ -21,7 +21,7 @@ def as_pattern(line):
 class Guides(WithInstallation):
     def follow(self, page):
         said = ""
-        for kind, file, body in BLOCK.findall((SOURCE / "docs" / "guides" / page).read_text()):
+        for kind, file, body in BLOCK.findall((SOURCE / "framework" / "guides" / page).read_text()):
             if file:
                 self.write(file, body)
             elif kind == "sh":
