@@ -26,7 +26,7 @@ struct States {
   std::uint32_t first = 0, count = 0;
   std::vector<double> x, v, a, current, current_dz;
   std::vector<double> memory = {};  // [state_width][64], what elements remember; empty: nothing yet
-  std::vector<double> x_low = {};
+  std::vector<double> x_low = {};   // digits that x has no room for; empty: not known
 };
 
 /// All fields of States, for loops.

@@ -181,8 +181,8 @@ void Journey::gain_digits(Solution& best) {
   const bool arrived = has_arrived(best), is_rounded = best.balance.residual <= best.balance.floor &&
                                                        (!arrived || best.balance.at_round_off);
   const bool has_them = !legs_.empty() && legs_.back().name == kMoreDigits;
-  if (!options_.detours || !is_rounded || has_them || best.status == SolveStatus::unstable || sticks() ||
-      assembler_.has_bodies() || out_of_time())
+  if (!options_.detours || !is_rounded || has_them || best.balance.scale == 0 ||
+      best.status == SolveStatus::unstable || sticks() || assembler_.has_bodies() || out_of_time())
     return;
   Limits limits = options_.limits;
   limits.iterations = std::min(limits.iterations, kFewIterations), limits.ask_growth = !arrived;

@@ -192,7 +192,8 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
                       Digits digits) {
   const double wall = wall_seconds(), cpu = cpu_seconds();
   StaticProblem problem(assembler, make, limits, std::move(on_iteration));
-  if (digits == Digits::all)
+  const bool has_all = digits == Digits::all && start.size() == problem.interface().unknowns;
+  if (has_all)
     problem.count_from(problem.positions(start));
   else
     std::copy(start.begin(), start.end(), problem.interface().u);
@@ -226,7 +227,7 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   else
     judge_without_forces(s, problem, assembler, scene);
   if (s.status == SolveStatus::converged) assembler.remember(s.x);
-  if (digits == Digits::all)
+  if (has_all)
     for (std::size_t i = 0; i < start.size(); ++i) s.u[i] += start[i];
   s.history = problem.history();
   s.books.total_seconds = wall_seconds() - wall;

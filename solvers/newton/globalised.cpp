@@ -185,9 +185,8 @@ class Globalised {
     LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
     auto found = whole_step_uphill(first);
     if (!found) found = search([&](double t) { return merit(t); }, first);
-    if (!found) {  // reactions that are known are those of the last point evaluated: tolerances want those of
-                   // u
-      problem_.evaluate(problem_.u(), energy_, r_);
+    if (!found) {
+      problem_.evaluate(problem_.u(), energy_, r_);  // tolerances are a part of the last reactions evaluated
       return false;
     }
     move_trial(found->t);
