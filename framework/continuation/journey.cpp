@@ -106,6 +106,7 @@ Solution Journey::arrive(Displacements start) {
   try_once_more(best, start, limits);
   if (options_.looks != 0) look_for_other_shapes(best, start, limits);
   gain_digits(best);
+  tell_of_restlessness(best);
   return finish(std::move(best));
 }
 
@@ -198,6 +199,15 @@ void Journey::gain_digits(Solution& best) {
   best = std::move(s);
 }
 
+/// Forces without an energy may keep a gear in motion for ever. With one, its damping would end it.
+void Journey::tell_of_restlessness(Solution& best) const {
+  if (has_arrived(best) || flutters(best) || is_conservative_ || restless_ == 0) return;
+  best.is_restless = true;
+  best.reason += "; its motion did not come to rest over " + std::to_string(std::lround(kLongestWay)) +
+                 " times its size" +
+                 (restless_ > 1 ? ", from none of " + std::to_string(restless_) + " starts" : "");
+}
+
 /// By its energy; the residual flickers where many members are just taut.
 bool Journey::comes_on(const Solution& now, const Solution& before) const {
   return is_conservative_ ? now.energy < before.energy : now.balance.residual < before.balance.residual;
@@ -246,8 +256,8 @@ void Journey::look_for_other_shapes(Solution& best, const Displacements& start, 
   ShapeFinder finder(scene_, assembler_, problem.gear_size(), problem.conservative());
   finder.add(best);
   for (int look = 1; look <= looks && work() <= worth && has_arrived(best) && !out_of_time(); ++look)
-    finder.add(
-        solve_itself_off_saddles("look " + std::to_string(look), start_of_look(look, start, best), limits));
+    finder.add(solve_itself_off_saddles("look " + std::to_string(look),
+                                        start_of_look(look, start, finder.best()), limits));
   best = finder.best();
 }
 
@@ -269,8 +279,8 @@ bool Journey::is_in_balance(const Scene& scene, const Displacements& u) const {
   return problem.recompute(u, x, residual, energy) && problem.balance(x, residual).balanced;
 }
 
-/// At first where it stands with nothing pressed; then from where it was found, shaken by an element's size,
-/// each time otherwise.
+/// At first where it stands with nothing pressed; then from the best that is known, shaken by an element's
+/// size, each time otherwise.
 Journey::Displacements Journey::start_of_look(int look, const Displacements& start, const Solution& best) {
   if (look == 1)
     if (const auto convex = over_tension_only(start, best)) return *convex;

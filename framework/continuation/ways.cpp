@@ -23,10 +23,6 @@ constexpr double kShortestRamp = 1.0 / 64;
 // The motion may take so many steps, and so much of the time that all ways together are worth.
 constexpr int kMotionSteps = 2000;
 constexpr double kMotionPatience = 0.4;
-// What has gone so many times the gear's size, round and round or away, goes on: motions of the hard cases
-// that came to rest (40, draws 11 to 54) had gone up to 6.3 times that, most others 20 to 80 times by their
-// end.
-constexpr double kLongestWay = 10;
 
 }  // namespace
 
@@ -163,6 +159,7 @@ std::optional<Solution> Journey::move(const Displacements& start) {
   leg_way_ = kLongestWay;
   Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance, kMotionSteps);
   leg_patience_ = before, leg_way_ = Limits{}.way;
+  restless_ += s.is_restless;
   return s;
 }
 

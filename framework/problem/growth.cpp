@@ -16,7 +16,8 @@ namespace netloft {
 
 namespace {
 
-constexpr int kDecades = 11, kPowers = 60, kMeasured = 20;
+constexpr double kLeastSigma = 1e-10;
+constexpr int kPowers = 60, kMeasured = 20;
 // ε of (2), by which flow damps where it does not; what is equal but for rounding, of the largest entry.
 constexpr double kLittle = 0.01, kRounding = 1e-9;
 // Steps that tell the largest eigenvalue; no more where what is new is below this share.
@@ -179,6 +180,16 @@ Growth growth_at(double sigma, const SparsePattern& p, std::span<const double> K
   return {growth, -lambda.real(), std::abs(lambda.imag()), std::move(powers.vector())};
 }
 
+/// A power of ten that no entry of the diagonal of K is above, over that of M; at least 1. A pressed member
+/// that is next to nothing long pushes aside much more stiffly than its linear stiffness.
+double largest_sigma(const SparsePattern& p, std::span<const double> K, std::span<const double> M) {
+  double largest = 1;
+  for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) {
+    if (r == c && M[at] > 0 && std::isfinite(K[at])) largest = std::max(largest, std::abs(K[at]) / M[at]);
+  });
+  return std::pow(10, std::ceil(std::log10(largest)));
+}
+
 /// Makes the linear stiffness M the matrix of (2). 1/τ; zero where the trace of C is not positive.
 double add_damping(const SparsePattern& p, std::span<const double> C, std::span<double> M) {
   if (!(trace(p, C) > 0)) return 0;
@@ -213,8 +224,7 @@ Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std:
   const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   Growth most;
-  double sigma = 1;
-  for (int decade = 0; decade < kDecades && !most.grows(); ++decade, sigma /= 10) {
+  for (double sigma = largest_sigma(pattern, K, M); sigma > kLeastSigma / 2 && !most.grows(); sigma /= 10) {
     Growth growth = growth_at(sigma, pattern, K, M, *factorisation);
     if (std::isnan(growth.per_power)) return growth;
     if (growth.per_power > most.per_power) most = std::move(growth);

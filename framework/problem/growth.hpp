@@ -31,10 +31,11 @@ struct Growth {
 /// The Cayley transform
 ///   (K + σM)⁻¹ (σM − K),  eigenvalues (σ − λ)/(σ + λ)                                     (3)
 /// has one beyond the unit circle if and only if some Re λ < 0, best seen where |λ| is about σ: its powers
-/// for σ = 1, 0.1, … 1e-10 find it. It is not normal: where growth is seen, powers go on while it falls, for
-/// it may pass (L. N. Trefethen and M. Embree, Spectra and Pseudospectra, 2005, chapter 16). Where K is
-/// symmetric this is the sign of its least eigenvalue. Source of (3): K. Meerbergen and D. Roose, Matrix
-/// transformations for computing rightmost eigenvalues, IMA J. Numer. Anal. 16 (1996).
+/// for σ from the largest |K_ii|/M_ii, at least 1, by tenths to 1e-10 find it. It is not normal: where growth
+/// is seen, powers go on while it falls, for it may pass (L. N. Trefethen and M. Embree, Spectra and
+/// Pseudospectra, 2005, chapter 16). Where K is symmetric this is the sign of its least eigenvalue. Source of
+/// (3): K. Meerbergen and D. Roose, Matrix transformations for computing rightmost eigenvalues, IMA J. Numer.
+/// Anal. 16 (1996).
 ///
 /// None has if M is symmetric and positive definite, and so is the symmetric part of K, for
 ///   Re λ = v*(K + Kᵀ)v / 2v*Mv:                                                           (4)

@@ -42,7 +42,7 @@ struct Solution {
   std::vector<double> growing;      // a disturbance of u that grows, where forces have no energy; length 1
   double growth_rate = 0;  // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
   double growth_frequency = 0;
-  bool is_restless = false;  // given up because it went on and on (Limits::way)
+  bool is_restless = false;  // given up because it went on and on (Limits::way), or its motions were
   double energy = 0;
   Balance balance;
   std::vector<double> corrected;  // x after the Newton step that is left, over all dofs; empty: not known

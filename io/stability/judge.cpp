@@ -37,8 +37,9 @@ bool claims_success(const Solution& s) { return s.status == SolveStatus::converg
 
 Where judge_failure(const Ended& ended, Expected expected, bool has_reference) {
   if (expected == Expected::none) return ended.out_of_time ? Where::late : Where::honest;
-  if (ended.solution.status != SolveStatus::unstable) return Where::failed;
-  return flutters(ended.solution) && !has_reference ? Where::flutters : Where::unstable;
+  if (!has_reference && flutters(ended.solution)) return Where::flutters;
+  if (!has_reference && ended.solution.is_restless) return Where::restless;
+  return ended.solution.status == SolveStatus::unstable ? Where::unstable : Where::failed;
 }
 
 /// A solver that stops at its tolerance is as near as that; a unique answer is wanted closer.
@@ -86,7 +87,10 @@ Verdict judge(const StabilityCase& c, const std::optional<Reference>& reference,
 bool is_arrival(Where where) {
   return where == Where::reference || where == Where::lower || where == Where::another;
 }
-bool is_right(Where where) { return is_arrival(where) || where == Where::honest || where == Where::flutters; }
+bool is_honest(Where where) {
+  return where == Where::honest || where == Where::flutters || where == Where::restless;
+}
+bool is_right(Where where) { return is_arrival(where) || is_honest(where); }
 bool is_lie(Where where) { return where == Where::wrong || where == Where::lied; }
 
 const char* name_of(Where where) {
@@ -109,6 +113,8 @@ const char* name_of(Where where) {
       return "honest";
     case Where::flutters:
       return "flutters";
+    case Where::restless:
+      return "restless";
     case Where::late:
       return "late";
     case Where::lied:

@@ -38,6 +38,7 @@ enum class Where {
   late,       // the same, but only because its time was up
   lied,       // there is no equilibrium, and it says that it has arrived
   flutters,   // swings on about an equilibrium, says so, and no solver of this run knows one where it rests
+  restless,   // let go, it goes on and on, says so, and no solver of this run knows where it rests
   not_run,    // the case could not be set up
   unfit,      // the solver is not made for such a problem: it wants an energy
 };
@@ -70,7 +71,8 @@ struct Ended {
 Verdict judge(const StabilityCase& c, const std::optional<Reference>& reference, const Ended& ended);
 
 bool is_arrival(Where where);  // at an equilibrium that the case accepts
-bool is_right(Where where);    // arrival, or an honest failure where there is nothing to arrive at
+bool is_honest(Where where);   // an honest failure where there is nothing to arrive at
+bool is_right(Where where);    // arrival, or that
 bool is_lie(Where where);      // success was claimed where there was none
 const char* name_of(Where where);
 

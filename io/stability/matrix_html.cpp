@@ -24,7 +24,7 @@ th { font-weight: 600; } td.number { text-align: right; } th, td { white-space: 
 const char* colour_of(Where where) {
   if (is_lie(where)) return "lie";
   if (where == Where::unfit) return "unfit";
-  if (where == Where::honest || where == Where::flutters) return "honest";
+  if (is_honest(where)) return "honest";
   if (is_arrival(where)) return "right";
   return where == Where::near || where == Where::higher || where == Where::unstable || where == Where::late
              ? "off"
@@ -97,9 +97,9 @@ constexpr const char* kLegend =
     "stands behind the "
     "cell. <span class=\"right\">reference, lower, another</span>: at the best answer known, at one of less "
     "energy, at a "
-    "stable one elsewhere. <span class=\"honest\">honest, flutters</span>: there is no equilibrium; or it "
-    "swings "
-    "on about one, and no solver of this run found one where it rests; and it says so. "
+    "stable one elsewhere. <span class=\"honest\">honest, flutters, restless</span>: there is no "
+    "equilibrium; or it swings on about one, or goes on and on, and no solver of this run found one where it "
+    "rests; and it says so. "
     "<span class=\"off\">near, higher, unstable, late</span>: at the only answer, but not within 1e-8 of the "
     "size; at a stable shape of more energy; at an unstable "
     "one, saying so; "

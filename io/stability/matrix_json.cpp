@@ -48,8 +48,18 @@ Json shapes_json(const Shapes& shapes) {
   return {{"looks", shapes.looks}, {"times", shapes.times}, {"others", others}};
 }
 
+/// As `--set` takes them.
+Json overrides_json(const StabilityCase& c, const std::string& size) {
+  Json all(c.overrides);
+  if (const auto more = c.sizes.find(size); more != c.sizes.end())
+    for (const auto& one : more->second) all.push_back(one);
+  return all;
+}
+
 Json cell_json(const Cell& c, const Row& row) {
   return {{"name", c.name},
+          {"scene", row.about->scene.lexically_normal().generic_string()},
+          {"set", overrides_json(*row.about, c.size)},
           {"size", c.size},
           {"solver", c.solver},
           {"unknowns", c.unknowns},

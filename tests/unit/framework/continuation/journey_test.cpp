@@ -237,14 +237,17 @@ std::size_t place_of(const Solution& s, const std::string& name) {
   return static_cast<std::size_t>(leg - s.legs.begin());
 }
 
-TEST(Journey, MovesNoMoreOnceItIsSeenToGoRoundAndRound) {
+TEST(Journey, MovesNoMoreOnceItIsSeenToGoRoundAndRoundAndTellsOfIt) {
   plugins();
   const Solution s = travel(whirling_bar()).solution;
   const std::size_t motion = place_of(s, "motion");
   ASSERT_LT(motion, s.legs.size());
   EXPECT_NE(s.legs[motion].reason.find("does not come to rest"), std::string::npos) << s.legs[motion].reason;
-  EXPECT_EQ(std::count_if(s.legs.begin(), s.legs.end(), [](const Leg& leg) { return leg.name == "motion"; }),
-            1);
+  EXPECT_FALSE(has_leg(s, "from where it moves on to"));
+  EXPECT_NE(s.status, SolveStatus::converged) << "nor pressed together to nothing";
+  EXPECT_TRUE(s.is_restless);
+  EXPECT_NE(s.reason.find("did not come to rest over 10 times its size"), std::string::npos) << s.reason;
+  EXPECT_FALSE(travel(pushed_bar(5)).solution.is_restless);
 }
 
 TEST(Journey, MovesWhatIsStiffOnlyAfterItWasSofter) {

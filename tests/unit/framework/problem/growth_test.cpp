@@ -58,6 +58,15 @@ TEST(GrowthOfMatrices, TellsWhatGrows) {
   EXPECT_NEAR(growth.mode[0] / growth.mode[1], -std::sqrt(3.1 / 3), 1e-6);
 }
 
+// λ = −1e9 and 1: what is pressed together to next to nothing.
+TEST(GrowthOfMatrices, SeesWhatGrowsMuchFasterThanTheRest) {
+  ThreeDiagonals K(2, 0.1, 1, -0.1);
+  K.values.front() = -1e9;
+  EXPECT_GT(growth_of(K), kGrows);
+  K.values.front() = 1e9;
+  EXPECT_LE(growth_of(K), kGrows);
+}
+
 // λ² − (K₁₁/M₁₁ + K₂₂/M₂₂) λ + det K/det M = 0: its sum of roots changes its sign with M, that of its product
 // cannot.
 TEST(GrowthOfMatrices, DependsOnTheDampingWhereItIsFlutterAlone) {

@@ -102,6 +102,16 @@ TEST(Judge, ToSwingOnIsRightOnlyWhereNobodyKnowsAPlaceToRest) {
   EXPECT_TRUE(is_right(Where::flutters) && !is_arrival(Where::flutters) && !is_lie(Where::flutters));
 }
 
+TEST(Judge, ToGoOnAndOnIsRightOnlyWhereNobodyKnowsAPlaceToRest) {
+  for (const auto status : {SolveStatus::unstable, SolveStatus::not_converged}) {
+    Ended e = ended_at(-100);
+    e.solution.status = status, e.solution.is_restless = true;
+    EXPECT_EQ(judge(StabilityCase{}, std::nullopt, e).where, Where::restless);
+    EXPECT_FALSE(is_right(where(e)));
+  }
+  EXPECT_TRUE(is_right(Where::restless) && !is_arrival(Where::restless) && !is_lie(Where::restless));
+}
+
 TEST(Judge, FailureIsRightOnlyWhereThereIsNoEquilibriumAndInTime) {
   Ended e = ended_at(-100);
   e.solution.status = SolveStatus::not_converged;

@@ -16,6 +16,8 @@ class Matrix : public ::testing::Test {
   Matrix() {
     panel.name = "panel/<slack>", panel.about = "slack & \"cold\"";
     none.name = "rope/loose", none.expected = Expected::none, none.drawn = true;
+    none.scene = "rope.toml", none.overrides = {"parts.rope.EA=1e9"};
+    none.sizes["small"] = {"parts.rope.cells=67"}, none.sizes["large"] = {"parts.rope.cells=4000"};
     rows = {{&panel, "small", {cell(panel, "auto", Where::reference), cell(panel, "lbfgs", Where::unfit)}, 1},
             {&none, "small", {cell(none, "auto", Where::honest), cell(none, "lbfgs", Where::lied)}, 0}};
   }
@@ -65,6 +67,8 @@ TEST_F(Matrix, JsonHasEveryCaseWithItsFigures) {
   EXPECT_EQ(c["cpu_seconds"], 0.25);
   EXPECT_EQ(c["energy"], -5);
   EXPECT_EQ(c["reason"], "1 < 2");
+  EXPECT_EQ(c["scene"], "rope.toml");
+  EXPECT_EQ(c["set"], nlohmann::json({"parts.rope.EA=1e9", "parts.rope.cells=67"}));
   EXPECT_EQ(json["cases"][0]["arrived"], true);
   EXPECT_TRUE(json["cases"][0]["energy"].is_null());
 }
