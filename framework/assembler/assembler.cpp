@@ -267,13 +267,12 @@ bool Assembler::run_company(const Company& company, std::span<const double> x, c
 
 void Assembler::run_tile(const Company& company, std::size_t tile, std::span<const double> x,
                          const Request& request, Workspace& w) {
-  gather(company, tile, x, request.motion, w, request.x_low);
+  gather(company, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
   for (const std::size_t family : company.families) {
     w.message[0] = 0;
     netloft_tile t = make_tile(family, tile, request.motion, w);
-    if (request.x_low) t.x_low = w.x_low.data();
     if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
       return report(family, t, status, w);
   }

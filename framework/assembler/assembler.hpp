@@ -14,11 +14,12 @@ namespace netloft {
 enum class MatrixKind { none, exact, convex, metric };
 
 /// How everything moves while it is evaluated: rates over all dofs, null at rest, and the factors of the
-/// matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a.
+/// matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a; and, if known, what positions round off.
 struct Kinematics {
   double time = 0;                          // [s]
   const double *v = nullptr, *a = nullptr;  // [m/s], [m/s²]
   double cu = 1, cv = 0, ca = 0;
+  const double* x_low = nullptr;  // over all dofs: digits that positions have no room for [m]
 };
 
 /// What an evaluation adds up. Null or none: not wanted, not computed.
@@ -29,7 +30,6 @@ struct Request {
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
   Kinematics motion = {};
-  const double* x_low = nullptr;  // over all dofs: digits that positions have no room for [m]
 };
 
 /// Which element could not be evaluated, and why.
@@ -130,7 +130,7 @@ class Assembler {
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
   const Company& company_of(std::size_t family) const;
   void gather(const Company& company, std::size_t tile, std::span<const double> x, const Kinematics& motion,
-              Workspace& w, const double* x_low = nullptr) const;
+              Workspace& w) const;
   netloft_tile make_tile(std::size_t family, std::size_t tile, const Kinematics& motion, Workspace& w) const;
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
                                 std::uint8_t axes) const;

@@ -21,14 +21,14 @@ void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, d
 
 /// For all families of a company at once.
 void Assembler::gather(const Company& company, std::size_t tile, std::span<const double> x,
-                       const Kinematics& motion, Workspace& w, const double* x_low) const {
+                       const Kinematics& motion, Workspace& w) const {
   const Tiling& tiling = company.tiling;
   const auto some_read = [&](std::uint32_t trait) {
     return std::any_of(company.families.begin(), company.families.end(),
                        [&](std::size_t family) { return families_[family]->reads(trait); });
   };
   gather_vector(tiling, tile, x.data(), w.x.data());
-  if (x_low) gather_vector(tiling, tile, x_low, w.x_low.data());
+  if (motion.x_low) gather_vector(tiling, tile, motion.x_low, w.x_low.data());
   if (motion.v && some_read(NETLOFT_READS_VELOCITY)) gather_vector(tiling, tile, motion.v, w.v.data());
   if (motion.a && some_read(NETLOFT_READS_ACCELERATION)) gather_vector(tiling, tile, motion.a, w.a.data());
   if (!w.current.empty() && some_read(NETLOFT_READS_CURRENT)) gather_current(tiling, tile, motion.time, w);
@@ -45,6 +45,7 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
   t.time = motion.time, t.cu = motion.cu, t.cv = motion.cv, t.ca = motion.ca;
   t.water_density = water_.density, t.gravity = water_.gravity, t.water_viscosity = water_.viscosity;
   t.x = w.x.data();
+  if (motion.x_low) t.x_low = w.x_low.data();
   if (motion.v && f.reads(NETLOFT_READS_VELOCITY)) t.v = w.v.data();
   if (motion.a && f.reads(NETLOFT_READS_ACCELERATION)) t.a = w.a.data();
   if (!w.current.empty() && f.reads(NETLOFT_READS_CURRENT))

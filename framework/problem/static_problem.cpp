@@ -176,6 +176,7 @@ void StaticProblem::begin(const StepProblem& step) {
 void StaticProblem::count_from(std::vector<double> base) {
   base_ = std::move(base);
   x_low_.assign(base_.size(), 0.0);
+  motion_.x_low = x_low_.data();
   base_extent_ = largest_extent(base_);
 }
 
@@ -211,7 +212,6 @@ int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy,
   request.matrix = kind;
   request.values = kind == MatrixKind::none ? nullptr : values(kind).data();
   request.motion = motion_;
-  request.x_low = low_digits();
   if (!assembler_.evaluate(x_, request)) {
     met_error_ = assembler_.fault().status == NETLOFT_ERROR;
     return assembler_.fault().status;
@@ -411,7 +411,7 @@ bool StaticProblem::recompute(std::span<const double> u, std::vector<double>& x,
   x = x_;
   residual.resize(residual_.size());
   bad_numbers_ = false;
-  if (!assembler_.evaluate(x, {.energy = &energy, .residual = residual.data(), .x_low = low_digits()}))
+  if (!assembler_.evaluate(x, {.energy = &energy, .residual = residual.data(), .motion = motion_}))
     return false;
   bad_numbers_ = !all_finite(residual);
   return !bad_numbers_;
@@ -420,8 +420,7 @@ bool StaticProblem::recompute(std::span<const double> u, std::vector<double>& x,
 netloft_factor StaticProblem::factorise_at(std::span<const double> u, double shift) {
   place(u.data());
   if (!assembler_.evaluate(
-          x_,
-          {.matrix = MatrixKind::exact, .values = values(MatrixKind::exact).data(), .x_low = low_digits()}))
+          x_, {.matrix = MatrixKind::exact, .values = values(MatrixKind::exact).data(), .motion = motion_}))
     return NETLOFT_FACTOR_FAILED;
   return factorise_as(MatrixClass::positive_definite, shifted(NETLOFT_EXACT, shift));
 }

@@ -87,6 +87,8 @@ class StaticProblem {
   void count_from(std::vector<double> base);
   /// Over all dofs at u [m].
   const std::vector<double>& positions(std::span<const double> u);
+  /// What those of the last evaluation round off [m]; empty where displacements count from the start.
+  const std::vector<double>& low_digits() const { return x_low_; }
   /// The next solution starts without a factor, as if nothing had been solved before.
   void forget_factor() { last_ = nullptr; }
   /// Longest extent of an element at the start [m].
@@ -110,7 +112,6 @@ class StaticProblem {
   double rounding_at(std::int32_t unknown, std::span<const double> x) const;
 
   void place(const double* u);
-  const double* low_digits() const { return base_.empty() ? nullptr : x_low_.data(); }
   std::vector<double>& values(MatrixKind kind);
   void need_metric();
   std::span<const double> shifted(int matrix, double shift);

@@ -107,7 +107,7 @@ void find_correction(Solution& s, StaticProblem& problem, const Assembler& assem
                    : find_correction(problem, s.u, s.residual, step)))
     return;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
-  s.corrected = problem.positions(u);
+  s.corrected = problem.positions(u), s.corrected_low = problem.low_digits();
   s.correction = largest_node_distance(scene, assembler.numbering(), s.x, s.corrected);
 }
 
@@ -156,6 +156,8 @@ void judge_without_forces(Solution& s, const StaticProblem& problem, const Assem
   s.reason = "the solver ended at a state where forces overflowed, such as at " + s.at_fault;
 }
 
+std::string what_rounds(const Solution& s) { return s.x_low.empty() ? "positions" : "elements' lengths"; }
+
 /// `ending` is why the solver returned.
 void judge(Solution& s, const std::string& ending, StaticProblem& problem, const Assembler& assembler,
            const Scene& scene) {
@@ -165,14 +167,14 @@ void judge(Solution& s, const std::string& ending, StaticProblem& problem, const
                                                                   : SolveStatus::not_converged;
     s.reason = ending + "; " + balance_text(s, assembler, scene);
     if (s.balance.residual <= s.balance.floor)
-      s.reason += "; rounding of the positions alone is worth " + newtons(s.balance.floor) +
+      s.reason += "; rounding of the " + what_rounds(s) + " alone is worth " + newtons(s.balance.floor) +
                   ": its stiffness is too high for what it carries";
     return;
   }
   s.status = SolveStatus::converged;
   s.reason = balance_text(s, assembler, scene);
   if (s.balance.residual <= s.balance.floor && s.balance.at_round_off)
-    s.reason += "; at the round-off of the positions, which the tolerance is below";
+    s.reason += "; at the round-off of the " + what_rounds(s) + ", which the tolerance is below";
   else if (s.balance.at_round_off)
     s.reason += "; no step brings it closer, and what one could gain is below the rounding of the energy";
   if (s.stability == Stability::unstable) {
@@ -211,6 +213,7 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   s.u.assign(u.begin(), u.end());
   const std::string ending = outcome_text(outcome, problem, assembler, scene);
   const bool evaluated = problem.recompute(u, s.x, s.residual, s.energy);
+  s.x_low = problem.low_digits();
   if (evaluated) s.balance = problem.balance(s.x, s.residual);
   if (outcome == NETLOFT_STEP_TOO_SHORT && evaluated && !s.balance.balanced)
     s.balance.balanced = s.balance.at_round_off = has_nothing_to_gain(s, problem);

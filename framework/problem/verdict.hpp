@@ -38,6 +38,7 @@ struct Solution {
   std::string reason;               // a sentence
   std::string at_fault;             // the part that is furthest from balance or could not be evaluated
   std::vector<double> x, residual;  // over all dofs [m], [N]
+  std::vector<double> x_low;        // what x rounds off [m]; empty: not known
   std::vector<double> u;            // displacements of the unknowns that x stands for
   std::vector<double> growing;      // a disturbance of u that grows, where forces have no energy; length 1
   double growth_rate = 0;  // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
@@ -45,7 +46,8 @@ struct Solution {
   bool is_restless = false;  // given up because it went on and on (Limits::way), or its motions were
   double energy = 0;
   Balance balance;
-  std::vector<double> corrected;  // x after the Newton step that is left, over all dofs; empty: not known
+  std::vector<double> corrected;      // x after the Newton step that is left, over all dofs; empty: not known
+  std::vector<double> corrected_low;  // what that rounds off
   double correction = std::numeric_limits<double>::quiet_NaN();  // its largest nodal move [m]
   Books books;
   std::vector<IterationRecord> history;

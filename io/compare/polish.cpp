@@ -34,8 +34,11 @@ Polished next(StaticProblem& problem, const Polished& from) {
 
 Polished polish(Case& fresh, const std::vector<double>& u) {
   StaticProblem problem(fresh.assembler(), make_factorisation, {});
+  // Steps keep all their digits where nothing but positions moves.
+  const bool counts_from_there = !fresh.assembler().has_bodies();
   Polished best;
   best.u = u;
+  if (counts_from_there) problem.count_from(problem.positions(u)), best.u.assign(u.size(), 0.0);
   measure(problem, best);
   for (int step = 0; step < kMostSteps && best.evaluated; ++step) {
     Polished to = next(problem, best);
@@ -49,6 +52,8 @@ Polished polish(Case& fresh, const std::vector<double>& u) {
     best = std::move(to);
     best.uncertainty = way;
   }
+  if (counts_from_there)
+    for (std::size_t i = 0; i < u.size(); ++i) best.u[i] += u[i];
   return best;
 }
 

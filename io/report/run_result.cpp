@@ -52,13 +52,18 @@ void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar
   }
 }
 
+/// With the digits of its positions, if they are known.
+Kinematics at_rest(const Solution& s) { return {.x_low = s.x_low.empty() ? nullptr : s.x_low.data()}; }
+
 /// One evaluation more: what every number would be after the step that is left.
 void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   Solution after;
-  after.x = result.solution.corrected;
+  after.x = result.solution.corrected, after.x_low = result.solution.corrected_low;
   after.residual.resize(after.x.size());
-  if (after.x.empty() || !assembler.evaluate(after.x, {.residual = after.residual.data()})) return;
-  const Answer answer = ask_elements(loaded.scene, assembler, after.x);
+  const Kinematics digits = at_rest(after);
+  if (after.x.empty() || !assembler.evaluate(after.x, {.residual = after.residual.data(), .motion = digits}))
+    return;
+  const Answer answer = ask_elements(loaded.scene, assembler, after.x, digits);
   note_changes(collect_scalars(loaded, assembler, after, answer.outputs), result.scalars);
   note_changes(collect_gear(loaded, assembler, answer), result.gear);
 }
@@ -81,7 +86,7 @@ std::vector<NamedScalar> collect_gear(const LoadedScene& loaded, const Assembler
 }
 
 void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
-  Answer answer = ask_elements(loaded.scene, assembler, result.solution.x);
+  Answer answer = ask_elements(loaded.scene, assembler, result.solution.x, at_rest(result.solution));
   result.scalars = collect_scalars(loaded, assembler, result.solution, answer.outputs);
   result.gear = collect_gear(loaded, assembler, answer);
   result.outputs = std::move(answer.outputs), result.part_forces = std::move(answer.forces);

@@ -13,7 +13,7 @@ void Net::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lan
 }
 
 axial::Bar Net::stretch(const Parameters& p, const Data& d, const State<2>& s) {
-  const Vec3<double> w = s.x[1] - s.x[0];
+  const Vec3<double> w = s.between(0, 1);
   return axial::stretch(w.x, w.y, w.z, d.rest_length, p.EA, p.EA_compression);
 }
 

@@ -137,7 +137,7 @@ Bending::Flat Bending::flat(const Parameters& p, const Data& d) {
 }
 
 double Bending::turning_angle(const State<4>& s) {
-  const Vec3<double> e = s.x[1] - s.x[0], N1 = cross(e, s.x[2] - s.x[0]), N2 = cross(s.x[3] - s.x[0], e);
+  const Vec3<double> e = s.between(0, 1), N1 = cross(e, s.between(0, 2)), N2 = cross(s.between(0, 3), e);
   return std::atan2(norm(cross(N1, N2)), dot(N1, N2));
 }
 

@@ -14,8 +14,9 @@ double determinant(const Triangle::Data& d) {  // (1)
   return (d.u[1] - d.u[0]) * (d.v[2] - d.v[0]) - (d.u[2] - d.u[0]) * (d.v[1] - d.v[0]);
 }
 
+/// Σ c = 0.
 Vec3<double> combine(const double (&c)[3], const State<3>& s) {
-  return c[0] * s.x[0] + c[1] * s.x[1] + c[2] * s.x[2];
+  return c[1] * s.between(0, 1) + c[2] * s.between(0, 2);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ const Bar::Lanes& Bar::now(const Lanes& lanes, const netloft_tile& t, Lanes& roo
 }
 
 axial::Bar Bar::stretch(const Parameters& p, const Data& d, const State<2>& s) {
-  const Vec3<double> w = s.x[1] - s.x[0];
+  const Vec3<double> w = s.between(0, 1);
   const double rest_length = d.rest_length * share_at(p.length_share, s.time);
   auto bar = axial::stretch(w.x, w.y, w.z, rest_length, p.EA, p.EA_compression);
   if (p.constant_tension > 0) bar.T = p.constant_tension;

@@ -11,7 +11,7 @@ constexpr double kFolded = 1e-12;   // (1 + c)/2
 /// (1) and (4) of a pair of bars.
 struct Turn {
   explicit Turn(const State<3>& s) {
-    const Vec3<double> w[2] = {s.x[1] - s.x[0], s.x[2] - s.x[1]};
+    const Vec3<double> w[2] = {s.between(0, 1), s.between(1, 2)};
     for (int k = 0; k < 2; ++k) l[k] = norm(w[k]), t[k] = (1 / l[k]) * w[k];
     const Vec3<double> d = t[1] - t[0];
     h = 0.25 * dot(d, d);
@@ -40,7 +40,7 @@ constexpr double kChord[2][3] = {{-1, 1, 0}, {0, -1, 1}};
 }  // namespace
 
 double Bending::turning_angle(const State<3>& s) {
-  const Vec3<double> w1 = s.x[1] - s.x[0], w2 = s.x[2] - s.x[1];
+  const Vec3<double> w1 = s.between(0, 1), w2 = s.between(1, 2);
   return std::atan2(norm(cross(w1, w2)), dot(w1, w2));
 }
 

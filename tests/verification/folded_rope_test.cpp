@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "io/analysis/case.hpp"
+#include "io/report/run_result.hpp"
 #include "tests/verification/solving.hpp"
 
 namespace netloft::test {
@@ -23,13 +24,14 @@ struct HungBars {
   int n;
   Real length, span, w, EA;
   std::vector<std::array<Real, 2>> x;
+  std::vector<Real> T;
 
   Real reach(Real H) {
     const Real l0 = length / n, V = w * length / 2;
-    x.assign(1, {0, 0});
+    x.assign(1, {0, 0}), T.clear();
     for (int k = 0; k < n; ++k) {
-      const Real down = V - w * l0 * (k + Real{0.5}), T = std::hypot(H, down), l = l0 * (1 + T / EA);
-      x.push_back({x.back()[0] + l * H / T, x.back()[1] - l * down / T});
+      const Real down = V - w * l0 * (k + Real{0.5}), t = std::hypot(H, down), l = l0 * (1 + t / EA);
+      x.push_back({x.back()[0] + l * H / t, x.back()[1] - l * down / t}), T.push_back(t);
     }
     return x.back()[0];
   }
@@ -43,8 +45,12 @@ struct HungBars {
   }
 };
 
-/// Largest distance of a node from where it belongs [m].
-double furthest(const std::vector<std::string>& overrides, HungBars bars) {
+struct Off {
+  double furthest = 0, tension = 0,
+         told = 0;  // largest error of a node [m], of a tension, and its estimate [N]
+};
+
+Off off(const std::vector<std::string>& overrides, HungBars bars) {
   io::CaseSource source{NETLOFT_SOURCE_DIR "/tests/stability/scenes/rope.toml", overrides, 1};
   source.overrides.push_back("parts.rope.cells=" + std::to_string(bars.n));
   source.overrides.insert(source.overrides.begin(), "analysis.solver=auto");
@@ -54,12 +60,24 @@ double furthest(const std::vector<std::string>& overrides, HungBars bars) {
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
   const std::vector<double> x = rope.positions(s.x);
   bars.hang();
-  double furthest = 0;
+  Off off;
   for (std::size_t k = 0; k < bars.x.size(); ++k)
-    furthest = std::max(furthest, std::hypot(x[3 * k] - static_cast<double>(bars.x[k][0]), x[3 * k + 1],
-                                             x[3 * k + 2] - static_cast<double>(bars.x[k][1])));
-  std::printf("%d bars: furthest %.1e m\n", bars.n, furthest);
-  return furthest;
+    off.furthest =
+        std::max(off.furthest, std::hypot(x[3 * k] - static_cast<double>(bars.x[k][0]), x[3 * k + 1],
+                                          x[3 * k + 2] - static_cast<double>(bars.x[k][1])));
+  io::RunResult told;
+  told.solution = s;
+  io::collect(rope.loaded(), rope.assembler(), told);
+  for (std::size_t k = 0; k < bars.T.size(); ++k)
+    off.tension = std::max(off.tension, std::abs(told.outputs[0][0][k] - static_cast<double>(bars.T[k])));
+  if (const auto* tension = io::find_scalar(told.scalars, "tension")) off.told = tension->solver_error;
+  std::printf("%d bars: furthest %.1e m, tension off by %.1e N, told %.1e N\n", bars.n, off.furthest,
+              off.tension, off.told);
+  return off;
+}
+
+double furthest(const std::vector<std::string>& overrides, const HungBars& bars) {
+  return off(overrides, bars).furthest;
 }
 
 constexpr Real kWeight = (3000.0L - 1025.0L) * 9.81L * std::numbers::pi_v<Real> * 0.01L * 0.01L;  // [N/m]
@@ -67,7 +85,7 @@ constexpr Real kWeight = (3000.0L - 1025.0L) * 9.81L * std::numbers::pi_v<Real> 
 // Odd numbers would leave a bar in the middle that is longer than the ends are apart.
 const std::vector<std::string> kFolded = {"parts.rope.sketch=[[0,0,0],[0.001,0,0]]"};
 
-HungBars folded(int bars) { return {bars, 100, 0.001L, kWeight, 1e6L, {}}; }
+HungBars folded(int bars) { return {bars, 100, 0.001L, kWeight, 1e6L, {}, {}}; }
 
 // Of 4000 bars a residual at the round-off of the positions, 1e-6 N, would let the fold slide by 3e-7 m.
 TEST(FoldedRope, HangsWhereItsTensionIsNearlyNothing) {
@@ -87,12 +105,20 @@ TEST(FoldedRope, StiffItIsNoFurtherOff) {
   for (const Real EA : {1e10L, 1e12L})
     for (const int n : {67, 4000})
       EXPECT_LT(furthest({"parts.rope.rope.EA=" + std::to_string(static_cast<double>(EA))},
-                         {n, 100, 80, kWeight, EA, {}}),
+                         {n, 100, 80, kWeight, EA, {}, {}}),
                 1e-11);
 }
 
+// Tensions out of rounded positions of the longer bars would be off by a newton.
+TEST(FoldedRope, StiffItTellsItsTensionsAsWell) {
+  const Off stiff = off({"parts.rope.rope.EA=1e12", "results.tension={of=\"rope\",take=\"max tension\"}"},
+                        {4000, 100, 80, kWeight, 1e12L, {}, {}});
+  EXPECT_LT(stiff.tension, 1e-3);
+  EXPECT_LT(stiff.told, 1e-3);
+}
+
 TEST(FoldedRope, UnfoldedItDoesTheSame) {
-  for (const int n : {67, 4000}) EXPECT_LT(furthest({}, {n, 100, 80, kWeight, 1e6L, {}}), 1e-10);
+  for (const int n : {67, 4000}) EXPECT_LT(furthest({}, {n, 100, 80, kWeight, 1e6L, {}, {}}), 1e-10);
 }
 
 }  // namespace

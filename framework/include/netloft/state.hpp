@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What elements see and fill, for the author of an element. Included by element.hpp.
+#pragma once
+#include <netloft/plugin.h>
+#include <netloft/vec3.hpp>
+
+#include <cstdint>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace netloft {
+
+inline constexpr int kLanes = NETLOFT_LANES;
+
+enum class Status { ok = NETLOFT_OK, outside_domain = NETLOFT_OUTSIDE_DOMAIN };
+
+/// Thrown where a state has no force (a bar of no length): the solver shortens its step.
+struct OutsideDomain : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Water {
+  double density;        // [kg/m3]
+  double gravity;        // [m/s2]
+  double viscosity = 0;  // kinematic [m2/s]
+};
+
+/// One element's view of the world in `evaluate`. Arrays the term did not ask for are zero.
+template <int Nodes>
+struct State {
+  Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
+  Points<double, Nodes> x_low{};  // digits that x has no room for [m]; mostly zero: not known
+  Water water{};
+  double time = 0;
+  double cu = 1, cv = 0, ca = 0;  // factors of dforce/dx, dforce/dv, dforce/da in the tangent
+  bool wants_tangent = false;
+
+  /// From one node to another [m], with the digits that their positions round off where those are known.
+  Vec3<double> between(std::size_t from, std::size_t to) const {
+    return (x[to] - x[from]) + (x_low[to] - x_low[from]);
+  }
+};
+
+/// What `evaluate` fills: energy [J], force = +dE/dx [N], tangent = dforce/dx [N/m]. All zero to begin with.
+template <int Nodes>
+struct Local {
+  static constexpr int dofs = 3 * Nodes;
+  double energy = 0;
+  Points<double, Nodes> force{};
+  double tangent[dofs][dofs] = {};
+};
+
+/// All elements of one type in a scene. Elements of several parts stand side by side.
+template <class E>
+class Family {
+ public:
+  using Parameters = typename E::Parameters;
+  using Data = typename E::Data;
+
+  const Parameters& parameters(std::size_t element) const { return *parameters_[part_[element]]; }
+  const Data& data(std::size_t element) const { return data_[element]; }
+  const auto& whole(std::size_t element) const { return wholes_[part_[element]]; }
+  /// What E::pack made of 64 elements, for terms written as `tile`.
+  const auto& lanes(const netloft_tile& tile) const { return lanes_[tile.first / NETLOFT_LANES]; }
+  std::size_t size() const { return data_.size(); }
+
+  struct None {};
+  template <class F, class = void>
+  struct LanesOf {
+    using type = None;
+  };
+  template <class F>
+  struct LanesOf<F, std::void_t<typename F::Lanes>> {
+    using type = typename F::Lanes;
+  };
+  using Lanes = typename LanesOf<E>::type;
+  template <class F, class = void>
+  struct WholeOf {
+    using type = None;
+  };
+  template <class F>
+  struct WholeOf<F, std::void_t<typename F::Whole>> {
+    using type = typename F::Whole;
+  };
+  using Whole = typename WholeOf<E>::type;
+
+  /// The law in a slot, in the order the slots were declared. Its arrays are those of netloft_flow.
+  const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
+
+  std::vector<const Parameters*> parameters_;
+  std::vector<netloft_bound_law> laws_;
+  std::vector<std::uint32_t> part_;
+  std::vector<Data> data_;
+  std::vector<Lanes> lanes_;
+  std::vector<Whole> wholes_;  // per part
+};
+
+}  // namespace netloft
