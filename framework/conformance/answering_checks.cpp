@@ -146,12 +146,7 @@ Finding finite_at_rest(Bench& b) {
 }
 
 Finding defaults_are_allowed(Bench& b) {
-  std::vector<std::string> faults;
-  Values given;
-  for (const auto& p : b.type.parameters)
-    if (p.flags & NETLOFT_REQUIRED) given[p.name] = b.sample.parameters[0].at(p.name);
-  const ParameterBlock block(b.type.parameters, b.type.element.parameter_bytes, given, faults);
-  return faults.empty() ? Finding{} : failed(faults.front());
+  return judged_defaults(b.type.parameters, b.type.element.parameter_bytes, b.sample.parameters[0]);
 }
 
 Finding refuses_wrong_parameters(Bench& b) {

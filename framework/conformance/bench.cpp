@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 namespace netloft::conformance {
@@ -150,6 +151,20 @@ std::size_t count_threads() {
   std::error_code none;
   const std::filesystem::directory_iterator tasks("/proc/self/task", none), end;
   return none ? 0 : static_cast<std::size_t>(std::distance(begin(tasks), end));
+}
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j) {
+  for (std::size_t row = 0; row * kLanes < a.size(); ++row)
+    if (!same_bits(a[at(row, i)], b[at(row, j)])) return false;
+  return true;
+}
+
+Finding judged_defaults(std::span<const netloft_parameter> table, std::size_t bytes, const Values& sampled) {
+  std::vector<std::string> faults;
+  const ParameterBlock block(table, bytes, required_of(table, sampled), faults);
+  return judged(faults.empty() ? "" : faults.front());
 }
 
 Finding no_more_threads_than(std::size_t before) {

@@ -56,6 +56,10 @@ std::size_t count_threads();
 /// depth.
 States moved(const States& states, const std::vector<double>& direction, const std::vector<double>& step);
 
+bool same_bits(double a, double b);
+/// Whether lane `i` of one array holds the same bits as lane `j` of another.
+bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j);
+
 /// The worst figure of a check and where it was found. What is not a number is worse than anything.
 class Worst {
  public:

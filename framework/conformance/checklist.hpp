@@ -57,4 +57,18 @@ CheckResult run(const Check<Bench>& check, Bench& bench, Doubtful& doubtful) {
   return r;
 }
 
+template <class Bench>
+std::vector<CheckResult> run_all(const std::vector<Check<Bench>>& table, Bench& bench, Doubtful& doubtful) {
+  std::vector<CheckResult> results;
+  for (const auto& check : table) results.push_back(run(check, bench, doubtful));
+  return results;
+}
+
+template <class Bench>
+std::vector<std::string> names_of(const std::vector<Check<Bench>>& table) {
+  std::vector<std::string> names;
+  for (const auto& check : table) names.push_back(check.name);
+  return names;
+}
+
 }  // namespace netloft::conformance

@@ -17,6 +17,8 @@ inline Finding failed(std::string detail) { return {false, false, 0, 0, std::mov
 Finding judged(const Worst& worst, const char* nothing_noted);
 /// A check over yes-or-no questions: passed when no fault was found.
 Finding judged(const std::string& fault);
+/// Whether defaults, and samples of what has none, are within the ranges of their parameters. (bench.cpp)
+Finding judged_defaults(std::span<const netloft_parameter> table, std::size_t bytes, const Values& sampled);
 /// Skipped where the system does not show threads. (bench.cpp)
 Finding no_more_threads_than(std::size_t before);
 

@@ -173,7 +173,7 @@ ConformanceReport check_with_law(const ElementType& type, const ConformanceOptio
   report.type = type.type;
   Bench bench(type, options);
   Doubtful doubtful;
-  for (const auto& check : table()) report.checks.push_back(run(check, bench, doubtful));
+  report.checks = run_all(table(), bench, doubtful);
   if (options.timings && !doubtful.among({"evaluates-without-error"})) report.timings = time_terms(bench);
   return report;
 }
@@ -201,11 +201,7 @@ ConformanceReport check_element(const ElementType& type, const ConformanceOption
   return report;
 }
 
-std::vector<std::string> conformance_checks() {
-  std::vector<std::string> names;
-  for (const auto& check : table()) names.push_back(check.name);
-  return names;
-}
+std::vector<std::string> conformance_checks() { return names_of(table()); }
 
 std::string failures(const ConformanceReport& report) {
   std::string text;

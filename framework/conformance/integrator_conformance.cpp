@@ -3,9 +3,11 @@
 // What an integrator promises: its steps follow a motion that is known, at the order and with the estimate it
 // speaks of, gain no energy, remember nothing, and say so when they cannot be made.
 #include "framework/conformance/checklist.hpp"
+#include "framework/conformance/method_bench.hpp"
 #include "framework/conformance/practice_motion.hpp"
+#include "framework/conformance/timing.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -14,38 +16,20 @@ namespace netloft {
 namespace conformance {
 namespace {
 
-/// One integrator with its defaults.
-struct IntegratorBench {
-  explicit IntegratorBench(const IntegratorType& t, const ConformanceOptions& o)
-      : scheme(t.integrator), type(t), threads_before(count_threads()), parameters(make(o)) {}
+struct IntegratorBench : MethodBench {
+  IntegratorBench(const IntegratorType& t, const ConformanceOptions& o)
+      : MethodBench(t.parameters, t.integrator.parameter_bytes, o), scheme(t.integrator), type(t) {}
 
-  /// OK, or what the first step that failed said; a fault when something came out of `step` that must not.
+  /// OK, or what the first step that failed said.
   int run(PracticeMotion& motion, const std::vector<double>& lengths, double end) {
-    try {
-      return motion.run(scheme, parameters.data(), lengths, end);
-    } catch (...) {
-      thrown = "an exception came out of `step`";
-      return NETLOFT_ERROR;
-    }
+    return guarded("step", NETLOFT_ERROR,
+                   [&] { return motion.run(scheme, parameters.data(), lengths, end); });
   }
   double order() const { return scheme.order(parameters.data()); }
   double stable_step(double omega) const { return scheme.stable_step(parameters.data(), omega); }
 
   const netloft_integrator& scheme;
   const IntegratorType& type;
-  std::size_t threads_before;
-  std::vector<std::string> faults;
-  std::string thrown;
-  ParameterBlock parameters;
-
- private:
-  ParameterBlock make(const ConformanceOptions& o) {
-    const Values sampled = ParameterSampler(type.parameters, o.seed).parameters(0);
-    Values required;
-    for (const auto& p : type.parameters)
-      if (p.flags & NETLOFT_REQUIRED) required[p.name] = sampled.at(p.name);
-    return ParameterBlock(type.parameters, type.integrator.parameter_bytes, required, faults);
-  }
 };
 
 using Bench = IntegratorBench;
@@ -59,8 +43,6 @@ Finding up_to(double figure, double limit, std::string detail) {
   f.figure = figure, f.limit = limit, f.passed = figure <= limit, f.detail = std::move(detail);
   return f;
 }
-
-Finding integrator_defaults_are_allowed(Bench& b) { return judged(b.faults.empty() ? "" : b.faults.front()); }
 
 Finding integrator_lets_no_exception_escape(Bench& b) {
   for (const int status : {NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN, NETLOFT_ERROR}) {
@@ -231,13 +213,11 @@ Finding steps_nothing(Bench& b) {
   return status == NETLOFT_OK ? Finding{} : failed("returned " + std::to_string(status));
 }
 
-Finding integrator_starts_no_threads(Bench& b) { return no_more_threads_than(b.threads_before); }
-
 // Order matters: a check stands below those that it leans on.
 const std::vector<Check<Bench>>& integrator_table() {
   static const std::vector<Check<Bench>> checks = {
       {"defaults-are-allowed",
-       integrator_defaults_are_allowed,
+       method_defaults_are_allowed,
        {},
        "a default must lie in the range that its own parameter allows"},
       {"no-exception-escapes",
@@ -311,27 +291,21 @@ const std::vector<Check<Bench>>& integrator_table() {
        "leave traits(NETLOFT_EXPLICIT) away, or use `accelerate`"},
       {"steps-nothing", steps_nothing, {"no-exception-escapes"}, "a scene may have no unknowns at all"},
       {"starts-no-threads",
-       integrator_starts_no_threads,
+       method_starts_no_threads,
        {},
        "the host divides the work; a plugin that starts threads takes the processor from it"},
   };
   return checks;
 }
 
-/// The least of several repeats, over unknowns and steps.
+/// Over unknowns and steps.
 TermTiming time_stepping(Bench& b) {
-  using Clock = std::chrono::steady_clock;
   constexpr int kSteps = 100;
   constexpr std::uint32_t kUnknowns = 300;
-  double least = 1e300;
-  for (int repeat = 0; repeat < 15; ++repeat) {
-    PracticeMotion motion({.unknowns = kUnknowns});
-    const auto start = Clock::now();
-    b.run(motion, {1e-4}, kSteps * 1e-4);
-    const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
-    least = std::min(least, spent.count() / kSteps / kUnknowns);
-  }
-  return {"free motion", std::to_string(kSteps) + " steps", least, "step and unknown"};
+  const double spent =
+      least_nanoseconds([] { return PracticeMotion({.unknowns = kUnknowns}); },
+                        [&](PracticeMotion& motion) { b.run(motion, {1e-4}, kSteps * 1e-4); });
+  return {"free motion", std::to_string(kSteps) + " steps", spent / kSteps / kUnknowns, "step and unknown"};
 }
 
 }  // namespace
@@ -343,15 +317,13 @@ ConformanceReport check_integrator(const IntegratorType& type, const Conformance
   report.type = type.type;
   IntegratorBench bench(type, options);
   Doubtful doubtful;
-  for (const auto& check : integrator_table()) report.checks.push_back(run(check, bench, doubtful));
+  report.checks = run_all(integrator_table(), bench, doubtful);
   if (options.timings && !doubtful.among({"fills-every-output"})) report.timings = {time_stepping(bench)};
   return report;
 }
 
 std::vector<std::string> integrator_checks() {
-  std::vector<std::string> names;
-  for (const auto& check : conformance::integrator_table()) names.push_back(check.name);
-  return names;
+  return conformance::names_of(conformance::integrator_table());
 }
 
 }  // namespace netloft

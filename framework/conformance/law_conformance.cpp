@@ -3,24 +3,17 @@
 // What a law promises: arrays written as asked, derivatives of its force, and the manners of still water.
 #include "framework/conformance/checklist.hpp"
 #include "framework/conformance/law_bench.hpp"
+#include "framework/conformance/timing.hpp"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cstring>
 
 namespace netloft {
 
 namespace conformance {
 namespace {
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
-bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j) {
-  for (std::size_t row = 0; row * kLanes < a.size(); ++row)
-    if (!same_bits(a[at(row, i)], b[at(row, j)])) return false;
-  return true;
-}
+using conformance::same_lane;
 
 bool same_lane(const LawAnswer& a, std::size_t i, const LawAnswer& b, std::size_t j) {
   return same_lane(a.force, i, b.force, j) && same_lane(a.d_flow, i, b.d_flow, j) &&
@@ -36,12 +29,7 @@ Finding ask_all(LawBench& b, Question&& question) {
 }
 
 Finding law_defaults_are_allowed(LawBench& b) {
-  std::vector<std::string> faults;
-  Values given;
-  for (const auto& p : b.type.parameters)
-    if (p.flags & NETLOFT_REQUIRED) given[p.name] = b.values[0].at(p.name);
-  const ParameterBlock block(b.type.parameters, b.type.law.parameter_bytes, given, faults);
-  return faults.empty() ? Finding{} : failed(faults.front());
+  return judged_defaults(b.type.parameters, b.type.law.parameter_bytes, b.values[0]);
 }
 
 Finding law_lets_no_exception_escape(LawBench& b) {
@@ -393,7 +381,6 @@ const std::vector<Check<LawBench>>& law_table() {
 }
 
 double nanoseconds(const LawBench& b, bool derivatives) {
-  using Clock = std::chrono::steady_clock;
   LawAnswer a = b.evaluate(0, b.tiles[0], true);
   const Flows& flows = b.tiles[0];
   netloft_flow f{};
@@ -402,15 +389,8 @@ double nanoseconds(const LawBench& b, bool derivatives) {
   f.diameter = flows.diameter.data(), f.solidity = flows.solidity.data(), f.force = a.force.data();
   if (derivatives)
     f.d_flow = a.d_flow.data(), f.d_direction = a.d_direction.data(), f.d_solidity = a.d_solidity.data();
-  double least = 1e300;
   std::string thrown;
-  for (int repeat = 0; repeat < 15; ++repeat) {
-    const auto start = Clock::now();
-    for (int k = 0; k < 100; ++k) b.call(0, f, thrown);
-    const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
-    least = std::min(least, spent.count() / 100 / flows.count);
-  }
-  return least;
+  return least_nanoseconds_of([&] { b.call(0, f, thrown); }) / flows.count;
 }
 
 }  // namespace
@@ -422,17 +402,13 @@ ConformanceReport check_law(const LawType& type, const ConformanceOptions& optio
   report.type = type.type;
   LawBench bench(type, options);
   Doubtful doubtful;
-  for (const auto& check : law_table()) report.checks.push_back(run(check, bench, doubtful));
+  report.checks = run_all(law_table(), bench, doubtful);
   if (options.timings && !doubtful.among({"evaluates-without-error"}))
     report.timings = {{"law", "force", nanoseconds(bench, false)},
                       {"law", "force + derivatives", nanoseconds(bench, true)}};
   return report;
 }
 
-std::vector<std::string> law_checks() {
-  std::vector<std::string> names;
-  for (const auto& check : conformance::law_table()) names.push_back(check.name);
-  return names;
-}
+std::vector<std::string> law_checks() { return conformance::names_of(conformance::law_table()); }
 
 }  // namespace netloft

@@ -14,14 +14,7 @@ namespace netloft::conformance {
 
 namespace {
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
-/// Whether lane `i` of one array holds the same bits as lane `j` of another.
-bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j) {
-  for (std::size_t row = 0; row * kLanes < a.size(); ++row)
-    if (!same_bits(a[at(row, i)], b[at(row, j)])) return false;
-  return true;
-}
+using conformance::same_lane;
 
 bool same_lane(const Answer& a, std::size_t i, const Answer& b, std::size_t j) {
   return same_lane(a.energy, i, b.energy, j) && same_lane(a.force, i, b.force, j) &&

@@ -73,6 +73,13 @@ Values ParameterSampler::parameters(std::size_t part) {
   return values;
 }
 
+Values required_of(std::span<const netloft_parameter> table, const Values& sampled) {
+  Values required;
+  for (const auto& p : table)
+    if (p.flags & NETLOFT_REQUIRED) required[p.name] = sampled.at(p.name);
+  return required;
+}
+
 Value ParameterSampler::value(const netloft_parameter& p, std::size_t part) {
   switch (p.kind) {
     case NETLOFT_INTEGER:

@@ -39,6 +39,9 @@ class ParameterSampler {
   std::mt19937_64 random_;
 };
 
+/// Of sampled parameters those that have no default.
+Values required_of(std::span<const netloft_parameter> table, const Values& sampled);
+
 /// The same for data and states of an element.
 ///
 /// Data: by unit in the same way, lengths from 0.5 m to 2 m, pure numbers from 0.2 to 1.8, one time in four

@@ -3,9 +3,11 @@
 // What a solver promises: it finds the equilibria of problems that have one, ends when told to, reports what
 // is true, and says so when it cannot.
 #include "framework/conformance/checklist.hpp"
+#include "framework/conformance/method_bench.hpp"
 #include "framework/conformance/practice.hpp"
+#include "framework/conformance/timing.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cstring>
 
 namespace netloft {
@@ -13,36 +15,18 @@ namespace netloft {
 namespace conformance {
 namespace {
 
-/// One solver with its defaults.
-struct SolverBench {
-  explicit SolverBench(const SolverType& t, const ConformanceOptions& o)
-      : type(t), threads_before(count_threads()), parameters(make(o)) {}
+struct SolverBench : MethodBench {
+  SolverBench(const SolverType& t, const ConformanceOptions& o)
+      : MethodBench(t.parameters, t.solver.parameter_bytes, o), type(t) {}
 
-  /// The outcome of a practice problem; a fault when something came out of the solver that must not.
+  /// The outcome of a practice problem.
   int solve(PracticeProblem& problem) {
-    try {
-      return type.solver.solve(parameters.data(), &problem.interface());
-    } catch (...) {
-      thrown = "an exception came out of `solve`";
-      return NETLOFT_SOLVER_ERROR;
-    }
+    return guarded("solve", NETLOFT_SOLVER_ERROR,
+                   [&] { return type.solver.solve(parameters.data(), &problem.interface()); });
   }
   bool needs(std::uint32_t traits) const { return type.solver.needs & traits; }
 
   const SolverType& type;
-  std::size_t threads_before;
-  std::vector<std::string> faults;
-  std::string thrown;
-  ParameterBlock parameters;
-
- private:
-  ParameterBlock make(const ConformanceOptions& o) {
-    const Values sampled = ParameterSampler(type.parameters, o.seed).parameters(0);
-    Values required;
-    for (const auto& p : type.parameters)
-      if (p.flags & NETLOFT_REQUIRED) required[p.name] = sampled.at(p.name);
-    return ParameterBlock(type.parameters, type.solver.parameter_bytes, required, faults);
-  }
 };
 
 const Practice kLinear{};
@@ -50,10 +34,6 @@ const Practice kStiffening{.stiffening = 1e5};
 const Practice kWalled{.wall = 0.3};
 const Practice kSwirling{.swirl = 5};
 const Practice kAll[] = {kLinear, kStiffening, kWalled};
-
-Finding solver_defaults_are_allowed(SolverBench& b) {
-  return judged(b.faults.empty() ? "" : b.faults.front());
-}
 
 Finding solver_lets_no_exception_escape(SolverBench& b) {
   for (Practice p : kAll)
@@ -177,13 +157,11 @@ Finding solves_nothing(SolverBench& b) {
   return outcome == NETLOFT_STOPPED ? Finding{} : failed("returned outcome " + std::to_string(outcome));
 }
 
-Finding solver_starts_no_threads(SolverBench& b) { return no_more_threads_than(b.threads_before); }
-
 // Order matters: a check stands below those that it leans on.
 const std::vector<Check<SolverBench>>& solver_table() {
   static const std::vector<Check<SolverBench>> checks = {
       {"defaults-are-allowed",
-       solver_defaults_are_allowed,
+       method_defaults_are_allowed,
        {},
        "a default must lie in the range that its own parameter allows"},
       {"no-exception-escapes",
@@ -240,27 +218,23 @@ const std::vector<Check<SolverBench>>& solver_table() {
        "no static or mutable variables: the same problem has the same answer, bit for bit"},
       {"solves-nothing", solves_nothing, {"says-progress"}, "a scene may have no unknowns at all"},
       {"starts-no-threads",
-       solver_starts_no_threads,
+       method_starts_no_threads,
        {},
        "the host divides the work; a plugin that starts threads takes the processor from it"},
   };
   return checks;
 }
 
-/// The least of several repeats, over unknowns and iterations.
+/// Over unknowns and iterations.
 TermTiming time_solving(SolverBench& b, const Practice& like, const char* name) {
-  using Clock = std::chrono::steady_clock;
-  double least = 1e300;
   int iterations = 1;
-  for (int repeat = 0; repeat < 15; ++repeat) {
-    PracticeProblem problem(like);
-    const auto start = Clock::now();
-    b.solve(problem);
-    const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
-    iterations = std::max(problem.iterations, 1);
-    least = std::min(least, spent.count() / iterations / like.unknowns);
-  }
-  return {name, std::to_string(iterations) + " iterations", least, "iteration and unknown"};
+  const double spent = least_nanoseconds([&] { return PracticeProblem(like); },
+                                         [&](PracticeProblem& problem) {
+                                           b.solve(problem);
+                                           iterations = std::max(problem.iterations, 1);
+                                         });
+  return {name, std::to_string(iterations) + " iterations", spent / iterations / like.unknowns,
+          "iteration and unknown"};
 }
 
 }  // namespace
@@ -272,17 +246,13 @@ ConformanceReport check_solver(const SolverType& type, const ConformanceOptions&
   report.type = type.type;
   SolverBench bench(type, options);
   Doubtful doubtful;
-  for (const auto& check : solver_table()) report.checks.push_back(run(check, bench, doubtful));
+  report.checks = run_all(solver_table(), bench, doubtful);
   if (options.timings && !doubtful.among({"says-progress"}))
     report.timings = {time_solving(bench, kLinear, "linear problem"),
                       time_solving(bench, kStiffening, "stiffening problem")};
   return report;
 }
 
-std::vector<std::string> solver_checks() {
-  std::vector<std::string> names;
-  for (const auto& check : conformance::solver_table()) names.push_back(check.name);
-  return names;
-}
+std::vector<std::string> solver_checks() { return conformance::names_of(conformance::solver_table()); }
 
 }  // namespace netloft

@@ -40,4 +40,12 @@ inline Scene rope_near_its_shape() {
   return scene;
 }
 
+/// Newton of another library, by its name among the solvers.
+class OtherNewton : public testing::TestWithParam<const char*> {
+ protected:
+  static Solved solve_by_it(Scene scene, Values parameters = {}, Limits limits = {}) {
+    return solve_by(GetParam(), std::move(scene), std::move(parameters), limits);
+  }
+};
+
 }  // namespace netloft::test

@@ -31,6 +31,25 @@ inline std::set<std::string> promised(const std::string& doc) {
   return doc == "nothing" ? std::set<std::string>{} : std::set<std::string>{doc};
 }
 
+/// `check(options)` finds it whatever is drawn, and nothing else.
+template <class Check>
+void expect_what_is_promised(const std::string& doc, Check&& check) {
+  for (const std::uint64_t seed : {1u, 20u}) {
+    ConformanceOptions quick;
+    quick.timings = false, quick.seed = seed;
+    const ConformanceReport report = check(quick);
+    EXPECT_EQ(failed_checks(report), promised(doc)) << "seed " << seed << '\n' << failures(report);
+  }
+}
+
+/// Checks that nothing wrong is there for.
+template <class Wrong, class Doc>
+std::set<std::string> without(const std::vector<std::string>& checks, const Wrong& wrong, Doc&& doc) {
+  std::set<std::string> names(checks.begin(), checks.end());
+  for (const auto* type : wrong) names.erase(doc(*type));
+  return names;
+}
+
 /// wrong/energy -> wrong_energy
 template <class Type>
 std::string test_name(const testing::TestParamInfo<const Type*>& wrong) {

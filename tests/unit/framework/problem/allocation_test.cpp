@@ -1,57 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Counts calls of malloc in the whole program, hence a program of its own.
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
 
 #include "framework/problem/verdict.hpp"
 #include "solvers/factorisation/factorisation.hpp"
+#include "tests/support/counted_malloc.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/verification/solving.hpp"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define NETLOFT_SANITIZED
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define NETLOFT_SANITIZED
-#endif
-#if defined(__GLIBC__) && !defined(NETLOFT_SANITIZED)
-#define NETLOFT_COUNTS_MALLOC
-#endif
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-#ifdef NETLOFT_COUNTS_MALLOC
-extern "C" {
-void* __libc_malloc(std::size_t);
-void* __libc_calloc(std::size_t, std::size_t);
-void* __libc_realloc(void*, std::size_t);
-void* __libc_memalign(std::size_t, std::size_t);
-
-void* malloc(std::size_t bytes) {
-  ++allocations;
-  return __libc_malloc(bytes);
-}
-void* calloc(std::size_t count, std::size_t bytes) {
-  ++allocations;
-  return __libc_calloc(count, bytes);
-}
-void* realloc(void* block, std::size_t bytes) {
-  ++allocations;
-  return __libc_realloc(block, bytes);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t bytes) {
-  ++allocations;
-  return __libc_memalign(alignment, bytes);
-}
-}
-#endif
 
 namespace netloft::test {
 namespace {
@@ -67,11 +21,11 @@ std::vector<long> count_allocations(const Scene& scene, const SolverType& solver
   limits.iterations = 100;
   std::vector<long> between;
   between.reserve(1000);
-  long last = allocations;
+  long last = count_malloc();
   solve_static(scene, assembler, solver, parameters.data(), limits, make_factorisation,
                [&](const IterationRecord&) {
-                 between.push_back(allocations - last);
-                 last = allocations;
+                 between.push_back(count_malloc() - last);
+                 last = count_malloc();
                });
   return between;
 }
@@ -81,9 +35,7 @@ std::vector<long> count_allocations(const Scene& scene, const std::string& metho
 
 /// `factorisations`: how many it takes until all memory is there.
 void expect_none_after_the_first_iteration(const std::vector<long>& between, std::size_t factorisations = 1) {
-#ifndef NETLOFT_COUNTS_MALLOC
-  GTEST_SKIP() << "malloc cannot be counted in this build";
-#endif
+  if (!malloc_is_counted()) GTEST_SKIP() << "malloc cannot be counted in this build";
   ASSERT_GT(between.size(), 4u);
   EXPECT_GT(between[0] + between[1], 0) << "until then matrices and factors are made: nothing was counted";
   for (std::size_t i = 1 + factorisations; i < between.size(); ++i)

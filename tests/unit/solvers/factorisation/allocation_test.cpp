@@ -1,60 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "solvers/factorisation/factorisation.hpp"
+#include "tests/support/counted_malloc.hpp"
 #include "tests/unit/solvers/factorisation/net_matrix.hpp"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define NETLOFT_SANITIZED
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define NETLOFT_SANITIZED
-#endif
-#if defined(__GLIBC__) && !defined(NETLOFT_SANITIZED)
-#define NETLOFT_COUNTS_MALLOC
-#endif
-
-namespace {
-thread_local long allocations = 0;
-}
-
-#ifdef NETLOFT_COUNTS_MALLOC
-extern "C" {
-void* __libc_malloc(std::size_t);
-void* __libc_calloc(std::size_t, std::size_t);
-void* __libc_realloc(void*, std::size_t);
-
-void* malloc(std::size_t bytes) {
-  ++allocations;
-  return __libc_malloc(bytes);
-}
-void* calloc(std::size_t count, std::size_t bytes) {
-  ++allocations;
-  return __libc_calloc(count, bytes);
-}
-void* realloc(void* block, std::size_t bytes) {
-  ++allocations;
-  return __libc_realloc(block, bytes);
-}
-}
-#endif
 
 namespace netloft {
 namespace {
+
+using test::count_malloc;
 
 /// Allocations of one factorisation and one solve, after `rounds` of them.
 long count_allocations(Factorisation& factorisation, const TestMatrix& matrix, int rounds) {
   std::vector<double> x(matrix.pattern.size, 1.0);
   long count = 0;
   for (int round = 0; round <= rounds; ++round) {
-    const long before = allocations;
+    const long before = count_malloc();
     const FactorResult result = factorisation.factorise(matrix.value);
     factorisation.solve(x, x);
-    count = allocations - before;
+    count = count_malloc() - before;
     EXPECT_EQ(result.status, FactorStatus::ok);
   }
   return count;
@@ -63,9 +27,7 @@ long count_allocations(Factorisation& factorisation, const TestMatrix& matrix, i
 class Allocations : public testing::TestWithParam<MatrixClass> {
  protected:
   void SetUp() override {
-#ifndef NETLOFT_COUNTS_MALLOC
-    GTEST_SKIP() << "malloc cannot be counted in this build";
-#endif
+    if (!test::malloc_is_counted()) GTEST_SKIP() << "malloc cannot be counted in this build";
   }
   /// Factorisations after which there are no more allocations. MUMPS keeps arrays from one to the next.
   int warm_up() const { return GetParam() == MatrixClass::positive_definite ? 1 : 3; }
@@ -98,9 +60,9 @@ TEST_P(Allocations, AreNoneAfterAFailedFactorisation) {
   factorisation->analyse(net.pattern);
   count_allocations(*factorisation, net, warm_up());
   const std::vector<double> zeros(net.value.size(), 0);
-  const long before = allocations;
+  const long before = count_malloc();
   EXPECT_NE(factorisation->factorise(zeros).status, FactorStatus::ok);
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(count_malloc() - before, 0);
   EXPECT_EQ(count_allocations(*factorisation, net, 0), 0);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/solvers/known_answers.hpp"
 
 namespace netloft::test {
@@ -42,6 +43,11 @@ TEST(Newton, LeavesASaddleWhereEnergiesCanNoLongerBeToldApart) {
   ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
   EXPECT_GT(s.solution.energy, 1e3);
   EXPECT_NEAR(away_from_line(s), std::sqrt(kShort), 1e-2 * std::sqrt(kShort));
+}
+
+TEST(Newton, DoesNotFindASlackPanelUndamped) {
+  const Solved s = solve_with("newton", sample::hanging_panel(8, 34), {{"method", std::string("classic")}});
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
 }
 
 TEST(Newton, StaysOnALineThatIsPulled) {

@@ -1,56 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/support/sample_scenes.hpp"
-#include "tests/unit/solvers/known_answers.hpp"
-#include "tests/verification/reference.hpp"
-#include "tests/verification/scene_file.hpp"
+#include "tests/unit/solvers/ways_to_known_answers.hpp"
 
 namespace netloft::test {
 namespace {
 
-TEST(Relaxation, PullsASlackTrussToItsClosedForm) {
-  const Solved s = solve_with("relaxation", two_bar_truss());
-  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
-  EXPECT_LT(distance(s.position(2), kJointOfTruss), 1e-9);
-}
-
-// Irvine's catenary, whose digits verification/rope_test.cpp has: 40 bars that sag are within 4e-6 m of it.
-TEST(Relaxation, HangsARopeInACatenary) {
-  const SolvedFile s = solve_file("hanging-rope.toml", {"analysis.solver=\"relaxation\"",
-                                                        "parts.rope.rope.sag=1", "parts.rope.cells=40"});
-  ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
-  EXPECT_NEAR(s.solved.position(s.node("rope", "middle"))[2], -2.95736530, 5e-6);
-}
-
-TEST(Relaxation, FindsTheSlackPanelThatTheUndampedNewtonDoesNot) {
-  const Scene slack = sample::hanging_panel(8, 34);
-  EXPECT_EQ(solve_with("newton", slack, {{"method", std::string("classic")}}).solution.status,
-            SolveStatus::not_converged);
-  const Level want = read_level("hanging-panel.txt", 8);
-  const Solved s = solve_with("relaxation", slack);
-  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
-  EXPECT_NEAR(s.solution.energy, want.values[0], 1e-9 * std::abs(want.values[0]));
-  EXPECT_NEAR(s.lowest_z(), want.values[2], 1e-8);
-}
+constexpr Way kWay{.name = "Relaxation", .solver = "relaxation", .of_a_loose_load = "runs away"};
+INSTANTIATE_TEST_SUITE_P(Dynamic, KnownAnswers, testing::Values(kWay), name_of);
+INSTANTIATE_TEST_SUITE_P(Dynamic, KnownAnswersWithoutEnergy, testing::Values(kWay), name_of);
 
 TEST(Relaxation, NeedsNoMatrixAndNoFactorisation) {
   const Solved s = solve_with("relaxation", sample::hanging_panel(8, 34));
   EXPECT_EQ(s.solution.books.matrices, 0);
   EXPECT_EQ(s.solution.books.factorisations, 0);
   EXPECT_GT(s.solution.books.residuals, 1000);
-}
-
-TEST(Relaxation, FindsARopeInACurrent) {
-  const Level want = read_level("towed-cable-in-bars.txt", 10);
-  const SolvedFile s =
-      solve_file("verification/towed-rope.toml", {"analysis.solver=\"relaxation\"", "parts.rope.cells=10"});
-  ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
-  const auto top = s.solved.reaction(s.node("rope", "start"));
-  EXPECT_NEAR(top[0], want.values[0], 1e-6);
-  EXPECT_NEAR(top[2], want.values[1], 1e-6);
 }
 
 // The push turns with the bar: it drives the bar round and round, and no peak of the kinetic energy ends
@@ -92,26 +57,6 @@ TEST(Relaxation, ReturnsFromWhereThereAreNoForces) {
   const Solved solved = solve_with("relaxation", s.scene, {{"steps", std::int64_t{1}}, {"mass", 0.5}});
   EXPECT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
   EXPECT_NEAR(solved.position(1)[0], 0.9, 1e-9);
-}
-
-TEST(Relaxation, HasNothingToFindWhereAllIsHeld) {
-  const Solved s = solve_with("relaxation", bar_between_supports());
-  EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
-  EXPECT_NEAR(s.reaction(1)[0], 10, 1e-12);
-}
-
-TEST(Relaxation, NamesTheElementThatHasNoForceAtTheStart) {
-  const Solved s = solve_with("relaxation", bar_without_forces());
-  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
-  EXPECT_EQ(s.solution.at_fault, "picky element 0");
-}
-
-TEST(Relaxation, SaysThatItDidNotArriveWhereThereIsNoBalance) {
-  Limits limits;
-  limits.iterations = 5;
-  const Solved s = solve_with("relaxation", loose_load(), {}, limits);
-  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
-  EXPECT_TRUE(says(s, "runs away")) << s.solution.reason;
 }
 
 TEST(Relaxation, CountsSoManyStepsAsOneIteration) {

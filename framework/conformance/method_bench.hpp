@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/conformance/checks.hpp"
+
+namespace netloft::conformance {
+
+/// A solver or an integrator with its defaults.
+class MethodBench {
+ public:
+  MethodBench(std::span<const netloft_parameter> table, std::size_t bytes, const ConformanceOptions& o)
+      : threads_before(count_threads()),
+        parameters(table, bytes, required_of(table, ParameterSampler(table, o.seed).parameters(0)), faults) {}
+
+  std::size_t threads_before;
+  std::vector<std::string> faults;
+  std::string thrown;
+  ParameterBlock parameters;
+
+ protected:
+  /// What `call` returns; a fault when something came out of it that must not.
+  template <class Call>
+  int guarded(const char* function, int otherwise, Call&& call) {
+    try {
+      return call();
+    } catch (...) {
+      thrown = std::string("an exception came out of `") + function + "`";
+      return otherwise;
+    }
+  }
+};
+
+template <class Bench>
+Finding method_defaults_are_allowed(Bench& b) {
+  return judged(b.faults.empty() ? "" : b.faults.front());
+}
+template <class Bench>
+Finding method_starts_no_threads(Bench& b) {
+  return no_more_threads_than(b.threads_before);
+}
+
+}  // namespace netloft::conformance

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace netloft::conformance {
+
+/// What `work` takes with something that `prepare` makes for it anew [ns]. The least of several repeats,
+/// since everything that disturbs a measurement makes it longer.
+template <class Prepare, class Work>
+double least_nanoseconds(Prepare&& prepare, Work&& work) {
+  using Clock = std::chrono::steady_clock;
+  double least = std::numeric_limits<double>::infinity();
+  for (int repeat = 0; repeat < 15; ++repeat) {
+    auto prepared = prepare();
+    const auto start = Clock::now();
+    work(prepared);
+    const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
+    least = std::min(least, spent.count());
+  }
+  return least;
+}
+
+/// What one of many calls takes [ns].
+template <class Call>
+double least_nanoseconds_of(Call&& call) {
+  constexpr int kCalls = 100;
+  return least_nanoseconds([] { return kCalls; },
+                           [&](int calls) {
+                             while (calls-- > 0) call();
+                           }) /
+         kCalls;
+}
+
+}  // namespace netloft::conformance

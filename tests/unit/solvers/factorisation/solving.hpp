@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the tests of factorisations share: a right-hand side, and how well it is solved for.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/solvers/factorisation/net_matrix.hpp"
+
+namespace netloft {
+
+inline constexpr double kRoundOff = 1e-14;  // backward error of a stable factorisation: some tens of eps
+
+inline std::vector<double> made_up_vector(std::int32_t size) {
+  std::vector<double> b(size);
+  for (std::int32_t i = 0; i < size; ++i) b[i] = std::cos(0.3 * i);
+  return b;
+}
+
+/// Solution with new values of the pattern that was analysed last.
+inline std::vector<double> solve_again(Factorisation& factorisation, const TestMatrix& matrix) {
+  EXPECT_EQ(factorisation.factorise(matrix.value).status, FactorStatus::ok);
+  const std::vector<double> b = made_up_vector(matrix.pattern.size);
+  std::vector<double> x(b.size());
+  factorisation.solve(b, x);
+  return x;
+}
+
+inline std::vector<double> solve(Factorisation& factorisation, const TestMatrix& matrix) {
+  factorisation.analyse(matrix.pattern);
+  return solve_again(factorisation, matrix);
+}
+
+/// Backward errors of the two.
+inline double error_of_solving_again(Factorisation& factorisation, const TestMatrix& matrix) {
+  return matrix.backward_error(solve_again(factorisation, matrix), made_up_vector(matrix.pattern.size));
+}
+inline double error_of_solving(Factorisation& factorisation, const TestMatrix& matrix) {
+  return matrix.backward_error(solve(factorisation, matrix), made_up_vector(matrix.pattern.size));
+}
+
+}  // namespace netloft
