@@ -25,8 +25,11 @@ constexpr int kFewIterations = 60;
 constexpr double kPatience = 12, kLeastPatience = 1;
 // One easier scene may cost so many times the first attempt, and at least so many seconds.
 constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
-// Whoever may stand otherwise is shaken by this share of an element's size.
-constexpr double kLookShare = 1;
+// Whoever may stand otherwise is shaken by this share of an element's size; every other time by less, what
+// is stiff by the last of them.
+constexpr double kLookShare = 1, kNearShare = 0.1, kMovedShare = 0.3;
+// A motion of more unknowns takes longer than a look is worth.
+constexpr std::size_t kMostToMove = 5000;
 // Where it is known what grows, there are two sides to leave to, and one saddle may lead to another.
 constexpr int kTimesAside = 2;
 // What flutters, and from another way again, is taken for what it is.
@@ -34,7 +37,7 @@ constexpr int kTimesFluttering = 2;
 constexpr const char* kMoreDigits = "with more digits";
 // Digits that positions round off change a shape by no more than this, over its size.
 constexpr double kSameShape = 1e-4;
-// A residual of this share of the largest load, and no way on: a saddle, not yet met with all digits.
+// A residual of this share of the largest load: all but solved, or if there is no way on, a saddle.
 constexpr double kNearly = 1e-5;
 // A residual of this share of the largest load: as many iterations again may well be enough; so often from
 // an own start, as long as they bring it on.
@@ -48,11 +51,12 @@ constexpr int kOwnLooks = 6;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
 
-/// Where forces balance, or nearly, and no step downhill is seen for symmetry.
-bool is_at_saddle(const Solution& s) {
-  return s.status == SolveStatus::unstable ||
-         (s.status == SolveStatus::not_converged && s.balance.residual < kNearly * s.balance.scale);
+bool is_nearly(const Solution& s) {
+  return s.status == SolveStatus::not_converged && s.balance.residual < kNearly * s.balance.scale;
 }
+
+/// Where forces balance, or nearly, and no step downhill is seen for symmetry.
+bool is_at_saddle(const Solution& s) { return s.status == SolveStatus::unstable || is_nearly(s); }
 
 /// Where a few more iterations promise more than another way.
 bool is_on_its_way(const Solution& s) {
@@ -279,14 +283,19 @@ bool Journey::is_in_balance(const Scene& scene, const Displacements& u) const {
   return problem.recompute(u, x, residual, energy) && problem.balance(x, residual).balanced;
 }
 
-/// At first where it stands with nothing pressed; then from the best that is known, shaken by an element's
-/// size, each time otherwise.
+/// At first where it stands with nothing pressed; then from the best that is known, shaken each time
+/// otherwise, by an element's size and by less in turns. Of what is stiff that leaves strains which Newton's
+/// steps do not undo: it goes from soft to stiff, and in turns to where it moves.
 Journey::Displacements Journey::start_of_look(int look, const Displacements& start, const Solution& best) {
   if (look == 1)
     if (const auto convex = over_tension_only(start, best)) return *convex;
   ++turn_;
-  Displacements from = shaken(best.u, kLookShare);
-  return is_stiff() ? over_stiffness(from, best).value_or(from) : from;
+  const bool is_near = look % 2 == 1;
+  if (!is_stiff()) return shaken(best.u, is_near ? kNearShare : kLookShare);
+  if (is_near && best.u.size() <= kMostToMove)
+    if (const auto moved = move(shaken(best.u, kMovedShare))) return moved->u;
+  const Displacements from = shaken(best.u, kLookShare);
+  return over_stiffness(from, best).value_or(from);
 }
 
 /// Iterations of all legs, each times its unknowns.
@@ -297,10 +306,13 @@ double Journey::work() const {
   return sum;
 }
 
-/// The scene itself, and where that ends at a saddle, away from it.
+/// The scene itself, if it is all but solved with as many iterations again, and where that ends at a saddle,
+/// away from it.
 Solution Journey::solve_itself_off_saddles(const std::string& name, const Displacements& start,
                                            const Limits& limits) {
   Solution s = solve_itself(name, start, limits);
+  if (s.books.iterations >= limits.iterations && is_nearly(s))
+    keep_better(s, solve_itself(name + ", further", s.u, limits));
   leave_saddles(s, name, limits);
   return s;
 }
