@@ -29,7 +29,7 @@ constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
 // is stiff by the last of them.
 constexpr double kLookShare = 1, kNearShare = 0.1, kMovedShare = 0.3;
 // A motion of more unknowns takes longer than a look is worth.
-constexpr std::size_t kMostToMove = 5000;
+constexpr std::size_t kMostToMove = 1000;
 // Where it is known what grows, there are two sides to leave to, and one saddle may lead to another.
 constexpr int kTimesAside = 2;
 // What flutters, and from another way again, is taken for what it is.
@@ -205,11 +205,14 @@ void Journey::gain_digits(Solution& best) {
 
 /// Forces without an energy may keep a gear in motion for ever. With one, its damping would end it.
 void Journey::tell_of_restlessness(Solution& best) const {
-  if (has_arrived(best) || flutters(best) || is_conservative_ || restless_ == 0) return;
+  const bool was_cut_off = best.status == SolveStatus::interrupted || seconds_left() == 0;
+  if (has_arrived(best) || flutters(best) || is_conservative_ || restless_ == 0 || was_cut_off) return;
   best.is_restless = true;
-  best.reason += "; its motion did not come to rest over " + std::to_string(std::lround(kLongestWay)) +
-                 " times its size" +
-                 (restless_ > 1 ? ", from none of " + std::to_string(restless_) + " starts" : "");
+  best.reason +=
+      "; its motion did not come to rest over " + std::to_string(std::lround(kLongestWay)) +
+      " times its size" +
+      (motions_ > 1 ? ", from " + std::to_string(restless_) + " of " + std::to_string(motions_) + " starts"
+                    : "");
 }
 
 /// By its energy; the residual flickers where many members are just taut.
@@ -290,9 +293,9 @@ Journey::Displacements Journey::start_of_look(int look, const Displacements& sta
   if (look == 1)
     if (const auto convex = over_tension_only(start, best)) return *convex;
   ++turn_;
-  const bool is_near = look % 2 == 1;
+  const bool is_near = look > 1 && look % 2 == 1;
   if (!is_stiff()) return shaken(best.u, is_near ? kNearShare : kLookShare);
-  if (is_near && best.u.size() <= kMostToMove)
+  if (is_near && !sticks() && best.u.size() <= kMostToMove)
     if (const auto moved = move(shaken(best.u, kMovedShare))) return moved->u;
   const Displacements from = shaken(best.u, kLookShare);
   return over_stiffness(from, best).value_or(from);
@@ -311,7 +314,8 @@ double Journey::work() const {
 Solution Journey::solve_itself_off_saddles(const std::string& name, const Displacements& start,
                                            const Limits& limits) {
   Solution s = solve_itself(name, start, limits);
-  if (s.books.iterations >= limits.iterations && is_nearly(s))
+  const bool may_go_on = options_.detours && limits.iterations < options_.limits.iterations && !out_of_time();
+  if (may_go_on && s.books.iterations >= limits.iterations && is_nearly(s))
     keep_better(s, solve_itself(name + ", further", s.u, limits));
   leave_saddles(s, name, limits);
   return s;

@@ -140,11 +140,11 @@ class Journey {
   bool is_conservative_ = true;
   bool is_nearby_ = false;  // what is solved next is the scene itself from the start that was given
   bool may_move_ = true;
-  double side_ = -1;       // to which it went aside the last time
-  int turn_ = 0;           // each has its own way of shaking
-  int restless_ = 0;       // motions that were given up because they went on and on
-  Displacements relaxed_;  // where a matrix-free solver brought it; empty: was not asked
-  Displacements moved_;    // where it was still moving; empty: it came to rest, or was not asked
+  double side_ = -1;                // to which it went aside the last time
+  int turn_ = 0;                    // each has its own way of shaking
+  int motions_ = 0, restless_ = 0;  // and how many were given up because they went on and on
+  Displacements relaxed_;           // where a matrix-free solver brought it; empty: was not asked
+  Displacements moved_;             // where it was still moving; empty: it came to rest, or was not asked
 };
 
 }  // namespace netloft

@@ -27,7 +27,7 @@ constexpr double kMotionPatience = 0.4;
 }  // namespace
 
 /// From a little aside of a saddle, where forces have no energy, to where that moves; else there itself, or
-/// if it is stiff, by way of softer ones. Whoever only looks has no time to move.
+/// if it is stiff, by way of softer ones. Whoever only looks does not move from there.
 Journey::Displacements Journey::away_from(const Solution& saddle) {
   Displacements aside = saddle.growing.empty() ? shaken(saddle.u, kLeaveShare) : grown(saddle);
   if (!is_conservative_ && may_move_)
@@ -159,7 +159,7 @@ std::optional<Solution> Journey::move(const Displacements& start) {
   leg_way_ = kLongestWay;
   Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance, kMotionSteps);
   leg_patience_ = before, leg_way_ = Limits{}.way;
-  restless_ += s.is_restless;
+  ++motions_, restless_ += s.is_restless;
   return s;
 }
 

@@ -16,7 +16,8 @@ namespace netloft {
 
 namespace {
 
-constexpr double kLeastSigma = 1e-10;
+// Of (3); and by how much another is tried where −σ is an eigenvalue.
+constexpr double kLeastSigma = 1e-10, kMostSigma = 1e16, kAside = 1.3;
 constexpr int kPowers = 60, kMeasured = 20;
 // ε of (2), by which flow damps where it does not; what is equal but for rounding, of the largest entry.
 constexpr double kLittle = 0.01, kRounding = 1e-9;
@@ -180,14 +181,15 @@ Growth growth_at(double sigma, const SparsePattern& p, std::span<const double> K
   return {growth, -lambda.real(), std::abs(lambda.imag()), std::move(powers.vector())};
 }
 
-/// A power of ten that no entry of the diagonal of K is above, over that of M; at least 1. A pressed member
-/// that is next to nothing long pushes aside much more stiffly than its linear stiffness.
+/// A power of ten that no entry of the diagonal of K is above, over that of M, but for rounding; from 1 to
+/// kMostSigma. A pressed member that is next to nothing long pushes aside much more stiffly than its linear
+/// stiffness.
 double largest_sigma(const SparsePattern& p, std::span<const double> K, std::span<const double> M) {
   double largest = 1;
   for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) {
     if (r == c && M[at] > 0 && std::isfinite(K[at])) largest = std::max(largest, std::abs(K[at]) / M[at]);
   });
-  return std::pow(10, std::ceil(std::log10(largest)));
+  return std::min(kMostSigma, std::pow(10, std::ceil(std::log10(largest) - kRounding)));
 }
 
 /// Makes the linear stiffness M the matrix of (2). 1/τ; zero where the trace of C is not positive.
@@ -200,12 +202,14 @@ double add_damping(const SparsePattern& p, std::span<const double> C, std::span<
 
 }  // namespace
 
-Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make) {
+Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make,
+                   std::span<const double> x_low) {
+  const double* low = x_low.empty() ? nullptr : x_low.data();
   // An assembler has more values than its pattern.
   std::vector<double> K(assembler.value_slots()), C = K, M = K;
-  if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}) ||
-      !assembler.evaluate(x,
-                          {.matrix = MatrixKind::exact, .values = C.data(), .motion = {.cu = 0, .cv = 1}}) ||
+  if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data(), .motion = {.x_low = low}}) ||
+      !assembler.evaluate(
+          x, {.matrix = MatrixKind::exact, .values = C.data(), .motion = {.cu = 0, .cv = 1, .x_low = low}}) ||
       !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
     return {.per_power = std::numeric_limits<double>::quiet_NaN()};
   const SparsePattern& pattern = assembler.pattern();
@@ -226,6 +230,7 @@ Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std:
   Growth most;
   for (double sigma = largest_sigma(pattern, K, M); sigma > kLeastSigma / 2 && !most.grows(); sigma /= 10) {
     Growth growth = growth_at(sigma, pattern, K, M, *factorisation);
+    if (std::isnan(growth.per_power)) growth = growth_at(kAside * sigma, pattern, K, M, *factorisation);
     if (std::isnan(growth.per_power)) return growth;
     if (growth.per_power > most.per_power) most = std::move(growth);
   }

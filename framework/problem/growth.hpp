@@ -42,8 +42,9 @@ struct Growth {
 /// two Cholesky factorisations, which are tried first.
 ///
 /// Returns the largest growth found, per power of (3), up to the first beyond kGrows, which is unstable; zero
-/// by (4). No number where K + σM could not be factorised.
-Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make);
+/// by (4). No number where K + σM could not be factorised. `x_low`: what x rounds off, if it is known.
+Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make,
+                   std::span<const double> x_low = {});
 Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
                    const MakeFactorisation& make);
 

@@ -108,12 +108,16 @@ void find_correction(Solution& s, StaticProblem& problem, const Assembler& assem
     return;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
   s.corrected = problem.positions(u), s.corrected_low = problem.low_digits();
-  s.correction = largest_node_distance(scene, assembler.numbering(), s.x, s.corrected);
+  std::vector<double> way(s.x.size());
+  for (std::size_t i = 0; i < way.size(); ++i) way[i] = s.corrected[i] - s.x[i];
+  if (!s.x_low.empty())
+    for (std::size_t i = 0; i < way.size(); ++i) way[i] += s.corrected_low[i] - s.x_low[i];
+  s.correction = largest_node_distance(scene, assembler.numbering(), std::vector<double>(way.size()), way);
 }
 
 /// Where forces have no energy.
 void find_what_grows(Solution& s, Assembler& assembler, const MakeFactorisation& make) {
-  Growth growth = find_growth(assembler, s.x, make);
+  Growth growth = find_growth(assembler, s.x, make, s.x_low);
   if (!growth.grows()) return;
   s.stability = Stability::unstable;
   s.growing = std::move(growth.mode);

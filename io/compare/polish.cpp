@@ -5,6 +5,8 @@
 #include "solvers/factorisation/factorisation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace netloft::io {
 
@@ -17,6 +19,13 @@ void measure(StaticProblem& problem, Polished& p) {
   if (!p.evaluated) return;
   const Balance balance = problem.balance(p.x, p.residuals);
   p.residual = balance.residual, p.load = balance.scale;
+}
+
+/// Of the largest coordinate [m]: no position is known better.
+double last_digit(const std::vector<double>& x) {
+  double largest = 0;
+  for (const double coordinate : x) largest = std::max(largest, std::abs(coordinate));
+  return std::numeric_limits<double>::epsilon() * largest;
 }
 
 /// Where a Newton step leads; not evaluated when there is none.
@@ -44,7 +53,8 @@ Polished polish(Case& fresh, const std::vector<double>& u) {
     Polished to = next(problem, best);
     if (!to.evaluated) break;
     const double way =
-        largest_node_distance(fresh.loaded().scene, fresh.assembler().numbering(), best.x, to.x);
+        std::max(largest_node_distance(fresh.loaded().scene, fresh.assembler().numbering(), best.x, to.x),
+                 last_digit(best.x));
     if (!(to.residual < best.residual)) {
       best.uncertainty = way;
       break;

@@ -7,9 +7,10 @@ namespace netloft::io {
 /// An answer brought down to the round-off floor, as far as the host's own Newton steps bring it.
 struct Polished {
   std::vector<double> x, u, residuals;  // as in Solution
-  double residual = 0, load = 0;        // recomputed at x [N]
+  double residual = 0, load = 0;        // recomputed there, with what x rounds off [N]
   double energy = 0;                    // [J]
-  /// Largest nodal move of the last step, which lowered the residual no more: what x is known to [m].
+  /// Largest nodal move of the last step, which lowered the residual no more, or the last digit of x: what x
+  /// is known to [m].
   double uncertainty = std::numeric_limits<double>::quiet_NaN();
   bool evaluated = false;  // false: there are no forces at the answer
 };

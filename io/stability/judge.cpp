@@ -38,7 +38,7 @@ bool claims_success(const Solution& s) { return s.status == SolveStatus::converg
 Where judge_failure(const Ended& ended, Expected expected, bool has_reference) {
   if (expected == Expected::none) return ended.out_of_time ? Where::late : Where::honest;
   if (!has_reference && flutters(ended.solution)) return Where::flutters;
-  if (!has_reference && ended.solution.is_restless) return Where::restless;
+  if (!has_reference && ended.solution.is_restless && !ended.out_of_time) return Where::restless;
   return ended.solution.status == SolveStatus::unstable ? Where::unstable : Where::failed;
 }
 

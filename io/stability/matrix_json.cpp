@@ -56,10 +56,33 @@ Json overrides_json(const StabilityCase& c, const std::string& size) {
   return all;
 }
 
+Json start_json(const std::vector<StartStep>& start) {
+  Json all = Json::array();
+  for (const StartStep& step : start) switch (step.kind) {
+      case StartStep::Kind::noise:
+        all.push_back({{"noise", step.amplitude}, {"seed", step.seed}});
+        break;
+      case StartStep::Kind::scale:
+        all.push_back({{"scale", step.factor}, {"about", step.about}});
+        break;
+      case StartStep::Kind::turn:
+        all.push_back({{"turn", step.angle}, {"axis", step.axis}, {"about", step.about}});
+        break;
+      case StartStep::Kind::shift:
+        all.push_back({{"shift", step.shift}});
+        break;
+      case StartStep::Kind::shuffle:
+        all.push_back({{"shuffle", true}, {"seed", step.seed}});
+        break;
+    }
+  return all;
+}
+
 Json cell_json(const Cell& c, const Row& row) {
   return {{"name", c.name},
           {"scene", row.about->scene.lexically_normal().generic_string()},
           {"set", overrides_json(*row.about, c.size)},
+          {"start", start_json(row.about->start)},
           {"size", c.size},
           {"solver", c.solver},
           {"unknowns", c.unknowns},

@@ -94,7 +94,7 @@ class SuiteRun {
     e.out_of_time = e.solution.books.total_seconds >= seconds_for(size);
     if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
     if (!e.conservative && a.arrived())
-      e.grows = find_growth(one.assembler(), e.solution.x, make_factorisation).grows();
+      e.grows = find_growth(one.assembler(), e.solution.x, make_factorisation, e.solution.x_low).grows();
     return a;
   }
 

@@ -237,7 +237,7 @@ std::size_t place_of(const Solution& s, const std::string& name) {
   return static_cast<std::size_t>(leg - s.legs.begin());
 }
 
-TEST(Journey, MovesNoMoreOnceItIsSeenToGoRoundAndRoundAndTellsOfIt) {
+TEST(Journey, TellsOfWhatGoesRoundAndRoundAndDoesNotFollowItFurther) {
   plugins();
   const Solution s = travel(whirling_bar()).solution;
   const std::size_t motion = place_of(s, "motion");

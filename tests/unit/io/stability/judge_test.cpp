@@ -108,6 +108,8 @@ TEST(Judge, ToGoOnAndOnIsRightOnlyWhereNobodyKnowsAPlaceToRest) {
     e.solution.status = status, e.solution.is_restless = true;
     EXPECT_EQ(judge(StabilityCase{}, std::nullopt, e).where, Where::restless);
     EXPECT_FALSE(is_right(where(e)));
+    e.out_of_time = true;
+    EXPECT_FALSE(is_right(judge(StabilityCase{}, std::nullopt, e).where));
   }
   EXPECT_TRUE(is_right(Where::restless) && !is_arrival(Where::restless) && !is_lie(Where::restless));
 }
