@@ -21,18 +21,9 @@ Layout layout_of(const ElementType& type) {
 }
 
 const std::vector<std::string>& geometry_data(Layout layout) {
-  static const std::vector<std::string> point{"share", "length"}, line{"rest_length"},
-      triangles{"u", "v", "bar_length", "to_aft"}, bars{"rest_length", "parallel"};
-  switch (layout) {
-    case Layout::line:
-      return line;
-    case Layout::panel_in_triangles:
-      return triangles;
-    case Layout::panel_in_bars:
-      return bars;
-    default:
-      return point;
-  }
+  static const ByLayout<std::vector<std::string>> data{
+      {"share", "length"}, {"rest_length"}, {"u", "v", "bar_length", "to_aft"}, {"rest_length", "parallel"}};
+  return data.of(layout);
 }
 
 Point along_line(const std::vector<Point>& line, double t) {

@@ -102,20 +102,12 @@ std::vector<Point> read_points(TableReader& table, const GeometryKey& key) {
 }
 
 const std::vector<GeometryKey>& geometry_keys(Layout layout) {
-  static const std::vector<GeometryKey> point{kAt}, line{kLength, kBars, kLine},
-      triangles{kAcross,  kAlong, kBar, kNetting, kCells,    kDivision,
-                kCorners, kFrom,  kTo,  kRadius,  kRadiusAft},
-      bars{kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft};
-  switch (layout) {
-    case Layout::line:
-      return line;
-    case Layout::panel_in_triangles:
-      return triangles;
-    case Layout::panel_in_bars:
-      return bars;
-    default:
-      return point;
-  }
+  static const ByLayout<std::vector<GeometryKey>> keys{
+      {kAt},
+      {kLength, kBars, kLine},
+      {kAcross, kAlong, kBar, kNetting, kCells, kDivision, kCorners, kFrom, kTo, kRadius, kRadiusAft},
+      {kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft}};
+  return keys.of(layout);
 }
 
 }  // namespace netloft::io

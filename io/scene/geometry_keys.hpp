@@ -13,6 +13,25 @@ inline constexpr std::int64_t kMostCells = 100000;  // along one direction
 
 using Point = std::array<double, 3>;
 
+/// What parts have that stand so or so.
+template <class T>
+struct ByLayout {
+  T point, line, panel_in_triangles, panel_in_bars;
+
+  const T& of(Layout layout) const {
+    switch (layout) {
+      case Layout::line:
+        return line;
+      case Layout::panel_in_triangles:
+        return panel_in_triangles;
+      case Layout::panel_in_bars:
+        return panel_in_bars;
+      default:
+        return point;
+    }
+  }
+};
+
 extern const GeometryKey kAt, kLength, kBars, kLine, kAcross, kAlong, kBar, kNetting, kCells, kDivision,
     kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft;
 
