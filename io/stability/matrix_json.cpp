@@ -66,7 +66,8 @@ Json start_json(const std::vector<StartStep>& start) {
         all.push_back({{"scale", step.factor}, {"about", step.about}});
         break;
       case StartStep::Kind::turn:
-        all.push_back({{"turn", step.angle}, {"axis", step.axis}, {"about", step.about}});
+        all.push_back(
+            {{"turn", step.angle}, {"axis", std::string(1, "xyz"[step.axis])}, {"about", step.about}});
         break;
       case StartStep::Kind::shift:
         all.push_back({{"shift", step.shift}});

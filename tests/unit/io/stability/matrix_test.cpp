@@ -17,6 +17,7 @@ class Matrix : public ::testing::Test {
     panel.name = "panel/<slack>", panel.about = "slack & \"cold\"";
     none.name = "rope/loose", none.expected = Expected::none, none.drawn = true;
     none.scene = "rope.toml", none.overrides = {"parts.rope.EA=1e9"};
+    none.start = {{.amplitude = 2.5, .seed = 7}, {.kind = StartStep::Kind::turn, .angle = 0.5, .axis = 2}};
     none.sizes["small"] = {"parts.rope.cells=67"}, none.sizes["large"] = {"parts.rope.cells=4000"};
     rows = {{&panel, "small", {cell(panel, "auto", Where::reference), cell(panel, "lbfgs", Where::unfit)}, 1},
             {&none, "small", {cell(none, "auto", Where::honest), cell(none, "lbfgs", Where::lied)}, 0}};
@@ -69,6 +70,11 @@ TEST_F(Matrix, JsonHasEveryCaseWithItsFigures) {
   EXPECT_EQ(c["reason"], "1 < 2");
   EXPECT_EQ(c["scene"], "rope.toml");
   EXPECT_EQ(c["set"], nlohmann::json({"parts.rope.EA=1e9", "parts.rope.cells=67"}));
+  ASSERT_EQ(c["start"].size(), 2u);
+  EXPECT_EQ(c["start"][0], nlohmann::json({{"noise", 2.5}, {"seed", 7}}));
+  EXPECT_EQ(c["start"][1]["turn"], 0.5);
+  EXPECT_EQ(c["start"][1]["axis"], "z");
+  EXPECT_TRUE(json["cases"][0]["start"].empty());
   EXPECT_EQ(json["cases"][0]["arrived"], true);
   EXPECT_TRUE(json["cases"][0]["energy"].is_null());
 }
