@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 #include "io/analysis/case.hpp"
@@ -45,9 +46,9 @@ struct HungBars {
   }
 };
 
+/// Largest error of a node [m], of a tension [N], and what is told of that of the result `tension`, if asked.
 struct Off {
-  double furthest = 0, tension = 0,
-         told = 0;  // largest error of a node [m], of a tension, and its estimate [N]
+  double furthest = 0, tension = 0, told = std::numeric_limits<double>::quiet_NaN();
 };
 
 Off off(const std::vector<std::string>& overrides, HungBars bars) {
