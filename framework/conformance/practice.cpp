@@ -22,6 +22,7 @@ PracticeProblem::PracticeProblem(const Practice& like) : like_(like), n_(like.un
   p.message = message_, p.message_size = sizeof message_;
   p.evaluate = call<&PracticeProblem::evaluate, std::uint32_t, const double*, double*, double*>;
   p.factorise = call<&PracticeProblem::factorise, int, double>;
+  p.factorise_between = call<&PracticeProblem::factorise_between, double, double>;
   p.solve = call<&PracticeProblem::solve, const double*, double*>;
   p.multiply = call<&PracticeProblem::multiply, int, double, const double*, double*>;
   p.row_sums = call<&PracticeProblem::row_sums, int, double, double*>;
@@ -130,6 +131,9 @@ int PracticeProblem::factorise(int matrix, double shift) {
   }
   return NETLOFT_FACTOR_OK;
 }
+
+/// The chain is its own convex part.
+int PracticeProblem::factorise_between(double, double shift) { return factorise(NETLOFT_EXACT, shift); }
 
 int PracticeProblem::solve(const double* rhs, double* x) const {
   if (factor_.empty() && n_ > 0) return NETLOFT_ERROR;

@@ -97,6 +97,7 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   interface_.evaluate =
       Callback<std::uint32_t, const double*, double*, double*>::call<&StaticProblem::evaluate>;
   interface_.factorise = Callback<int, double>::call<&StaticProblem::factorise>;
+  interface_.factorise_between = Callback<double, double>::call<&StaticProblem::factorise_between>;
   interface_.solve = Callback<const double*, double*>::call<&StaticProblem::solve>;
   interface_.multiply = Callback<int, double, const double*, double*>::call<&StaticProblem::multiply>;
   interface_.row_sums = Callback<int, double, double*>::call<&StaticProblem::row_sums>;
@@ -249,10 +250,29 @@ std::span<const double> StaticProblem::shifted(int matrix, double shift) {
   return shifted_;
 }
 
+/// exact + share x (convex - exact) + shift x metric, over the entries of the pattern.
+std::span<const double> StaticProblem::between(double share, double shift) {
+  if (exact_.empty() || convex_.empty()) return {};
+  need_metric();
+  const std::size_t entries = assembler_.pattern().value_slots();
+  shifted_.resize(entries);
+  for (std::size_t i = 0; i < entries; ++i)
+    shifted_[i] = exact_[i] + share * (convex_[i] - exact_[i]) + shift * metric_[i];
+  return shifted_;
+}
+
 int StaticProblem::factorise(int matrix, double shift) {
-  const auto v = shifted(matrix & ~NETLOFT_INDEFINITE, shift);
+  return factorise_and_count(matrix_class(matrix & NETLOFT_INDEFINITE),
+                             shifted(matrix & ~NETLOFT_INDEFINITE, shift));
+}
+
+int StaticProblem::factorise_between(double share, double shift) {
+  return factorise_and_count(matrix_class(false), between(share, shift));
+}
+
+netloft_factor StaticProblem::factorise_and_count(MatrixClass kind, std::span<const double> v) {
   if (v.empty() && !u_.empty()) return NETLOFT_FACTOR_FAILED;
-  const netloft_factor code = factorise_as(matrix_class(matrix & NETLOFT_INDEFINITE), v);
+  const netloft_factor code = factorise_as(kind, v);
   ++books_.factorisations;
   books_.refused_factorisations += code != NETLOFT_FACTOR_OK;
   return code;

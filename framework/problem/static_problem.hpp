@@ -102,6 +102,7 @@ class StaticProblem {
  private:
   int evaluate(std::uint32_t want, const double* u, double* energy, double* residual);
   int factorise(int matrix, double shift);
+  int factorise_between(double share, double shift);
   int solve(const double* rhs, double* x);
   int multiply(int matrix, double shift, const double* x, double* y);
   int row_sums(int matrix, double shift, double* y);
@@ -115,6 +116,8 @@ class StaticProblem {
   std::vector<double>& values(MatrixKind kind);
   void need_metric();
   std::span<const double> shifted(int matrix, double shift);
+  std::span<const double> between(double share, double shift);
+  netloft_factor factorise_and_count(MatrixClass kind, std::span<const double> v);
   MatrixClass matrix_class(bool may_be_indefinite) const;
   netloft_factor factorise_as(MatrixClass kind, std::span<const double> values);
   std::vector<double> sum_of_terms(bool (*counts)(std::uint32_t traits));

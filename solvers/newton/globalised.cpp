@@ -27,6 +27,8 @@ constexpr double kLargestDamping = 64, kSmallestDamping = 1e-12;
 // K is hardly indefinite where a σ between the latter two makes it positive definite; only asked where
 // damping is below the first, or no step leads on.
 constexpr double kHardlyDamped = 1e-6, kLeastSigma = 1e-7, kMostSigma = 1e-4;
+// Less of the convex part is as good as none.
+constexpr double kLeastShare = 1.0 / 4096;
 // So many steps in a row that promise no less to gain than before: (8) leads nowhere.
 constexpr int kStalled = 5;
 
@@ -88,16 +90,26 @@ class Globalised {
     if (factor == Factor::ok) may_be_hardly_ = true;
     if (factor == Factor::not_positive && (may_be_hardly_ = is_hardly_indefinite())) factor = Factor::ok;
     if (factor == Factor::not_positive) {
-      note_ = "convex part";
       if (problem_.evaluate(problem_.u(), Matrix::convex) != Evaluation::ok) return false;
-      double shift = std::max(mu_, 1e-10);
-      while ((factor = problem_.factorise(Matrix::convex, shift)) == Factor::not_positive &&
-             shift < kLargestDamping)
-        shift = std::max(shift * 100, 1e-8);
+      factor = factorise_partly_convex();
     }
     if (factor != Factor::ok) return false;
     solve_for_step();
     return true;
+  }
+
+  /// K + θ (K₊ − K), with half the θ of the last time or as much more as it takes, by powers of two.
+  Factor factorise_partly_convex() {
+    note_ = "convex part";
+    double shift = std::max(mu_, 1e-10);
+    for (share_ = std::max(0.5 * share_, kLeastShare); share_ < 1; share_ *= 2)
+      if (const Factor factor = problem_.factorise_between(share_, shift); factor != Factor::not_positive)
+        return factor;
+    Factor factor = problem_.factorise(Matrix::convex, shift);
+    for (; factor == Factor::not_positive && shift < kLargestDamping;
+         factor = problem_.factorise(Matrix::convex, shift))
+      shift = std::max(shift * 100, 1e-8);
+    return factor;
   }
 
   /// Whether K + σM is positive definite with a small σ: then (7) tells more of K than K₊ does. Where it was
@@ -294,7 +306,8 @@ class Globalised {
 
   const Newton::Parameters& p_;
   Problem& problem_;
-  double mu_, sigma_ = kLeastSigma, energy_ = 0, least_gain_ = std::numeric_limits<double>::infinity();
+  double mu_, sigma_ = kLeastSigma, share_ = 1, energy_ = 0,
+              least_gain_ = std::numeric_limits<double>::infinity();
   int times_no_less_ = 0;
   bool was_uphill_ = false, may_be_hardly_ = true, at_saddle_ = false, is_in_noise_ = false,
        tried_softly_ = false;

@@ -336,6 +336,9 @@ typedef struct netloft_problem {
   int (*row_sums)(void* host, int matrix, double shift, double* y);
   /* Negative eigenvalues of the last matrix factorised with INDEFINITE, or -1 if not known. */
   int (*negative_pivots)(void* host);
+  /* Factorises (1 - share) x exact + share x convex + shift x metric, both kept by evaluations at the same
+   * point; `share` in [0, 1]. */
+  int (*factorise_between)(void* host, double share, double shift);
 } netloft_problem;
 
 typedef struct netloft_solver {

@@ -83,6 +83,33 @@ TEST(StaticProblem, SolvesWithWhatItMultipliesBy) {
   expect_solve_undoes_multiply(c, NETLOFT_EXACT, NETLOFT_INDEFINITE, 0.3);
 }
 
+/// (1 - share) exact + share convex + shift x metric, of the last evaluations, times x.
+std::vector<double> between(Called& c, double share, double shift, const std::vector<double>& x) {
+  const auto exact = c.multiply(NETLOFT_EXACT, shift, x), convex = c.multiply(NETLOFT_CONVEX, shift, x);
+  std::vector<double> y(x.size());
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = (1 - share) * exact[i] + share * convex[i];
+  return y;
+}
+
+TEST(StaticProblem, SolvesWithAsMuchOfTheConvexPartAsIsWanted) {
+  Sketch s = hanging_chain();
+  s.scene.positions[3 * 4 + 2] = -3.7;  // the last bar is short: pressed, and held sideways by nothing
+  s.scene.parts[0].parameters["rope.EA_compression"] = 1e4;
+  Called c(s.scene);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
+  EXPECT_EQ(c.p.factorise_between(c.p.host, 0.5, 0.1), NETLOFT_FACTOR_FAILED);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_CONVEX), NETLOFT_OK);
+  const auto x = random_numbers(c.p.unknowns, 3);
+  ASSERT_GT(largest_difference(between(c, 0.2, 10, x), between(c, 0.7, 10, x)), 1);
+  const int before = c.problem.books().factorisations;
+  for (const double share : {0.2, 0.7, 1.0}) {
+    ASSERT_EQ(c.p.factorise_between(c.p.host, share, 10), NETLOFT_FACTOR_OK);
+    EXPECT_LT(largest_difference(c.solve(between(c, share, 10, x)), x), 1e-10);
+  }
+  EXPECT_EQ(c.p.factorise_between(c.p.host, 0, 0), NETLOFT_NOT_POSITIVE);
+  EXPECT_EQ(c.problem.books().factorisations, before + 4);
+}
+
 TEST(StaticProblem, SolvesAnUnsymmetricProblem) {
   Sketch s = hanging_chain();
   s.part("push", "test/follower", {{"k", 300.0}}, {1, 2, 2, 3}).data["rest_length"] = {1, 1};
