@@ -39,14 +39,16 @@ constexpr const char* kMoreDigits = "with more digits";
 constexpr double kSameShape = 1e-4;
 // A residual of this share of the largest load: all but solved, or if there is no way on, a saddle.
 constexpr double kNearly = 1e-5;
-// A residual of this share of the largest load: as many iterations again may well be enough; so often from
-// an own start, as long as they bring it on.
+// A residual of this share of the largest load: as many iterations again may well be enough; so often, as
+// long as they bring it on.
 constexpr double kOnItsWay = 0.03;
 constexpr int kTimesFurther = 5;
 // Unasked, other shapes are looked for after so many iterations, so often, while all iterations times
 // unknowns are no more than the first of these; after less where there may well be others, while they are no
-// more than the second one.
-constexpr double kLongWay = 100, kLookWork = 1e7, kShortLookWork = 3e6;
+// more than the second one; without an own start, where what is pressed bears the last of them of the largest
+// load, while they are no more than the third.
+constexpr double kLongWay = 100, kLookWork = 1e7, kShortLookWork = 3e6, kSmallLookWork = 3e5,
+                 kMuchPressed = 1e-3;
 constexpr int kOwnLooks = 6;
 
 bool has_arrived(const Solution& s) { return s.status == SolveStatus::converged; }
@@ -168,7 +170,7 @@ bool Journey::is_stiff() const { return options_.detours && stretch_ < kStiff; }
 
 /// From where it is.
 void Journey::go_further(Solution& best, const std::string& name, const Limits& limits) {
-  if (!options_.own_start.soon) return keep_better(best, solve_itself_off_saddles(name, best.u, limits));
+  if (!is_conservative_) return keep_better(best, solve_itself_off_saddles(name, best.u, limits));
   Solution last = best;
   for (int times = 0; times < kTimesFurther && !out_of_time(); ++times) {
     Solution next = solve_itself(name, last.u, limits);
@@ -178,6 +180,7 @@ void Journey::go_further(Solution& best, const std::string& name, const Limits& 
     keep_better(best, std::move(next));
     if (!goes_on) break;
   }
+  leave_saddles(best, name, limits);
 }
 
 /// Where it ended at the rounding of its positions, or that is all that keeps it from balance, from there
@@ -252,11 +255,12 @@ void Journey::look_for_other_shapes(Solution& best, const Displacements& start, 
   const bool as_suits = options_.looks == JourneyOptions::kLooksThatSuit;
   const bool was_long = work() >= kLongWay * static_cast<double>(best.u.size());
   // What sticks stands in any number of ways.
-  if (as_suits && (sticks() || !(was_long || may_well_stand_otherwise(best)))) return;
+  const double worth = !as_suits                 ? std::numeric_limits<double>::infinity()
+                       : was_long                ? kLookWork
+                       : options_.own_start.soon ? kShortLookWork
+                                                 : kSmallLookWork;
+  if (as_suits && (sticks() || work() > worth || !(was_long || may_well_stand_otherwise(best)))) return;
   const int looks = as_suits ? kOwnLooks : options_.looks;
-  const double worth = !as_suits  ? std::numeric_limits<double>::infinity()
-                       : was_long ? kLookWork
-                                  : kShortLookWork;
   patience_ = leg_patience_ = std::numeric_limits<double>::infinity();
   may_move_ = !as_suits;
   const StaticProblem problem(assembler_, options_.make, options_.limits);
@@ -268,22 +272,24 @@ void Journey::look_for_other_shapes(Solution& best, const Displacements& start, 
   best = finder.best();
 }
 
-/// An own start leads past the many ways in which what is pressed may fold, to one of them. Where nothing is
-/// pressed there, the gear would stand so if it bore tension only: under dead loads the shape of least
-/// energy.
+/// There are many ways in which what is pressed may fold, and this is one of them. Where nothing is pressed,
+/// the gear would stand so if it bore tension only: under dead loads the shape of least energy.
 bool Journey::may_well_stand_otherwise(const Solution& best) const {
-  if (!options_.own_start.soon || !is_conservative_) return false;
+  if (!is_conservative_) return false;
   const auto easier = without_compression(scene_, registry_);
-  return easier && !is_in_balance(*easier, best.u);
+  return easier && imbalance(*easier, best.u) > (options_.own_start.soon ? 0 : kMuchPressed);
 }
 
-bool Journey::is_in_balance(const Scene& scene, const Displacements& u) const {
+/// Largest residual over the largest load, 0 where that is balance.
+double Journey::imbalance(const Scene& scene, const Displacements& u) const {
   const Plan plan = make_plan(scene, registry_, options_.tangent);
   Assembler assembler(scene, plan, options_.threads);
   StaticProblem problem(assembler, options_.make, options_.limits);
   std::vector<double> x, residual;
   double energy = 0;
-  return problem.recompute(u, x, residual, energy) && problem.balance(x, residual).balanced;
+  if (!problem.recompute(u, x, residual, energy)) return std::numeric_limits<double>::infinity();
+  const Balance b = problem.balance(x, residual);
+  return b.balanced ? 0 : b.residual / b.scale;
 }
 
 /// At first where it stands with nothing pressed; then from the best that is known, shaken each time

@@ -102,7 +102,7 @@ class Journey {
   std::optional<Solution> move(const Displacements& start);
   void leave_saddles(Solution& s, const std::string& name, const Limits& limits);
   bool may_well_stand_otherwise(const Solution& best) const;
-  bool is_in_balance(const Scene& scene, const Displacements& u) const;
+  double imbalance(const Scene& scene, const Displacements& u) const;
   void look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits);
   Displacements start_of_look(int look, const Displacements& start, const Solution& best);
   double work() const;

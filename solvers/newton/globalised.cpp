@@ -29,6 +29,9 @@ constexpr double kLargestDamping = 64, kSmallestDamping = 1e-12;
 constexpr double kHardlyDamped = 1e-6, kLeastSigma = 1e-7, kMostSigma = 1e-4;
 // Less of the convex part is as good as none.
 constexpr double kLeastShare = 1.0 / 4096;
+// Steps along which the search ends beyond the first of these are not short. Where none leads on, the bend is
+// found by forces so near.
+constexpr double kHardlyShort = 0.9, kShortBend = 1e-2;
 // So many steps in a row that promise no less to gain than before: (8) leads nowhere.
 constexpr int kStalled = 5;
 
@@ -43,7 +46,9 @@ class Globalised {
         trial_(problem.size()),
         r_trial_(problem.size()),
         curvature_(problem.symmetric() ? problem.size() : 0),
-        d_(problem.conservative() ? 0 : problem.size()) {}
+        d_(problem.conservative() ? 0 : problem.size()) {
+    for (auto* v : {&left_, &bend_}) v->reserve(problem.size());
+  }
 
   Outcome run() {
     if (problem_.evaluate(problem_.u(), energy_, r_, Matrix::exact) != Evaluation::ok)
@@ -196,12 +201,13 @@ class Globalised {
     if (!d_.empty() && mu_ < 1e-3 && accept_blindly(0.0625)) return true;
     LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
     auto found = whole_step_uphill(first);
-    if (!found) found = search([&](double t) { return merit(t); }, first);
+    if (!found) found = search_straight_or_bent(search, first);
     if (!found) {
       problem_.evaluate(problem_.u(), energy_, r_);  // tolerances are a part of the last reactions evaluated
       return false;
     }
     move_trial(found->t);
+    is_bent_ = false;
     if (!accept()) return false;  // a force without an energy has no value there
     adapt_damping(found->t);
     return true;
@@ -215,8 +221,36 @@ class Globalised {
     return whole && (was_uphill_ || whole->value <= first.value) ? whole : std::nullopt;
   }
 
+  /// By (4); where that ends short, by (9), too: the lower of the two.
+  std::optional<Sample> search_straight_or_bent(const LineSearch& search, const Sample& first) {
+    const auto along = [&](double t) { return merit(t); };
+    const auto straight = search(along, first);
+    if (straight && straight->t > kHardlyShort) return straight;
+    if (!find_bend(straight ? straight->t : kShortBend)) return straight;
+    is_bent_ = true;
+    const auto bent = search(along, first);
+    is_bent_ = bent && (!straight || bent->value < straight->value);
+    return is_bent_ ? bent : straight;
+  }
+
+  /// a of (9), by differences of r over ± t s.
+  bool find_bend(double t) {
+    if (!d_.empty() || !problem_.symmetric()) return false;
+    left_.assign(s_.size(), 0.0), bend_.resize(s_.size());
+    for (const double side : {t, -t}) {
+      double energy = 0;
+      move_trial(side);
+      if (problem_.evaluate(trial_, energy, r_trial_) != Evaluation::ok) return false;
+      for (std::size_t i = 0; i < left_.size(); ++i) left_[i] += (r_[i] - r_trial_[i]) / (t * t);
+    }
+    problem_.solve(left_, bend_);
+    return true;
+  }
+
   void move_trial(double t) {
     for (std::size_t i = 0; i < s_.size(); ++i) trial_[i] = problem_.u()[i] + t * s_[i];
+    if (!is_bent_) return;
+    for (std::size_t i = 0; i < s_.size(); ++i) trial_[i] += 0.5 * t * t * bend_[i];
   }
 
   /// (3) and its derivative.
@@ -224,7 +258,7 @@ class Globalised {
     move_trial(t);
     double energy = 0;
     if (problem_.evaluate(trial_, energy, r_trial_) != Evaluation::ok) return {};
-    const double slope = dot(r_trial_, s_);
+    const double slope = dot(r_trial_, s_) + (is_bent_ ? t * dot(r_trial_, bend_) : 0);
     if (d_.empty()) return Sample{t, energy, slope};
     if (problem_.evaluate_gradient(trial_, energy, r_trial_) != Evaluation::ok) return {};
     const double work = 0.5 * t * (dot(d_, s_) + slope - dot(r_trial_, s_));
@@ -310,9 +344,9 @@ class Globalised {
               least_gain_ = std::numeric_limits<double>::infinity();
   int times_no_less_ = 0;
   bool was_uphill_ = false, may_be_hardly_ = true, at_saddle_ = false, is_in_noise_ = false,
-       tried_softly_ = false;
+       tried_softly_ = false, is_bent_ = false;
   const char* note_ = "";
-  std::vector<double> r_, s_, trial_, r_trial_, left_;
+  std::vector<double> r_, s_, trial_, r_trial_, left_, bend_;
   LeastCurvature curvature_;
   std::vector<double> d_;  // forces without an energy at u; empty if there are none
 };
