@@ -22,9 +22,11 @@ constexpr double kRatherStiff = 1e-2, kStiff = 1e-3, kVeryStiff = 1e-4;
 constexpr int kFewIterations = 60;
 // Detours may cost so many times the first attempt, and at least so many seconds: what has no equilibrium
 // should hear of it soon.
-constexpr double kPatience = 12, kLeastPatience = 1;
-// One easier scene may cost so many times the first attempt, and at least so many seconds.
+constexpr double kPatience = 12, kLeastPatience = 3;
+// One easier scene may cost so many times the first attempt, and at least so many seconds; and so many
+// iterations, if nothing else is said.
 constexpr double kLegPatience = 5, kLeastLegPatience = 0.2;
+constexpr int kLegIterations = 200;
 // Whoever may stand otherwise is shaken by this share of an element's size; every other time by less, what
 // is stiff by the last of them.
 constexpr double kLookShare = 1, kNearShare = 0.1, kMovedShare = 0.3;
@@ -379,7 +381,7 @@ Limits Journey::limits_of_leg(double tolerance, int iterations) const {
   limits.tolerance = std::max(tolerance, limits.tolerance);
   limits.ask_growth = false;
   limits.way = leg_way_;
-  limits.iterations = std::min(iterations, limits.iterations);
+  limits.iterations = iterations > 0 ? iterations : std::min(kLegIterations, limits.iterations);
   limits.seconds = seconds_left(), limits.cpu_seconds = std::min(patience_left(), leg_patience_);
   return limits;
 }

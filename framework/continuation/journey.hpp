@@ -112,7 +112,7 @@ class Journey {
   Solution solve_itself(const std::string& name, const SolverUse& solver, const Displacements& start,
                         const Limits& limits, Digits digits = Digits::of_doubles);
   Solution solve_leg(const std::string& name, const Scene& easier, const SolverUse& solver,
-                     const Displacements& start, double tolerance, int iterations = 200);
+                     const Displacements& start, double tolerance, int iterations = 0);
   Displacements stiffened(Displacements u, double cap, double stiffest);
   Solution solve_stage(const Displacements& start, double cap);
   std::optional<SolverUse> other_solver(const std::string& name) const;

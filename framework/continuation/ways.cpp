@@ -16,12 +16,13 @@ constexpr double kRelaxed = 1e-2, kRelaxedToStick = 1e-5;
 // Stiffness grows from so many times the largest load, tenfold at first; after stages of few iterations by
 // larger steps, after one that does not arrive by smaller ones. What stands at a saddle goes back so far.
 constexpr double kStiffer = 10, kSoftest = 30, kMostStiffer = 100, kLeastStiffer = 1.3, kBack = 1e-3;
-constexpr int kShortStage = 15, kLongStage = 200;
+constexpr int kShortStage = 15;
 constexpr double kWeakest = 1e-9;
 // A ramp of the current gives up at steps of this share.
 constexpr double kShortestRamp = 1.0 / 64;
-// The motion may take so many steps, and so much of the time that all ways together are worth.
-constexpr int kMotionSteps = 2000;
+// The motion may take so many steps for each iteration that the scene itself may take, and so much of the
+// time that all ways together are worth.
+constexpr int kMotionSteps = 5;
 constexpr double kMotionPatience = 0.4;
 
 }  // namespace
@@ -113,7 +114,7 @@ Journey::Displacements Journey::stiffened(Displacements u, double cap, double st
 Solution Journey::solve_stage(const Displacements& start, double cap) {
   const std::string name = "stiffness up to " + std::to_string(std::llround(cap)) + " N";
   const Scene softer = softened(scene_, registry_, cap);
-  const Solution s = solve_leg(name, softer, options_.solver, start, kLegTolerance, kLongStage);
+  const Solution s = solve_leg(name, softer, options_.solver, start, kLegTolerance);
   if (s.status != SolveStatus::unstable) return s;
   return solve_leg(name + ", shaken", softer, options_.solver, shaken(s.u, kLeaveShare), kLegTolerance);
 }
@@ -157,7 +158,8 @@ std::optional<Solution> Journey::move(const Displacements& start) {
   motion->parameters["method"] = std::string("implicit");
   const double before = std::exchange(leg_patience_, kMotionPatience * patience_);
   leg_way_ = kLongestWay;
-  Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance, kMotionSteps);
+  Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance,
+                         kMotionSteps * options_.limits.iterations);
   leg_patience_ = before, leg_way_ = Limits{}.way;
   ++motions_, restless_ += s.is_restless;
   return s;

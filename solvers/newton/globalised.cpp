@@ -30,8 +30,8 @@ constexpr double kHardlyDamped = 1e-6, kLeastSigma = 1e-7, kMostSigma = 1e-4;
 // Less of the convex part is as good as none.
 constexpr double kLeastShare = 1.0 / 4096;
 // Steps along which the search ends beyond the first of these are not short. Where none leads on, the bend is
-// found by forces so near.
-constexpr double kHardlyShort = 0.9, kShortBend = 1e-2;
+// found by forces so near. A bent step must gain so many times what the straight one does.
+constexpr double kHardlyShort = 0.9, kShortBend = 1e-2, kBentGain = 1.5;
 // So many steps in a row that promise no less to gain than before: (8) leads nowhere.
 constexpr int kStalled = 5;
 
@@ -221,7 +221,7 @@ class Globalised {
     return whole && (was_uphill_ || whole->value <= first.value) ? whole : std::nullopt;
   }
 
-  /// By (4); where that ends short, by (9), too: the lower of the two.
+  /// By (4); where that ends short, by (9), too, if that gains much more.
   std::optional<Sample> search_straight_or_bent(const LineSearch& search, const Sample& first) {
     const auto along = [&](double t) { return merit(t); };
     const auto straight = search(along, first);
@@ -229,7 +229,7 @@ class Globalised {
     if (!find_bend(straight ? straight->t : kShortBend)) return straight;
     is_bent_ = true;
     const auto bent = search(along, first);
-    is_bent_ = bent && (!straight || bent->value < straight->value);
+    is_bent_ = bent && (!straight || energy_ - bent->value > kBentGain * (energy_ - straight->value));
     return is_bent_ ? bent : straight;
   }
 

@@ -39,8 +39,8 @@ namespace netloft::newton {
 /// matrix of (2), for a σ of 1e-7, 1e-6, … 1e-4: a saddle that symmetry hides, such as a plane net's whose
 /// edge would fold (a direction of negative curvature: J. J. Moré and D. C. Sorensen, Math. Programming 16,
 /// 1979). Also where E has no digits left and no step leads on.
-/// (9) is tried where (4) ends short, if all forces have an energy, and the lower of the two is taken: what
-/// is stiff and turns moves in a bent valley, which straight steps leave the sooner the steeper it is
+/// (9) is tried where (4) ends short, if all forces have an energy, and taken if it gains 1.5 times as much:
+/// what is stiff and turns moves in a bent valley, which straight steps leave the sooner the steeper it is
 /// ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012). A valley a million
 /// times as steep across as along takes 3 steps instead of 379 (`bent_step_test.cpp`).
 struct Newton {
