@@ -172,7 +172,8 @@ bool Journey::is_stiff() const { return options_.detours && stretch_ < kStiff; }
 
 /// From where it is.
 void Journey::go_further(Solution& best, const std::string& name, const Limits& limits) {
-  if (!is_conservative_) return keep_better(best, solve_itself_off_saddles(name, best.u, limits));
+  if (!is_conservative_ && !options_.own_start.soon)
+    return keep_better(best, solve_itself_off_saddles(name, best.u, limits));
   Solution last = best;
   for (int times = 0; times < kTimesFurther && !out_of_time(); ++times) {
     Solution next = solve_itself(name, last.u, limits);
