@@ -35,7 +35,8 @@ namespace netloft::newton {
 /// Methods for Nonlinear Problems, 2004): in stiff parts rounding alone may keep ‖r‖ where it is. With drag,
 /// a step that quarters ‖r‖ counts as well: d has then moved little. Where neither does, (8) goes by the
 /// slope, which still has digits, as long as −r·s halves now and then: what is slack at u is taut on the way,
-/// one member after the other. (7) follows (2) where K is indefinite and K + σ M is not, which then is the
+/// one member after the other.
+/// (7) follows (2) where K is indefinite and K + σ M is not, which then is the
 /// matrix of (2), for a σ of 1e-7, 1e-6, … 1e-4: a saddle that symmetry hides, such as a plane net's whose
 /// edge would fold (a direction of negative curvature: J. J. Moré and D. C. Sorensen, Math. Programming 16,
 /// 1979). Also where E has no digits left and no step leads on.

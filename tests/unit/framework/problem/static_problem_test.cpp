@@ -22,6 +22,14 @@ Sketch hanging_chain() {
   return s;
 }
 
+/// The same with a last bar that is too short: pressed, and held sideways by nothing.
+Scene pressed_chain() {
+  Sketch s = hanging_chain();
+  s.scene.positions[3 * 4 + 2] = -3.7;
+  s.scene.parts[0].parameters["rope.EA_compression"] = 1e4;
+  return s.scene;
+}
+
 /// The callbacks of a problem, called as a solver does.
 struct Called {
   explicit Called(Scene scene, Limits limits = {})
@@ -92,10 +100,7 @@ std::vector<double> between(Called& c, double share, double shift, const std::ve
 }
 
 TEST(StaticProblem, SolvesWithAsMuchOfTheConvexPartAsIsWanted) {
-  Sketch s = hanging_chain();
-  s.scene.positions[3 * 4 + 2] = -3.7;  // the last bar is short: pressed, and held sideways by nothing
-  s.scene.parts[0].parameters["rope.EA_compression"] = 1e4;
-  Called c(s.scene);
+  Called c(pressed_chain());
   ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
   EXPECT_EQ(c.p.factorise_between(c.p.host, 0.5, 0.1), NETLOFT_FACTOR_FAILED);
   ASSERT_EQ(c.evaluate(NETLOFT_WANT_CONVEX), NETLOFT_OK);
@@ -121,10 +126,7 @@ TEST(StaticProblem, SolvesAnUnsymmetricProblem) {
 }
 
 TEST(StaticProblem, RefusesAnIndefiniteTangentUnlessAskedForAny) {
-  Sketch s = hanging_chain();
-  s.scene.positions[3 * 4 + 2] = -3.7;  // the last bar is short: pressed, and held sideways by nothing
-  s.scene.parts[0].parameters["rope.EA_compression"] = 1e4;
-  Called c(s.scene);
+  Called c(pressed_chain());
   ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
   EXPECT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT, 0), NETLOFT_NOT_POSITIVE);
   EXPECT_EQ(c.problem.books().refused_factorisations, 1);
@@ -156,10 +158,7 @@ TEST(StaticProblem, HasNothingToFactoriseOrMultiplyBeforeAnEvaluation) {
 }
 
 TEST(StaticProblem, DoesNotSolveWithAFactorThatWasRefused) {
-  Sketch s = hanging_chain();
-  s.scene.positions[3 * 4 + 2] = -3.7;
-  s.scene.parts[0].parameters["rope.EA_compression"] = 1e4;
-  Called c(s.scene);
+  Called c(pressed_chain());
   ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
   ASSERT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT, 0), NETLOFT_NOT_POSITIVE);
   std::vector<double> x(c.p.unknowns, 1.0);
