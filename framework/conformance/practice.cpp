@@ -103,6 +103,7 @@ int PracticeProblem::evaluate(std::uint32_t want, const double* u, double* energ
     const auto r = residual(u, want & NETLOFT_WANT_GRADIENT);
     std::copy(r.begin(), r.end(), residual_out);
   }
+  kept_ |= want;
   if (want & (NETLOFT_WANT_TANGENT | NETLOFT_WANT_CONVEX)) matrix_ = tangent(u);
   return NETLOFT_OK;
 }
@@ -133,7 +134,10 @@ int PracticeProblem::factorise(int matrix, double shift) {
 }
 
 /// The chain is its own convex part.
-int PracticeProblem::factorise_between(double, double shift) { return factorise(NETLOFT_EXACT, shift); }
+int PracticeProblem::factorise_between(double, double shift) {
+  const bool are_kept = (kept_ & NETLOFT_WANT_TANGENT) && (kept_ & NETLOFT_WANT_CONVEX);
+  return are_kept ? factorise(NETLOFT_EXACT, shift) : NETLOFT_FACTOR_FAILED;
+}
 
 int PracticeProblem::solve(const double* rhs, double* x) const {
   if (factor_.empty() && n_ > 0) return NETLOFT_ERROR;

@@ -66,6 +66,7 @@ class PracticeProblem {
   netloft_problem interface_{};
   std::vector<double> u_;
   Matrix matrix_, metric_, factor_;  // of the last evaluation, constant, last factorised
+  std::uint32_t kept_ = 0;           // wants of all evaluations
   bool stopped_ = false;
   char message_[256] = "";
 };
