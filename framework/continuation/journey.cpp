@@ -257,11 +257,11 @@ void Journey::try_once_more(Solution& best, const Displacements& start, const Li
 void Journey::look_for_other_shapes(Solution& best, const Displacements& start, const Limits& limits) {
   const bool as_suits = options_.looks == JourneyOptions::kLooksThatSuit;
   const bool was_long = work() >= kLongWay * static_cast<double>(best.u.size());
-  // What sticks stands in any number of ways.
   const double worth = !as_suits                 ? std::numeric_limits<double>::infinity()
                        : was_long                ? kLookWork
                        : options_.own_start.soon ? kShortLookWork
                                                  : kSmallLookWork;
+  // What sticks stands in any number of ways.
   if (as_suits && (sticks() || work() > worth || !(was_long || may_well_stand_otherwise(best)))) return;
   const int looks = as_suits ? kOwnLooks : options_.looks;
   patience_ = leg_patience_ = std::numeric_limits<double>::infinity();

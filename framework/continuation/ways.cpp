@@ -20,9 +20,9 @@ constexpr int kShortStage = 15;
 constexpr double kWeakest = 1e-9;
 // A ramp of the current gives up at steps of this share.
 constexpr double kShortestRamp = 1.0 / 64;
-// The motion may take so many steps for each iteration that the scene itself may take, and so much of the
-// time that all ways together are worth.
-constexpr int kMotionSteps = 5;
+// The motion may take so many steps for each iteration that the scene itself may take, but no more than so
+// many, and so much of the time that all ways together are worth.
+constexpr int kMotionSteps = 5, kMostMotionSteps = 20000;
 constexpr double kMotionPatience = 0.4;
 
 }  // namespace
@@ -158,8 +158,9 @@ std::optional<Solution> Journey::move(const Displacements& start) {
   motion->parameters["method"] = std::string("implicit");
   const double before = std::exchange(leg_patience_, kMotionPatience * patience_);
   leg_way_ = kLongestWay;
-  Solution s = solve_leg("motion", scene_, *motion, start, options_.limits.tolerance,
-                         kMotionSteps * options_.limits.iterations);
+  Solution s =
+      solve_leg("motion", scene_, *motion, start, options_.limits.tolerance,
+                std::min(options_.limits.iterations, kMostMotionSteps / kMotionSteps) * kMotionSteps);
   leg_patience_ = before, leg_way_ = Limits{}.way;
   ++motions_, restless_ += s.is_restless;
   return s;

@@ -199,20 +199,24 @@ TEST(Journey, GoesOnWhereItIsNearlyThereBeforeItTriesOtherWays) {
   EXPECT_EQ(s.legs.back().name, "as it is, further");
 }
 
-int times_further(const Limits& limits) {
-  const Solution s = travel(slack_rope(1e4), limits, 0, {}, "lbfgs").solution;
+int times_further(const Limits& limits, const OwnStart& own) {
+  const Solution s = travel(slack_rope(1e4), limits, 0, own, "lbfgs").solution;
   return static_cast<int>(std::count_if(s.legs.begin(), s.legs.end(),
                                         [](const Leg& leg) { return leg.name == "as it is, further"; }));
 }
 
 TEST(Journey, GoesOnAsOftenAsThatBringsItOn) {
+  const OwnStart own{"own", true,
+                     [](const auto&, double, auto&) { return std::optional<std::vector<double>>(); }};
   const int needed = travel(slack_rope(1e4), {}, 0, {}, "lbfgs").solution.books.iterations;
-  int most = 0;
-  Limits limits;
-  for (limits.iterations = 2; limits.iterations < needed; ++limits.iterations)
-    most = std::max(most, times_further(limits));
-  EXPECT_GT(most, 1) << needed;
-  EXPECT_LE(most, 5);
+  for (const OwnStart& start : {OwnStart{}, own}) {
+    int most = 0;
+    Limits limits;
+    for (limits.iterations = 2; limits.iterations < needed; ++limits.iterations)
+      most = std::max(most, times_further(limits, start));
+    EXPECT_GT(most, 1) << needed;
+    EXPECT_LE(most, 5);
+  }
 }
 
 TEST(Journey, TakesTheStartThatItsCallerKnowsBeforeItsOwnWaysIfThatIsToBeSoon) {
@@ -266,6 +270,17 @@ TEST(Journey, TellsOfWhatGoesRoundAndRoundAndDoesNotFollowItFurther) {
   EXPECT_TRUE(s.is_restless);
   EXPECT_NE(s.reason.find("did not come to rest over 10 times its size"), std::string::npos) << s.reason;
   EXPECT_FALSE(travel(pushed_bar(5)).solution.is_restless);
+}
+
+// Its steps are shorter than those of a solver that looks for an equilibrium.
+TEST(Journey, MovesOnForFiveStepsForEachIterationThatIsAllowed) {
+  plugins();
+  Limits few;
+  few.iterations = 4;
+  const Solution s = travel(whirling_bar(), few).solution;
+  const std::size_t motion = place_of(s, "motion");
+  ASSERT_LT(motion, s.legs.size());
+  EXPECT_EQ(s.legs[motion].books.iterations, 20) << s.legs[motion].reason;
 }
 
 TEST(Journey, MovesWhatIsStiffOnlyAfterItWasSofter) {
