@@ -16,6 +16,7 @@ enum class Role : std::uint32_t {
   plain = 0,
   stiffness = NETLOFT_STIFFNESS,      // elastic forces grow in proportion to it
   compression = NETLOFT_COMPRESSION,  // stiffness of what is slack
+  damping = NETLOFT_DAMPING,          // tension per strain rate
 };
 
 /// Where a value may lie and what it is when the user does not say. Without a default it must be given.

@@ -3,9 +3,9 @@
  * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
  *
  * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of the
- * elements, laws, solvers and integrators inside. No C++ type, exception or allocation crosses; the plugin
- * links to nothing of ours. Authors seldom need this file: netloft/element.hpp, netloft/solver.hpp and
- * netloft/integrator.hpp write these structs for them.
+ * elements, laws, solvers, integrators and strategies inside. No C++ type, exception or allocation crosses;
+ * the plugin links to nothing of ours. Authors seldom need this file: netloft/element.hpp, law.hpp,
+ * solver.hpp, integrator.hpp and strategy.hpp write these structs for them.
  *
  * Every struct begins with its own size. Fields are only ever appended, so that a host reads an older
  * plugin (what is missing is zero) and a plugin of the same major version runs in a newer host.
@@ -25,7 +25,7 @@ extern "C" {
 #endif
 
 #define NETLOFT_ABI_MAJOR 1
-#define NETLOFT_ABI_MINOR 0
+#define NETLOFT_ABI_MINOR 1
 #define NETLOFT_LANES 64 /* elements in a tile */
 
 /* What a function returns. OUTSIDE_DOMAIN: this state has no force, shorten the step. ERROR: stop. */
@@ -51,8 +51,9 @@ typedef struct netloft_table {
 /* What a host must know of a parameter to lead a solver to a hard answer over easier ones. */
 enum {
   NETLOFT_REQUIRED = 1,
-  NETLOFT_STIFFNESS = 2,  /* elastic forces grow in proportion to it: a host may start with less */
-  NETLOFT_COMPRESSION = 4 /* stiffness of what is slack: at zero, the elastic energy is convex */
+  NETLOFT_STIFFNESS = 2,   /* elastic forces grow in proportion to it: a host may start with less */
+  NETLOFT_COMPRESSION = 4, /* stiffness of what is slack: at zero, the elastic energy is convex */
+  NETLOFT_DAMPING = 8      /* tension per strain rate of what NETLOFT_STIFFNESS is the stiffness of */
 };
 
 /* One value that a user may set. Its name may hold dots: "twine.EA" is EA in the table `twine`. */
@@ -64,7 +65,7 @@ typedef struct netloft_parameter {
   const char* doc;                 /* half a sentence: "axial stiffness of one twine" */
   double fallback;                 /* value when absent; with `fallback_of`, a factor on that parameter */
   double lo, hi;                   /* allowed range, both ends included */
-  uint32_t flags;                  /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS, NETLOFT_COMPRESSION */
+  uint32_t flags;                  /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS and the other roles above */
   uint32_t offset;                 /* of the value in the parameter struct */
   const char* fallback_of;         /* name of an earlier real, or null */
   const char* const* choices;      /* null-terminated, for NETLOFT_CHOICE */
@@ -120,7 +121,10 @@ enum {
   NETLOFT_FROM_OUTSIDE = 1 << 11, /* pushes against something that is no node (seabed, wall, pressure): the
                                      forces need not sum to zero, nor be the same in another place */
   NETLOFT_READS_STATE = 1 << 12,  /* wants tile.state and fills tile.state_new */
-  NETLOFT_READS_TIME = 1 << 13    /* force and energy may change with tile.time where nothing moves */
+  NETLOFT_READS_TIME = 1 << 13,   /* force and energy may change with tile.time where nothing moves */
+  NETLOFT_OF_MEMBERS = 1 << 14,   /* the force is that of the element's members (netloft_member), no more */
+  NETLOFT_IS_WEIGHT = 1 << 15,    /* reports count it as weight in water */
+  NETLOFT_IS_DRAG = 1 << 16       /* reports count it as force of the flowing water */
 };
 
 /* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC
@@ -174,12 +178,30 @@ typedef struct netloft_term {
   int (*evaluate)(const void* self, netloft_tile* tile);
 } netloft_term;
 
+/* What an output means to reports that compare parts of different types. */
+enum netloft_output_role {
+  NETLOFT_OUTPUT_PLAIN = 0,
+  NETLOFT_OUTPUT_TENSION = 1 /* tension in a rope or in one twine [N], negative in compression */
+};
+
 /* A number reported per element, in physical sign: tension is positive when the rope pulls. */
 typedef struct netloft_output {
   uint32_t size;
-  uint32_t reserved;
+  uint32_t role; /* netloft_output_role */
   const char *name, *unit, *doc;
 } netloft_output;
+
+/* What bears tension in an element along one line: the bar of a rope, or all bars of one direction of a
+ * triangle of netting. Its chord is w = sum of c[i] x[i] over the nodes of the element, l = |w|, t = w/l,
+ * and its force on node i
+ *     number c[i] T t,   T = EA (l/l0 - 1) where l > l0, else EA_compression (l/l0 - 1)
+ * The sum over the members of an element is its term with NETLOFT_OF_MEMBERS. */
+typedef struct netloft_member {
+  double c[3];               /* of the chord; the third is zero on two nodes */
+  double rest_length;        /* l0 [m] */
+  double EA, EA_compression; /* axial stiffness of one, taut and slack [N] */
+  double number;             /* bars or twines alike that it stands for */
+} netloft_member;
 
 /* ---------------------------------------------------------------- laws */
 
@@ -273,7 +295,10 @@ typedef struct netloft_element {
   uint32_t law_count;
   uint32_t state_width; /* numbers an element remembers */
   const netloft_global* globals;
-  uint32_t global_count, reserved2;
+  uint32_t global_count;
+  uint32_t member_count; /* members of each element; zero: none are told */
+  /* Writes the members of elements first … first + count - 1 at a time [s]: out[element][member]. */
+  int (*members)(const void* self, double time, uint32_t first, uint32_t count, netloft_member* out);
 } netloft_element;
 
 /* ---------------------------------------------------------------- solvers */
@@ -398,6 +423,167 @@ typedef struct netloft_integrator {
   double (*stable_step)(const void* parameters, double omega);
 } netloft_integrator;
 
+/* ---------------------------------------------------------------- strategies */
+
+/* How a scene is made easier. Values, not code: whoever chooses them need not know any element. The host
+ * knows by the roles of parameters which of them each value touches. */
+typedef struct netloft_variant {
+  uint32_t size;
+  uint32_t level; /* mesh: 0 the scene's own, 1, 2, … each with about half as many cells along a side */
+  double
+      stiffness_cap; /* [N] stiffnesses of a part are lowered together until none exceeds it; 0: as written */
+  double compression; /* factor on the stiffness of what is slack, in [0, 1] */
+  double current;     /* factor on the current, in [0, 1] */
+} netloft_variant;
+
+/* What a study knows of its scene, beside NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC. */
+enum netloft_study_trait {
+  NETLOFT_STUDY_REMEMBERS = 1 << 20,   /* elements remember (dry friction) */
+  NETLOFT_STUDY_FLOWS = 1 << 21,       /* there is a current */
+  NETLOFT_STUDY_COMPRESSION = 1 << 22, /* some stiffness of what is slack differs from zero */
+  NETLOFT_STUDY_MEMBERS =
+      1 << 23 /* `members` works: tension is borne by members, on nodes that move freely */
+};
+
+/* How a stage ended, by the host. */
+enum netloft_ending {
+  NETLOFT_ENDED_CONVERGED = 0,     /* forces balance, and nothing was found that grows */
+  NETLOFT_ENDED_UNSTABLE = 1,      /* forces balance, and a small disturbance grows */
+  NETLOFT_ENDED_NOT_CONVERGED = 2, /* the solver found no way on */
+  NETLOFT_ENDED_OUT_OF_WORK = 3,   /* its budget of work or of iterations was used up */
+  NETLOFT_ENDED_UNSETTLED = 4,     /* it went farther than `path`, or away for ever */
+  NETLOFT_ENDED_INTERRUPTED = 5    /* by the user, or the user's time is over: return */
+};
+
+enum netloft_stability {
+  NETLOFT_STABILITY_UNKNOWN = 0,
+  NETLOFT_STABLE = 1,
+  NETLOFT_NEUTRAL = 2,  /* something can move without any force */
+  NETLOFT_MARGINAL = 3, /* growth is not told from none: see growth.hpp of the host */
+  NETLOFT_UNSTABLE = 4
+};
+
+enum netloft_stage_flag {
+  NETLOFT_COMPENSATED = 1 /* positions keep the digits that double precision rounds off; slower, for what
+                             rounding alone keeps from balance */
+};
+
+/* One solve of one variant: what is asked, and what came of it. The work that one factorisation of the
+ * scene's own tangent costs, with the evaluation and the solution that go with it, is the unit of work. */
+typedef struct netloft_stage {
+  uint32_t size;
+  uint32_t flags; /* netloft_stage_flag */
+  netloft_variant variant;
+  const char* name;       /* what it is for, in a few words, for the report */
+  const char* solver;     /* "ptc"; null: that of the analysis, with its parameters */
+  const char* parameters; /* "method=implicit,step=1"; null: none but those */
+  double tolerance;       /* largest residual over the largest load; 0: that of the analysis */
+  double work;            /* budget; 0: whatever the study has left */
+  double path;            /* most that nodes may move in all, over the gear's size; 0: any */
+  uint32_t iterations;    /* limit; 0: that of the analysis */
+  uint32_t reserved;
+  double*
+      u; /* displacements of the unknowns of the variant's level: in, where to start; out, where it ended */
+
+  uint32_t ending, stability;    /* netloft_ending, netloft_stability */
+  double residual, load, energy; /* largest residual and load on a node [N], [N]; [J] */
+  double rounding;               /* what rounding of the positions is worth [N] */
+  double spent;                  /* work */
+  uint32_t iterations_done, factorisations;
+  const double*
+      growing;        /* a disturbance that grows, as long as u; null: not known. Valid until the next call */
+  double growth_rate; /* of that [1/s]; zero where it is not known */
+  double growth_frequency; /* with which it swings as it grows [rad/s] */
+} netloft_stage;
+
+/* The members of a variant and all its other forces apart, for methods in which the tension of a member is an
+ * unknown of its own. Vectors over all degrees of freedom have the unknowns first, then the held ones, whose
+ * residuals are reactions. */
+typedef struct netloft_members {
+  uint32_t size;
+  uint32_t count;               /* members */
+  uint32_t unknowns, dofs;      /* lengths of u, of a residual */
+  uint32_t parts;               /* parts of the scene */
+  uint32_t traits;              /* NETLOFT_SYMMETRIC: the tangent of the other forces is */
+  void* host;                   /* valid until the study is asked for anything else */
+  const netloft_member* member; /* [count] */
+  const uint32_t* part;         /* [count] part of the scene that a member belongs to */
+  double largest_coordinate;    /* [m] at the start, for the worth of rounding */
+
+  /* w[count][3]: chords of the members at displacements u [m]. */
+  int (*chords)(void* host, const double* u, double* w);
+  /* w[count][3]: by how much a step of the unknowns changes the chords [m]. */
+  int (*changes)(void* host, const double* step, double* w);
+  /* Residual of all other forces at u [N], dofs long; keeps their tangent. NETLOFT_OK, or there are none. */
+  int (*evaluate)(void* host, const double* u, double* residual);
+  /* residual += sum of number c f over the members, f[count][3] [N]. */
+  int (*add_forces)(void* host, const double* f, double* residual);
+  /* Starts a matrix: the tangent of the last evaluation + sum of number c c^T K, K[count][9] symmetric [N/m].
+   */
+  int (*set_matrix)(void* host, const double* K);
+  /* The same of members with K = a t t^T + b I, lines[count][6] = (t, f, a, b); adds number c f t to the
+   * residual, too. */
+  int (*set_matrix_along)(void* host, const double* lines, double* residual);
+  /* Factorises the matrix; NETLOFT_INDEFINITE: any that is not singular will do. Returns a netloft_factor. */
+  int (*factorise)(void* host, int how);
+  int (*solve)(void* host, const double* rhs, double* x);
+  /* Counts an iteration whose largest residual is given [N]; says whether to go on (netloft_progress). */
+  int (*progress)(void* host, double residual, const char* note);
+} netloft_members;
+
+/* What a strategy sees: a scene and its easier variants, solved stage by stage within a budget of work. The
+ * host counts, judges and keeps the books; a strategy never says of itself that it has converged. Functions
+ * take `host` first and return NETLOFT_OK, or NETLOFT_ERROR with a sentence in `message`. */
+typedef struct netloft_study {
+  uint32_t size;
+  uint32_t unknowns;
+  uint32_t levels; /* meshes there are, at least one */
+  uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC, netloft_study_trait */
+  void* host;
+  const double* start; /* displacements to start from, `unknowns` long; null: from the sketch */
+  double gear_size;    /* largest distance of nodes at the start [m] */
+  double element_size; /* longest element at the start [m] */
+  double load;         /* sum of the forces that drive the gear at the start [N] */
+  double largest_load; /* largest of them on a node [N] */
+  double stiffness;    /* largest axial stiffness [N] */
+  uint32_t member_count;
+  uint32_t message_size;
+  char* message;
+
+  /* Unknowns of a level. */
+  uint32_t (*size_of)(void* host, uint32_t level);
+  int (*solve)(void* host, netloft_stage* stage);
+  /* The same by another strategy: the variant is its scene, stage.work its budget. */
+  int (*call)(void* host, const char* strategy, const char* parameters, netloft_stage* stage);
+  /* Reads displacements of one level off those of another. */
+  int (*transfer)(void* host, uint32_t from, const double* u, uint32_t to, double* out);
+  /* Judges stage.u without solving anything. */
+  int (*assess)(void* host, netloft_stage* stage);
+  /* r(u) = 0 of a variant, with stage.u as its u and within stage.work, for a strategy with a method of its
+   * own. Ends with the next call of another function of the study; then `assess` tells what it is worth. */
+  int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
+  /* Likewise, where the study has NETLOFT_STUDY_MEMBERS. */
+  int (*members)(void* host, netloft_stage* stage, netloft_members* members);
+  /* Budget that is left; never negative. Zero: return. */
+  double (*work_left)(void* host);
+  /* An equilibrium of the scene itself. May be called again, for another shape; the host judges each and
+   * chooses: converged before anything else, then the least energy where forces have one, then the first. */
+  int (*answer)(void* host, const double* u);
+} netloft_study;
+
+typedef struct netloft_strategy {
+  uint32_t size;
+  uint32_t needs; /* traits of the study without which it cannot work */
+  const char *name, *doc;
+  uint32_t parameter_bytes;
+  uint32_t parameter_count;
+  const netloft_parameter* parameters;
+  /* Returns NETLOFT_OK, whether or not there is an answer, or NETLOFT_ERROR with a sentence. */
+  int (*run)(const void* parameters, netloft_study* study);
+  /* Writes what it would try, in which order and why, a line each, without solving anything. May be null. */
+  int (*explain)(const void* parameters, netloft_study* study, char* text, uint32_t text_size);
+} netloft_strategy;
+
 /* ---------------------------------------------------------------- the plugin */
 
 enum { NETLOFT_FAST_MATH = 1 };
@@ -414,6 +600,8 @@ typedef struct netloft_plugin {
   const netloft_law* laws;
   uint32_t law_count, integrator_count;
   const netloft_integrator* integrators;
+  const netloft_strategy* strategies;
+  uint32_t strategy_count, reserved;
 } netloft_plugin;
 
 #if defined(__FAST_MATH__)

@@ -15,6 +15,8 @@ template <class L>
 class LawTable;
 template <class I>
 class IntegratorTable;
+template <class S>
+class StrategyTable;
 
 /// Collects the tables of a plugin and turns them into what crosses the boundary.
 class Plugin {
@@ -33,6 +35,11 @@ class Plugin {
     return add<IntegratorTable<I>>(name, doc);
   }
 
+  template <class S>
+  StrategyTable<S>& strategy(const char* name, const char* doc) {
+    return add<StrategyTable<S>>(name, doc);
+  }
+
   template <class L>
   LawTable<L>& law(const char* name, const char* doc) {
     return add<LawTable<L>>(name, doc);
@@ -49,6 +56,8 @@ class Plugin {
     plugin_.laws = laws_.data(), plugin_.law_count = static_cast<std::uint32_t>(laws_.size());
     plugin_.integrators = integrators_.data(),
     plugin_.integrator_count = static_cast<std::uint32_t>(integrators_.size());
+    plugin_.strategies = strategies_.data(),
+    plugin_.strategy_count = static_cast<std::uint32_t>(strategies_.size());
     return &plugin_;
   }
 
@@ -76,12 +85,14 @@ class Plugin {
   void take(const netloft_solver& s) { solvers_.push_back(s); }
   void take(const netloft_law& l) { laws_.push_back(l); }
   void take(const netloft_integrator& i) { integrators_.push_back(i); }
+  void take(const netloft_strategy& s) { strategies_.push_back(s); }
 
   std::vector<std::unique_ptr<Pending>> pending_;
   std::vector<netloft_element> elements_;
   std::vector<netloft_solver> solvers_;
   std::vector<netloft_law> laws_;
   std::vector<netloft_integrator> integrators_;
+  std::vector<netloft_strategy> strategies_;
   netloft_plugin plugin_{};
 };
 

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the author of a strategy includes. A strategy is a struct with `Parameters` and one function,
+//
+//   static void run(const Parameters&, Study&);
+//
+// that brings a scene to equilibrium with solvers: at once, over easier variants, from coarser meshes, from
+// elsewhere again. It hands every equilibrium of the scene itself to `study.answer`. The host counts the
+// work, judges every stage and chooses among the answers; a strategy has nothing to say about convergence.
+// With
+//
+//   static std::string explain(const Parameters&, Study&);
+//
+// it also says, before anything is solved, what it would try in which order and why, a line each.
+#pragma once
+#include <netloft/plugin.h>
+#include <netloft/parameters.hpp>
+#include <netloft/solver.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+using Displacements = std::vector<double>;  // of the unknowns of a level [m]
+
+/// How a scene is made easier; as it is written by default.
+struct Variant {
+  unsigned level = 0;        // mesh: 0 the scene's own, 1, 2, … coarser
+  double stiffness_cap = 0;  // [N]; 0: as written
+  double compression = 1;    // factor on the stiffness of what is slack
+  double current = 1;        // factor on the current
+
+  netloft_variant c() const { return {sizeof(netloft_variant), level, stiffness_cap, compression, current}; }
+};
+
+/// What is asked of one stage: a variant, who solves it, how well, and what it may cost.
+struct Ask {
+  const char* name = "";  // what it is for, in a few words, for the report
+  Variant variant{};
+  const char* solver = nullptr;      // null: that of the analysis, with its parameters
+  const char* parameters = nullptr;  // "method=implicit,step=1"
+  double tolerance = 0;              // 0: that of the analysis
+  double work = 0;                   // 0: whatever is left
+  double path = 0;                   // most that nodes may move in all, over the gear's size; 0: any
+  unsigned iterations = 0;           // 0: that of the analysis
+  bool compensated = false;          // positions keep the digits that double precision rounds off
+};
+
+enum class Ending {
+  converged = NETLOFT_ENDED_CONVERGED,
+  unstable = NETLOFT_ENDED_UNSTABLE,
+  not_converged = NETLOFT_ENDED_NOT_CONVERGED,
+  out_of_work = NETLOFT_ENDED_OUT_OF_WORK,
+  unsettled = NETLOFT_ENDED_UNSETTLED,
+  interrupted = NETLOFT_ENDED_INTERRUPTED
+};
+
+/// Where a stage ended and what the host makes of it.
+struct Stage {
+  Displacements u;
+  Ending ending = Ending::not_converged;
+  int stability = NETLOFT_STABILITY_UNKNOWN;
+  double residual = 0, load = 0, energy = 0;  // largest on a node [N], [N]; [J]
+  double rounding = 0;                        // what rounding of the positions is worth [N]
+  double spent = 0;                           // work
+  unsigned iterations = 0, factorisations = 0;
+  Displacements growing = {};                    // a disturbance that grows; empty: not known
+  double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]
+
+  /// Forces balance, whether or not it is stable.
+  bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
+  bool has_converged() const { return ending == Ending::converged; }
+  /// It swings faster than it grows: followed in time it comes to rest nowhere near.
+  bool flutters() const { return ending == Ending::unstable && growth_frequency > growth_rate; }
+  /// Largest residual over the largest load.
+  double imbalance() const { return load > 0 ? residual / load : residual > 0 ? 1 : 0; }
+};
+
+/// A scene and its easier variants as a strategy sees them.
+class Study {
+ public:
+  explicit Study(netloft_study& s) : s_(s) {}
+
+  std::size_t size(unsigned level = 0) const { return s_.size_of(s_.host, level); }
+  unsigned levels() const { return s_.levels; }
+  bool conservative() const { return s_.traits & NETLOFT_CONSERVATIVE; }
+  bool symmetric() const { return s_.traits & NETLOFT_SYMMETRIC; }
+  bool remembers() const { return s_.traits & NETLOFT_STUDY_REMEMBERS; }
+  bool flows() const { return s_.traits & NETLOFT_STUDY_FLOWS; }
+  bool resists_compression() const { return s_.traits & NETLOFT_STUDY_COMPRESSION; }
+  bool has_members() const { return s_.traits & NETLOFT_STUDY_MEMBERS; }
+  std::size_t members() const { return s_.member_count; }
+  double gear_size() const { return s_.gear_size; }        // [m]
+  double element_size() const { return s_.element_size; }  // [m]
+  double load() const { return s_.load; }                  // sum of what drives the gear at the start [N]
+  double largest_load() const { return s_.largest_load; }  // on a node [N]
+  double stiffness() const { return s_.stiffness; }        // largest axial stiffness [N]
+
+  /// Where to start from: displacements of the scene's own unknowns.
+  Displacements start() const {
+    Displacements u(s_.unknowns, 0.0);
+    if (s_.start) std::copy_n(s_.start, u.size(), u.begin());
+    return u;
+  }
+  bool starts_from_sketch() const { return s_.start == nullptr; }
+
+  /// Solves a variant from `u`.
+  Stage solve(const Ask& ask, Displacements u) {
+    return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
+  }
+  /// Lets another strategy bring a variant to equilibrium from `u`.
+  Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
+    return ended(ask, std::move(u),
+                 [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });
+  }
+  /// Judges `u` without solving anything.
+  Stage assess(const Ask& ask, Displacements u) {
+    return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.assess(s_.host, &stage); });
+  }
+  /// Displacements of one level read off those of another.
+  Displacements transfer(unsigned from, const Displacements& u, unsigned to) {
+    Displacements out(size(to));
+    check(s_.transfer(s_.host, from, u.data(), to, out.data()));
+    return out;
+  }
+  /// Calls method(Problem&) on r(u) = 0 of a variant; where that has left u. `assess` tells what it is worth.
+  template <class Method>
+  Displacements with_problem(const Ask& ask, Displacements u, Method&& method) {
+    u.resize(size(ask.variant.level));
+    netloft_stage stage = stage_of(ask, u);
+    netloft_problem problem{};
+    check(s_.problem(s_.host, &stage, &problem));
+    Problem p(problem);
+    method(p);
+    return u;
+  }
+  /// Calls method(netloft_members&, u) on the members of a variant, which moves u; where that has left it.
+  template <class Method>
+  Displacements with_members(const Ask& ask, Displacements u, Method&& method) {
+    u.resize(size(ask.variant.level));
+    netloft_stage stage = stage_of(ask, u);
+    netloft_members members{};
+    check(s_.members(s_.host, &stage, &members));
+    method(members, std::span<double>(u));
+    return u;
+  }
+
+  double work_left() { return s_.work_left(s_.host); }
+  /// An equilibrium of the scene itself; may be called again, for another shape.
+  void answer(const Displacements& u) { check(s_.answer(s_.host, u.data())); }
+
+ private:
+  netloft_stage stage_of(const Ask& ask, Displacements& u) const {
+    netloft_stage stage{};
+    stage.size = sizeof stage, stage.flags = ask.compensated ? std::uint32_t{NETLOFT_COMPENSATED} : 0u;
+    stage.variant = ask.variant.c(), stage.name = ask.name;
+    stage.solver = ask.solver, stage.parameters = ask.parameters;
+    stage.tolerance = ask.tolerance, stage.work = ask.work, stage.path = ask.path;
+    stage.iterations = ask.iterations, stage.u = u.data();
+    return stage;
+  }
+
+  template <class Call>
+  Stage ended(const Ask& ask, Displacements u, const Call& call) {
+    u.resize(size(ask.variant.level));
+    netloft_stage s = stage_of(ask, u);
+    check(call(s));
+    Stage stage;
+    stage.u = std::move(u), stage.ending = static_cast<Ending>(s.ending);
+    stage.stability = static_cast<int>(s.stability);
+    stage.residual = s.residual, stage.load = s.load, stage.energy = s.energy, stage.rounding = s.rounding;
+    stage.spent = s.spent, stage.iterations = s.iterations_done, stage.factorisations = s.factorisations;
+    stage.growth_rate = s.growth_rate, stage.growth_frequency = s.growth_frequency;
+    if (s.growing) stage.growing.assign(s.growing, s.growing + stage.u.size());
+    return stage;
+  }
+
+  void check(int status) const {
+    if (status != NETLOFT_OK) throw std::runtime_error("");  // the host knows what went wrong
+  }
+
+  netloft_study& s_;
+};
+
+namespace detail {
+template <class S>
+int run_strategy(const void* parameters, netloft_study* study) noexcept {
+  try {
+    Study s(*study);
+    S::run(*static_cast<const typename S::Parameters*>(parameters), s);
+    return NETLOFT_OK;
+  } catch (const std::exception& e) {
+    if (study->message && e.what()[0]) std::snprintf(study->message, study->message_size, "%s", e.what());
+  } catch (...) {
+  }
+  return NETLOFT_ERROR;
+}
+
+template <class S>
+int explain_strategy(const void* parameters, netloft_study* study, char* text, std::uint32_t size) noexcept {
+  try {
+    Study s(*study);
+    const std::string words = S::explain(*static_cast<const typename S::Parameters*>(parameters), s);
+    std::snprintf(text, size, "%s", words.c_str());
+    return NETLOFT_OK;
+  } catch (...) {
+    return NETLOFT_ERROR;
+  }
+}
+}  // namespace detail
+
+/// Describes one strategy to the host. `needs` are traits the study must have.
+template <class S>
+class StrategyTable : public ParameterTable<typename S::Parameters> {
+ public:
+  StrategyTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
+  void needs(std::uint32_t traits) { needs_ = traits; }
+
+  netloft_strategy descriptor() const {
+    netloft_strategy s{};
+    s.size = sizeof s, s.needs = needs_, s.name = name_, s.doc = doc_;
+    s.parameter_bytes = sizeof(typename S::Parameters);
+    s.parameter_count = static_cast<std::uint32_t>(this->rows().size()), s.parameters = this->rows().data();
+    s.run = &detail::run_strategy<S>;
+    if constexpr (requires(const typename S::Parameters& p, Study& study) { S::explain(p, study); })
+      s.explain = &detail::explain_strategy<S>;
+    return s;
+  }
+
+ private:
+  const char *name_, *doc_;
+  std::uint32_t needs_ = 0;
+};
+
+}  // namespace netloft
+
+#include <netloft/register.hpp>
