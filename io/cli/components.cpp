@@ -104,7 +104,7 @@ const char* file_of(const PluginOrigin& origin) {
   return origin.file.empty() ? "compiled in" : origin.file.c_str();
 }
 
-/// A solver or an integrator: a component of the analysis, with a table of its plugin's name.
+/// A solver, an integrator or a strategy: a component of the analysis, with a table of its plugin's name.
 std::string analysis_text(const std::string& type, const char* doc, const char* kind,
                           const PluginOrigin& origin, std::span<const netloft_parameter> parameters) {
   std::string text;
@@ -135,6 +135,12 @@ Component component_of(const IntegratorType& i) {
   return {i.type, "integrator", i.integrator.doc,
           [&i] { return analysis_text(i.type, i.integrator.doc, "an integrator", *i.origin, i.parameters); },
           [&i] { return analysis_json(i.type, i.integrator.doc, "integrator", *i.origin, i.parameters); }};
+}
+
+Component component_of(const StrategyType& s) {
+  return {s.type, "strategy", s.strategy.doc,
+          [&s] { return analysis_text(s.type, s.strategy.doc, "a strategy", *s.origin, s.parameters); },
+          [&s] { return analysis_json(s.type, s.strategy.doc, "strategy", *s.origin, s.parameters); }};
 }
 
 std::string law_text(const LawType& l) {
@@ -175,6 +181,7 @@ std::vector<Component> components_of(const PluginContent& plugin) {
     all.push_back({l.type, "law", l.law.doc, [&l] { return law_text(l); }, [&l] { return law_json(l); }});
   for (const auto& s : plugin.solvers) all.push_back(component_of(s));
   for (const auto& i : plugin.integrators) all.push_back(component_of(i));
+  for (const auto& s : plugin.strategies) all.push_back(component_of(s));
   return all;
 }
 

@@ -92,7 +92,7 @@ void add_author_commands(CLI::App& app, Options& o) {
       app.add_subcommand("new", "write a plugin to begin with: it builds, passes its tests and runs");
   make->add_option("KIND", o.kind, "what the plugin holds")
       ->required()
-      ->check(CLI::IsMember({"element", "law", "solver", "integrator"}));
+      ->check(CLI::IsMember({"element", "law", "solver", "integrator", "strategy"}));
   make->add_option("NAME", o.target, "its name, such as otter_board; also that of the folder")->required();
   auto* reference =
       app.add_subcommand("reference", "write reference pages of all components, and the schema");

@@ -12,7 +12,7 @@ namespace netloft::io {
 /// The command line, taken apart.
 struct Options {
   std::string command;               // run, plan, list, describe, schema, test
-  std::string kind;                  // new: element, law, solver, integrator
+  std::string kind;                  // new: element, law, solver, integrator, strategy
   std::string target;                // scene, component, plugin or result
   std::string other;                 // diff: the second result
   std::string output;                // -o

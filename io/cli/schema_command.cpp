@@ -335,12 +335,12 @@ class PartSchema {
   Json types_ = Json::array(), checks_ = Json::array(), offers_ = {{{"type", "object"}}};
 };
 
-/// The table that a solver or an integrator has in `analysis`.
-Json table_schema(const char* doc, std::span<const netloft_parameter> parameters) {
-  Json own = object();
-  own["description"] = doc;
+/// The table that solvers, integrators and strategies have in `analysis`; those of one plugin share it.
+void put_component(Json& analysis, const std::string& plugin, const char* doc,
+                   std::span<const netloft_parameter> parameters) {
+  Json& own = analysis["properties"][plugin];
+  if (own.is_null()) own = object(), own["description"] = doc;
   put_table(own, parameters);
-  return own;
 }
 
 /// Tables of a net plan, whose page is GEAR.md.
@@ -391,10 +391,9 @@ Json scene_schema(Registry& registry) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements)
       if (!e.element.rides_on) parts.add(e, plugin);  // else it comes with another
-    for (const auto& s : plugin.solvers)
-      analysis["properties"][plugin.origin.name] = table_schema(s.solver.doc, s.parameters);
-    for (const auto& i : plugin.integrators)
-      analysis["properties"][plugin.origin.name] = table_schema(i.integrator.doc, i.parameters);
+    for (const auto& s : plugin.solvers) put_component(analysis, name, s.solver.doc, s.parameters);
+    for (const auto& i : plugin.integrators) put_component(analysis, name, i.integrator.doc, i.parameters);
+    for (const auto& s : plugin.strategies) put_component(analysis, name, s.strategy.doc, s.parameters);
   }
   Json scene = object();
   scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";

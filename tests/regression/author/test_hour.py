@@ -51,7 +51,7 @@ class Hour(WithInstallation):
                          ["CMakeLists.txt", "README.md", "otter.cpp", "otter.toml", "otter_test.cpp"])
 
     def test_nothing_is_left_of_the_template(self):
-        for kind, mine in (("solver", "MySolver"), ("integrator", "MyIntegrator")):
+        for kind, mine in (("solver", "MySolver"), ("integrator", "MyIntegrator"), ("strategy", "MyStrategy")):
             self.sh(f"netloft new {kind} steepest_{kind}")
             for file in (self.folder / f"steepest_{kind}").iterdir():
                 for left in (f"my_{kind}", mine, "SPDX", "/work", "~~~"):
