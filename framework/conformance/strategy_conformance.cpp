@@ -135,7 +135,7 @@ Finding is_answered(Bench& b, PracticeScene scene) {
   return f;
 }
 
-/// It may have no use of one or the other of these, but hardly of all.
+/// A strategy may have no use for some of these scenes, but must have one for at least one.
 Finding answers_easy_studies(Bench& b) {
   Finding worst = nothing_to_ask(kNoScene);
   bool takes_any = false;
