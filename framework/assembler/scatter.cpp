@@ -2,6 +2,7 @@
 //
 // What the elements of a tile give, added where it belongs.
 #include "framework/assembler/workspace.hpp"
+#include "framework/simd/registers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,11 +45,8 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
   }
 }
 
-#define NETLOFT_INLINE [[gnu::always_inline]] inline
-
-/// Two and four numbers in a register, anywhere in memory.
-typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
-typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
+using Two = wide::Two::V;
+using Four = wide::Four::V;
 
 /// The nine entries of a block, row by row, each in all lanes.
 struct Entries {
@@ -197,20 +195,14 @@ void add_blocks_plainly(std::size_t dofs, const std::int32_t* to, std::size_t co
   add_all_blocks<false>(dofs, to, count, tangents, values);
 }
 
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void add_blocks_widely(std::size_t dofs, const std::int32_t* to, std::size_t count,
-                                               const Tangents& tangents, double* values) {
+NETLOFT_AVX2 void add_blocks_widely(std::size_t dofs, const std::int32_t* to, std::size_t count,
+                                    const Tangents& tangents, double* values) {
   add_all_blocks<true>(dofs, to, count, tangents, values);
 }
-#endif
 
 /// The same bits either way.
 AddBlocks best_way_to_add_blocks() {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) return add_blocks_widely;
-#endif
-  return add_blocks_plainly;
+  return wide::those_here<AddBlocks>(add_blocks_plainly, add_blocks_widely, add_blocks_widely).back();
 }
 
 /// Calls add(nodes of an element), known at compile time.

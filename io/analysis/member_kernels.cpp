@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/analysis/member_kernels.hpp"
 
-#include "solvers/factorisation/registers.hpp"
+#include "framework/simd/registers.hpp"
 
 #include <type_traits>
 

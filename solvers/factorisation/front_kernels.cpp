@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/factorisation/registers.hpp"
+#include "framework/simd/registers.hpp"
 
 namespace netloft {
 namespace {
