@@ -153,6 +153,29 @@ void check_globals(const ElementType& e, const std::string& owner, Faults& fault
   }
 }
 
+/// Chords lead between the nodes of an element; netloft_member has room for three.
+bool bears_along_lines(std::uint32_t stencil) {
+  return stencil == NETLOFT_BAR || stencil == NETLOFT_TRIANGLE || stencil == NETLOFT_BAR_PAIR;
+}
+
+void check_members(const ElementType& e, const std::string& owner, Faults& faults) {
+  bool has_term = false;
+  for (const auto& t : e.terms) {
+    if (!(t.traits & NETLOFT_OF_MEMBERS)) continue;
+    has_term = true;
+    faults.require(t.traits & NETLOFT_CONSERVATIVE,
+                   owner + ": term \"" + shown(t.name) + "\" is that of members and not conservative");
+  }
+  const bool has_members = e.element.member_count > 0;
+  faults.require(has_members == has_term,
+                 owner + (has_term ? " has a term of members but tells none"
+                                   : " tells members but has no term that is their force"));
+  if (!has_members) return;
+  faults.require(e.element.members != nullptr, owner + " has members but no function that tells them");
+  faults.require(bears_along_lines(e.element.stencil),
+                 owner + " tells members on a stencil that is none of two or three nodes");
+}
+
 ElementType read_element(const netloft_element& raw, const std::string& plugin, Faults& faults) {
   ElementType e;
   e.element = raw;
@@ -173,6 +196,7 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   check_laws(e, e.type, faults);
   check_globals(e, e.type, faults);
   check_terms(e, e.type, faults);
+  check_members(e, e.type, faults);
   return e;
 }
 

@@ -193,7 +193,10 @@ std::string describe_traits(std::uint32_t traits) {
       {NETLOFT_READS_TIME, "reads time"},
       {NETLOFT_NEEDS_GRAVITY, "needs gravity"},
       {NETLOFT_NEEDS_FLOW, "needs flow"},
-      {NETLOFT_NEEDS_MOTION, "needs motion"}};
+      {NETLOFT_NEEDS_MOTION, "needs motion"},
+      {NETLOFT_OF_MEMBERS, "of members"},
+      {NETLOFT_IS_WEIGHT, "weight"},
+      {NETLOFT_IS_DRAG, "drag"}};
   std::string text;
   for (const auto& [bit, name] : kNames)
     if (traits & bit) text += (text.empty() ? "" : ", ") + std::string(name);

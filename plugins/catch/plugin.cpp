@@ -26,7 +26,8 @@ NETLOFT_PLUGIN("catch", "0.1.0", "What is caught, and its push on the cod-end") 
   c.global("front", "1", "meshes along the panel that the catch fills, from its aft edge", "catch.volume",
            Pressure::first_front);
   c.data("to_aft", &Pressure::Data::to_aft, "1", "meshes from each corner to the aft edge of its panel");
-  c.term<Pressure::Push, netloft::from_outside>("pressure", "push of the catch on the netting, outwards");
+  c.term<Pressure::Push, netloft::from_outside | netloft::is_drag>(
+      "pressure", "push of the catch on the netting, outwards");
   c.output("pressure", "Pa", "pressure on the netting, cut by the catch front in part",
            [](auto& p, auto& d, auto& s) { return Pressure::on(p, d, s); });
   c.output("volume", "m3", "share of the triangle in the volume of the catch; their sum is that",

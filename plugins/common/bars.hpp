@@ -44,6 +44,12 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.added_mass[lane] = p.added_mass;
 }
 
+/// The bars of an element as its one member; `P` has EA and EA_compression of one bar.
+template <class P>
+Member member(const P& p, double rest_length, double parallel) {
+  return {{-1, 1, 0}, rest_length, p.EA, p.EA_compression, parallel};
+}
+
 /// Mass of what bars stand for, in air [kg].
 inline void mass_of(const Lanes& p, const netloft_tile& t, double* values) {
   for (std::size_t i = 0; i < t.count; ++i) values[i] = p.density[i] * p.volume[i];

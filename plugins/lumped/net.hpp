@@ -29,6 +29,9 @@ struct Net {
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
   /// One of the twines.
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
+  static std::array<Member, 1> members(const Parameters& p, const Data& d, double) {
+    return {bars::member(p, d.rest_length, d.parallel)};
+  }
 
   struct Elastic {
     static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_elastic(f.lanes(t), t); }

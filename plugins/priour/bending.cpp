@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/priour/bending.hpp"
 
+#include "plugins/priour/triangle.hpp"
+
 namespace netloft::priour {
 
 namespace {
 
 /// |d| of triangle (1) between the edge and corner k.
 double bars_beside(const Bending::Data& d, std::size_t k) {
-  return std::abs((d.u[1] - d.u[0]) * (d.v[k] - d.v[0]) - (d.u[k] - d.u[0]) * (d.v[1] - d.v[0]));
+  return std::abs(Triangle::determinant(d.u, d.v, k));
 }
 
 /// L of (3), (5) and its derivatives after w, from h = 1 − w.

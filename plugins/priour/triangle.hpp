@@ -45,6 +45,12 @@ struct Triangle {
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
   };
 
+  /// d of (1), of the first three corners or of the first two and another one.
+  template <std::size_t Corners>
+  static double determinant(const std::array<double, Corners>& u, const std::array<double, Corners>& v,
+                            std::size_t third = 2) {
+    return (u[1] - u[0]) * (v[third] - v[0]) - (u[third] - u[0]) * (v[1] - v[0]);
+  }
   /// (1)–(3) of one triangle.
   struct Shape {
     double a[3], b[3], bars;  // bars: |d|/2
@@ -54,6 +60,8 @@ struct Triangle {
   static double bars(const Parameters& p, const Data& d) { return double(p.number) * shape(d).bars; }
   /// Bars along u (0) or v (1), stretched at state s.
   static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
+  /// The bars of both directions, (2) and (3).
+  static std::array<Member, 2> members(const Parameters& p, const Data& d, double time);
   /// Volume of the unstretched twines inside, that of (7), knots left out [m³].
   static double twine_volume(const Parameters& p, const Data& d);
   /// Their area seen from the side, as the trade counts twine area: length times diameter [m²].

@@ -47,6 +47,12 @@ axial::Bar Bar::stretch(const Parameters& p, const Data& d, const State<2>& s) {
   return bar;
 }
 
+std::array<Member, 1> Bar::members(const Parameters& p, const Data& d, double time) {
+  Member member = bars::member(p, d.rest_length * share_at(p.length_share, time), 1);  // (2)
+  if (p.constant_tension > 0) member.EA = member.EA_compression = 0;
+  return {member};
+}
+
 Status Bar::Tension::tile(const Family<Bar>& family, netloft_tile& t) {
   const Lanes& p = family.lanes(t);
   const bars::Chords chord(t, p.l0);

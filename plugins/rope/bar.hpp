@@ -36,6 +36,8 @@ struct Bar {
   static void check(const Parameters& p, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
+  /// The spring, which is not there at constant tension.
+  static std::array<Member, 1> members(const Parameters& p, const Data& d, double time);
 
   struct Elastic {
     static Status tile(const Family<Bar>& f, netloft_tile& t) {

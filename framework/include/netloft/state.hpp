@@ -21,6 +21,9 @@ struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What bears tension along one line in an element; see netloft_member for its fields and its force.
+using Member = netloft_member;
+
 struct Water {
   double density;        // [kg/m3]
   double gravity;        // [m/s2]

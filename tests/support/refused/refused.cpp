@@ -27,6 +27,7 @@ enum Flaw {
   FLAW_null,
   FLAW_no_terms,
   FLAW_needs_unknown,
+  FLAW_no_members,
   FLAW_nameless_parameter,
   FLAW_no_unit,
   FLAW_bad_choice,
@@ -125,6 +126,7 @@ const netloft_term* terms() {
   one.name = "one", two.name = "two", one.doc = two.doc = "a term";
   one.evaluate = two.evaluate = evaluate;
   two.needs = has(FLAW_needs_unknown) ? "strength" : "stiffness";
+  if (has(FLAW_no_members)) one.traits = NETLOFT_OF_MEMBERS | NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC;
   static const Array<netloft_term, 2, step_of(sizeof one, sizeof one)> rows({one, two});
   return rows.data();
 }
