@@ -193,7 +193,8 @@ void Assembler::hand_on(std::span<const double> x, const Request& request) {
   if (!residual && exact) {
     body_forces_.assign(numbering_.dofs(), 0.0);
     for (const Company& company : companies_)
-      run_company(company, x, {.residual = body_forces_.data(), .motion = request.motion});
+      run_company(company, x,
+                  {.without = request.without, .residual = body_forces_.data(), .motion = request.motion});
     residual = body_forces_.data();
   }
   bodies_.hand_on(x, residual, request.values, exact);
@@ -284,7 +285,7 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   for (const auto& term : f.active_terms()) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
-    if (request.conservative_only && !conservative) continue;
+    if ((request.conservative_only && !conservative) || (term.traits & request.without)) continue;
     // Inertia is no force to be left out: without it a step's matrix is none.
     const bool counts =
         conservative || tangent_ != TangentChoice::elastic || (term.traits & NETLOFT_READS_ACCELERATION);

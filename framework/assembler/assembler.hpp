@@ -26,6 +26,7 @@ struct Kinematics {
 struct Request {
   double* energy = nullptr;        // one number [J]
   bool conservative_only = false;  // leave out forces that have no energy: the residual is its gradient
+  std::uint32_t without = 0;       // terms with any of these traits are left out
   double* residual = nullptr;      // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]

@@ -32,19 +32,6 @@ MatrixKind kind_of(std::uint32_t want) {
   return MatrixKind::none;
 }
 
-netloft_factor factor_code(FactorStatus status) {
-  switch (status) {
-    case FactorStatus::ok:
-      return NETLOFT_FACTOR_OK;
-    case FactorStatus::not_positive_definite:
-      return NETLOFT_NOT_POSITIVE;
-    case FactorStatus::singular:
-      return NETLOFT_SINGULAR;
-    default:
-      return NETLOFT_FACTOR_FAILED;
-  }
-}
-
 /// Calls visit(node, norm of the node's entries) for entries begin … end, which come node by node.
 template <class Visit>
 void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end, std::span<const double> v,

@@ -3,6 +3,7 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/problem/books.hpp"
 #include "framework/problem/moving_state.hpp"
+#include "framework/problem/work.hpp"
 
 #include <array>
 #include <atomic>
@@ -21,6 +22,8 @@ struct Limits {
   double cpu_seconds = std::numeric_limits<double>::infinity();  // that one attempt of several may take
   // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
   double way = std::numeric_limits<double>::infinity();
+  const WorkModel* model = nullptr;                       // what operations cost; null: work is not limited
+  double work = std::numeric_limits<double>::infinity();  // budget, in units of the model
 };
 
 /// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
