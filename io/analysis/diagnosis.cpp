@@ -67,8 +67,7 @@ class Diagnosis {
       std::vector<std::vector<double>> values;
       assembler_.outputs(x_, f, values);
       for (std::size_t k = 0; k < values.size(); ++k)
-        if (std::string_view(family.type().outputs[k].name).starts_with("tension"))
-          add_tensions(family, values[k]);
+        if (family.type().outputs[k].role == NETLOFT_OUTPUT_TENSION) add_tensions(family, values[k]);
     }
     for (const auto& [part, t] : tensions_) largest_ = std::max(largest_, t.largest);
   }

@@ -16,6 +16,7 @@ using FamilyOutputs = std::vector<std::vector<std::vector<double>>>;
 struct PartForce {
   std::string part, term;
   std::array<double, 3> force{};
+  std::uint32_t traits = 0;  // of the term: NETLOFT_IS_WEIGHT, NETLOFT_IS_DRAG and others
 };
 
 /// What comes out of the elements of a scene that is at positions x, over all dofs.

@@ -35,9 +35,11 @@ class GearView {
 
   /// An output of all elements of a part, in their order; empty: they have none of that name.
   std::vector<double> output(std::uint32_t part, const std::string& name) const;
-  /// Sum of some forces on a part [N], of what was modelled.
-  Vector force(const std::string& part, std::initializer_list<const char*> terms) const;
-  bool has_force(const std::string& part, std::initializer_list<const char*> terms) const;
+  /// Which forces on a part belong to a kind of load.
+  using Kind = bool (*)(const PartForce& force);
+  /// Sum of the forces of a kind on a part [N], of what was modelled.
+  Vector force(const std::string& part, Kind is_of_kind) const;
+  bool has_force(const std::string& part, Kind is_of_kind) const;
 
   /// Unit vector of the current at a place; aft in still water.
   Vector current_at(const Vector& place) const;
