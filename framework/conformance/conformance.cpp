@@ -128,7 +128,8 @@ const std::vector<Check<Bench>>& table() {
       {"members-make-their-term",
        members_make_their_term,
        {"force-is-gradient"},
-       "the term with the trait `of_members` is the sum over the members told: look at number, rest length "
+       "the term with the trait `of_members` is the sum over the declared members: look at number, rest "
+       "length "
        "at "
        "this time, and both stiffnesses"},
       {"collapsed-finite",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Do the members that an element tells make up its term of members?
+// Do the members that an element declares make up its term of members?
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -59,14 +59,14 @@ double difference(const Answer& term, const Pull& members, std::size_t lane, dou
 void compare(Bench& b, const States& s, Worst& worst) {
   const netloft_term& term = term_of_members(b.type);
   const Answer sum = answer_of_terms(b, s);
-  const auto told = b.specimen->members(s.first, s.count);
+  const auto declared = b.specimen->members(s.first, s.count);
   const auto scale = b.force_scale(term, s);
   const std::size_t count = b.type.element.member_count;
   for (std::size_t lane = 0; lane < s.count; ++lane) {
     Pull members{0, std::vector<double>(b.dofs(), 0.0)};
-    bool has_direction = told.size() == count * s.count;
+    bool has_direction = declared.size() == count * s.count;
     for (std::size_t i = 0; i < count && has_direction; ++i)
-      has_direction = add_member(told[lane * count + i], s, lane, members);
+      has_direction = add_member(declared[lane * count + i], s, lane, members);
     const double off = has_direction ? difference(sum, members, lane, b.size(s, lane)) : std::nan("");
     worst.note(ratio(off, scale[lane]), [&] { return b.place(term, s, lane); });
   }
@@ -77,7 +77,7 @@ void compare(Bench& b, const States& s, Worst& worst) {
 /// Rounding of positions of 10 m in an element of 1 mm leaves 1e-12 of the strain; laws have more digits than
 /// the limit asks for.
 Finding members_make_their_term(Bench& b) {
-  if (b.type.element.member_count == 0) return nothing_to_ask("the element tells no members");
+  if (b.type.element.member_count == 0) return nothing_to_ask("the element declares no members");
   Worst worst(1e-6);
   for (const auto& s : b.tiles) compare(b, s, worst);
   return judged(worst, "no state");

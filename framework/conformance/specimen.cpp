@@ -139,11 +139,11 @@ Answer Specimen::outputs(const States& states, std::vector<double>& values) cons
 }
 
 std::vector<netloft_member> Specimen::members(std::uint32_t first, std::uint32_t count) const {
-  std::vector<netloft_member> told(std::size_t{count} * type_.element.member_count);
+  std::vector<netloft_member> members(std::size_t{count} * type_.element.member_count);
   std::string thrown;
   const int status =
-      guarded(thrown, [&] { return type_.element.members(self_, kTime, first, count, told.data()); });
-  return status == NETLOFT_OK ? told : std::vector<netloft_member>{};
+      guarded(thrown, [&] { return type_.element.members(self_, kTime, first, count, members.data()); });
+  return status == NETLOFT_OK ? members : std::vector<netloft_member>{};
 }
 
 bool wants_matrix(std::uint32_t want) {

@@ -80,7 +80,7 @@ class Specimen {
   /// The element's outputs, [output][64], added to nothing: they are written.
   Answer outputs(const States& states, std::vector<double>& values) const;
 
-  /// Members of elements first … first + count - 1 at the time of the tiles; empty: it fails to tell them.
+  /// Members of elements first … first + count - 1 at the time of the tiles; empty: the plugin failed.
   std::vector<netloft_member> members(std::uint32_t first, std::uint32_t count) const;
 
   std::size_t entries(const netloft_term& term) const;

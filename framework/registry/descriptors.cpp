@@ -174,12 +174,12 @@ void check_members(const ElementType& e, const std::string& owner, Faults& fault
   }
   const bool has_members = e.element.member_count > 0;
   faults.require(has_members == has_term,
-                 owner + (has_term ? " has a term of members but tells none"
-                                   : " tells members but has no term that is their force"));
+                 owner + (has_term ? " has a term of members but declares none"
+                                   : " declares members but has no term that is their force"));
   if (!has_members) return;
-  faults.require(e.element.members != nullptr, owner + " has members but no function that tells them");
+  faults.require(e.element.members != nullptr, owner + " has members but no function for them");
   faults.require(bears_along_lines(e.element.stencil),
-                 owner + " tells members on a stencil that is none of two or three nodes");
+                 owner + " declares members on a stencil that is none of two or three nodes");
 }
 
 ElementType read_element(const netloft_element& raw, const std::string& plugin, Faults& faults) {

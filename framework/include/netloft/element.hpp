@@ -14,7 +14,8 @@
 // that are solved for, too (the front of a catch), says how many: `static constexpr int globals = 1`. They
 // are coordinates of one more node, the last: N is one more.
 //
-// One that bears tension along straight lines tells them, and solvers may take the tensions for unknowns:
+// One that bears tension along straight lines declares these members, and solvers may take the tensions for
+// unknowns:
 //
 //   static std::array<Member, N> members(const Parameters&, const Data&, double time);
 //
@@ -92,7 +93,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     t.size = sizeof t, t.traits = traits, t.name = name, t.doc = doc, t.needs = needs;
     t.evaluate = &detail::evaluate_term<E, T, (traits & NETLOFT_SYMMETRIC) != 0>;
     terms_.push_back(t);
-    if constexpr ((traits & NETLOFT_OF_MEMBERS) != 0) tell_members();
+    if constexpr ((traits & NETLOFT_OF_MEMBERS) != 0) declare_members();
   }
 
   /// A number reported per element, in physical sign.
@@ -153,8 +154,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     Output one;
     LanesOutput lanes;
   };
-  /// Members are told with the term that is their force: an element without it has none.
-  void tell_members() {
+  /// An element has members only with the term that is their force.
+  void declare_members() {
     static_assert(detail::HasMembers<E>,
                   "A term of members needs a static function of the element, `std::array<Member, N> "
                   "members(const Parameters&, const Data&, double time)`.");

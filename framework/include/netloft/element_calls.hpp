@@ -53,9 +53,9 @@ concept HasMembers = requires(const typename E::Parameters& p, const typename E:
 };
 template <class E>
 consteval std::uint32_t count_members() {
-  using Told = decltype(E::members(std::declval<const typename E::Parameters&>(),
-                                   std::declval<const typename E::Data&>(), 0.0));
-  return static_cast<std::uint32_t>(std::tuple_size_v<Told>);
+  using Members = decltype(E::members(std::declval<const typename E::Parameters&>(),
+                                      std::declval<const typename E::Data&>(), 0.0));
+  return static_cast<std::uint32_t>(std::tuple_size_v<Members>);
 }
 
 inline int say(char* message, std::uint32_t size, const char* text, int status) {
