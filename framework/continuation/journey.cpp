@@ -356,7 +356,7 @@ Solution Journey::solve_itself(const std::string& name, const SolverUse& solver,
   const SolverType& type = *solver.type;
   const ParameterBlock parameters(type.parameters, type.solver.parameter_bytes, solver.parameters, faults);
   Limits left = limits;
-  left.seconds = seconds_left(), left.cpu_seconds = patience_left();
+  left.seconds = std::min(seconds_left(), patience_left());
   Solution s = solve_static(scene_, assembler_, type, parameters.data(), left, options_.make,
                             options_.on_iteration, start, digits);
   legs_.push_back({name, type.type, s.u.size(), s.status, s.reason, s.books});
@@ -383,13 +383,13 @@ Limits Journey::limits_of_leg(double tolerance, int iterations) const {
   limits.ask_growth = false;
   limits.way = leg_way_;
   limits.iterations = iterations > 0 ? iterations : std::min(kLegIterations, limits.iterations);
-  limits.seconds = seconds_left(), limits.cpu_seconds = std::min(patience_left(), leg_patience_);
+  limits.seconds = std::min({seconds_left(), patience_left(), leg_patience_});
   return limits;
 }
 
-/// Of what the user allows, by the clock on the wall [s].
+/// Of what the user allows [s].
 double Journey::seconds_left() const {
-  return std::max(0.0, options_.limits.seconds - (wall_seconds() - begun_));
+  return std::max(0.0, options_.limits.seconds - (cpu_seconds() - begun_cpu_));
 }
 
 /// Of what all attempts together are worth, by that of the processor: other programs do not count [s].

@@ -354,10 +354,10 @@ int StaticProblem::progress(const double* u, double energy, const double* residu
     stop_ = Stop::interrupted;
   else if (books_.iterations - iterations_before_ >= limits_.iterations)
     stop_ = Stop::iterations;
-  else if (record.seconds >= limits_.seconds)
+  else if (cpu_seconds() - begun_cpu_ >= limits_.seconds)
     stop_ = Stop::time;
-  else if (cpu_seconds() - begun_cpu_ >= limits_.cpu_seconds)
-    stop_ = Stop::share;
+  else if (limits_.model && limits_.model->of(books_) >= limits_.work)
+    stop_ = Stop::work;
   else if (has_run_away(x_))
     stop_ = Stop::ran_away;
   else if (is_restless(u))

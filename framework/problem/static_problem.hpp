@@ -3,6 +3,7 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/problem/books.hpp"
 #include "framework/problem/moving_state.hpp"
+#include "framework/problem/work.hpp"
 
 #include <array>
 #include <atomic>
@@ -15,12 +16,13 @@ namespace netloft {
 struct Limits {
   double tolerance = 1e-10;  // largest nodal residual over the largest nodal load
   int iterations = 1000;
-  double seconds = std::numeric_limits<double>::infinity();
+  double seconds = std::numeric_limits<double>::infinity();  // of the processor that the user allows
   const std::atomic<bool>* interrupt = nullptr;
   bool ask_growth = false;  // whether a small disturbance grows, where forces have no energy: dear
-  double cpu_seconds = std::numeric_limits<double>::infinity();  // that one attempt of several may take
   // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
   double way = std::numeric_limits<double>::infinity();
+  const WorkModel* model = nullptr;                       // null: work is not limited
+  double work = std::numeric_limits<double>::infinity();  // budget, in units of the model
 };
 
 /// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
@@ -49,7 +51,7 @@ struct StepProblem {
 /// Counts and times every call, decides on convergence, keeps matrices and factors.
 class StaticProblem {
  public:
-  enum class Stop { none, arrived, iterations, time, share, interrupted, ran_away, restless };
+  enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, restless };
 
   StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});

@@ -102,7 +102,7 @@ class March {
   bool has_ended() {
     if (limits_.interrupt && limits_.interrupt->load())
       return end(MarchStatus::interrupted, "interrupted at t = " + seconds(state_.t));
-    if (wall_seconds() - begun_ > limits_.seconds)
+    if (cpu_seconds() - cpu_begun_ > limits_.seconds)
       return end(MarchStatus::failed, "the time limit was reached at t = " + seconds(state_.t));
     return is_over_;
   }

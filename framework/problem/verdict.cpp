@@ -39,8 +39,8 @@ std::string outcome_text(netloft_outcome outcome, const StaticProblem& problem, 
           return "the limit of " + std::to_string(problem.books().iterations) + " iterations was reached";
         case StaticProblem::Stop::time:
           return "the time limit was reached";
-        case StaticProblem::Stop::share:
-          return "the time that was worth one of several attempts was over";
+        case StaticProblem::Stop::work:
+          return "its budget of work was used up";
         case StaticProblem::Stop::interrupted:
           return "interrupted";
         case StaticProblem::Stop::ran_away:

@@ -207,6 +207,19 @@ TEST(StaticProblem, GoesOnUntilALimit) {
   EXPECT_EQ(c.problem.books().iterations, 2);
 }
 
+// A residual is worth 2 units here, and a matrix 3.
+TEST(StaticProblem, StopsWhenItsBudgetOfWorkIsUsedUp) {
+  const WorkModel model{.matrix = 30, .residual = 20, .unit = 10};
+  Limits limits;
+  limits.model = &model, limits.work = 7;
+  Called c(hanging_chain().scene, limits);
+  c.evaluate(NETLOFT_WANT_TANGENT);
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  c.evaluate(0);
+  EXPECT_EQ(c.progress(), NETLOFT_GIVE_UP);
+  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::work);
+}
+
 TEST(StaticProblem, StopsWhenTimeIsUpOrSomeoneInterrupts) {
   Limits limits;
   limits.seconds = 0;
