@@ -84,7 +84,8 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads,
 
 Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
                      std::vector<std::unique_ptr<ElementFamily>>&& families)
-    : water_(scene.water),
+    : scene_nodes_(scene.node_count()),
+      water_(scene.water),
       current_(scene.current),
       tangent_(plan.tangent),
       families_(std::move(families)),
@@ -166,6 +167,23 @@ void Assembler::move(double time, std::span<const double> v, std::span<const dou
   visit_guided(time, [&](std::size_t i, std::size_t axis, const Course::Moment& m) {
     all_v[i] = m.v[axis], all_a[i] = m.a[axis];
   });
+}
+
+std::array<double, 3> Assembler::node_position(std::uint32_t node, std::span<const double> x) const {
+  std::array<double, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = x[static_cast<std::size_t>(numbering_.index(node, static_cast<int>(axis)))];
+  return place;
+}
+
+std::vector<double> Assembler::node_positions(std::span<const double> x) const {
+  std::vector<double> all;
+  all.reserve(3 * scene_nodes_);
+  for (std::uint32_t node = 0; node < scene_nodes_; ++node) {
+    const auto place = node_position(node, x);
+    all.insert(all.end(), place.begin(), place.end());
+  }
+  return all;
 }
 
 std::vector<double> Assembler::displacements(std::span<const double> positions) const {

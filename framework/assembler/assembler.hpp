@@ -69,6 +69,10 @@ class Assembler {
             std::span<double> all_a) const;
   /// Displacements of the unknowns that bring the nodes nearest to `positions`, 3 per node of the scene [m].
   std::vector<double> displacements(std::span<const double> positions) const;
+  /// Positions of the nodes of the scene, three of each, out of a vector x over all degrees of freedom [m];
+  /// velocities or displacements likewise. What elements share is in no place and is left out.
+  std::vector<double> node_positions(std::span<const double> x) const;
+  std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
   /// Whether some held node is moved.
   bool is_guided() const { return !guides_.empty(); }
   /// What holds a node (along some of its own axes), and what is left unbalanced at it, out of a residual
@@ -147,6 +151,7 @@ class Assembler {
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
   bool collect_faults();
 
+  std::size_t scene_nodes_;
   SceneWater water_;
   Current current_;
   TangentChoice tangent_;

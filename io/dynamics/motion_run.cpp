@@ -99,7 +99,7 @@ class MotionRun {
     SeriesState state;
     layout_.changing.clear(), layout_.columns.clear();
     state.time = at.t;
-    state.points = by_node(loaded_, assembler, solution.x);
+    state.points = assembler.node_positions(solution.x);
     add_point_fields(at, solution, state);
     for (auto& cell : gather_outputs(loaded_, assembler, answer.outputs))
       layout_.changing.push_back(cell.spec), state.fields.push_back(std::move(cell.values));
@@ -121,11 +121,10 @@ class MotionRun {
       const auto held = assembler.reaction(node, solution.residual);
       reaction.insert(reaction.end(), held.begin(), held.end());
     }
-    const std::vector<double> rates(at.v.begin(), at.v.end());
     layout_.changing = {{"displacement", "m", "movement from the sketch", Location::kPoint, 3, false},
                         {"velocity", "m/s", "velocity", Location::kPoint, 3, false},
                         {"reaction", "N", "force of what holds the node", Location::kPoint, 3, false}};
-    state.fields = {displacement, by_node(loaded_, assembler, rates), reaction};
+    state.fields = {displacement, assembler.node_positions(at.v), reaction};
   }
 
   void add_row(const Snapshot& at, const Solution& solution, const FamilyOutputs& outputs,

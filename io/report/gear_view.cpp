@@ -21,10 +21,8 @@ const std::uint32_t* GearView::find_rope(const std::string& wanted) const {
 }
 
 Vector GearView::at(std::uint32_t node) const {
-  Vector place;
-  for (int axis = 0; axis < 3; ++axis)
-    place[axis] = answer_.x[static_cast<std::size_t>(assembler_.numbering().index(node, axis))];
-  return place;
+  const auto [x, y, z] = assembler_.node_position(node, answer_.x);
+  return {x, y, z};
 }
 
 std::vector<double> GearView::rest_lengths(std::uint32_t rope) const {

@@ -84,14 +84,4 @@ std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler
   return fields;
 }
 
-/// A vector over all dofs, node by node; without what elements share, which is in no place.
-std::vector<double> by_node(const LoadedScene& loaded, const Assembler& assembler,
-                            const std::vector<double>& v) {
-  std::vector<double> nodes(3 * loaded.scene.node_count());
-  for (std::size_t d = 0; d < nodes.size(); ++d)
-    nodes[d] = v[static_cast<std::size_t>(
-        assembler.numbering().index(static_cast<std::uint32_t>(d / 3), static_cast<int>(d % 3)))];
-  return nodes;
-}
-
 }  // namespace netloft::io

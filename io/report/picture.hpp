@@ -23,8 +23,5 @@ StaticField label_cells(const LoadedScene& loaded, const Assembler& assembler);
 /// Outputs of all families under one name each; elements without it have none.
 std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler& assembler,
                                       const FamilyOutputs& outputs_of);
-/// A vector over all dofs, node by node; without what elements share, which is in no place.
-std::vector<double> by_node(const LoadedScene& loaded, const Assembler& assembler,
-                            const std::vector<double>& v);
 
 }  // namespace netloft::io

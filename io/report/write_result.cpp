@@ -15,7 +15,7 @@ namespace {
 
 void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                    const RunResult& result) {
-  const auto points = by_node(loaded, assembler, result.solution.x);
+  const auto points = assembler.node_positions(result.solution.x);
   std::vector<double> displacement(points.size()), residual, reaction;
   for (std::size_t d = 0; d < points.size(); ++d) displacement[d] = points[d] - loaded.scene.positions[d];
   for (std::uint32_t node = 0; node < loaded.scene.node_count(); ++node) {
