@@ -348,7 +348,8 @@ typedef struct netloft_problem {
   int (*solve)(void* host, const double* rhs, double* x);
   /* y = (matrix + shift x metric) x, of the last evaluation. */
   int (*multiply)(void* host, int matrix, double shift, const double* x, double* y);
-  /* Books one iteration at an accepted point u whose residual is given; says whether to go on. */
+  /* Books one iteration at an accepted point u whose residual is given; says whether to go on. What was
+   * evaluated before does not matter. */
   int (*progress)(void* host, const double* u, double energy, const double* residual, const char* note);
   /* Largest move of a node over the largest element length, of a step du: a pure number. */
   double (*step_length)(void* host, const double* du);

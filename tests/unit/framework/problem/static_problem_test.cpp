@@ -265,6 +265,26 @@ TEST(StaticProblem, ArrivesWhenTheLargestNodalResidualIsSmall) {
   EXPECT_NEAR(c.problem.history().back().scale, 50, 1e-3);
 }
 
+// The bar is held by 50 N in balance, and by a hundred times as much where it is stretched to 51 m: of that,
+// 4e-5 N are within 1e-6, and 4e-3 N too.
+TEST(StaticProblem, JudgesAPointByItsOwnLoadsWhateverWasTriedInBetween) {
+  Limits limits;
+  limits.tolerance = 1e-6;
+  Called c(pulled_bar(0).scene, limits);
+  c.p.u[2] = -4e-5;
+  c.evaluate(0);
+  const auto there = c.residual;
+  c.p.u[2] = -49.5;
+  c.evaluate(0);
+  c.p.u[2] = -4e-5, c.residual = there;
+  const int evaluations = c.problem.books().residuals;
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  EXPECT_NEAR(c.problem.history().back().scale, 50, 1e-2);
+  EXPECT_EQ(c.problem.books().residuals, evaluations + 1) << "which is counted";
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  EXPECT_EQ(c.problem.books().residuals, evaluations + 1) << "and done once";
+}
+
 // Positions of 1e6 m are good to 1e-10 m: with 100 N/m no residual below about 1e-8 N means anything.
 TEST(StaticProblem, TakesRoundOffOfThePositionsForBalance) {
   Limits limits;
