@@ -7,7 +7,7 @@ namespace netloft::newton {
 /// How far to go along a line that curves downwards, where nothing tells how far it does:
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise up to the t sought, and not far beyond                 (1)
 /// by steps that grow until (1) fails, and secants of m' between.
-struct AsideSearch {
+struct DescentSearch {
   double first = 1e-3, shortest = 1e-7, longest = 10;  // t
   double growth = 4, shrinkage = 0.1;                  // of t while (1) holds, while it never did
   int refinements = 4;                                 // evaluations spent once (1) has failed

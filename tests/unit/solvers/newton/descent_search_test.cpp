@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solvers/newton/aside_search.hpp"
+#include "solvers/newton/descent_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,29 +15,29 @@ auto buckling(double a, double b) {
 
 constexpr Sample kSaddle{};
 
-TEST(AsideSearch, FindsHowFarItFallsWhateverTheScale) {
+TEST(DescentSearch, FindsHowFarItFallsWhateverTheScale) {
   for (const double furthest : {3e-6, 4e-4, 0.02, 0.7}) {
-    const auto found = AsideSearch{}(buckling(1, 1 / (furthest * furthest)), kSaddle, 0);
+    const auto found = DescentSearch{}(buckling(1, 1 / (furthest * furthest)), kSaddle, 0);
     ASSERT_TRUE(found) << furthest;
     EXPECT_LE(found->t, furthest);
     EXPECT_GT(found->t, 0.8 * furthest);
   }
 }
 
-TEST(AsideSearch, GoesNowhereUphill) { EXPECT_FALSE(AsideSearch{}(buckling(-1, 1), kSaddle, 0)); }
+TEST(DescentSearch, GoesNowhereUphill) { EXPECT_FALSE(DescentSearch{}(buckling(-1, 1), kSaddle, 0)); }
 
-TEST(AsideSearch, StopsShortOfWhereThereAreNoForces) {
-  const auto found = AsideSearch{}(
+TEST(DescentSearch, StopsShortOfWhereThereAreNoForces) {
+  const auto found = DescentSearch{}(
       [](double t) { return t < 0.05 ? buckling(1, 0)(t) : std::optional<Sample>(); }, kSaddle, 0);
   ASSERT_TRUE(found);
   EXPECT_LT(found->t, 0.05);
   EXPECT_GT(found->t, 0.01);
 }
 
-TEST(AsideSearch, GoesNoFurtherThanTheLongestWhereItFallsForEver) {
-  const auto found = AsideSearch{}(buckling(1, 0), kSaddle, 0);
+TEST(DescentSearch, GoesNoFurtherThanTheLongestWhereItFallsForEver) {
+  const auto found = DescentSearch{}(buckling(1, 0), kSaddle, 0);
   ASSERT_TRUE(found);
-  EXPECT_LT(found->t, AsideSearch{}.longest);
+  EXPECT_LT(found->t, DescentSearch{}.longest);
 }
 
 }  // namespace
