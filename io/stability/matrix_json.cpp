@@ -87,9 +87,10 @@ Json cell_json(const Cell& c, const Row& row) {
           {"size", c.size},
           {"solver", c.solver},
           {"unknowns", c.unknowns},
-          {"arrived", is_arrival(c.verdict.where)},
           {"where", name_of(c.verdict.where)},
           {"right", is_right(c.verdict.where)},
+          {"claimed_wrong", is_claimed_wrong(c.verdict.where)},
+          {"confirmed", c.confirmed},
           {"expected", name_of(c.expected)},
           {"drawn", row.about->drawn},
           {"stable_shapes", row.shapes},
@@ -107,19 +108,33 @@ Json cell_json(const Cell& c, const Row& row) {
           {"history", history_json(c.history)}};
 }
 
+Json tally_json(const Tally& t) {
+  return {{"solver", t.solver},
+          {"cases", t.cases},
+          {"right", t.right},
+          {"claimed_wrong", t.claimed_wrong},
+          {"unconfirmed", t.unconfirmed},
+          {"factorisations", t.factorisations},
+          {"cpu_seconds", t.cpu_seconds}};
+}
+
 }  // namespace
 
 std::string matrix_json(const MatrixTitle& title, const std::vector<Row>& rows) {
-  Json cases = Json::array(), solvers = Json::array();
+  Json cases = Json::array(), solvers = Json::array(), kinds = Json::array();
   for (const auto& row : rows)
     for (const auto& cell : row.cells) cases.push_back(cell_json(cell, row));
-  for (const auto& t : tally(rows))
-    solvers.push_back({{"solver", t.solver},
-                       {"cases", t.cases},
-                       {"right", t.right},
-                       {"lies", t.lies},
-                       {"cpu_seconds", t.cpu_seconds}});
-  const Json all = {{"suite", title.folder}, {"draw", title.draw}, {"solvers", solvers}, {"cases", cases}};
+  for (const auto& t : tally(rows)) solvers.push_back(tally_json(t));
+  for (const auto& kind : tally_by_kind(rows))
+    for (const auto& t : kind.columns) {
+      kinds.push_back({{"kind", kind.kind}});
+      kinds.back().update(tally_json(t));
+    }
+  const Json all = {{"suite", title.folder},
+                    {"draw", title.draw},
+                    {"solvers", solvers},
+                    {"kinds", kinds},
+                    {"cases", cases}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

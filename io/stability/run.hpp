@@ -7,12 +7,13 @@
 
 namespace netloft::io {
 
-/// One case, one size, one solver: what became of it.
+/// One case, one size, one column: what became of it.
 struct Cell {
   std::string name, size, solver;
   Expected expected = Expected::stable;
   std::size_t unknowns = 0;
   Verdict verdict;
+  bool confirmed = true;  // if it is an answer, another solver knows a stable equilibrium of the case, too
   std::string status, stability, reason;
   int iterations = 0, factorisations = 0;
   double cpu_seconds = 0, energy = 0;
@@ -33,6 +34,7 @@ struct RunOptions {
   std::vector<std::string> sizes;  // of kStabilitySizes
   std::string pattern;             // only cases whose name contains it
   double seconds = 0;              // for one case; 0: 10, of large ones 60
+  double work = 0;                 // the same in factorisations of the scene's tangent; 0: any
   int threads = 1;
   bool update = false;  // the book of references
   const std::atomic<bool>* interrupt = nullptr;
