@@ -131,9 +131,21 @@ void add_gear_commands(CLI::App& app, Options& o) {
 
 void add_stability_command(CLI::App& app, Options& o) {
   StabilityOptions& s = o.stability;
-  auto* command =
-      app.add_subcommand("stability", "run solvers on the suite of hard cases, and print how they did");
-  command->add_option("SUITE", s.suite, "folder of the suite; else tests/stability");
+  auto* command = app.add_subcommand(
+      "stability", "run strategies and solvers on the suite of hard cases, and print how they did");
+  command->add_option("SUITE", s.suite,
+                      "folder of the suite; else tests/stability here, or the installed one");
+  command->add_option("--strategy", s.strategies, "strategy; may be repeated, and stand beside solvers")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]")
+      ->allow_extra_args(false);
+  command->add_option("--without", s.without, "leave out an attempt of the strategy auto; may be repeated")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("PART")
+      ->allow_extra_args(false);
+  command->add_option("--set", o.set, "a value of every scene: analysis.newton.damping=0.1")
+      ->type_name("path=value")
+      ->allow_extra_args(false);
   command->add_option("--solver", s.solvers, "solver, as run takes it; may be repeated")
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("NAME[:key=value,…]")
@@ -146,6 +158,8 @@ void add_stability_command(CLI::App& app, Options& o) {
   command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases");
   command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
       ->check(CLI::Range(0.001, 1e6));
+  command->add_option("--work", s.work, "for one case, in factorisations of its tangent; else any")
+      ->check(CLI::Range(1.0, 1e9));
   command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
   command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
   command->add_option("--threads", o.threads, "threads of the assembly; else one")

@@ -86,7 +86,7 @@ class SuiteRun {
     add(c.sizes.at(size));
     add({"analysis.max_seconds=" + std::to_string(seconds_for(size))});
     if (options_.work > 0) add({"analysis.work=" + std::to_string(options_.work)});
-    add(solver_overrides(column.word)), add(column.overrides);
+    add(overrides_of(column));
     return source;
   }
 
@@ -152,7 +152,7 @@ class SuiteRun {
 
   Attempt sketch_attempt(const StabilityCase& c, const std::string& size, const char* solver,
                          std::vector<std::string> overrides) {
-    return attempt(c, size, {solver, std::move(overrides), {}, ""}, {});
+    return attempt(c, size, {.solver = solver, .strategy = "", .overrides = std::move(overrides)}, {});
   }
 
   static void add(Answers& all, const Attempt& a, const std::string& solver) {
