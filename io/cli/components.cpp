@@ -11,10 +11,22 @@
 
 namespace netloft::io {
 
+namespace {
+
+const char* kind_name(std::uint32_t kind) {
+  if (kind == NETLOFT_REAL) return "real";
+  if (kind == NETLOFT_INTEGER) return "integer";
+  if (kind == NETLOFT_BOOLEAN) return "boolean";
+  return kind == NETLOFT_CHOICE ? "choice" : "text";
+}
+
+}  // namespace
+
 Json parameter_json(std::span<const netloft_parameter> table) {
   Json rows = Json::array();
   for (const auto& p : table)
     rows.push_back({{"name", p.name},
+                    {"kind", kind_name(p.kind)},
                     {"unit", p.unit},
                     {"allowed", allowed(p)},
                     {"default", default_of(p)},
