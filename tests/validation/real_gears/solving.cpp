@@ -93,4 +93,10 @@ SolvedGear solve_in_stages(const NeutralCase& gear, const Modelling& modelling, 
   return s;
 }
 
+// Gears that bend are bent, not pulled: there are no tensions to begin with.
+SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                             const test::Solving& how) {
+  return (gear.triangles.empty() ? solve : solve_in_stages)(gear, modelling, start, how);
+}
+
 }  // namespace netloft::real_gears

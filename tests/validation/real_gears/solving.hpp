@@ -40,4 +40,8 @@ SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Star
 SolvedGear solve_in_stages(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                            const test::Solving& how);
 
+/// By the program's default strategy, from wherever the gear starts.
+SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                             const test::Solving& how);
+
 }  // namespace netloft::real_gears
