@@ -109,6 +109,7 @@ class MotionRun {
     if (layout_.mesh.n_points == 0) {
       layout_.mesh = make_mesh(loaded_, assembler), layout_.fixed = label_points(loaded_);
       layout_.fixed.push_back(label_cells(loaded_, assembler));
+      layout_.fixed.push_back(label_corners(loaded_, assembler));
     }
     return state;
   }

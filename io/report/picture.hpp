@@ -26,5 +26,9 @@ std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler
 /// A vector over all dofs, node by node; without what elements share, which is in no place.
 std::vector<double> by_node(const LoadedScene& loaded, const Assembler& assembler,
                             const std::vector<double>& v);
+/// Where the corners of a cell lie on the panel that the cell belongs to; nodes on seams belong to several
+/// panels. Along a twine of diamond netting u = V + U or v = V - U is constant, so that twines can be drawn
+/// from it.
+StaticField label_corners(const LoadedScene& loaded, const Assembler& assembler);
 
 }  // namespace netloft::io

@@ -33,6 +33,7 @@ void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler&
   for (const auto& cell : cells) changing.push_back(cell.spec), values.push_back(cell.values);
   auto fixed = label_points(loaded);
   fixed.push_back(label_cells(loaded, assembler));
+  fixed.push_back(label_corners(loaded, assembler));
   file.begin(make_mesh(loaded, assembler), changing, fixed);
   file.write_state(0, points, values);
 }
