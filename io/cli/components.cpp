@@ -6,6 +6,7 @@
 #include "io/scene/geometry.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iterator>
 
@@ -70,11 +71,46 @@ std::string element_text(const ElementType& e) {
   return text;
 }
 
+/// "[1, 100000]", "(0, 10]".
+std::string interval(const Range& range) {
+  return fmt::format("{}{:g}, {:g}{}", range.lo_open ? "(" : "[", range.lo, range.hi,
+                     range.hi_open ? ")" : "]");
+}
+
+/// "4 ", "2 or more ".
+std::string count_text(const Count& count) {
+  return count.least == count.most ? fmt::format("{} ", count.least)
+                                   : fmt::format("{} or more ", count.least);
+}
+
+std::string allowed_geometry(const GeometryKey& key) {
+  const std::string unit = key.unit == "1" ? "" : " " + key.unit;
+  switch (key.shape) {
+    case GeometryKey::Shape::word:
+      return fmt::format("one of {}", fmt::join(key.words, ", "));
+    case GeometryKey::Shape::points:
+      return (key.count.most == 1 ? "" : count_text(key.count) + "times ") + "[x, y, z]" + unit;
+    case GeometryKey::Shape::integers:
+      return count_text(key.count) + "in " + interval(key.range) + unit;
+    default:
+      return interval(key.range) + unit;
+  }
+}
+
+Json geometry_row(const GeometryKey& key) {
+  return {{"name", key.name},
+          {"unit", key.unit},
+          {"allowed", allowed_geometry(key)},
+          {"default", key.required        ? "required"
+                      : key.words.empty() ? ""
+                                          : key.words[0]},
+          {"doc", key.doc}};
+}
+
 Json element_json(const ElementType& e) {
   Json terms = Json::array(), outputs = Json::array(), data = Json::array(), geometry = Json::array(),
        laws = Json::array(), globals = Json::array();
-  for (const auto& key : geometry_keys(layout_of(e)))
-    geometry.push_back({{"name", key.name}, {"doc", key.doc}});
+  for (const auto& key : geometry_keys(layout_of(e))) geometry.push_back(geometry_row(key));
   for (const auto& t : e.terms)
     terms.push_back({{"name", t.name}, {"traits", describe_traits(t.traits)}, {"doc", t.doc}});
   for (const auto& o : e.outputs) outputs.push_back({{"name", o.name}, {"unit", o.unit}, {"doc", o.doc}});

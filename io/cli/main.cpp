@@ -168,7 +168,7 @@ void add_commands(CLI::App& app, Options& o) {
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
   add_plugin_options(*app.add_subcommand("list", "list all elements and solvers"), o);
   auto* describe = app.add_subcommand(
-      "describe", "parameters, terms and outputs of a component, or of the tables water and analysis");
+      "describe", "parameters, terms and outputs of a component, or of the tables water, analysis and gear");
   describe->add_option("TYPE", o.target, "such as rope/bar, newton, water")->required();
   add_plugin_options(*describe, o);
   add_plugin_options(*app.add_subcommand("schema", "JSON schema of scene files, for editors"), o);

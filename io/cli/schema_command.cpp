@@ -372,10 +372,18 @@ void put_gear(Json& scene) {
   put(scene, "hang", plan_schema("net plan: edges on ropes", true), false);
 }
 
-Json include_schema() {
-  return {{"type", "array"},
-          {"items", {{"type", "string"}}},
-          {"description", "files laid down first, relative to this one"}};
+/// What is read beside the scene itself.
+void put_files(Json& scene) {
+  put(scene, "include",
+      {{"type", "array"},
+       {"items", {{"type", "string"}}},
+       {"description", "files laid down first, relative to this one"}},
+      false);
+  put(scene, "catalogue",
+      {{"type", "array"},
+       {"items", text("a folder, relative to the scene")},
+       {"description", "folders with catalogues of one's own, searched first"}},
+      false);
 }
 
 }  // namespace
@@ -399,12 +407,7 @@ Json scene_schema(Registry& registry) {
   Json scene = object();
   scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   scene["title"] = "Netloft scene";
-  put(scene, "include", include_schema(), false);
-  put(scene, "catalogue",
-      {{"type", "array"},
-       {"items", text("a folder, relative to the scene")},
-       {"description", "folders with catalogues of one's own, searched first"}},
-      false);
+  put_files(scene);
   put(scene, "water", water, false);
   put(scene, "parts",
       {{"type", "object"},

@@ -8,7 +8,8 @@ std::span<const netloft_parameter> water_keys() {
     ParameterTable<SceneWater> t;
     t.real("density", &SceneWater::density, "kg/m3", "density of the water; 0 is air",
            {.lo = 0, .hi = 3000, .fallback = 1025});
-    t.real("gravity", &SceneWater::gravity, "m/s2", "gravity", {.lo = 0, .hi = 100, .fallback = 9.80665});
+    t.real("gravity", &SceneWater::gravity, "m/s2", "acceleration of gravity, downwards",
+           {.lo = 0, .hi = 100, .fallback = 9.80665});
     t.real("viscosity", &SceneWater::viscosity, "m2/s", "kinematic viscosity of the water",
            {.lo = 1e-9, .hi = 1, .fallback = 1.19e-6});
     return t;
