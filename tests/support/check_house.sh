@@ -1,21 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Does the tree keep its floor plan? Says every breach, one a line as file:line, and exits 1 if there is any.
+# Does the repository keep its rules: folders, includes, names, links, lengths, words? Says every breach, one a line as
+# file:line, and exits 1 if there is any. Checks that are named on the command line are run beside those of the list.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 rooms=(framework plugins solvers io)
 breaches=0
 
+checks=(check_top_level check_arrows check_readmes check_first_lines check_documents)
+
 main() {
+  local check
   mapfile -d '' -t files < <(list_files)
   ((${#files[@]})) || breach 'no files found: the check looks in the wrong place'
-  check_top_level
-  check_arrows
-  check_readmes
-  check_first_lines
-  ((breaches == 0)) || { echo "$breaches breaches of the floor plan" && exit 1; }
-  echo "${#files[@]} files keep to the floor plan"
+  for check in "${checks[@]}" "$@"; do "$check"; done
+  ((breaches == 0)) || { echo "$breaches breaches of the rules" && exit 1; }
+  echo "${#files[@]} files keep the rules"
 }
 
 # Git knows what is ours; an unpacked archive has no git, and then only build output has to be left out.
@@ -49,13 +50,17 @@ forbid_includes() { forbid_headers "$1" "(\.\./|netloft/)*($2)/" "$3"; }
 
 # forbid_headers ROOM PATTERN REASON: no C or C++ file of the room includes a header that begins so.
 forbid_headers() {
-  local file hit
+  breach_lines "$3" < <(grep_in "$1/" '\.(hpp|cpp|h|c)$' -E "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)")
+}
+
+# grep_in FOLDER ENDING WORDS…: greps in the files whose name begins and ends so; file:line:text.
+grep_in() {
+  local folder=$1 ending=$2 file chosen=()
+  shift 2
   for file in "${files[@]}"; do
-    [[ $file == "$1"/* && -f $file && $file =~ \.(hpp|cpp|h|c)$ ]] || continue
-    while IFS= read -r hit; do
-      breach "$file:${hit%%:*}: $3: ${hit#*:}"
-    done < <(grep -nE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)" "$file")
+    [[ $file == "$folder"* && $file =~ $ending && -f $file ]] && chosen+=("$file")
   done
+  ((${#chosen[@]} == 0)) || grep -Hn "$@" "${chosen[@]}"
 }
 
 # The rooms and the folders in them; include/netloft counts as one folder.
@@ -79,8 +84,40 @@ check_first_lines() {
     [[ -f $file && $file =~ \.(hpp|cpp|h)$ ]] || continue
     IFS= read -r first <"$file" || true
     [[ $first == *'SPDX-License-Identifier: BSD-3-Clause'* ]] || breach "$file:1: does not start with the SPDX tag"
-    [[ $file != *.hpp ]] || grep -qx '#pragma once' "$file" || breach "$file:1: has no #pragma once"
   done
+  while IFS= read -r file; do
+    breach "$file:1: has no #pragma once"
+  done < <(for file in "${files[@]}"; do [[ $file != *.hpp || ! -f $file ]] || echo "$file"; done | xargs -r grep -Lx '#pragma once')
+}
+
+# breach_lines REASON: every line of standard input is a breach, file:line:text.
+breach_lines() {
+  local hit rest
+  while IFS= read -r hit; do
+    rest=${hit#*:}
+    breach "${hit%%:*}:${rest%%:*}: $1: ${rest#*:}"
+  done
+}
+
+# Relative links of every page, and files that a README names in backticks (with a folder, or sources by themselves).
+check_documents() {
+  local hit file rest name
+  while IFS= read -r hit; do
+    file=${hit%%:*} rest=${hit#*:}
+    name=${rest#*:](} name=${name%)} name=${name%%#*}
+    [[ -z $name || $name == *:* ]] || exists_beside "$file" "$name" || breach "$file:${rest%%:*}: links to $name, which does not exist"
+  done < <(grep_in '' '\.md$' -oE '\]\([^) ]+\)')
+  while IFS= read -r hit; do
+    file=${hit%%:*} rest=${hit#*:} name=${hit##*:} name=${name//\`/}
+    [[ $file == */templates/* ]] || exists_beside "$file" "$name" || breach "$file:${rest%%:*}: names $name, which does not exist"
+  done < <(grep_in '' '(README|CONTRIBUTING)\.md$' -oE '`([A-Za-z0-9_.-]+/)+[A-Za-z0-9_-]+\.(hpp|cpp|h|md|toml|py|sh|txt|svg)`|`[A-Za-z0-9_-]+\.(hpp|cpp|h)`')
+}
+
+# A name on a page is relative to its folder, to the top, to the headers that plugins include, or to the scenes.
+exists_beside() {
+  local folder=.
+  [[ $1 != */* ]] || folder=${1%/*}
+  [[ -e $folder/$2 || -e $2 || -e framework/include/$2 || -e $folder/netloft/$2 || -e gear-library/scenes/$2 ]]
 }
 
 main "$@"
