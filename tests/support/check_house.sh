@@ -90,6 +90,21 @@ check_first_lines() {
   done < <(for file in "${files[@]}"; do [[ $file != *.hpp || ! -f $file ]] || echo "$file"; done | xargs -r grep -Lx '#pragma once')
 }
 
+# Lines of code of a room as file:line:text, without comments.
+code_of() {
+  local file chosen=()
+  for file in "${files[@]}"; do
+    [[ $file == "$1"/* && -f $file && $file =~ \.(hpp|cpp|h|c)$ ]] && chosen+=("$file")
+  done
+  ((${#chosen[@]} == 0)) || awk '{
+    gsub(/\/\*.*\*\//, "")
+    if (sub(/\/\*.*/, "")) { print FILENAME ":" FNR ":" $0; inside = 1; next }
+    if (inside) { if (sub(/.*\*\//, "")) inside = 0; else next }
+    sub(/\/\/.*/, "")
+    print FILENAME ":" FNR ":" $0
+  }' "${chosen[@]}"
+}
+
 # breach_lines REASON: every line of standard input is a breach, file:line:text.
 breach_lines() {
   local hit rest
@@ -97,6 +112,21 @@ breach_lines() {
     rest=${hit#*:}
     breach "${hit%%:*}:${rest%%:*}: $1: ${rest#*:}"
   done
+}
+
+# The framework serves components and knows none of them by name. Names are those of the folders that hold plugins.
+check_component_names() {
+  local file folder solvers=() elements=()
+  while read -r folder; do
+    case $folder in
+      plugins/*) elements+=("${folder#plugins/}") ;;
+      solvers/*) solvers+=("${folder##*/}") ;;
+    esac
+  done < <(for file in "${files[@]}"; do [[ $file != */plugin.cpp ]] || echo "${file%/plugin.cpp}"; done)
+  ((${#solvers[@]} && ${#elements[@]})) || breach 'no plugins found: the check looks in the wrong place'
+  breach_lines 'the framework names a component' < <(
+    code_of framework | grep -E "\"($(IFS='|' && echo "${solvers[*]}"))[\":/]|\"($(IFS='|' && echo "${elements[*]}"))/"
+  )
 }
 
 # Relative links of every page, and files that a README names in backticks (with a folder, or sources by themselves).
