@@ -129,6 +129,22 @@ check_component_names() {
   )
 }
 
+# Numerics belong to solvers and the framework; io hands problems on. Exempt, with the reason:
+numerics_of_io=(
+  io/gear/node_graph.cpp      # least squares for the initial shape of a net: geometry, before there is a problem
+  io/compare/polish.cpp       # brings a reference to the round-off floor, through the boundary that solvers have
+  io/cli/templates/solver/my_solver.cpp io/cli/templates/solver/my_solver_test.cpp  # a solver to begin with
+)
+
+check_linear_algebra() {
+  local exempt
+  printf -v exempt '^%s:|' "${numerics_of_io[@]}"
+  breach_lines 'linear algebra in io' < <(
+    code_of io | grep -vE "${exempt%|}" |
+      grep -E 'factorise\(|[Cc]holesky|\b(cholmod|umfpack)_|__m(128|256|512)|\b_mm(256|512)?_|[<"]Eigen/|factorisation/registers'
+  )
+}
+
 # Relative links of every page, and files that a README names in backticks (with a folder, or sources by themselves).
 check_documents() {
   local hit file rest name
