@@ -166,4 +166,36 @@ exists_beside() {
   [[ -e $folder/$2 || -e $2 || -e framework/include/$2 || -e $folder/netloft/$2 || -e gear-library/scenes/$2 ]]
 }
 
+# A function that is longer than 40 lines does more than one thing, unless it is a table.
+check_function_lengths() {
+  if ! ctags --version 2>/dev/null | grep -q Universal; then
+    echo 'lengths of functions are not checked: universal-ctags is not installed'
+    return
+  fi
+  local file chosen=()
+  for file in "${files[@]}"; do
+    [[ -f $file && $file =~ ^(framework|plugins|solvers|io)/.*\.(hpp|cpp)$ ]] && chosen+=("$file")
+  done
+  breach_lines 'longer than 40 lines' < <(
+    ctags -f - --languages=C++ --c++-kinds=f --fields=+ne "${chosen[@]}" | awk -F '\t' -v tables="${tables_of_rows[*]}" '
+      { line = end = 0
+        for (i = 4; i <= NF; ++i) {
+          if ($i ~ /^line:/) line = substr($i, 6)
+          if ($i ~ /^end:/) end = substr($i, 5)
+        }
+        if (end - line >= 40 && index(" " tables " ", " " $2 ":" $1 " ") == 0)
+          print $2 ":" line ":" $1 "(), " end - line + 1 " lines"
+      }'
+  )
+}
+
+# Functions that are a table of checks and nothing else, a few lines a row: file:function.
+tables_of_rows=(
+  framework/conformance/conformance.cpp:table
+  framework/conformance/law_conformance.cpp:law_table
+  framework/conformance/solver_conformance.cpp:solver_table
+  framework/conformance/integrator_conformance.cpp:integrator_table
+  framework/conformance/strategy_conformance.cpp:strategy_table
+)
+
 main "$@"
