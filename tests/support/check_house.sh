@@ -198,4 +198,37 @@ tables_of_rows=(
   framework/conformance/strategy_conformance.cpp:strategy_table
 )
 
+# Words that were ours alone, and what the field calls them. Only forms that are no plain English are looked for.
+private_words=(
+  '[Jj]ourney|a strategy, a study'
+  '[Dd]etour|a fallback, an attempt'
+  'const Leg&|<Leg>|[.]legs\b|\blegs_|a stage'
+  '\b[Ss]haken\b|perturbed'
+  '[Rr]estless|does not settle'
+  '\b[Oo]wn[_ -]start|OwnStart|an initial guess'
+  '\b[Pp]atien(ce|t)\b|a budget of work'
+  '(\bbent|Bent)[_ ]?step|\b(is|was)_bent|a curved step'
+  '\blooks_|--looks\b|"looks"|[.`]looks\b|restarts'
+  '\b[Cc]ompany\b|Company|a family group'
+  '\b[Ss]oftly\b|_softly|fallback at round-off'
+  '\b[Bb]lindly\b|_blindly|accepted on the residual'
+  '[Hh]ardly[_ ](indefinite|convex)|_hardly|nearly definite'
+  '[Tt]ension_?[Cc]ones|\b(in|from|over) cones\b|the interior-point method'
+  '\b([Kk]eeps?|kept|the) books\b|\bbooks?\(|\bbooked\b|statistics, counts'
+  '\bto tell of\b|\btold of\b|reports'
+  '\bstands? otherwise\b|has another equilibrium'
+)
+
+check_words() {
+  local entry any hit text
+  printf -v any '%s|' "${private_words[@]%|*}"
+  while IFS= read -r hit; do
+    [[ $hit != *tests/support/check_house.sh:* ]] || continue
+    text=${hit#*:*:}
+    for entry in "${private_words[@]}"; do
+      [[ ! $text =~ ${entry%|*} ]] || breach_lines "say: ${entry##*|}" <<<"$hit"
+    done
+  done < <(grep_in '' '\.(hpp|cpp|h|c|md|py|sh|cmake|txt|toml|in)$' -E "${any%|}")
+}
+
 main "$@"
