@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/session.hpp"
-#include "io/compare/tell.hpp"
+#include "io/compare/report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -155,7 +155,7 @@ int run(const Options& options) {
   if (interrupt_flag()) return kInterrupted;
   write_files(result, options.compare);
   std::puts(options.json ? comparison_json(result).c_str() : comparison_text(result).c_str());
-  return result.any_arrived() ? kDone : kNotConverged;
+  return result.any_converged() ? kDone : kNotConverged;
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& 
   result.solution = one.solve(watch);
   const MeshCount mesh = count_mesh(one.loaded());
   if (result.solution.status != SolveStatus::converged) {
-    why_not = fmt::format("with {} {} it was {}", mesh.count, mesh.of, name_of(result.solution.status));
+    why_not =
+        fmt::format("with {} {} the result was {}", mesh.count, mesh.of, name_of(result.solution.status));
     return {};
   }
   collect(one.loaded(), one.assembler(), result);

@@ -24,7 +24,7 @@ Trial run_once(const CaseSource& source, Registry& registry, const Method& metho
                const Watch& watch) {
   Case fresh(source_for(source, method, tolerance), registry);
   if (fresh.open() != Case::State::ready)
-    throw std::runtime_error(method.word + ": " + fresh.diagnostics().render(false));
+    throw std::runtime_error(method.specification + ": " + fresh.diagnostics().render(false));
   return trial_of(fresh.solve(watch), tolerance);
 }
 
@@ -38,7 +38,8 @@ Trial not_tried(double tolerance) {
 
 CaseSource source_for(const CaseSource& source, const Method& method, double tolerance) {
   CaseSource with = source;
-  for (auto& word : solver_overrides(method.word)) with.overrides.push_back(std::move(word));
+  for (auto& override_text : solver_overrides(method.specification))
+    with.overrides.push_back(std::move(override_text));
   with.overrides.push_back(fmt::format("analysis.tolerance={:e}", tolerance));
   return with;
 }
@@ -46,9 +47,9 @@ CaseSource source_for(const CaseSource& source, const Method& method, double tol
 Trial run_trial(const CaseSource& source, Registry& registry, const Method& method, double tolerance,
                 int repeats, const Watch& watch) {
   Trial best = run_once(source, registry, method, tolerance, watch);
-  for (int i = 1; i < repeats && best.arrived(); ++i) {
+  for (int i = 1; i < repeats && best.converged(); ++i) {
     Trial again = run_once(source, registry, method, tolerance, watch);
-    if (again.arrived() && again.cpu_seconds < best.cpu_seconds) best = std::move(again);
+    if (again.converged() && again.cpu_seconds < best.cpu_seconds) best = std::move(again);
   }
   return best;
 }
@@ -57,7 +58,7 @@ std::vector<Trial> run_trials(const CaseSource& source, Registry& registry, cons
                               const std::vector<double>& tolerances, int repeats, const Watch& watch) {
   std::vector<Trial> trials;
   for (const double tolerance : tolerances)
-    trials.push_back(trials.empty() || trials.back().arrived()
+    trials.push_back(trials.empty() || trials.back().converged()
                          ? run_trial(source, registry, method, tolerance, repeats, watch)
                          : not_tried(tolerance));
   return trials;

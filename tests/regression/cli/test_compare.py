@@ -82,7 +82,7 @@ class Comparisons(InFreshFolder):
         self.assertIsNone(method["trials"][0]["error"])
         spoken = self.compare("standing.toml", "--solver", "newton:method=classic", "--reference", "newton",
                               "--tolerance", "1e-10")
-        self.assertIn("other equilibrium than that of newton", spoken.out)
+        self.assertIn("found another equilibrium than newton", spoken.out)
 
     def test_discretisation_errors_of_a_rope(self):
         report = self.report(ROPE, *BARS, "--solver", "newton", "--tolerance", "1e-10", "--cells", "80,20,40")

@@ -9,7 +9,7 @@ namespace {
 std::vector<std::string> asked(const std::string& method, const std::vector<std::string>& available,
                                const std::string& wanted = "") {
   std::vector<std::string> words;
-  for (const auto& m : reference_methods({method}, available, wanted)) words.push_back(m.word);
+  for (const auto& m : reference_methods({method}, available, wanted)) words.push_back(m.specification);
   return words;
 }
 

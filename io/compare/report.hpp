@@ -9,14 +9,14 @@ namespace netloft::io {
 std::string comparison_text(const Comparison& c);
 
 /// One row per trial and per mesh, for spreadsheets; the first line names the columns. Solver errors and
-/// discretisation errors are rows of different kinds. What is not known is empty.
+/// discretisation errors are rows of different kinds. Unknown values are empty.
 std::string comparison_csv(const Comparison& c);
 
-/// One JSON object; what is not known is null.
+/// One JSON object; unknown values are null.
 std::string comparison_json(const Comparison& c);
 
-/// Work over precision: a line per method, from its loosest tolerance to its tightest, and a mark at the
-/// discretisation error of each mesh.
+/// The work-precision diagram: a line per method, from its loosest tolerance to its tightest, and a mark at
+/// the discretisation error of each mesh.
 LogLogPlot comparison_plot(const Comparison& c);
 
 }  // namespace netloft::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/compare/tell.hpp"
+#include "io/compare/report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,9 +45,9 @@ Comparison sample() {
 
 TEST(ComparisonText, SaysWhoJudgedWhomAndWhatIsNoError) {
   const std::string text = comparison_text(sample());
-  EXPECT_TRUE(contains(text, "judged by ptc, converged to 1e-09")) << text;
+  EXPECT_TRUE(contains(text, "the reference is ptc, converged to 1e-09")) << text;
   EXPECT_TRUE(
-      contains(text, "lbfgs: other equilibrium than that of ptc, up to 1.5 m away, its energy -0.25 J"))
+      contains(text, "lbfgs: found another equilibrium than ptc, up to 1.5 m away, its energy -0.25 J"))
       << text;
   EXPECT_TRUE(contains(text, "lbfgs: not converged at 1e-06: because")) << text;
   EXPECT_TRUE(contains(text, "order 1.10 observed")) << text;

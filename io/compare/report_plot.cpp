@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/compare/tell.hpp"
+#include "io/compare/report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@ namespace netloft::io {
 
 namespace {
 
-/// Errors below this cannot be told from none.
+/// Errors below this cannot be distinguished from zero.
 double floor_of(const Comparison& c) { return std::numeric_limits<double>::epsilon() * c.size; }
 
-/// Tolerances that end at the same answer are one point, at the least it cost.
+/// Tolerances that end at the same answer become one point, at the least cost.
 void add(std::vector<PlotSeries::Point>& points, PlotSeries::Point p) {
   if (!points.empty() && points.back().x == p.x)
     points.back().y = std::min(points.back().y, p.y);
@@ -25,9 +25,9 @@ std::string with_times_signs(std::string text) {
 }
 
 PlotSeries series_of(const Comparison& c, const MethodResult& m) {
-  PlotSeries series{m.method.word, {}};
+  PlotSeries series{m.method.specification, {}};
   for (const Trial& t : m.trials)
-    if (t.arrived() && std::isfinite(t.error))
+    if (t.converged() && std::isfinite(t.error))
       add(series.points, {std::max(t.error, floor_of(c)), t.cpu_seconds});
   if (m.other)
     series.name += " (other equilibrium)";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/compare/tell.hpp"
+#include "io/compare/report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
-/// A text as a cell of a table: in quotes where it has a comma or a quote of its own.
+/// A text as a cell of a CSV table: in quotes if it contains a comma, a quote or a line break.
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -25,12 +25,12 @@ std::string cell(const std::string& text) {
 std::string status_of(const Trial& t) { return t.tried ? name_of(t.status) : "not tried"; }
 
 std::string trial_csv(const Comparison& c, const MethodResult& m, const Trial& t) {
-  return fmt::format("solver,{},{},,{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(m.method.word), t.tolerance,
-                     c.unknowns, status_of(t), cell(t.error), cell(t.estimate),
+  return fmt::format("solver,{},{},,{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(m.method.specification),
+                     t.tolerance, c.unknowns, status_of(t), cell(t.error), cell(t.estimate),
                      t.tried ? cell(t.cpu_seconds) : "",
                      t.tried ? cell(t.cpu_seconds / c.factorisation_seconds) : "", t.books.iterations,
                      t.books.factorisations, t.books.residuals, t.books.solves,
-                     m.reference ? cell(m.reference->method.word) : "", m.other ? "yes" : "no");
+                     m.reference ? cell(m.reference->method.specification) : "", m.other ? "yes" : "no");
 }
 
 std::string mesh_csv(const MeshResult& level) {
@@ -61,7 +61,7 @@ Json trial_json(const Comparison& c, const Trial& t) {
 
 Json reference_json(const std::optional<ReferenceAnswer>& r) {
   if (!r) return nullptr;
-  return {{"method", r->method.word},
+  return {{"method", r->method.specification},
           {"independent", r->independent},
           {"tolerance", r->tolerance},
           {"stability", name_of(r->stability)},
@@ -80,7 +80,7 @@ Json other_json(const std::optional<OtherEquilibrium>& other) {
 Json method_json(const Comparison& c, const MethodResult& m) {
   Json trials = Json::array();
   for (const Trial& t : m.trials) trials.push_back(trial_json(c, t));
-  return {{"method", m.method.word},
+  return {{"method", m.method.specification},
           {"trials", trials},
           {"reference", reference_json(m.reference)},
           {"other_equilibrium", other_json(m.other)}};
