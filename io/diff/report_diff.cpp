@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/diff/tell_diff.hpp"
+#include "io/diff/report_diff.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -49,9 +49,10 @@ void numbers_text(const std::vector<NumberDifference>& numbers, Out out) {
                  "difference", "", "error");
   for (const auto& d : numbers)
     if (d.is_changed()) row_text(d, width, out);
-  fmt::format_to(
-      out, "{} of {} numbers changed; * by more than the errors known of it, of solver and mesh, in both\n",
-      changed, numbers.size());
+  fmt::format_to(out,
+                 "{} of {} numbers changed; * marks a change larger than the known errors (solver and mesh) "
+                 "of both results\n",
+                 changed, numbers.size());
 }
 
 void file_text(const FileDifference& file, Out out) {

@@ -4,10 +4,11 @@
 
 namespace netloft::io {
 
-/// For people: numbers that changed, those that exceed the known errors marked with `*`; then the inputs.
+/// A text for people: the numbers that changed, marked with `*` if they exceed the known errors; then the
+/// inputs.
 std::string diff_text(const ResultDiff& diff);
 
-/// One JSON object with all numbers; what is not known is null.
+/// One JSON object with all numbers; unknown values are null.
 std::string diff_json(const ResultDiff& diff);
 
 }  // namespace netloft::io
