@@ -11,7 +11,7 @@ namespace netloft::io {
 
 namespace {
 
-/// Names of the forces that add up to a kind of load; a plugin of anyone's that calls them so is counted.
+/// Names of the forces that add up to a kind of load. Forces of other plugins count if they have these names.
 constexpr std::initializer_list<const char*> kDrag = {"drag", "pressure"}, kWeight = {"weight", "buoyancy"},
                                              kFriction = {"friction"};
 
@@ -20,7 +20,7 @@ struct PartGroup {
   std::vector<std::uint32_t> parts;
 };
 
-/// All parts of the scene, each once: `others` are no part of the plan.
+/// All parts of the scene, each once; "others" are the parts that do not belong to the net plan.
 std::vector<PartGroup> kinds_of(const GearView& gear) {
   const GearInScene& g = gear.gear();
   std::vector<PartGroup> kinds = {
@@ -29,7 +29,7 @@ std::vector<PartGroup> kinds_of(const GearView& gear) {
   planned.insert(g.ropes.begin(), g.ropes.end()), planned.insert(g.pieces.begin(), g.pieces.end());
   const auto& parts = gear.loaded().scene.parts;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    if (parts[p].companion) continue;  // counts with the part it rides on, whose name it bears
+    if (parts[p].companion) continue;  // counts with the part it rides on, which has the same name
     kinds.front().parts.push_back(p);
     if (!planned.contains(p)) kinds.back().parts.push_back(p);
   }
@@ -50,7 +50,8 @@ bool any_has(const GearView& gear, const PartGroup& kind, std::initializer_list<
 void add_vector(const std::string& at, const std::string& doc, const Vector& force,
                 std::vector<Figure>& figures) {
   figures.push_back({at + "x", "N", doc + ", aft", force.x});
-  figures.push_back({at + "y", "N", doc + ", to starboard; of a half, of that half alone", force.y});
+  figures.push_back(
+      {at + "y", "N", doc + ", to starboard; of one half alone if a half was modelled", force.y});
   figures.push_back({at + "z", "N", doc + ", upwards", force.z});
 }
 
@@ -64,17 +65,17 @@ void add_weight(const GearView& gear, const std::string& at, const PartGroup& ki
                 std::vector<Figure>& figures) {
   if (any_has(gear, kind, kWeight))
     figures.push_back(
-        {at + kind.name, "N", "weight in water, negative of what floats", -sum_over(gear, kind, kWeight).z});
+        {at + kind.name, "N", "weight in water, negative if it floats", -sum_over(gear, kind, kWeight).z});
 }
 
-/// Every part of a kind as a kind of its own.
+/// Makes every part of a kind a kind of its own.
 std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
   std::vector<PartGroup> parts;
   for (const auto part : kind.parts) parts.push_back({gear.name(part), {part}});
   return parts;
 }
 
-/// What sinks and what floats, apart.
+/// Adds up the weights of the parts that sink and of those that float, separately.
 void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::vector<Figure>& figures) {
   double sinking = 0, floating = 0;
   for (const auto& part : parts) {
@@ -85,7 +86,7 @@ void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::
   figures.push_back({"budget/floating", "N", "weight in water of all parts that float", floating});
 }
 
-/// Nodes that press on some ground.
+/// Nodes with a normal force from some ground.
 std::set<std::uint32_t> touching_nodes(const GearView& gear) {
   std::set<std::uint32_t> touching;
   for (std::size_t f = 0; f < gear.answer().outputs.size(); ++f) {
@@ -98,7 +99,7 @@ std::set<std::uint32_t> touching_nodes(const GearView& gear) {
   return touching;
 }
 
-double share_touching(const GearView& gear, std::uint32_t rope) {
+double fraction_on_ground(const GearView& gear, std::uint32_t rope) {
   const auto touching = touching_nodes(gear);
   const auto& nodes = gear.nodes_of(rope);
   const auto lengths = gear.rest_lengths(rope);
@@ -134,8 +135,9 @@ void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
   if (any_has(gear, all, kFriction))
     add_vector("ground/friction_", "friction of the ground", sum_over(gear, all, kFriction), figures);
   if (const auto* footrope = gear.find_rope(gear.gear().footrope))
-    figures.push_back({"ground/footrope_share", "1", "share of the footrope's length that touches the ground",
-                       share_touching(gear, *footrope)});
+    figures.push_back({"ground/footrope_fraction", "1",
+                       "fraction of the footrope's length that touches the ground",
+                       fraction_on_ground(gear, *footrope)});
 }
 
 }  // namespace netloft::io

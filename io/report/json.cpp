@@ -74,7 +74,8 @@ Json shapes_json(const Shapes& shapes) {
   return {{"looks", shapes.looks}, {"times", shapes.times}, {"others", others}};
 }
 
-/// One line per nothing; invalid bytes of a file name are replaced, so that the output is always JSON.
+/// One indented JSON text. Invalid bytes of a file name are replaced, so that the output is always valid
+/// JSON.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace

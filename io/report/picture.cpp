@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// What makes a cell of the picture: elements on nodes of their own, and whatever sits on single nodes.
-/// Pairs, and what rides on elements that are drawn already, would hide those.
+/// Whether the elements of a family become cells of the picture: elements between their own nodes, and
+/// elements on single nodes. Elements between other parts' nodes and elements that ride on drawn elements
+/// would hide those.
 bool is_drawn(const LoadedScene& loaded, const ElementFamily& family) {
   if (family.type().element.stencil == NETLOFT_NODE) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
@@ -84,7 +85,8 @@ std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler
   return fields;
 }
 
-/// A vector over all dofs, node by node; without what elements share, which is in no place.
+/// A vector over all dofs as a vector per node. Unknowns shared by a part's elements are left out, because
+/// they have no position.
 std::vector<double> by_node(const LoadedScene& loaded, const Assembler& assembler,
                             const std::vector<double>& v) {
   std::vector<double> nodes(3 * loaded.scene.node_count());

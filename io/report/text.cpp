@@ -47,8 +47,8 @@ void shapes_text(const Shapes& shapes, Out out) {
         other.distance, other.furthest, other.energy, other.times, plural(other.times));
 }
 
-/// What the tables of a gear say part by part.
-bool is_told_of_gears(const std::string& term) {
+/// Whether the tables of a gear report this force part by part.
+bool is_in_gear_tables(const std::string& term) {
   return term == "drag" || term == "weight" || term == "buoyancy" || term == "pressure";
 }
 
@@ -94,7 +94,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
     fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",
                    result.gear.empty() ? "forces on the gear [N]" : "forces as modelled [N]", "x", "y", "z");
   for (const auto& f : result.part_forces)
-    if (f.term != "elastic" && (result.gear.empty() || !is_told_of_gears(f.term)))
+    if (f.term != "elastic" && (result.gear.empty() || !is_in_gear_tables(f.term)))
       fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", f.part + ", " + f.term, f.force[0],
                      f.force[1], f.force[2]);
   for (const auto& h : result.hold_forces)

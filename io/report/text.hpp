@@ -4,7 +4,7 @@
 
 namespace netloft::io {
 
-/// Facts of the solve that the plan does not decide but a reader of the plan wants.
+/// Facts about the solve that the plan does not decide but that a reader of the plan needs.
 struct PlanExtras {
   std::string solver, factorisation;
   std::size_t matrix_entries = 0;
@@ -12,13 +12,13 @@ struct PlanExtras {
   std::string way;  // what is done around the solver; empty: nothing
 };
 
-/// What the scene needs, term by term, and why not the rest.
+/// The forces that each family of elements evaluates, and why the others are off.
 std::string plan_text(const Plan& plan, const PlanExtras& extras);
 std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& extras);
 
-/// The result for a person.
+/// The result of a run as text for people.
 std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResult& result);
-/// The result for a program: one JSON object.
+/// The result of a run as one JSON object.
 std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResult& result);
 
 }  // namespace netloft::io
