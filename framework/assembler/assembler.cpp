@@ -96,17 +96,16 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
   pattern_ = make_pattern(blocks, numbering_, plan.symmetric);
   frames_ = Frames(nodes, numbering_, blocks, plan.symmetric);
   bodies_ = Bodies(nodes, numbering_, blocks, plan.symmetric);
-  companies_ = find_companies(families_);
+  groups_ = find_family_groups(families_);
   std::size_t tiles = 0;
-  for (Company& company : companies_) {
-    const ElementFamily& first = *families_[company.families.front()];
-    company.tiling =
-        make_tiling(first, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles);
-    company.first_tile = tiles;
-    tiles += company.tiling.tiles;
+  for (FamilyGroup& group : groups_) {
+    const ElementFamily& first = *families_[group.families.front()];
+    group.tiling = make_tiling(first, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles);
+    group.first_tile = tiles;
+    tiles += group.tiling.tiles;
   }
   for (std::size_t f = 0; f < families_.size(); ++f)
-    memories_.push_back(make_memory(*families_[f], company_of(f).tiling.tiles));
+    memories_.push_back(make_memory(*families_[f], group_of(f).tiling.tiles));
   value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
   start_.resize(numbering_.dofs());
@@ -192,8 +191,8 @@ void Assembler::hand_on(std::span<const double> x, const Request& request) {
   const bool exact = request.matrix == MatrixKind::exact;
   if (!residual && exact) {
     body_forces_.assign(numbering_.dofs(), 0.0);
-    for (const Company& company : companies_)
-      run_company(company, x, {.residual = body_forces_.data(), .motion = request.motion});
+    for (const FamilyGroup& group : groups_)
+      run_group(group, x, {.residual = body_forces_.data(), .motion = request.motion});
     residual = body_forces_.data();
   }
   bodies_.hand_on(x, residual, request.values, exact);
@@ -221,14 +220,14 @@ std::array<double, 3> Assembler::part_of(std::uint32_t node, std::span<const dou
   return force;
 }
 
-const Company& Assembler::company_of(std::size_t family) const {
-  return *std::find_if(companies_.begin(), companies_.end(), [&](const Company& company) {
-    return std::find(company.families.begin(), company.families.end(), family) != company.families.end();
+const FamilyGroup& Assembler::group_of(std::size_t family) const {
+  return *std::find_if(groups_.begin(), groups_.end(), [&](const FamilyGroup& group) {
+    return std::find(group.families.begin(), group.families.end(), family) != group.families.end();
   });
 }
 
 int Assembler::threads_used() const {
-  for (const auto& [tiling, families, first_tile] : companies_)
+  for (const auto& [tiling, families, first_tile] : groups_)
     for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
       if (tiling.colour_begin[c + 1] - tiling.colour_begin[c] >= kSerialBelow)
         return static_cast<int>(workers_.size());
@@ -238,8 +237,8 @@ int Assembler::threads_used() const {
 bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   if (request.residual) std::fill_n(request.residual, numbering_.dofs(), 0.0);
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);
-  for (const Company& company : companies_)
-    if (!run_company(company, x, request)) return false;
+  for (const FamilyGroup& group : groups_)
+    if (!run_group(group, x, request)) return false;
   hand_on(x, request);
   if (request.residual) frames_.turn(request.residual);
   if (request.values) frames_.turn_matrix(request.values);
@@ -250,11 +249,11 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   return true;
 }
 
-bool Assembler::run_company(const Company& company, std::span<const double> x, const Request& request) {
-  const Tiling& tiling = company.tiling;
+bool Assembler::run_group(const FamilyGroup& group, std::span<const double> x, const Request& request) {
+  const Tiling& tiling = group.tiling;
   const auto run = [&](std::size_t begin, std::size_t end) {
     workers_.run(end - begin, kSerialBelow, [&](std::size_t worker, std::size_t i) {
-      run_tile(company, tiling.order[begin + i], x, request, *workspaces_[worker]);
+      run_tile(group, tiling.order[begin + i], x, request, *workspaces_[worker]);
     });
   };
   if (!request.residual && !request.values)
@@ -265,18 +264,18 @@ bool Assembler::run_company(const Company& company, std::span<const double> x, c
   return collect_faults();
 }
 
-void Assembler::run_tile(const Company& company, std::size_t tile, std::span<const double> x,
+void Assembler::run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x,
                          const Request& request, Workspace& w) {
-  gather(company, tile, x, request.motion, w);
+  gather(group, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
-  for (const std::size_t family : company.families) {
+  for (const std::size_t family : group.families) {
     w.message[0] = 0;
     netloft_tile t = make_tile(family, tile, request.motion, w);
     if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
       return report(family, t, status, w);
   }
-  scatter(company, tile, request, w);
+  scatter(group, tile, request, w);
 }
 
 int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {

@@ -120,16 +120,16 @@ class Assembler {
   /// `nodes` are those of the scene and of what families share.
   Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>>&& families);
-  bool run_company(const Company& company, std::span<const double> x, const Request& request);
-  void run_tile(const Company& company, std::size_t tile, std::span<const double> x, const Request& request,
+  bool run_group(const FamilyGroup& group, std::span<const double> x, const Request& request);
+  void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
   int call_terms(std::size_t family, netloft_tile& tile, const Request& request, Workspace& w);
   int call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& tile,
                        MatrixKind kind, Workspace& w);
-  void scatter(const Company& company, std::size_t tile, const Request& request, Workspace& w);
+  void scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w);
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
-  const Company& company_of(std::size_t family) const;
-  void gather(const Company& company, std::size_t tile, std::span<const double> x, const Kinematics& motion,
+  const FamilyGroup& group_of(std::size_t family) const;
+  void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,
               Workspace& w) const;
   netloft_tile make_tile(std::size_t family, std::size_t tile, const Kinematics& motion, Workspace& w) const;
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
@@ -157,7 +157,7 @@ class Assembler {
   Bodies bodies_;
   std::vector<Guide> guides_;
   SparsePattern pattern_;
-  std::vector<Company> companies_;
+  std::vector<FamilyGroup> groups_;
   std::vector<Memory> memories_;  // per family
   std::size_t value_slots_ = 0;
   std::vector<double> start_, tile_energy_, body_forces_;

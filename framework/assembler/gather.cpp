@@ -19,12 +19,12 @@ void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, d
 
 }  // namespace
 
-/// For all families of a company at once.
-void Assembler::gather(const Company& company, std::size_t tile, std::span<const double> x,
+/// For all families of a group at once.
+void Assembler::gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x,
                        const Kinematics& motion, Workspace& w) const {
-  const Tiling& tiling = company.tiling;
+  const Tiling& tiling = group.tiling;
   const auto some_read = [&](std::uint32_t trait) {
-    return std::any_of(company.families.begin(), company.families.end(),
+    return std::any_of(group.families.begin(), group.families.end(),
                        [&](std::size_t family) { return families_[family]->reads(trait); });
   };
   gather_vector(tiling, tile, x.data(), w.x.data());

@@ -15,7 +15,7 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
       x, motion, family,
       [&](std::size_t, netloft_tile& t) { return f.active_terms()[term].evaluate(f.self(), &t); },
       [&](std::size_t tile, const netloft_tile&, Workspace& w) {
-        scatter(company_of(family), tile, {.residual = residual.data()}, w);
+        scatter(group_of(family), tile, {.residual = residual.data()}, w);
       });
   bodies_.hand_on(x, residual.data(), nullptr, false);
   frames_.turn(residual.data());

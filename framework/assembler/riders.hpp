@@ -12,13 +12,13 @@ bool have_same_nodes(const ElementFamily& a, const ElementFamily& b);
 
 /// A family and those that ride on it: one tiling serves them all, and a tile is gathered once, and scattered
 /// when all of them have added to it.
-struct Company {
+struct FamilyGroup {
   Tiling tiling;
   std::vector<std::size_t> families;  // the one that is ridden on first
-  std::size_t first_tile = 0;         // among those of all companies
+  std::size_t first_tile = 0;         // among those of all groups
 };
 
-/// Which families keep company, in the order of the first of each; without tilings.
-std::vector<Company> find_companies(std::span<const std::unique_ptr<ElementFamily>> families);
+/// Groups families with the same nodes, in the order of the first of each; tilings are not made yet.
+std::vector<FamilyGroup> find_family_groups(std::span<const std::unique_ptr<ElementFamily>> families);
 
 }  // namespace netloft

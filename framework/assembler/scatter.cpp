@@ -230,14 +230,14 @@ void with_nodes(std::size_t dofs, const Add& add) {
 
 }  // namespace
 
-void Assembler::scatter(const Company& company, std::size_t tile, const Request& request, Workspace& w) {
-  const Tiling& tiling = company.tiling;
+void Assembler::scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w) {
+  const Tiling& tiling = group.tiling;
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
   if (request.energy) {
     double sum = 0;
     for (std::size_t lane = 0; lane < count; ++lane) sum += w.energy[lane];
-    tile_energy_[company.first_tile + tile] = sum;
+    tile_energy_[group.first_tile + tile] = sum;
   }
   if (request.residual && !w.force.is_zero()) {
     const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];

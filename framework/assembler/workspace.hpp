@@ -44,11 +44,11 @@ struct Assembler::Workspace {
 template <class Evaluate, class Visit>
 bool Assembler::visit_tiles(std::span<const double> x, const Kinematics& motion, std::size_t family,
                             const Evaluate& evaluate, const Visit& visit) {
-  const Company& company = company_of(family);
+  const FamilyGroup& group = group_of(family);
   const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
   Workspace& w = *workspaces_[0];
-  for (std::size_t tile = 0; tile < company.tiling.tiles; ++tile) {
-    gather(company, tile, x, motion, w);
+  for (std::size_t tile = 0; tile < group.tiling.tiles; ++tile) {
+    gather(group, tile, x, motion, w);
     netloft_tile t = make_tile(family, tile, motion, w);
     w.force.begin();
     t.force = w.force.open(dofs, t.count), t.want = NETLOFT_WANT_FORCE;
