@@ -15,7 +15,7 @@ namespace netloft {
 
 namespace {
 
-// Below this many tiles of one colour the threads cost more than they give (bench_assembly).
+// With fewer tiles of one colour than this, threads cost more than they save (bench_assembly).
 constexpr std::size_t kSerialBelow = 8;
 
 std::uint32_t want_of(MatrixKind kind) {
@@ -31,13 +31,14 @@ std::uint32_t want_of(MatrixKind kind) {
   }
 }
 
-/// Riders whose every term is off need not be there at all.
+/// Whether a family of riders can be left out because all of its terms are off.
 bool is_idle(const Scene& scene, const FamilyPlan& family) {
   return scene.parts[family.parts[0]].companion &&
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
 }
 
-/// The families that act, in the order of the plan; nodes for what they share come behind those of the scene.
+/// Makes the families that have active terms, in the order of the plan. Nodes for their shared unknowns are
+/// numbered after those of the scene.
 std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const Plan& plan) {
   std::vector<std::unique_ptr<ElementFamily>> families;
   std::size_t nodes = scene.node_count();
@@ -49,7 +50,7 @@ std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, co
   return families;
 }
 
-/// The nodes of the scene, without its parts, and behind them those of what families share.
+/// The nodes of the scene, without its parts, followed by those of the families' shared unknowns.
 Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<ElementFamily>> families) {
   Scene all;
   all.positions = scene.positions, all.held = scene.held, all.frames = scene.frames;
@@ -121,7 +122,7 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
 
 Assembler::~Assembler() = default;
 
-/// Calls visit(place among all dofs, axis, moment) for every degree of freedom that a guide moves.
+/// Calls visit(index among all dofs, axis, moment) for every degree of freedom that a guide moves.
 template <class Visit>
 void Assembler::visit_guided(double time, const Visit& visit) const {
   for (const Guide& guide : guides_) {
@@ -147,7 +148,7 @@ void Assembler::place_from(std::span<const double> base, std::span<const double>
   std::copy(u.begin(), u.end(), x_low.begin());
   std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
   frames_.turn_back(u, x_low);
-  for (std::size_t i = 0; i < x.size(); ++i) {  // the sum of two numbers and its rounding error: Knuth 1969
+  for (std::size_t i = 0; i < x.size(); ++i) {  // the sum of two numbers and its rounding error (Knuth 1969)
     const double way = x_low[i];
     x[i] = base[i] + way;
     const double moved = x[i] - base[i];
@@ -172,7 +173,7 @@ std::vector<double> Assembler::displacements(std::span<const double> positions) 
   for (std::size_t i = 0; i < u.size(); ++i) {
     const auto place = static_cast<std::int32_t>(i);
     const std::uint32_t node = numbering_.node(place);
-    if (3 * std::size_t{node} >= positions.size()) continue;  // what elements share is in no place
+    if (3 * std::size_t{node} >= positions.size()) continue;  // shared unknowns have no position
     const auto own = static_cast<std::size_t>(numbering_.axis(place));
     const auto frame = axes_.find(node);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -184,7 +185,7 @@ std::vector<double> Assembler::displacements(std::span<const double> positions) 
   return u;
 }
 
-/// The geometric term of a body wants forces: they are evaluated even if nobody else asked.
+/// The geometric term of a body needs forces, so they are evaluated even if the caller did not ask for them.
 void Assembler::hand_on(std::span<const double> x, const Request& request) {
   if (bodies_.empty()) return;
   double* residual = request.residual;
@@ -257,7 +258,7 @@ bool Assembler::run_group(const FamilyGroup& group, std::span<const double> x, c
     });
   };
   if (!request.residual && !request.values)
-    run(0, tiling.tiles);  // nothing is scattered, so nothing can collide
+    run(0, tiling.tiles);  // nothing is scattered, so no two tiles can write to the same entry
   else
     for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
       run(tiling.colour_begin[c], tiling.colour_begin[c + 1]);
@@ -284,7 +285,7 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
   for (const auto& term : f.active_terms()) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
     if (request.conservative_only && !conservative) continue;
-    // Inertia is no force to be left out: without it a step's matrix is none.
+    // Inertia is never left out, because without it the matrix of a time step would be singular.
     const bool counts =
         conservative || tangent_ != TangentChoice::elastic || (term.traits & NETLOFT_READS_ACCELERATION);
     const bool moving = !(term.traits & NETLOFT_CONSTANT) && counts;
@@ -310,7 +311,7 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
 
 namespace {
 
-/// Half the sum of a square tangent and its transpose, added to a packed one.
+/// Adds half the sum of a square tangent and its transpose to a packed one.
 void add_symmetric_part(const double* __restrict square, std::size_t n, double* __restrict packed_tangent) {
   for (std::size_t r = 0; r < n; ++r)
     for (std::size_t c = 0; c <= r; ++c) {
@@ -322,8 +323,8 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
 
 }  // namespace
 
-/// A matrix that is not simply the exact tangent: convex part or metric, offered by the term or made here, or
-/// the symmetric part of a full square.
+/// Calls a term for a matrix other than its exact tangent: the convex part or the metric, which the term
+/// offers or the host makes from the exact tangent, or the symmetric part of a full square.
 int Assembler::call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& t,
                                 MatrixKind kind, Workspace& w) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
@@ -362,7 +363,7 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
 }
 
 void Assembler::report(std::size_t family, const netloft_tile& t, int status, Workspace& w) {
-  // The earliest element is reported, whichever thread met it.
+  // The earliest element is reported, no matter which thread met it.
   const std::size_t element = t.first + std::min(t.lane_at_fault, t.count - 1);
   if (element >= w.fault_order) return;
   w.fault_order = element;

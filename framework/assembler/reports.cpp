@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is asked of an assembler once in a while: one term alone, sums per part, outputs, memory. Serial.
+// Evaluations of an assembler that are rarely needed, and serial: one term alone, sums per part, outputs,
+// memory.
 #include "framework/assembler/workspace.hpp"
 
 #include <algorithm>

@@ -104,7 +104,7 @@ void expect_ordered(Assembled& a, const std::vector<double>& x) {
   }
 }
 
-// Moved by metres, so that twines are slack and taut, and springs pressed.
+// Moved by metres, so that some twines are slack and some taut, and springs are in compression.
 TEST(Assembler, HasAConvexPartBetweenNothingAndTheMetricOfNetting) {
   Assembled a(net_with_ropes().scene);
   expect_ordered(a, a.moved(8));
