@@ -2,11 +2,11 @@
 #pragma once
 #include <vector>
 
-// For loops that are compiled once for each set of instructions. What they call is inlined, for it takes over
-// their instructions only so; and registers go from hand to hand as `Register::V`, never deduced: deduced
-// types forget that they stand anywhere in memory.
+// Macros for loops that are compiled once for each instruction set. The functions they call must be inlined
+// to be compiled for that set, too. Registers are passed as `Register::V`, never as a deduced type, because
+// deduced types lose the attribute for unaligned access.
 #define NETLOFT_INLINE [[gnu::always_inline]] inline
-#define NETLOFT_INLINED __attribute__((always_inline))  // of lambdas
+#define NETLOFT_INLINED __attribute__((always_inline))  // for lambdas
 
 #if defined(__x86_64__)
 #define NETLOFT_AVX2 [[gnu::target("avx2,fma")]]
@@ -18,7 +18,7 @@
 
 namespace netloft::wide {
 
-/// As many doubles as one register holds, anywhere in memory.
+/// As many doubles as one register holds, at any address.
 struct Two {
   typedef double V __attribute__((vector_size(16), aligned(8), may_alias));
   static constexpr int kLanes = 2;
@@ -32,7 +32,7 @@ struct Eight {
   static constexpr int kLanes = 8;
 };
 
-/// In pairs, pairs of pairs and so on: no addition waits for all others.
+/// Sums in pairs, pairs of pairs and so on, so that no addition waits for all others.
 NETLOFT_INLINE double sum_of(const Two::V& v) { return v[0] + v[1]; }
 NETLOFT_INLINE double sum_of(const Four::V& v) {
   return sum_of(__builtin_shufflevector(v, v, 0, 1) + __builtin_shufflevector(v, v, 2, 3));
@@ -41,7 +41,7 @@ NETLOFT_INLINE double sum_of(const Eight::V& v) {
   return sum_of(__builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7));
 }
 
-/// Of the same kernels for different instructions those that run here, the best last.
+/// Selects the kernels whose instruction sets this processor has, the best last.
 template <class Kernels>
 std::vector<Kernels> those_here(const Kernels& plain, [[maybe_unused]] const Kernels& avx2,
                                 [[maybe_unused]] const Kernels& avx512) {
