@@ -111,7 +111,7 @@ struct Stretched {
   double inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
 };
 
-/// Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
+/// Plain loops over lanes with one purpose each, because compilers vectorise those.
 void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], const netloft_tile& t,
                        Stretched& __restrict s) {
   find_spans(t, c, s.w);

@@ -99,7 +99,7 @@ TEST_P(HangingPanelLevels, HangsDeeperInAir) {
   EXPECT_LT(e.top, kRelativeTolerance);
 }
 
-// The energy is convex: its minimum is one number, but slack netting may lie in many ways at it.
+// The energy is convex, so its minimum has one value, but slack netting may have many shapes there.
 TEST_P(HangingPanelLevels, HasOneEnergyWithoutStiffnessInCompression) {
   const int n = GetParam();
   Scene scene = sample::hanging_panel(n, 34);
@@ -122,8 +122,8 @@ double observed_order(double coarse, double middle, double fine) {
   return std::log2(std::abs((coarse - middle) / (middle - fine)));
 }
 
-// Not second order: the lower edge ends closed and the top corners are singular. The independent program
-// finds 1.09 for the lowest z at 32, 64, 128 cells, and orders that drift from level to level.
+// The order is below two because the lower edge ends closed and the top corners are singular. The independent
+// program finds 1.09 for the lowest z at 32, 64, 128 cells, and orders that drift from level to level.
 TEST(HangingPanelOrder, IsAboutOne) {
   std::vector<double> lowest, energy;
   std::printf("cells     lowest z [m]    order       energy [J]    order\n");
