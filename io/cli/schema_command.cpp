@@ -287,7 +287,7 @@ Json current_schema() {
   put(profile, "y", column("m/s", 50, "velocity along y at each z"), false);
   put(profile, "up", column("m/s", 50, "velocity upwards at each z"), false);
   put(profile, "t", column("s", 1e9, "times of the shares"), false);
-  put(profile, "share", column("1", 1e3, "share of the profile at each t"), false);
+  put(profile, "factor", column("1", 1e3, "factor on the profile at each t"), false);
   Json drift = columns_schema("velocity everywhere, over time",
                               {{"t", "s"}, {"x", "m/s"}, {"y", "m/s"}, {"up", "m/s"}});
   Json velocity = column("m/s", 50, "velocity [vx, vy, vz]");
