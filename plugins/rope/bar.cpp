@@ -6,7 +6,8 @@ namespace netloft::rope {
 void Bar::check(const Parameters& p, const Data& d) {
   for (std::uint32_t i = 0; i < p.length_share.rows; ++i)
     if (!(p.length_share.values[2 * i + 1] > 0))
-      throw std::invalid_argument("a share of its length that is not above zero leaves no rope");
+      throw std::invalid_argument(
+          "the length of a rope must remain above zero: length_share must be positive");
   if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no stiffness");
 }
 

@@ -328,7 +328,7 @@ Scene fluttering_float() {
   s.part("spring", "test/spring", {{"k", 1000.0}}, {foot, head}).data["rest_length"] = {1};
   s.part("push", "test/follower", {{"k", 200.0}}, {foot, head}).data["rest_length"] = {1};
   s.part("float", "float/float", {{"float.buoyancy", 10.0}, {"float.diameter", 0.2}}, {head})
-      .data["share"] = {1};
+      .data["pieces"] = {1};
   Assembled unloaded(s.scene);
   const auto r = unloaded.residual(unloaded.assembler.start());
   s.part("load", "test/load", {{"x", r[0]}, {"y", r[1]}}, {head});

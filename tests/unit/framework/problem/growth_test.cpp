@@ -102,7 +102,7 @@ Growth find_growth_of_float(double push, double along_x, double along_y) {
   s.part("spring", "test/spring", {{"k", 1000.0}}, {foot, head}).data["rest_length"] = {1};
   s.part("push", "test/follower", {{"k", push}}, {foot, head}).data["rest_length"] = {1};
   s.part("float", "float/float", {{"float.buoyancy", 10.0}, {"float.diameter", 0.2}}, {head})
-      .data["share"] = {1};
+      .data["pieces"] = {1};
   Assembled a(s.scene);
   return find_growth(a.assembler, a.assembler.start(), make_factorisation);
 }

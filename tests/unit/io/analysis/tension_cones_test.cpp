@@ -67,7 +67,7 @@ Scene two_ropes(double EA, double EA_compression = 0) {
     rope.parameters["rope.density"] = 1025.0, rope.parameters["rope.EA_compression"] = EA_compression;
   }
   s.part("weight", "float/float", {{"float.buoyancy", -100.0}, {"float.diameter", 0.1}}, {weight})
-      .data["share"] = {1};
+      .data["pieces"] = {1};
   return s.scene;
 }
 
