@@ -27,7 +27,8 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
   fmt::format_to(out, "  {} iterations, {} factorisations, {:.3g} s, {:.3g} CPU s; real-time factor {:.3g}\n",
                  b.iterations, b.factorisations, b.total_seconds, b.total_cpu_seconds, real_time_factor(r));
   if (r.march.stable_step > 0)
-    fmt::format_to(out, "  stable up to {:.3g} s by the tangent of the start\n", r.march.stable_step);
+    fmt::format_to(out, "  stable for steps up to {:.3g} s, by the tangent at the start\n",
+                   r.march.stable_step);
   for (const auto& s : r.scalars)
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8} {}\n", s.name, s.value, s.unit == "1" ? "" : s.unit,
                    s.doc + ", at the end");

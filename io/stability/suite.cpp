@@ -119,7 +119,7 @@ std::vector<fs::path> find_files(const fs::path& folder, Diagnostics& diagnostic
     if (entry.path().extension() == ".toml" && entry.path().filename() != kSolvers)
       files.insert(entry.path());
   if (files.empty())
-    diagnostics.error({}, folder.string() + " holds no suite: a folder with TOML files of cases is wanted");
+    diagnostics.error({}, folder.string() + " holds no suite: a folder with TOML files of cases is expected");
   return {files.begin(), files.end()};
 }
 

@@ -170,7 +170,7 @@ class Comparisons(InFreshFolder):
         for word in ("8", "8,8", "8,x", "8,1.5", "0,8", "8,16,"):
             self.assertIn("--cells " + word, self.refused(ROPE, *newton, "--cells", word), word)
         self.assertIn("divided are rope", self.refused(ROPE, *newton, "--cells", "net=8,16"))
-        self.assertIn("no whole number of cells", self.refused(str(SCENES / "dead-weight-panel.toml"), "--set",
+        self.assertIn("not a whole number of cells", self.refused(str(SCENES / "dead-weight-panel.toml"), "--set",
                                                                "parts.net.cells=[32,18]", *newton, "--cells", "8,16,32"))
         self.assertIn(".svg or .html", self.refused(ROPE, *newton, "--plot", "a.png"))
         self.assertIn("no folder", self.refused(ROPE, *newton, "--csv", "nowhere/a.csv"))
