@@ -16,8 +16,8 @@ struct Spot {
   auto operator<=>(const Spot&) const = default;
 };
 
-/// Where the nodes of a gear are, by spot [m]. Two meshes of one gear have spots in common where nodes
-/// coincide in panel coordinates, or along a rope.
+/// Positions of the nodes of a gear by spot [m]. Two meshes of one gear have a spot in common where nodes
+/// coincide in panel coordinates or along a rope.
 using Places = std::map<Spot, std::array<double, 3>>;
 
 /// `positions` are those of all nodes of the scene, 3 per node [m].

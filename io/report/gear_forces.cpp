@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What water, weight and ground do to the parts of a gear.
+// Forces of water, weight and ground on the parts of a gear.
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -126,12 +126,12 @@ void add_force_figures(const GearView& gear, std::vector<Figure>& figures) {
 
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
   const PartGroup all = kinds_of(gear).front();
-  double pressed = 0;
+  double normal = 0;
   bool is_there = false;
   for (const auto part : all.parts)
-    for (const double force : gear.output(part, "normal_force")) pressed += force, is_there = true;
+    for (const double force : gear.output(part, "normal_force")) normal += force, is_there = true;
   if (!is_there) return;
-  figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * pressed});
+  figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * normal});
   if (any_has(gear, all, kFriction))
     add_vector("ground/friction_", "friction of the ground", sum_over(gear, all, kFriction), figures);
   if (const auto* footrope = gear.find_rope(gear.gear().footrope))

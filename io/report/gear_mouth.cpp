@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Height, spread and area of the mouth, and what pulls at the ends of ropes.
+// Height, spread and area of the mouth, and tensions at the ends of ropes.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

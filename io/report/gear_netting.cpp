@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How far meshes are open, and how much netting there is.
+// Opening of the meshes, and area and mass of the netting.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -47,7 +47,7 @@ Json seconds_json(const RunResult& r) {
           {"total", r.reading_seconds + r.setup_seconds + b.total_seconds}};
 }
 
-/// What was solved on the way, the scene itself included; empty if it was solved at once.
+/// The stages that were solved, the scene itself included; empty if it was solved in one stage.
 Json legs_json(const Solution& s) {
   Json legs = Json::array();
   for (const Leg& leg : s.legs)
