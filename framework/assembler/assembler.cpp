@@ -15,7 +15,7 @@ namespace netloft {
 
 namespace {
 
-// Below this many tiles of one colour the threads cost more than they give (bench_assembly).
+// With fewer tiles of one colour than this, threads cost more than they save (bench_assembly).
 constexpr std::size_t kSerialBelow = 8;
 
 std::uint32_t want_of(MatrixKind kind) {
@@ -31,13 +31,14 @@ std::uint32_t want_of(MatrixKind kind) {
   }
 }
 
-/// Riders whose every term is off need not be there at all.
+/// Whether a family of riders can be left out because all of its terms are off.
 bool is_idle(const Scene& scene, const FamilyPlan& family) {
   return scene.parts[family.parts[0]].companion &&
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
 }
 
-/// The families that act, in the order of the plan; nodes for what they share come behind those of the scene.
+/// Makes the families that have active terms, in the order of the plan. Nodes for their shared unknowns are
+/// numbered after those of the scene.
 std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const Plan& plan) {
   std::vector<std::unique_ptr<ElementFamily>> families;
   std::size_t nodes = scene.node_count();
@@ -49,7 +50,7 @@ std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, co
   return families;
 }
 
-/// The nodes of the scene, without its parts, and behind them those of what families share.
+/// The nodes of the scene, without its parts, followed by those of the families' shared unknowns.
 Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<ElementFamily>> families) {
   Scene all;
   all.positions = scene.positions, all.held = scene.held, all.frames = scene.frames;
@@ -84,7 +85,8 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads,
 
 Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
                      std::vector<std::unique_ptr<ElementFamily>>&& families)
-    : water_(scene.water),
+    : scene_nodes_(scene.node_count()),
+      water_(scene.water),
       current_(scene.current),
       tangent_(plan.tangent),
       families_(std::move(families)),
@@ -96,17 +98,16 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
   pattern_ = make_pattern(blocks, numbering_, plan.symmetric);
   frames_ = Frames(nodes, numbering_, blocks, plan.symmetric);
   bodies_ = Bodies(nodes, numbering_, blocks, plan.symmetric);
-  companies_ = find_companies(families_);
+  groups_ = find_family_groups(families_);
   std::size_t tiles = 0;
-  for (Company& company : companies_) {
-    const ElementFamily& first = *families_[company.families.front()];
-    company.tiling =
-        make_tiling(first, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles);
-    company.first_tile = tiles;
-    tiles += company.tiling.tiles;
+  for (FamilyGroup& group : groups_) {
+    const ElementFamily& first = *families_[group.families.front()];
+    group.tiling = make_tiling(first, nodes, numbering_, blocks, plan.symmetric, pattern_.slots + 9 * tiles);
+    group.first_tile = tiles;
+    tiles += group.tiling.tiles;
   }
   for (std::size_t f = 0; f < families_.size(); ++f)
-    memories_.push_back(make_memory(*families_[f], company_of(f).tiling.tiles));
+    memories_.push_back(make_memory(*families_[f], group_of(f).tiling.tiles));
   value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
   start_.resize(numbering_.dofs());
@@ -122,7 +123,7 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
 
 Assembler::~Assembler() = default;
 
-/// Calls visit(place among all dofs, axis, moment) for every degree of freedom that a guide moves.
+/// Calls visit(index among all dofs, axis, moment) for every degree of freedom that a guide moves.
 template <class Visit>
 void Assembler::visit_guided(double time, const Visit& visit) const {
   for (const Guide& guide : guides_) {
@@ -148,7 +149,7 @@ void Assembler::place_from(std::span<const double> base, std::span<const double>
   std::copy(u.begin(), u.end(), x_low.begin());
   std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
   frames_.turn_back(u, x_low);
-  for (std::size_t i = 0; i < x.size(); ++i) {  // the sum of two numbers and its rounding error: Knuth 1969
+  for (std::size_t i = 0; i < x.size(); ++i) {  // the sum of two numbers and its rounding error (Knuth 1969)
     const double way = x_low[i];
     x[i] = base[i] + way;
     const double moved = x[i] - base[i];
@@ -168,12 +169,29 @@ void Assembler::move(double time, std::span<const double> v, std::span<const dou
   });
 }
 
+std::array<double, 3> Assembler::node_position(std::uint32_t node, std::span<const double> x) const {
+  std::array<double, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = x[static_cast<std::size_t>(numbering_.index(node, static_cast<int>(axis)))];
+  return place;
+}
+
+std::vector<double> Assembler::node_positions(std::span<const double> x) const {
+  std::vector<double> all;
+  all.reserve(3 * scene_nodes_);
+  for (std::uint32_t node = 0; node < scene_nodes_; ++node) {
+    const auto place = node_position(node, x);
+    all.insert(all.end(), place.begin(), place.end());
+  }
+  return all;
+}
+
 std::vector<double> Assembler::displacements(std::span<const double> positions) const {
   std::vector<double> u(static_cast<std::size_t>(numbering_.unknowns()));
   for (std::size_t i = 0; i < u.size(); ++i) {
     const auto place = static_cast<std::int32_t>(i);
     const std::uint32_t node = numbering_.node(place);
-    if (3 * std::size_t{node} >= positions.size()) continue;  // what elements share is in no place
+    if (3 * std::size_t{node} >= positions.size()) continue;  // shared unknowns have no position
     const auto own = static_cast<std::size_t>(numbering_.axis(place));
     const auto frame = axes_.find(node);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -185,15 +203,16 @@ std::vector<double> Assembler::displacements(std::span<const double> positions) 
   return u;
 }
 
-/// The geometric term of a body wants forces: they are evaluated even if nobody else asked.
+/// The geometric term of a body needs forces, so they are evaluated even if the caller did not ask for them.
 void Assembler::hand_on(std::span<const double> x, const Request& request) {
   if (bodies_.empty()) return;
   double* residual = request.residual;
   const bool exact = request.matrix == MatrixKind::exact;
   if (!residual && exact) {
     body_forces_.assign(numbering_.dofs(), 0.0);
-    for (const Company& company : companies_)
-      run_company(company, x, {.residual = body_forces_.data(), .motion = request.motion});
+    for (const FamilyGroup& group : groups_)
+      run_group(group, x,
+                {.without = request.without, .residual = body_forces_.data(), .motion = request.motion});
     residual = body_forces_.data();
   }
   bodies_.hand_on(x, residual, request.values, exact);
@@ -221,14 +240,14 @@ std::array<double, 3> Assembler::part_of(std::uint32_t node, std::span<const dou
   return force;
 }
 
-const Company& Assembler::company_of(std::size_t family) const {
-  return *std::find_if(companies_.begin(), companies_.end(), [&](const Company& company) {
-    return std::find(company.families.begin(), company.families.end(), family) != company.families.end();
+const FamilyGroup& Assembler::group_of(std::size_t family) const {
+  return *std::find_if(groups_.begin(), groups_.end(), [&](const FamilyGroup& group) {
+    return std::find(group.families.begin(), group.families.end(), family) != group.families.end();
   });
 }
 
 int Assembler::threads_used() const {
-  for (const auto& [tiling, families, first_tile] : companies_)
+  for (const auto& [tiling, families, first_tile] : groups_)
     for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
       if (tiling.colour_begin[c + 1] - tiling.colour_begin[c] >= kSerialBelow)
         return static_cast<int>(workers_.size());
@@ -238,8 +257,8 @@ int Assembler::threads_used() const {
 bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   if (request.residual) std::fill_n(request.residual, numbering_.dofs(), 0.0);
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);
-  for (const Company& company : companies_)
-    if (!run_company(company, x, request)) return false;
+  for (const FamilyGroup& group : groups_)
+    if (!run_group(group, x, request)) return false;
   hand_on(x, request);
   if (request.residual) frames_.turn(request.residual);
   if (request.values) frames_.turn_matrix(request.values);
@@ -250,33 +269,33 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   return true;
 }
 
-bool Assembler::run_company(const Company& company, std::span<const double> x, const Request& request) {
-  const Tiling& tiling = company.tiling;
+bool Assembler::run_group(const FamilyGroup& group, std::span<const double> x, const Request& request) {
+  const Tiling& tiling = group.tiling;
   const auto run = [&](std::size_t begin, std::size_t end) {
     workers_.run(end - begin, kSerialBelow, [&](std::size_t worker, std::size_t i) {
-      run_tile(company, tiling.order[begin + i], x, request, *workspaces_[worker]);
+      run_tile(group, tiling.order[begin + i], x, request, *workspaces_[worker]);
     });
   };
   if (!request.residual && !request.values)
-    run(0, tiling.tiles);  // nothing is scattered, so nothing can collide
+    run(0, tiling.tiles);  // nothing is scattered, so no two tiles can write to the same entry
   else
     for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
       run(tiling.colour_begin[c], tiling.colour_begin[c + 1]);
   return collect_faults();
 }
 
-void Assembler::run_tile(const Company& company, std::size_t tile, std::span<const double> x,
+void Assembler::run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x,
                          const Request& request, Workspace& w) {
-  gather(company, tile, x, request.motion, w);
+  gather(group, tile, x, request.motion, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
-  for (const std::size_t family : company.families) {
+  for (const std::size_t family : group.families) {
     w.message[0] = 0;
     netloft_tile t = make_tile(family, tile, request.motion, w);
     if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
       return report(family, t, status, w);
   }
-  scatter(company, tile, request, w);
+  scatter(group, tile, request, w);
 }
 
 int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
@@ -284,8 +303,8 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   for (const auto& term : f.active_terms()) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
-    if (request.conservative_only && !conservative) continue;
-    // Inertia is no force to be left out: without it a step's matrix is none.
+    if ((request.conservative_only && !conservative) || (term.traits & request.without)) continue;
+    // Inertia is never left out, because without it the matrix of a time step would be singular.
     const bool counts =
         conservative || tangent_ != TangentChoice::elastic || (term.traits & NETLOFT_READS_ACCELERATION);
     const bool moving = !(term.traits & NETLOFT_CONSTANT) && counts;
@@ -311,7 +330,7 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
 
 namespace {
 
-/// Half the sum of a square tangent and its transpose, added to a packed one.
+/// Adds half the sum of a square tangent and its transpose to a packed one.
 void add_symmetric_part(const double* __restrict square, std::size_t n, double* __restrict packed_tangent) {
   for (std::size_t r = 0; r < n; ++r)
     for (std::size_t c = 0; c <= r; ++c) {
@@ -323,8 +342,8 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
 
 }  // namespace
 
-/// A matrix that is not simply the exact tangent: convex part or metric, offered by the term or made here, or
-/// the symmetric part of a full square.
+/// Calls a term for a matrix other than its exact tangent: the convex part or the metric, which the term
+/// offers or the host makes from the exact tangent, or the symmetric part of a full square.
 int Assembler::call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& t,
                                 MatrixKind kind, Workspace& w) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
@@ -363,7 +382,7 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
 }
 
 void Assembler::report(std::size_t family, const netloft_tile& t, int status, Workspace& w) {
-  // The earliest element is reported, whichever thread met it.
+  // The earliest element is reported, no matter which thread met it.
   const std::size_t element = t.first + std::min(t.lane_at_fault, t.count - 1);
   if (element >= w.fault_order) return;
   w.fault_order = element;

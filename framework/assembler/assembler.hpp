@@ -13,34 +13,35 @@ namespace netloft {
 
 enum class MatrixKind { none, exact, convex, metric };
 
-/// How everything moves while it is evaluated: rates over all dofs, null at rest, and the factors of the
-/// matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a; and, if known, what positions round off.
+/// The motion of a scene during an evaluation: rates over all dofs (null at rest), the factors of the matrix
+/// cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a, and the low-order part of the positions if it is known.
 struct Kinematics {
   double time = 0;                          // [s]
   const double *v = nullptr, *a = nullptr;  // [m/s], [m/s²]
   double cu = 1, cv = 0, ca = 0;
-  const double* x_low = nullptr;  // over all dofs: digits that positions have no room for [m]
+  const double* x_low = nullptr;  // over all dofs: low-order part of the positions [m]
 };
 
 /// What an evaluation adds up. Null or none: not wanted, not computed.
 struct Request {
   double* energy = nullptr;        // one number [J]
   bool conservative_only = false;  // leave out forces that have no energy: the residual is its gradient
+  std::uint32_t without = 0;       // terms with any of these traits are left out
   double* residual = nullptr;      // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
   Kinematics motion = {};
 };
 
-/// Which element could not be evaluated, and why.
+/// The element that could not be evaluated, and the reason.
 struct ElementFault {
   int status = NETLOFT_OK;  // NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR
   std::size_t family = 0, element = 0;
   char message[256] = "";
 };
 
-/// The families of a scene as one sum: gathers positions, evaluates active terms on tiles of 64 elements,
-/// those of all families on the same nodes, and scatters. Vectors over all dofs are in the order of
+/// The sum over all families of a scene. It gathers positions, evaluates active terms on tiles of 64
+/// elements, those of all families on the same nodes, and scatters. Vectors over all dofs are in the order of
 /// `numbering()`. Evaluation allocates nothing.
 class Assembler {
  public:
@@ -53,63 +54,68 @@ class Assembler {
   const SparsePattern& pattern() const { return pattern_; }
   std::size_t value_slots() const { return value_slots_; }
   std::span<const std::unique_ptr<ElementFamily>> families() const { return families_; }
-  /// Threads that evaluations share out: 1 while the scene is too small to gain from more.
+  /// Threads among which an evaluation is divided; 1 if the scene is too small to gain from more.
   int threads_used() const;
 
-  /// Positions over all dofs at displacements u of the unknowns [m], with guides where they are at a time
-  /// [s].
+  /// Positions over all dofs at displacements u of the unknowns [m]; guides are where they are at `time` [s].
   void place(std::span<const double> u, std::span<double> x, double time = 0) const;
-  /// Positions at displacements u from positions `base`, as their double-precision numbers and what these
-  /// round off [m]. Nothing may be carried by a body.
+  /// Positions at displacements u from positions `base`, as their double-precision values and the low-order
+  /// part that these round off [m]. No node may be carried by a body.
   void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                   std::span<double> x_low) const;
   bool has_bodies() const { return !bodies_.empty(); }
-  /// Rates over all dofs from those of the unknowns and of the guides.
+  /// Rates over all dofs from those of the unknowns and those of the guides.
   void move(double time, std::span<const double> v, std::span<const double> a, std::span<double> all_v,
             std::span<double> all_a) const;
-  /// Displacements of the unknowns that bring the nodes nearest to `positions`, 3 per node of the scene [m].
+  /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
+  /// the scene [m].
   std::vector<double> displacements(std::span<const double> positions) const;
-  /// Whether some held node is moved.
+  /// Positions of the nodes of the scene, three of each, out of a vector x over all degrees of freedom [m];
+  /// velocities or displacements likewise. What elements share is in no place and is left out.
+  std::vector<double> node_positions(std::span<const double> x) const;
+  std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
+  /// Whether a guide moves some held node.
   bool is_guided() const { return !guides_.empty(); }
-  /// What holds a node (along some of its own axes), and what is left unbalanced at it, out of a residual
-  /// [N], in the world frame.
+  /// Splits a residual [N] at a node into the reaction of its hold (along the held axes) and the unbalanced
+  /// force, in the world frame.
   std::array<double, 3> reaction(std::uint32_t node, std::span<const double> residual,
                                  std::uint8_t axes = kAllAxes) const;
   std::array<double, 3> unbalanced(std::uint32_t node, std::span<const double> residual) const;
 
-  /// Start positions over all dofs [m].
+  /// Initial positions over all dofs [m].
   const std::vector<double>& start() const { return start_; }
 
-  /// Evaluates at positions x (over all dofs). False: see fault().
+  /// Evaluates at positions x (over all dofs). Returns false if an element could not be evaluated: see
+  /// fault().
   bool evaluate(std::span<const double> x, const Request& request);
   const ElementFault& fault() const { return fault_; }
-  /// "net node 17", or of what the elements of a part share, "catch front"
+  /// The name of a node: "net node 17", or "catch front" for shared unknowns of a part.
   std::string node_name(const Scene& scene, std::uint32_t node) const;
-  /// "net element 17"
+  /// The name of the element at fault: "net element 17".
   std::string fault_place(const Scene& scene) const;
   std::string fault_sentence(const Scene& scene) const;
 
-  /// Lets every element remember positions x as the last accepted step. Evaluations do not: between two calls
-  /// the past of all elements stands still. At first they remember the start. False: nothing has changed, see
-  /// fault().
+  /// Makes every element remember positions x as the last accepted step. Evaluations do not change this
+  /// memory. At first the elements remember the start. If it returns false, nothing has changed: see fault().
   bool remember(std::span<const double> x, const Kinematics& motion = {});
-  /// What all elements remember, one after another: to keep, and to put back later.
+  /// The memory of all elements, one after another, so that it can be saved and restored.
   std::vector<double> memory() const;
   void set_memory(std::span<const double> kept);
 
-  /// Force of one active term alone, as a residual over all dofs. False: see fault().
+  /// Force of one active term alone, as a residual over all dofs. Returns false on failure: see fault().
   bool evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
                      std::span<double> residual, const Kinematics& motion = {});
-  /// Energy of one active term alone [J]; zero if it has none. False: see fault().
+  /// Energy of one active term alone [J]; zero if it has none. Returns false on failure: see fault().
   bool term_energy(std::span<const double> x, std::size_t family, std::size_t term, double& energy,
                    const Kinematics& motion = {});
   /// Masses of the nodes along their own axes: nine numbers each, row by row [kg]. `coupled` is the largest
-  /// entry between two nodes, which these blocks leave out. False: see fault().
+  /// entry between two nodes; these blocks leave such entries out. Returns false on failure: see fault().
   bool masses(std::span<const double> x, std::span<double> blocks, double& coupled);
   /// Force of one active term summed per part of the family, +dE/dx [N]: 3 numbers per part.
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
                 const Kinematics& motion = {});
-  /// Outputs of a family: [output][element]; no number where they could not be found, which makes it false.
+  /// Outputs of a family: [output][element], NaN where an output could not be computed; the result is then
+  /// false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
                const Kinematics& motion = {});
 
@@ -117,19 +123,19 @@ class Assembler {
   struct Workspace;
   Assembler(const Scene& scene, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>> families);
-  /// `nodes` are those of the scene and of what families share.
+  /// `nodes` are those of the scene and of the families' shared unknowns.
   Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>>&& families);
-  bool run_company(const Company& company, std::span<const double> x, const Request& request);
-  void run_tile(const Company& company, std::size_t tile, std::span<const double> x, const Request& request,
+  bool run_group(const FamilyGroup& group, std::span<const double> x, const Request& request);
+  void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
   int call_terms(std::size_t family, netloft_tile& tile, const Request& request, Workspace& w);
   int call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& tile,
                        MatrixKind kind, Workspace& w);
-  void scatter(const Company& company, std::size_t tile, const Request& request, Workspace& w);
+  void scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w);
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
-  const Company& company_of(std::size_t family) const;
-  void gather(const Company& company, std::size_t tile, std::span<const double> x, const Kinematics& motion,
+  const FamilyGroup& group_of(std::size_t family) const;
+  void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,
               Workspace& w) const;
   netloft_tile make_tile(std::size_t family, std::size_t tile, const Kinematics& motion, Workspace& w) const;
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
@@ -147,6 +153,7 @@ class Assembler {
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
   bool collect_faults();
 
+  std::size_t scene_nodes_;
   SceneWater water_;
   Current current_;
   TangentChoice tangent_;
@@ -157,7 +164,7 @@ class Assembler {
   Bodies bodies_;
   std::vector<Guide> guides_;
   SparsePattern pattern_;
-  std::vector<Company> companies_;
+  std::vector<FamilyGroup> groups_;
   std::vector<Memory> memories_;  // per family
   std::size_t value_slots_ = 0;
   std::vector<double> start_, tile_energy_, body_forces_;

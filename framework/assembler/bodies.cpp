@@ -60,7 +60,7 @@ Bodies::Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks&
         add_products(blocks, 9 * b, blocks.row_node[b], column, symmetric);
 }
 
-/// A lower block off the diagonal stands for its transpose, too; one on it is symmetric and complete.
+/// A lower block off the diagonal represents its transpose, too; a diagonal block is symmetric and complete.
 void Bodies::add_products(const NodeBlocks& blocks, std::size_t from, std::uint32_t row, std::uint32_t column,
                           bool symmetric) {
   const bool on_diagonal = row == column;

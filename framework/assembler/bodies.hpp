@@ -4,7 +4,8 @@
 
 namespace netloft {
 
-/// Nodes that a rigid body carries: elements see them as any other; what they give is handed on to the body.
+/// Nodes carried by a rigid body. Elements treat them like any other node; their forces and matrices are
+/// passed on to the body.
 ///   x = X + R(θ) r                                    r: the node in the body's own frame          (1)
 ///   f_X += f,   f_θ += Gᵀ f,   G = ∂x/∂θ                                                           (2)
 ///   K ← [I G]ᵀ K [I G],   K_θθ += Σ_i f_i ∂²x_i/∂θ²   the geometric term                           (3)
@@ -19,24 +20,25 @@ class Bodies {
   bool empty() const { return points_.empty(); }
   /// Positions of carried nodes from those of their bodies, (1).
   void place(std::span<double> x) const;
-  /// Forces on carried nodes go to their bodies, (2). Values of an evaluation at x are handed on with the
-  /// geometric term of (3) when `exact`; both may be null.
+  /// Forces on carried nodes are passed on to their bodies, (2). Matrix values of an evaluation at x are
+  /// passed on as well, with the geometric term of (3) if `exact`; both pointers may be null.
   void hand_on(std::span<const double> x, double* residual, double* values, bool exact);
 
  private:
   using Matrix3 = std::array<double, 9>;  // row by row
   static constexpr std::size_t kNoBlock = ~std::size_t{0};
   struct Point {
-    std::array<std::size_t, 3> at, position, rotation;  // places in vectors over all dofs
+    std::array<std::size_t, 3> at, position, rotation;  // indices in vectors over all dofs
     std::array<double, 3> r;
-    std::size_t rotation_block;  // of the body's rotation with itself; none if it cannot turn
+    std::size_t rotation_block;  // of the body's rotation with itself; unset if it cannot turn
     Matrix3 G{};
     std::array<Matrix3, 3> second{};  // ∂²x_i/∂θ²
   };
-  /// One product of (3): values[to] += Lᵀ values[from] R, perhaps transposed, perhaps with its transpose.
+  /// One product of (3): values[to] += Lᵀ values[from] R, transposed or together with its transpose if
+  /// required.
   struct Product {
     std::size_t from, to;
-    int left, right;     // points whose G stands there, -1: the identity
+    int left, right;     // points whose G is the factor, -1: the identity
     bool from_diagonal;  // only the lower triangle of the source is filled
     bool transposed, both;
   };
@@ -49,7 +51,7 @@ class Bodies {
   std::vector<Product> products_;
   struct Target {
     std::uint32_t node;
-    int point;  // whose G, -1: the identity
+    int point;  // the point whose G is used, -1: the identity
   };
   std::vector<std::vector<Target>> targets_;  // per scene node: itself, or position and rotation of its body
 };

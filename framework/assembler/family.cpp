@@ -33,7 +33,7 @@ void ElementFamily::gather_parameters(const Scene& scene) {
 void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
   for (const auto& law : plan.laws) {
     if (!law.type) {
-      laws_.push_back({});  // still water: no term asks it
+      laws_.push_back({});  // still water: no term reads it
       continue;
     }
     std::vector<std::string> wrong;
@@ -72,12 +72,12 @@ std::vector<double> ElementFamily::gather_datum(const Scene& scene, const netlof
     const auto given = part.data.find(datum.name);
     const std::size_t wanted = (part_begin_[p + 1] - part_begin_[p]) * datum.width;
     if (given == part.data.end())
-      throw SceneError({{part.name, type_->type + " wants \"" + datum.name + "\" (" + datum.doc +
+      throw SceneError({{part.name, type_->type + " needs \"" + datum.name + "\" (" + datum.doc +
                                         ") of every element; this part's geometry does not give it"}});
     if (given->second.size() != wanted)
       throw SceneError(
           {{part.name, "\"" + std::string(datum.name) + "\" has " + std::to_string(given->second.size()) +
-                           " numbers, " + std::to_string(wanted) + " are wanted"}});
+                           " numbers, " + std::to_string(wanted) + " are expected"}});
     all.insert(all.end(), given->second.begin(), given->second.end());
   }
   return all;
@@ -109,7 +109,7 @@ void ElementFamily::create(const Scene& scene) {
         type_->type + " element " + std::to_string(e - part_begin_[part_[e]]) + " is refused: " + message}});
 }
 
-/// Coordinates that no number stands in are held, and so are numbers that are given.
+/// Coordinates that are not used by a shared unknown are held, and so are those with a given value.
 void ElementFamily::gather_globals(const Scene& scene, std::uint32_t first_node) {
   const auto& globals = type_->globals;
   for (std::uint32_t p = 0; p < parts_.size() && !globals.empty(); ++p) {

@@ -7,12 +7,12 @@
 
 namespace netloft {
 
-/// All elements of one type in a scene, made by their plugin; stands on the nodes of the scene.
-/// Elements keep the order of the parts, and within a part the order they were given in.
+/// All elements of one type in a scene, made by their plugin from the nodes of the scene. Elements keep the
+/// order of the parts, and within a part the order of its element list.
 class ElementFamily {
  public:
-  /// What the parts share stands on nodes of its own, from `first_global_node` on.
-  /// Throws SceneError when parameters or data are wrong or the plugin refuses an element.
+  /// Unknowns shared by a part have nodes of their own, numbered from `first_global_node` on. Throws
+  /// SceneError if parameters or data are wrong or the plugin refuses an element.
   ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node = 0);
   ~ElementFamily();
   ElementFamily(const ElementFamily&) = delete;
@@ -21,29 +21,29 @@ class ElementFamily {
   const ElementType& type() const { return *type_; }
   std::size_t size() const { return part_.size(); }
   int nodes_per_element() const { return type_->nodes(); }
-  /// The same with the node of what the parts share, which comes last.
+  /// The nodes of an element including the node of its part's shared unknowns, which comes last.
   int all_nodes_per_element() const { return type_->dofs() / 3; }
   std::uint32_t node(std::size_t element, int corner) const {
     return nodes_[element * static_cast<std::size_t>(all_nodes_per_element()) +
                   static_cast<std::size_t>(corner)];
   }
-  /// Scene part of an element.
+  /// The scene part to which an element belongs.
   std::uint32_t part(std::size_t element) const { return parts_[part_[element]]; }
   const std::vector<std::uint32_t>& parts() const { return parts_; }
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
 
-  /// What the elements of a part share: one node for each part, none if they share nothing.
+  /// The shared unknowns of a part: one node per part, none if the type has no shared unknowns.
   struct GlobalNode {
     std::uint32_t node;
     std::array<double, 3> start;
-    std::uint8_t held;  // axes that are no unknowns
+    std::uint8_t held;  // axes without an unknown
   };
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
-  /// Whether some active term wants this of the host.
+  /// Whether some active term needs this input from the host.
   bool reads(std::uint32_t trait) const {
     for (const auto& term : terms_)
       if (term.traits & trait) return true;
@@ -62,7 +62,7 @@ class ElementFamily {
   const ElementType* type_;
   std::vector<std::uint32_t> parts_;         // scene parts
   std::vector<std::size_t> part_begin_;      // per part of parts_, +1
-  std::vector<std::uint32_t> part_, nodes_;  // per element: place in parts_; its nodes
+  std::vector<std::uint32_t> part_, nodes_;  // per element: index in parts_; its nodes
   std::vector<ParameterBlock> parameters_, law_parameters_;
   std::vector<netloft_bound_law> laws_;
   std::vector<netloft_term> terms_;

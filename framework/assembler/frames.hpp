@@ -4,9 +4,8 @@
 
 namespace netloft {
 
-/// Nodes whose unknowns do not run along x, y and z: on a slider, on a plane at an angle. Elements know
-/// nothing of them: they see positions and give forces in the world frame, and what they gave is turned
-/// afterwards.
+/// Nodes whose unknowns are not along x, y and z, such as nodes on a slider or on an inclined plane. Elements
+/// work in the world frame; their forces and matrices are rotated afterwards.
 ///   x = x₀ + Q u,   r ← Qᵀ r,   K_ab ← Q_aᵀ K_ab Q_b                (1)
 /// The columns of Q are the node's own axes, of which some are held. Since Q is constant the tangent stays
 /// exact.
@@ -16,25 +15,25 @@ class Frames {
   Frames(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return nodes_.empty(); }
-  /// Positions of the turned nodes from their start and the displacements of the unknowns.
+  /// Positions of the rotated nodes from their start and the displacements of the unknowns.
   void place(std::span<const double> start, std::span<const double> u, std::span<double> x) const;
-  /// Rates of the turned nodes from those of the unknowns.
+  /// Rates of the rotated nodes from those of the unknowns.
   void turn_back(std::span<const double> own, std::span<double> world) const;
-  /// World to node, in vectors over all dofs.
+  /// Rotates a residual from the world frame to the nodes' own axes, in a vector over all dofs.
   void turn(double* residual) const;
-  /// Blocks of the matrix that touch a turned node.
+  /// Rotates the blocks of the matrix that involve a rotated node.
   void turn_matrix(double* values) const;
 
  private:
   using Matrix3 = std::array<double, 9>;  // row by row
   struct Node {
-    std::array<std::size_t, 3> place;  // of its three entries in vectors over all dofs
+    std::array<std::size_t, 3> place;  // of its three entries, in vectors over all dofs
     Matrix3 Q;
   };
   struct Block {
     std::size_t base;
-    int row, column;  // into nodes_, -1: not turned
-    bool lower_only;  // a diagonal block of which the lower triangle is filled
+    int row, column;  // indices in nodes_, -1: not rotated
+    bool lower_only;  // a diagonal block that stores only its lower triangle
   };
 
   std::size_t unknowns_ = 0;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the elements of a tile are handed.
+// Gathers the inputs of the elements of a tile.
 #include "framework/assembler/workspace.hpp"
 
 namespace netloft {
 
 namespace {
 
-/// Entries of a vector over all dofs as a tile wants them.
+/// Copies entries of a vector over all dofs into the layout of a tile.
 void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, double* to) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
@@ -19,12 +19,12 @@ void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, d
 
 }  // namespace
 
-/// For all families of a company at once.
-void Assembler::gather(const Company& company, std::size_t tile, std::span<const double> x,
+/// Gathers a tile for all families of a group at once.
+void Assembler::gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x,
                        const Kinematics& motion, Workspace& w) const {
-  const Tiling& tiling = company.tiling;
+  const Tiling& tiling = group.tiling;
   const auto some_read = [&](std::uint32_t trait) {
-    return std::any_of(company.families.begin(), company.families.end(),
+    return std::any_of(group.families.begin(), group.families.end(),
                        [&](std::size_t family) { return families_[family]->reads(trait); });
   };
   gather_vector(tiling, tile, x.data(), w.x.data());
@@ -34,7 +34,7 @@ void Assembler::gather(const Company& company, std::size_t tile, std::span<const
   if (!w.current.empty() && some_read(NETLOFT_READS_CURRENT)) gather_current(tiling, tile, motion.time, w);
 }
 
-/// A tile as one family may see it.
+/// Makes the view of a tile that one family receives.
 netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Kinematics& motion,
                                   Workspace& w) const {
   const ElementFamily& f = *families_[family];
@@ -55,8 +55,8 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
   return t;
 }
 
-/// Velocity of the water at the nodes of a tile, whose positions have been gathered. What is the same
-/// everywhere stands there already.
+/// Computes the velocity of the water at the nodes of a tile, whose positions have been gathered. A uniform
+/// current is filled in already.
 void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
   if (current_.is_uniform()) return fill_current(time, w);
   std::array<double, 3> velocity, dz;
@@ -70,7 +70,7 @@ void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double ti
     }
 }
 
-/// A current that is the same at all heights, for all tiles of this time.
+/// Fills in a current that is the same at all heights, for all tiles at this time.
 void Assembler::fill_current(double time, Workspace& w) const {
   if (w.current_time == time) return;
   w.current_time = time;

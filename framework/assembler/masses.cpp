@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// ∂r/∂a by nodes: what explicit schemes divide by. Every element's own tangent is asked, no sparse matrix
-// made.
+// The nodal blocks of ∂r/∂a, by which explicit schemes divide. They are summed from the elements' tangents,
+// without a sparse matrix.
 #include "framework/assembler/workspace.hpp"
 
 #include <algorithm>

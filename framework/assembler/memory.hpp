@@ -7,8 +7,9 @@
 
 namespace netloft {
 
-/// What the elements of one family remember of the last accepted step, and what they would remember of the
-/// next: [tile][width][64], so that a tile is handed its part as it stands. All zero: no past.
+/// The state that the elements of one family remember from the last accepted step, and the state they would
+/// remember next: [tile][width][64], so that a tile can be passed its part without copying. All zeros mean
+/// that there is no past step.
 class Memory {
  public:
   Memory(std::size_t tiles, std::size_t width)
@@ -16,7 +17,7 @@ class Memory {
 
   bool empty() const { return kept_.empty(); }
   const double* kept(std::size_t tile) const { return empty() ? nullptr : &kept_[tile * stride_]; }
-  /// Where a tile may write what it will remember; it finds there what it remembers now.
+  /// The place where a tile writes its next state; it contains the current state at first.
   double* next(std::size_t tile) { return &next_[tile * stride_]; }
   void begin() { next_ = kept_; }
   void accept() { kept_.swap(next_); }

@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// Numbers the degrees of freedom: unknowns first, in the order of the nodes, then the held ones.
-/// A vector over all of them holds positions, or residual and reactions in one.
+/// Numbers the degrees of freedom: unknowns first, in the order of the nodes, then the held ones. A vector
+/// over all of them holds positions, or residual and reactions together.
 class Numbering {
  public:
   explicit Numbering(const Scene& scene) : index_(3 * scene.node_count()) {
@@ -25,7 +25,7 @@ class Numbering {
 
   std::int32_t unknowns() const { return unknowns_; }
   std::size_t dofs() const { return index_.size(); }
-  /// Place of axis `axis` of `node` in vectors over all degrees of freedom.
+  /// Index of axis `axis` of `node` in vectors over all degrees of freedom.
   std::int32_t index(std::uint32_t node, int axis) const {
     return index_[3 * std::size_t{node} + static_cast<std::size_t>(axis)];
   }
@@ -34,8 +34,8 @@ class Numbering {
   int axis(std::int32_t index) const { return static_cast<int>(dof_[static_cast<std::size_t>(index)] % 3); }
 
  private:
-  std::vector<std::int32_t> index_;  // dof (3 node + axis) -> place
-  std::vector<std::uint32_t> dof_;   // place -> dof
+  std::vector<std::int32_t> index_;  // dof (3 node + axis) -> index
+  std::vector<std::uint32_t> dof_;   // index -> dof
   std::int32_t unknowns_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-/// A body stands next to whatever its points stand next to, and so do its points to each other.
+/// A body is a neighbour of all neighbours of its points, and its points are neighbours of each other.
 template <class Add>
 void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vector<std::uint32_t>>& near) {
   if (scene.bodies.empty()) return;
@@ -17,17 +17,17 @@ void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vect
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) stands_for[n] = {n};
   for (const auto& body : scene.bodies)
     for (const auto& point : body.points) stands_for[point.node] = {body.position, body.rotation};
-  const auto found = near;  // of the elements alone
+  const auto found = near;  // neighbours by elements alone
   for (std::uint32_t column = 0; column < found.size(); ++column)
     for (const auto row : found[column])
       for (const auto a : stands_for[row])
         for (const auto b : stands_for[column]) add(b, a), add(a, b);
 }
 
-/// Per node, the nodes that move and share an element with it; itself included.
+/// For each node, the nodes that can move and share an element with it, itself included.
 std::vector<std::vector<std::uint32_t>> find_neighbours(
     std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene, bool symmetric) {
-  constexpr std::size_t kMostly = 32;  // seen of a node by all of its elements
+  constexpr std::size_t kMostly = 32;  // enough for most nodes: entries per node, repeated ones included
   std::vector<std::vector<std::uint32_t>> near(scene.node_count());
   for (auto& rows : near) rows.reserve(kMostly);
   const auto moves = [&](std::uint32_t node) { return !scene.stands_still(node); };

@@ -9,23 +9,24 @@
 
 namespace netloft {
 
-/// Where the 3 x 3 blocks of pairs of nodes stand. A block's nine values lie together, row by row, so that an
-/// element adds to whole blocks: one look-up for nine values (measured against one per value: half the time
-/// of the scatter). Rows and columns of held axes are in a block but in no entry of the pattern.
+/// The positions of the 3 x 3 blocks of pairs of nodes among the matrix values. The nine values of a block
+/// are contiguous, row by row, so that an element adds whole blocks: one look-up for nine values (half the
+/// time of the scatter, compared with one look-up per value). Rows and columns of held axes are in a block
+/// but in no entry of the pattern.
 struct NodeBlocks {
   std::vector<std::size_t> column_start;  // per node, +1
   std::vector<std::uint32_t> row_node;    // ascending in a column
 
   std::size_t count() const { return row_node.size(); }
-  /// First of the nine values; row >= column if the problem is symmetric. Both nodes have unknowns.
+  /// First of the nine values; row >= column if the problem is symmetric. Both nodes must have unknowns.
   std::size_t base(std::uint32_t row, std::uint32_t column) const;
 };
 
-/// The blocks that the elements of all families can make; the lower ones if symmetric.
+/// The blocks to which the elements of all families can add; only lower ones if symmetric.
 NodeBlocks make_blocks(std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene,
                        bool symmetric);
 
-/// The entries of the unknowns within the blocks, lower triangle if symmetric, each with its slot.
+/// The entries of the unknowns within the blocks, only the lower triangle if symmetric, each with its slot.
 SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering, bool symmetric);
 
 /// Slot of (row, column), which must be in the pattern.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is asked of an assembler once in a while: one term alone, sums per part, outputs, memory. Serial.
+// Evaluations of an assembler that are rarely needed, and serial: one term alone, sums per part, outputs,
+// memory.
 #include "framework/assembler/workspace.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
       x, motion, family,
       [&](std::size_t, netloft_tile& t) { return f.active_terms()[term].evaluate(f.self(), &t); },
       [&](std::size_t tile, const netloft_tile&, Workspace& w) {
-        scatter(company_of(family), tile, {.residual = residual.data()}, w);
+        scatter(group_of(family), tile, {.residual = residual.data()}, w);
       });
   bodies_.hand_on(x, residual.data(), nullptr, false);
   frames_.turn(residual.data());

@@ -14,16 +14,16 @@ bool have_same_nodes(const ElementFamily& a, const ElementFamily& b) {
   return true;
 }
 
-std::vector<Company> find_companies(std::span<const std::unique_ptr<ElementFamily>> families) {
-  std::vector<Company> companies;
+std::vector<FamilyGroup> find_family_groups(std::span<const std::unique_ptr<ElementFamily>> families) {
+  std::vector<FamilyGroup> groups;
   for (std::size_t f = 0; f < families.size(); ++f) {
-    const auto at = std::find_if(companies.begin(), companies.end(), [&](const Company& company) {
-      return have_same_nodes(*families[company.families.front()], *families[f]);
+    const auto at = std::find_if(groups.begin(), groups.end(), [&](const FamilyGroup& group) {
+      return have_same_nodes(*families[group.families.front()], *families[f]);
     });
-    Company& company = at == companies.end() ? companies.emplace_back() : *at;
-    company.families.push_back(f);
+    FamilyGroup& group = at == groups.end() ? groups.emplace_back() : *at;
+    group.families.push_back(f);
   }
-  return companies;
+  return groups;
 }
 
 }  // namespace netloft

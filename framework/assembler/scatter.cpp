@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the elements of a tile give, added where it belongs.
+// Adds the results of the elements of a tile to the global sums.
 #include "framework/assembler/workspace.hpp"
+#include "framework/simd/registers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,8 @@ namespace netloft {
 
 namespace {
 
-/// Adds the blocks of a packed lower triangle, corner by corner. `Nodes` is known so that the loops unroll.
+/// Adds the blocks of a packed lower triangle, corner by corner. `Nodes` is a template parameter so that the
+/// loops unroll.
 template <int Nodes>
 void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* __restrict tangent,
                       double* values) {
@@ -32,7 +34,7 @@ void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* 
     }
 }
 
-/// Adds the transpose of every block that stands on the diagonal for two.
+/// Adds the transpose of every block that lies on the diagonal but represents two blocks (see Twin).
 void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, const double* tangent,
                double* values) {
   for (const auto& twin : tiling.twins[tile]) {
@@ -44,13 +46,10 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
   }
 }
 
-#define NETLOFT_INLINE [[gnu::always_inline]] inline
+using Two = wide::Two::V;
+using Four = wide::Four::V;
 
-/// Two and four numbers in a register, anywhere in memory.
-typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
-typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
-
-/// The nine entries of a block, row by row, each in all lanes.
+/// The nine entries of a block, row by row, each for all lanes.
 struct Entries {
   std::array<const double*, 9> at;
   NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Two& two) const {
@@ -62,10 +61,10 @@ struct Entries {
   NETLOFT_INLINE void get(std::size_t i, std::size_t lane, double& one) const { one = at[i][lane]; }
 };
 
-/// The sum of two.
+/// The sum of two sets of entries.
 struct BothEntries {
   Entries a, b;
-  // By name: deduced types forget that registers stand anywhere in memory.
+  // Loads into an explicit type, because deduced types lose the attribute for unaligned access.
   NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Two& two) const {
     Two other;
     a.get(i, lane, two), b.get(i, lane, other);
@@ -101,8 +100,8 @@ NETLOFT_INLINE Entries packed_entries(const double* packed_tangent, int P, int Q
   return entries;
 }
 
-/// values[to + i] += entry i of a lane, for two lanes from `lane` on, whose entries become neighbours in the
-/// registers.
+/// values[to + i] += entry i of a lane, for the two lanes from `lane` on. The entries of a lane are first
+/// transposed to be adjacent in the registers.
 template <class EntriesOfLanes>
 NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
                                   double* values) {
@@ -117,7 +116,7 @@ NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& 
   first[8] += a[0], second[8] += a[1];
 }
 
-/// The same for four.
+/// The same for four lanes.
 template <class EntriesOfLanes>
 NETLOFT_INLINE void add_four_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
                                    double* values) {
@@ -154,7 +153,7 @@ NETLOFT_INLINE void add_pair(const std::int32_t* to, std::size_t count, const En
     }
 }
 
-/// Tangents of all lanes of a tile; null: none.
+/// Tangents of all lanes of a tile; null if there are none.
 struct Tangents {
   const double *triangle, *square;
 };
@@ -197,23 +196,17 @@ void add_blocks_plainly(std::size_t dofs, const std::int32_t* to, std::size_t co
   add_all_blocks<false>(dofs, to, count, tangents, values);
 }
 
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void add_blocks_widely(std::size_t dofs, const std::int32_t* to, std::size_t count,
-                                               const Tangents& tangents, double* values) {
+NETLOFT_AVX2 void add_blocks_widely(std::size_t dofs, const std::int32_t* to, std::size_t count,
+                                    const Tangents& tangents, double* values) {
   add_all_blocks<true>(dofs, to, count, tangents, values);
 }
-#endif
 
-/// The same bits either way.
+/// Both ways give bit-identical results.
 AddBlocks best_way_to_add_blocks() {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) return add_blocks_widely;
-#endif
-  return add_blocks_plainly;
+  return wide::those_here<AddBlocks>(add_blocks_plainly, add_blocks_widely, add_blocks_widely).back();
 }
 
-/// Calls add(nodes of an element), known at compile time.
+/// Calls add(number of nodes of an element) with the number as a compile-time constant.
 template <class Add>
 void with_nodes(std::size_t dofs, const Add& add) {
   switch (dofs) {
@@ -230,14 +223,14 @@ void with_nodes(std::size_t dofs, const Add& add) {
 
 }  // namespace
 
-void Assembler::scatter(const Company& company, std::size_t tile, const Request& request, Workspace& w) {
-  const Tiling& tiling = company.tiling;
+void Assembler::scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w) {
+  const Tiling& tiling = group.tiling;
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
   if (request.energy) {
     double sum = 0;
     for (std::size_t lane = 0; lane < count; ++lane) sum += w.energy[lane];
-    tile_energy_[company.first_tile + tile] = sum;
+    tile_energy_[group.first_tile + tile] = sum;
   }
   if (request.residual && !w.force.is_zero()) {
     const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
@@ -249,7 +242,7 @@ void Assembler::scatter(const Company& company, std::size_t tile, const Request&
   if (request.values) scatter_matrix(tiling, tile, request.values, w);
 }
 
-/// Many a tile adds nothing: netting without bending, limits that nothing has reached.
+/// Many tiles add nothing, such as netting without bending or limits that are not reached; they are skipped.
 void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);

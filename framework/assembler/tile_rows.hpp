@@ -10,9 +10,10 @@
 
 namespace netloft {
 
-/// Rows of NETLOFT_LANES numbers that the terms of a tile add to. They are set to zero when the first term of
-/// a tile asks for them, in the lanes of that tile, unless the tile before has left them so: what no term
-/// asks for costs nothing, and what one wrongly wrote beyond the last lane is gone before it is seen.
+/// Rows of NETLOFT_LANES numbers that the terms of a tile add to. Rows are set to zero when the first term of
+/// a tile asks for them, in the lanes of that tile, unless the previous tile left them zero. Rows that no
+/// term asks for cost nothing, and whatever a term wrongly wrote beyond the last lane is cleared before it is
+/// used.
 class TileRows {
  public:
   explicit TileRows(std::size_t rows) : all_(rows * kWidth) {}
@@ -20,10 +21,10 @@ class TileRows {
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
 
-  /// For the next tile.
+  /// Begins the next tile.
   void begin() { rows_ = 0; }
-  /// For a term that adds to the first `rows` rows in the first `lanes` lanes, as many for all terms of a
-  /// tile.
+  /// Opens the first `rows` rows in the first `lanes` lanes for a term to add to; all terms of a tile use the
+  /// same number of lanes.
   double* open(std::size_t rows, std::size_t lanes) {
     if (rows > rows_) {
       set_zero(rows_, rows, lanes);
@@ -42,9 +43,9 @@ class TileRows {
 
  private:
   static constexpr std::size_t kWidth = NETLOFT_LANES;
-  // Rows set to zero by one call: 2 KiB, of which libraries make plain stores. For more they take
-  // instructions that are slow to begin, and row by row the calls count. Of fewer lanes than these, eight by
-  // eight.
+  // kAtOnce rows are set to zero by one call: 2 KiB, for which libraries use plain stores. For larger areas
+  // they use instructions with a long start-up, and row by row the number of calls matters. With fewer than
+  // kManyLanes lanes, rows are cleared eight numbers at a time.
   static constexpr std::size_t kAtOnce = 4, kManyLanes = 48, kEight = 8;
 
   void set_zero(std::size_t begin, std::size_t end, std::size_t lanes) {
@@ -57,15 +58,15 @@ class TileRows {
         for (double* row = from; row < to; row += kWidth) std::fill_n(row + lane, kEight, 0.0);
   }
   bool is_zero(const double* row) const {
-    constexpr std::size_t kApart = 8;  // none waits for the one before
-    std::uint64_t some[kApart] = {};   // of integers the compiler makes vectors
+    constexpr std::size_t kApart = 8;  // independent accumulators
+    std::uint64_t some[kApart] = {};   // integers, which the compiler can vectorise
     std::size_t lane = 0;
     for (; lane + kApart <= lanes_; lane += kApart)
       for (std::size_t i = 0; i < kApart; ++i) some[i] |= std::bit_cast<std::uint64_t>(row[lane + i]);
     for (; lane < lanes_; ++lane) some[0] |= std::bit_cast<std::uint64_t>(row[lane]);
     std::uint64_t bits = 0;
     for (const std::uint64_t others : some) bits |= others;
-    return bits << 1 == 0;  // whatever the signs
+    return bits << 1 == 0;  // shifting out the sign makes -0.0 count as zero, too
   }
 
   std::vector<double> all_;

@@ -9,9 +9,10 @@ namespace {
 
 constexpr std::size_t kLanes = NETLOFT_LANES;
 
-/// Greedy colours: a tile takes the lowest colour that none of its nodes has seen yet.
+/// Greedy colouring: a tile takes the lowest colour that no other tile at its nodes has.
 std::vector<int> colour_tiles(const ElementFamily& family, std::size_t tiles, std::size_t nodes) {
-  std::vector<std::uint64_t> taken(nodes, 0);  // colours used at a node; tiles beyond 64 colours go alone
+  // colours used at a node; tiles that need more than 64 colours are run alone
+  std::vector<std::uint64_t> taken(nodes, 0);
   std::vector<int> colours(tiles);
   int next_alone = 64;
   for (std::size_t t = 0; t < tiles; ++t) {
@@ -54,7 +55,7 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
           numbering.index(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3));
 }
 
-/// Where the block of corners (P, Q) of an element is added.
+/// Finds where the block of corners (P, Q) of an element is added.
 std::int32_t find_block(const ElementFamily& family, const Scene& scene, const NodeBlocks& blocks,
                         bool symmetric, std::size_t e, int P, int Q, std::size_t spare) {
   const std::uint32_t row = family.node(e, P), column = family.node(e, Q);

@@ -8,12 +8,12 @@
 namespace netloft {
 
 /// A family cut into tiles of 64 consecutive elements, with the maps between a tile's lanes and the global
-/// vectors. Tiles are coloured so that two of one colour share no node: those may be scattered at once, and
-/// since colours go in order the sums have the same bits for any number of threads. (Colouring elements
-/// instead of tiles would put lanes of one tile far apart in memory.)
+/// vectors. Two tiles of one colour have no node in common and may be scattered at the same time. Colours are
+/// processed in order, so sums are bit-identical for any number of threads. (Colouring elements instead of
+/// tiles would put lanes of one tile far apart in memory.)
 struct Tiling {
-  /// Two corners of an element that are one node, as where netting is gathered in a point: block (P, Q) falls
-  /// on the diagonal, of which only the lower half is kept, and stands for (Q, P), too.
+  /// Two corners of an element that are the same node, for instance where netting is gathered to a point.
+  /// Block (P, Q) then lies on the diagonal, which stores only its lower half, and represents (Q, P), too.
   struct Twin {
     std::uint32_t lane;
     int P, Q;
@@ -23,9 +23,9 @@ struct Tiling {
   std::size_t tiles = 0;
   std::vector<std::uint32_t> order;       // tiles, colour by colour
   std::vector<std::size_t> colour_begin;  // in `order`, +1
-  std::vector<std::int32_t> vector_map;   // [tile][dof][64] -> place in vectors over all dofs
+  std::vector<std::int32_t> vector_map;   // [tile][dof][64] -> index in vectors over all dofs
   std::vector<std::int32_t>
-      block_map;  // [tile][block][64] -> first of nine values; ~first: add the transpose
+      block_map;  // [tile][block][64] -> index of the first of nine values; ~first: add the transpose
   std::vector<std::vector<Twin>> twins;  // per tile, if the matrix is symmetric; nearly always empty
   std::size_t blocks_per_element = 0;    // pairs of corners (P, Q): Q <= P if symmetric, else all
   std::size_t first_spare = 0;           // nine slots per tile for blocks of held nodes

@@ -9,9 +9,9 @@
 
 namespace netloft {
 
-/// A fixed set of threads that share out the indices of a loop. Allocates nothing after construction.
-/// The caller works along, and an index is taken by whoever is free: a thread that is slow to wake, or never
-/// gets a core, delays nobody.
+/// A fixed set of threads that divide the indices of a loop among themselves. Allocates nothing after
+/// construction. The calling thread works as well, and each index is taken by whichever thread is free, so
+/// that a thread that starts late or gets no core delays no other.
 class Workers {
  public:
   explicit Workers(int threads) {
@@ -19,7 +19,7 @@ class Workers {
     try {
       for (int i = 1; i < threads; ++i) pool_.emplace_back([this, i] { serve(static_cast<std::size_t>(i)); });
     } catch (const std::system_error&) {
-      // No more threads to be had: the result has the same bits with those there are.
+      // The system has no more threads: the result is bit-identical with fewer.
     }
   }
   ~Workers() {
@@ -32,8 +32,8 @@ class Workers {
 
   std::size_t size() const { return pool_.size() + 1; }
 
-  /// Calls body(worker, index) for every index below `count` and returns when all are done.
-  /// Serial when there are fewer than `serial_below` indices.
+  /// Calls body(worker, index) for every index below `count` and returns when all are done. Runs serially if
+  /// there are fewer than `serial_below` indices.
   template <class Body>
   void run(std::size_t count, std::size_t serial_below, const Body& body) {
     if (pool_.empty() || count < serial_below || count < 2 || count > kMask) {
@@ -57,7 +57,7 @@ class Workers {
   static constexpr std::uint64_t kBits = 24, kMask = (1u << kBits) - 1;
   static std::size_t count_of(std::uint64_t ticket) { return ticket >> kBits & kMask; }
   static std::size_t index_of(std::uint64_t ticket) { return ticket & kMask; }
-  static constexpr int kSpins = 20000;  // about the time between two colours of a family
+  static constexpr int kSpins = 20000;  // approximately the time between two colours of a family
 
   static void pause() {
 #if defined(__x86_64__)

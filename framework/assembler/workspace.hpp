@@ -12,7 +12,7 @@ inline constexpr std::size_t kLanes = NETLOFT_LANES;
 
 inline std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
 
-/// One worker's tile: inputs, sums, and a square for what comes unpacked. Lines of 64 doubles.
+/// One worker's tile: inputs, sums, and a square for unpacked tangents, in rows of 64 doubles.
 struct Assembler::Workspace {
   Workspace(std::size_t dofs, const Plan& plan, bool flows)
       : current(flows ? dofs * kLanes : 0),
@@ -26,9 +26,10 @@ struct Assembler::Workspace {
         square_tangent(plan.symmetric ? 0 : dofs * dofs),
         scratch(dofs * dofs * kLanes),
         element(dofs * dofs) {}
-  std::vector<double> current, current_dz;                         // empty in still water
-  double current_time = std::numeric_limits<double>::quiet_NaN();  // of a current that is uniform [s]
-  std::vector<double> x, x_low, v, a;                              // no rates where everything is at rest
+  std::vector<double> current, current_dz;  // empty in still water
+  // time of the uniform current that is filled in [s]
+  double current_time = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> x, x_low, v, a;  // without rates if everything is at rest
   TileRows force, packed_tangent, square_tangent;
   double* open_tangent(bool symmetric, std::size_t dofs, std::size_t lanes) {
     return symmetric ? packed_tangent.open(packed(dofs), lanes) : square_tangent.open(dofs * dofs, lanes);
@@ -40,15 +41,16 @@ struct Assembler::Workspace {
   std::size_t fault_order = std::numeric_limits<std::size_t>::max();
 };
 
-/// Lets `evaluate` fill each tile of a family and hands it to `visit`. False: see fault().
+/// Calls `evaluate` for each tile of a family and passes the filled tile to `visit`. Returns false on
+/// failure: see fault().
 template <class Evaluate, class Visit>
 bool Assembler::visit_tiles(std::span<const double> x, const Kinematics& motion, std::size_t family,
                             const Evaluate& evaluate, const Visit& visit) {
-  const Company& company = company_of(family);
+  const FamilyGroup& group = group_of(family);
   const auto dofs = static_cast<std::size_t>(families_[family]->type().dofs());
   Workspace& w = *workspaces_[0];
-  for (std::size_t tile = 0; tile < company.tiling.tiles; ++tile) {
-    gather(company, tile, x, motion, w);
+  for (std::size_t tile = 0; tile < group.tiling.tiles; ++tile) {
+    gather(group, tile, x, motion, w);
     netloft_tile t = make_tile(family, tile, motion, w);
     w.force.begin();
     t.force = w.force.open(dofs, t.count), t.want = NETLOFT_WANT_FORCE;

@@ -66,6 +66,9 @@ Finding moments_sum_to_zero(Bench&);
 Finding no_force_without_flow(Bench&);
 Finding never_gains_energy(Bench&);
 
+// Are the members what their term is? (member_checks.cpp)
+Finding members_make_their_term(Bench&);
+
 std::vector<TermTiming> time_terms(const Bench&);
 
 }  // namespace netloft::conformance

@@ -125,6 +125,13 @@ const std::vector<Check<Bench>>& table() {
        moments_sum_to_zero,
        {"rotation-turns-the-force", "forces-sum-to-zero"},
        "forces between two nodes must lie along the line between them"},
+      {"members-make-their-term",
+       members_make_their_term,
+       {"force-is-gradient"},
+       "the term with the trait `of_members` is the sum over the declared members: look at number, rest "
+       "length "
+       "at "
+       "this time, and both stiffnesses"},
       {"collapsed-finite",
        collapsed_finite,
        {"outputs-finite"},

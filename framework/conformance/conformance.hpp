@@ -54,17 +54,22 @@ ConformanceReport check_solver(const SolverType& type, const ConformanceOptions&
 /// The same of an integrator, which is given a motion that is known; see practice_motion.hpp.
 ConformanceReport check_integrator(const IntegratorType& type, const ConformanceOptions& options = {});
 
+/// The same of a strategy, which is given studies of small scenes; see practice_study.hpp.
+ConformanceReport check_strategy(const StrategyType& type, const ConformanceOptions& options = {});
+
 /// The same of the file that a plugin came from.
 ConformanceReport check_file(const std::filesystem::path& file);
 
 /// The check that is being made, for those who must explain a crash; null between checks.
 const char* check_under_way();
 
-/// Names of all checks, in the order they are made: of elements, of laws, of solvers, of integrators.
+/// Names of all checks, in the order they are made: of elements, of laws, of solvers, of integrators, of
+/// strategies.
 std::vector<std::string> conformance_checks();
 std::vector<std::string> law_checks();
 std::vector<std::string> solver_checks();
 std::vector<std::string> integrator_checks();
+std::vector<std::string> strategy_checks();
 
 /// One line per failed check; empty when all passed.
 std::string failures(const ConformanceReport& report);

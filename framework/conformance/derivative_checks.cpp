@@ -279,14 +279,14 @@ Finding constant_where_claimed(Bench& b) {
 namespace {
 
 /// One leg of a path: work of the force by the midpoint rule in `pieces` pieces, and its sum of magnitudes.
-struct Leg {
+struct StageRecord {
   Lanes work = Lanes(kLanes, 0.0), effort = Lanes(kLanes, 0.0);
   bool inside = true;  // the domain
 };
 
-Leg walk(const Bench& b, const netloft_term& term, const States& from, const std::vector<double>& direction,
-         const Lanes& length, int pieces) {
-  Leg leg;
+StageRecord walk(const Bench& b, const netloft_term& term, const States& from,
+                 const std::vector<double>& direction, const Lanes& length, int pieces) {
+  StageRecord leg;
   for (int k = 0; k < pieces; ++k) {
     Lanes step = length;
     for (double& h : step) h *= (k + 0.5) / pieces;
@@ -307,7 +307,7 @@ Leg walk(const Bench& b, const netloft_term& term, const States& from, const std
 /// collapses on the way. Error per lane, or -1 when a leg left the domain.
 Lanes energy_not_accounted_for(const Bench& b, const netloft_term& term, const States& from,
                                const std::vector<double>& direction, const Lanes& length, int pieces) {
-  const Leg leg = walk(b, term, from, direction, length, pieces);
+  const StageRecord leg = walk(b, term, from, direction, length, pieces);
   const Answer start = b.specimen->evaluate(term, from, NETLOFT_WANT_ENERGY);
   const Answer end = b.specimen->evaluate(term, moved(from, direction, length), NETLOFT_WANT_ENERGY);
   Lanes error(kLanes, -1.0);

@@ -9,13 +9,16 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kStiffness = 100, kLoad = 1, kBarrier = 0.1;  // k, f, b of (1)
+constexpr double kBarrier = 0.1, kHardening = 100;  // b, q/h of (1)
+constexpr double kStrength = 100, kShift = 0.025;   // F, d of (1)
+constexpr double kReach = 0.72;  // R of (1): n² f/(2 k) of a chain with the defaults of Practice
 constexpr double kTolerance = 1e-10;
 constexpr int kMostIterations = 20000, kMostEvaluations = 1000000;
 
 }  // namespace
 
-PracticeProblem::PracticeProblem(const Practice& like) : like_(like), n_(like.unknowns), u_(n_, 0.0) {
+PracticeProblem::PracticeProblem(const Practice& like)
+    : like_(like), n_(like.unknowns), masses_(n_ - (n_ > 0 && like.buckling > 0 ? 1 : 0)), u_(n_, 0.0) {
   auto& p = interface_;
   p.size = sizeof p, p.unknowns = n_, p.host = this, p.u = u_.data();
   p.traits = like.swirl == 0 ? NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC : 0;
@@ -36,7 +39,7 @@ PracticeProblem::PracticeProblem(const Practice& like) : like_(like), n_(like.un
       most = std::max(most, std::abs(du[i]));
     return most;
   };
-  like_.stiffening = 0, like_.wall = 0;
+  like_.stiffening = 0, like_.wall = 0, like_.grip = 0, like_.runaway = 0, like_.buckling = -like.buckling;
   metric_ = tangent(u_.data());
   for (std::uint32_t i = 0; i < n_; ++i)  // without the swirl
     for (std::uint32_t j = 0; j < i; ++j)
@@ -48,39 +51,75 @@ bool PracticeProblem::is_inside(const double* u) const {
   return like_.wall == 0 || std::all_of(u, u + n_, [this](double v) { return v < like_.wall; });
 }
 
+/// x = S (u − a)/F of (1).
+double PracticeProblem::gripped(std::uint32_t i, double u) const {
+  const double s = (i + 1) / double(masses_);
+  return like_.grip / kStrength * (u - kReach * (2 * s - s * s) - kShift);
+}
+
+double PracticeProblem::energy_of_mass(std::uint32_t i, double u) const {
+  double sum = -like_.load * u;
+  if (like_.wall > 0) sum -= kBarrier * std::log(1 - u / like_.wall);
+  if (like_.runaway > 0) sum -= like_.load * u * u * u / (3 * like_.runaway * like_.runaway);
+  if (like_.grip == 0) return sum;
+  const double x = gripped(i, u);
+  return sum + kStrength * kStrength / like_.grip * (x * std::atan(x) - std::log1p(x * x) / 2);
+}
+
+double PracticeProblem::force_on_mass(std::uint32_t i, double u) const {
+  double force = -like_.load;
+  if (like_.wall > 0) force += kBarrier / (like_.wall - u);
+  if (like_.runaway > 0) force -= like_.load * u * u / (like_.runaway * like_.runaway);
+  return like_.grip == 0 ? force : force + kStrength * std::atan(gripped(i, u));
+}
+
+double PracticeProblem::stiffness_of_mass(std::uint32_t i, double u) const {
+  double stiffness = 0;
+  if (like_.wall > 0) stiffness += kBarrier / ((like_.wall - u) * (like_.wall - u));
+  if (like_.runaway > 0) stiffness -= 2 * like_.load * u / (like_.runaway * like_.runaway);
+  const double x = like_.grip == 0 ? 0 : gripped(i, u);
+  return stiffness + like_.grip / (1 + x * x);
+}
+
+bool PracticeProblem::is_unstable(const double* u) const {
+  return masses_ < n_ && 3 * kHardening * u[masses_] * u[masses_] < 1;
+}
+
 double PracticeProblem::energy(const double* u) const {
   double sum = 0;
-  for (std::uint32_t i = 0; i < n_; ++i) {
+  for (std::uint32_t i = 0; i < masses_; ++i) {
     const double e = stretch(u, i);
-    sum += kStiffness / 2 * e * e + like_.stiffening / 4 * e * e * e * e - kLoad * u[i];
-    if (like_.wall > 0) sum -= kBarrier * std::log(1 - u[i] / like_.wall);
+    sum += like_.stiffness / 2 * e * e + like_.stiffening / 4 * e * e * e * e + energy_of_mass(i, u[i]);
   }
-  return sum;  // (1)
+  if (masses_ == n_) return sum;
+  const double v = u[masses_];
+  return sum + like_.buckling * v * v * (kHardening / 4 * v * v - 0.5);  // (1)
 }
 
 std::vector<double> PracticeProblem::residual(const double* u, bool gradient_only) const {
-  std::vector<double> r(n_, -kLoad);
-  for (std::uint32_t i = 0; i < n_; ++i) {
-    const double e = stretch(u, i), force = kStiffness * e + like_.stiffening * e * e * e;
-    r[i] += force;
+  std::vector<double> r(n_, 0.0);
+  for (std::uint32_t i = 0; i < masses_; ++i) {
+    const double e = stretch(u, i), force = like_.stiffness * e + like_.stiffening * e * e * e;
+    r[i] += force_on_mass(i, u[i]) + force;
     if (i > 0) r[i - 1] -= force;
-    if (like_.wall > 0) r[i] += kBarrier / (like_.wall - u[i]);
     if (gradient_only) continue;
-    r[i] += like_.swirl * ((i + 1 < n_ ? u[i + 1] : 0) - (i > 0 ? u[i - 1] : 0));
+    r[i] += like_.swirl * ((i + 1 < masses_ ? u[i + 1] : 0) - (i > 0 ? u[i - 1] : 0));
   }
+  if (masses_ < n_) r[masses_] = like_.buckling * u[masses_] * (kHardening * u[masses_] * u[masses_] - 1);
   return r;  // (2)
 }
 
 PracticeProblem::Matrix PracticeProblem::tangent(const double* u) const {
   Matrix K(std::size_t{n_} * n_, 0.0);
-  for (std::uint32_t i = 0; i < n_; ++i) {
-    const double e = stretch(u, i), k = kStiffness + 3 * like_.stiffening * e * e;
-    K[i * n_ + i] += k;
+  for (std::uint32_t i = 0; i < masses_; ++i) {
+    const double e = stretch(u, i), k = like_.stiffness + 3 * like_.stiffening * e * e;
+    K[i * n_ + i] += k + stiffness_of_mass(i, u[i]);
     if (i > 0) K[(i - 1) * n_ + i - 1] += k, K[i * n_ + i - 1] -= k, K[(i - 1) * n_ + i] -= k;
-    if (like_.wall > 0) K[i * n_ + i] += kBarrier / ((like_.wall - u[i]) * (like_.wall - u[i]));
-    if (i + 1 < n_) K[i * n_ + i + 1] += like_.swirl;
+    if (i + 1 < masses_) K[i * n_ + i + 1] += like_.swirl;
     if (i > 0) K[i * n_ + i - 1] -= like_.swirl;
   }
+  if (masses_ < n_)
+    K[masses_ * n_ + masses_] = like_.buckling * (3 * kHardening * u[masses_] * u[masses_] - 1);
   return K;
 }
 
@@ -89,7 +128,7 @@ double PracticeProblem::imbalance(const std::vector<double>& u) const {
   double most = 0;
   for (const double r : residual(u.data(), false))
     most = std::isfinite(r) ? std::max(most, std::abs(r)) : std::numeric_limits<double>::infinity();
-  return most / kLoad;
+  return most / like_.load;
 }
 
 int PracticeProblem::evaluate(std::uint32_t want, const double* u, double* energy_out, double* residual_out) {
@@ -110,9 +149,10 @@ int PracticeProblem::evaluate(std::uint32_t want, const double* u, double* energ
 
 PracticeProblem::Matrix PracticeProblem::shifted(int matrix, double shift) const {
   const bool none = (matrix & ~NETLOFT_INDEFINITE) == NETLOFT_NONE;
-  Matrix K(metric_.size(), 0.0);
-  for (std::size_t i = 0; i < K.size(); ++i)
-    K[i] = (none || matrix_.empty() ? 0 : matrix_[i]) + shift * metric_[i];
+  const bool convex = (matrix & ~NETLOFT_INDEFINITE) == NETLOFT_CONVEX;
+  Matrix K = none || matrix_.empty() ? Matrix(metric_.size(), 0.0) : matrix_;
+  if (convex && masses_ < n_) K.back() = std::abs(K.back());  // chains are their own convex part
+  for (std::size_t i = 0; i < K.size(); ++i) K[i] += shift * metric_[i];
   return K;
 }
 
@@ -174,7 +214,7 @@ int PracticeProblem::progress(const double* u, const double* r) {
   reported.assign(u, u + n_);
   const auto own = residual(u, false);
   for (std::uint32_t i = 0; i < n_; ++i) {
-    const double error = std::abs(r[i] - own[i]) / kLoad;
+    const double error = std::abs(r[i] - own[i]) / like_.load;
     worst_report = error <= worst_report ? worst_report : error;  // also when it is no number
   }
   stopped_ = true;

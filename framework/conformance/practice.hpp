@@ -10,9 +10,14 @@ namespace netloft::conformance {
 
 /// What a practice problem is like, beyond a chain of springs.
 struct Practice {
+  double stiffness = 100;      // k [N/m]
+  double load = 1;             // f [N], on every mass
   double stiffening = 0;       // c [N/m³]
   double wall = 0;             // where the energy becomes infinite, for every mass [m]; 0: nowhere
   double swirl = 0;            // a force without an energy, s (u_{i+1} − u_{i−1}) [N/m]
+  double grip = 0;             // S [N/m], stiffness that is there only near a place, for every mass
+  double runaway = 0;          // l [m], the load is f (1 + u²/l²); 0: it does not grow
+  double buckling = 0;         // h [N/m], the last unknown is no mass but a deflection v that buckles
   bool no_factor = false;      // no matrix can be factorised
   bool no_number = false;      // every evaluation away from the start overflows
   int interrupted_after = -1;  // iterations after which the user says stop; -1: never
@@ -21,17 +26,25 @@ struct Practice {
 
 /// A problem small enough to be known in full, behind the same functions as a scene:
 ///   E(u) = Σ k/2 e² + c/4 e⁴ − Σ f u − b Σ log(1 − u/w),  e = u_i − u_{i−1},  u_0 = 0     (1)
+///        + Σ F²/S γ(S (u − a)/F) − Σ f u³/(3 l²) − h/2 v² + q/4 v⁴,  γ(x) = x atan x − log(1 + x²)/2
 ///   r = ∂E/∂u + s (u_{i+1} − u_{i−1})                                                    (2)
-/// k = 100 N/m, f = 1 N, b = 0.1 J; c, w, s of Practice. Its energy is convex: there is one equilibrium. The
-/// metric is the stiffness k of the chain. It keeps books like the host of a scene.
+/// b = 0.1 J, F = 100 N, q = 100 h/m²; all others of Practice. The places a = R (2 x − x²) + d, at the
+/// fraction x of the chain, lie d = 25 mm past the equilibrium of its springs alone, R = 0.72 m. Without
+/// runaway and buckling the energy is convex: there is one equilibrium. The metric is the stiffness k of the
+/// chain. It keeps statistics like the host of a scene.
 class PracticeProblem {
  public:
   explicit PracticeProblem(const Practice& like);
 
   netloft_problem& interface() { return interface_; }
+  std::uint32_t size() const { return n_; }
   /// Largest residual over the load at u; infinite outside the wall.
   double imbalance(const std::vector<double>& u) const;
   const std::vector<double>& u() const { return u_; }
+  double load() const { return like_.load; }
+  double energy(const double* u) const;
+  /// A small deflection v grows: where h − 3 q v² > 0. All else in (1) is stable wherever it is stationary.
+  bool is_unstable(const double* u) const;
   bool told_to_stop() const { return stopped_; }
 
   int iterations = 0, evaluations = 0, factorisations = 0;
@@ -41,11 +54,14 @@ class PracticeProblem {
 
  private:
   using Matrix = std::vector<double>;  // n x n, row by row
-  double energy(const double* u) const;
   std::vector<double> residual(const double* u, bool gradient_only) const;
   Matrix tangent(const double* u) const;
   Matrix shifted(int matrix, double shift) const;
   bool is_inside(const double* u) const;
+  double energy_of_mass(std::uint32_t i, double u) const;
+  double force_on_mass(std::uint32_t i, double u) const;
+  double stiffness_of_mass(std::uint32_t i, double u) const;
+  double gripped(std::uint32_t i, double u) const;
   double stretch(const double* u, std::uint32_t i) const { return i ? u[i] - u[i - 1] : u[0]; }
 
   int evaluate(std::uint32_t want, const double* u, double* energy, double* residual);
@@ -62,7 +78,7 @@ class PracticeProblem {
   }
 
   Practice like_;
-  std::uint32_t n_;
+  std::uint32_t n_, masses_;
   netloft_problem interface_{};
   std::vector<double> u_;
   Matrix matrix_, metric_, factor_;  // of the last evaluation, constant, last factorised

@@ -8,6 +8,7 @@ namespace netloft::conformance {
 namespace {
 
 constexpr std::uint32_t kMessage = 256;
+constexpr double kTime = 1;  // [s] at which everything is evaluated
 
 /// Runs a function of the plugin; what it throws becomes a status.
 template <class Call>
@@ -76,7 +77,7 @@ netloft_tile Specimen::tile(const States& states, Factors factors) const {
   netloft_tile t{};
   t.size = sizeof t;
   t.first = states.first, t.count = states.count;
-  t.time = 1;
+  t.time = kTime;
   t.cu = factors.cu, t.cv = factors.cv, t.ca = factors.ca;
   t.water_density = 1025, t.gravity = 9.81, t.water_viscosity = 1.19e-6;
   t.x = pointer(states.x), t.v = pointer(states.v), t.a = pointer(states.a);
@@ -135,6 +136,14 @@ Answer Specimen::outputs(const States& states, std::vector<double>& values) cons
   answer.status = guarded(answer.message, [&] { return type_.element.output(self_, &t, values.data()); });
   if (answer.status != kThrew) answer.message = message;
   return answer;
+}
+
+std::vector<netloft_member> Specimen::members(std::uint32_t first, std::uint32_t count) const {
+  std::vector<netloft_member> members(std::size_t{count} * type_.element.member_count);
+  std::string thrown;
+  const int status =
+      guarded(thrown, [&] { return type_.element.members(self_, kTime, first, count, members.data()); });
+  return status == NETLOFT_OK ? members : std::vector<netloft_member>{};
 }
 
 bool wants_matrix(std::uint32_t want) {

@@ -80,6 +80,9 @@ class Specimen {
   /// The element's outputs, [output][64], added to nothing: they are written.
   Answer outputs(const States& states, std::vector<double>& values) const;
 
+  /// Members of elements first … first + count - 1 at the time of the tiles; empty: the plugin failed.
+  std::vector<netloft_member> members(std::uint32_t first, std::uint32_t count) const;
+
   std::size_t entries(const netloft_term& term) const;
   /// Numbers that a term remembers of each element.
   std::size_t remembered(const netloft_term& term) const;

@@ -92,9 +92,9 @@ std::optional<std::string> samples_fault(const netloft_parameter& p, const Sampl
              std::to_string(rows[i].size()) + " numbers; its columns are " + columns_text(p);
     for (const double v : rows[i])
       if (!std::isfinite(v))
-        return std::string(p.name) + ": row " + std::to_string(i + 1) + " holds no number";
+        return std::string(p.name) + ": row " + std::to_string(i + 1) + " contains no number";
     if (i && !(rows[i][0] > rows[i - 1][0]))
-      return std::string(p.name) + ": the first column must ascend, row " + std::to_string(i + 1) +
+      return std::string(p.name) + ": the first column must increase, row " + std::to_string(i + 1) +
              " does not";
   }
   return {};
@@ -159,7 +159,8 @@ std::optional<std::string> fault_of(const netloft_parameter& p, const Value& val
 
 ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes,
                                const Values& values, std::vector<std::string>& faults)
-    : bytes_(std::make_unique<std::byte[]>(bytes)) {  // all zero; aligned for any type, as new[] of bytes is
+    // all zero; new[] of bytes is aligned for any fundamental type
+    : bytes_(std::make_unique<std::byte[]>(bytes)) {
   for (const auto& p : table) {
     const auto given = values.find(p.name);
     if (given == values.end() && (p.flags & NETLOFT_REQUIRED)) {

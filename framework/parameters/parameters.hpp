@@ -14,27 +14,28 @@
 
 namespace netloft {
 
-/// A sampled curve: rows of equal length, the first column ascending.
+/// A sampled curve: rows of equal length, the first column increasing.
 using Samples = std::vector<std::vector<double>>;
 
-/// A value as a user gave it, by the kind of its parameter: real and SI, integer, boolean, word (choice or
-/// text).
+/// The value of a parameter as given by a user, by kind: real (in SI units), integer, boolean, or text
+/// (choices, too).
 using Value = std::variant<double, std::int64_t, bool, std::string, Samples>;
 using Values = std::map<std::string, Value>;
 
-/// What is wrong with a value, as a sentence; empty when nothing is.
+/// Returns a sentence that describes what is wrong with a value; empty if it is valid.
 std::optional<std::string> fault_of(const netloft_parameter& parameter, const Value& value);
 
-/// "[0, 1e+09] N", "one of classic, robust", "true or false".
+/// The allowed values in words: "[0, 1e+09] N", "one of classic, robust", "true or false".
 std::string allowed(const netloft_parameter& parameter);
 
-/// "required", "1e-4 x twine.EA", "classic".
+/// The default in words: "required", "1e-4 x twine.EA", "classic".
 std::string default_of(const netloft_parameter& parameter);
 
-/// The struct that a plugin reads, filled from values and defaults. Copies share nothing with a plugin.
+/// The parameter struct that a plugin reads, filled with values and defaults. Copies have memory of their
+/// own.
 class ParameterBlock {
  public:
-  /// Faults (missing, unknown, out of range) are appended to `faults`; a block with faults must not be used.
+  /// Errors (missing, unknown, out of range) are appended to `faults`; a block with errors must not be used.
   ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes, const Values& values,
                  std::vector<std::string>& faults);
   ParameterBlock(ParameterBlock&&) = default;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <netloft/plugin.h>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -39,6 +41,20 @@ struct FactorResult {
   std::int32_t column = -1;           // unknown at which it stopped, in the caller's numbering; -1 not known
   std::int32_t negative_pivots = -1;  // negative eigenvalues of a symmetric matrix; -1 not known
 };
+
+/// The same as plugins see it.
+inline netloft_factor factor_code(FactorStatus status) {
+  switch (status) {
+    case FactorStatus::ok:
+      return NETLOFT_FACTOR_OK;
+    case FactorStatus::not_positive_definite:
+      return NETLOFT_NOT_POSITIVE;
+    case FactorStatus::singular:
+      return NETLOFT_SINGULAR;
+    default:
+      return NETLOFT_FACTOR_FAILED;
+  }
+}
 
 /// A direct factorisation of one sparse pattern, analysed once and factorised many times.
 /// Implementations live with the solvers; the framework only counts and times the calls.

@@ -6,7 +6,7 @@ namespace netloft {
 
 /// A static equilibrium by dynamics: an integrator with artificial damping −c M v until what is left of the
 /// residual is no more than the tolerance allows. It stands before the host as any other solver, so that the
-/// books and the verdict are the same.
+/// statistics and the verdict are the same.
 struct Settling {
   Assembler* assembler = nullptr;
   const Scene* scene = nullptr;

@@ -32,19 +32,6 @@ MatrixKind kind_of(std::uint32_t want) {
   return MatrixKind::none;
 }
 
-netloft_factor factor_code(FactorStatus status) {
-  switch (status) {
-    case FactorStatus::ok:
-      return NETLOFT_FACTOR_OK;
-    case FactorStatus::not_positive_definite:
-      return NETLOFT_NOT_POSITIVE;
-    case FactorStatus::singular:
-      return NETLOFT_SINGULAR;
-    default:
-      return NETLOFT_FACTOR_FAILED;
-  }
-}
-
 /// Calls visit(node, norm of the node's entries) for entries begin … end, which come node by node.
 template <class Visit>
 void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end, std::span<const double> v,
@@ -59,11 +46,6 @@ void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end,
   }
 }
 
-// Rounding is no excuse for a residual that matters: this much of the largest load.
-constexpr double kMostExcused = 1e-3;
-// What still falls like this is not all rounding: rounding in stiff parts hides how far soft ones are off.
-constexpr double kFalls = 0.5;
-
 bool all_finite(std::span<const double> v) {
   double sum = 0;
   for (const double a : v) sum += a - a;  // zero unless something is infinite or no number
@@ -71,6 +53,14 @@ bool all_finite(std::span<const double> v) {
 }
 
 }  // namespace
+
+std::uint32_t traits_of(const Assembler& assembler) {
+  bool conservative = true;
+  for (const auto& family : assembler.families())
+    for (const auto& term : family->active_terms()) conservative &= (term.traits & NETLOFT_CONSERVATIVE) != 0;
+  return (conservative ? std::uint32_t{NETLOFT_CONSERVATIVE} : 0) |
+         (assembler.pattern().symmetric ? std::uint32_t{NETLOFT_SYMMETRIC} : 0);
+}
 
 StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                              std::function<void(const IterationRecord&)> on_iteration)
@@ -88,12 +78,7 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   interface_.unknowns = static_cast<std::uint32_t>(u_.size());
   interface_.host = this, interface_.u = u_.data();
   interface_.message = message_, interface_.message_size = sizeof message_;
-  bool conservative = true;
-  for (const auto& family : assembler.families())
-    for (const auto& term : family->active_terms()) conservative &= (term.traits & NETLOFT_CONSERVATIVE) != 0;
-  interface_.traits =
-      (conservative ? NETLOFT_CONSERVATIVE : 0) | (assembler.pattern().symmetric ? NETLOFT_SYMMETRIC : 0);
-
+  interface_.traits = traits_of(assembler);
   interface_.evaluate =
       Callback<std::uint32_t, const double*, double*, double*>::call<&StaticProblem::evaluate>;
   interface_.factorise = Callback<int, double>::call<&StaticProblem::factorise>;
@@ -112,6 +97,7 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   // No iteration allocates, whichever matrix it is the first to want; memory that is not wanted is not
   // touched.
   for (auto* matrix : {&exact_, &convex_, &metric_, &shifted_}) matrix->reserve(assembler.value_slots());
+  for (auto* vector : {&reactions_of_, &gradient_}) vector->reserve(residual_.size());
   find_dead_loads();
   if (const double largest = largest_extent(x_); largest > 0) element_size_ = largest;
   for (std::size_t i = 0; i < x_.size(); ++i) gear_size_ = std::max(gear_size_, std::abs(x_[i] - x_[0]));
@@ -151,6 +137,18 @@ StaticProblem::DrivingLoad StaticProblem::driving_load() {
   return load;
 }
 
+/// Whether some force acts that is not of elements alone.
+bool StaticProblem::is_driven() {
+  if (!is_driven_) {
+    const auto sum = sum_of_terms([](std::uint32_t traits) {
+      return (traits & (NETLOFT_CONSTANT | NETLOFT_FROM_OUTSIDE)) != 0 ||
+             (traits & NETLOFT_CONSERVATIVE) == 0;
+    });
+    is_driven_ = std::any_of(sum.begin(), sum.end(), [](double force) { return force != 0; });
+  }
+  return *is_driven_;
+}
+
 /// Of an element, along an axis.
 double StaticProblem::largest_extent(std::span<const double> x) const {
   double largest = 0;
@@ -170,7 +168,8 @@ double StaticProblem::largest_extent(std::span<const double> x) const {
 void StaticProblem::begin(const StepProblem& step) {
   step_ = step;
   stop_ = Stop::none;
-  iterations_before_ = books_.iterations;
+  reactions_of_.clear();
+  iterations_before_ = statistics_.iterations;
   v_.resize(u_.size()), a_.resize(u_.size());
 }
 
@@ -179,6 +178,7 @@ void StaticProblem::count_from(std::vector<double> base) {
   x_low_.assign(base_.size(), 0.0);
   motion_.x_low = x_low_.data();
   base_extent_ = largest_extent(base_);
+  reactions_of_.clear();
 }
 
 const std::vector<double>& StaticProblem::positions(std::span<const double> u) {
@@ -198,15 +198,14 @@ void StaticProblem::place(const double* u) {
 
 int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy, double* residual) {
   const MatrixKind kind = kind_of(want);
-  books_.energies += energy != nullptr, books_.residuals += residual != nullptr,
-      books_.matrices += kind != MatrixKind::none;
-  Timed timed(books_.assembly_seconds);
+  statistics_.energies += energy != nullptr, statistics_.residuals += residual != nullptr,
+      statistics_.matrices += kind != MatrixKind::none;
+  Timed timed(statistics_.assembly_seconds);
   bad_numbers_ = met_error_ = false;
   place(u);
   Request request;
   request.conservative_only = want & NETLOFT_WANT_GRADIENT;
   request.energy = energy;
-  // The reactions of the last whole residual are the loads that tolerances are a part of.
   auto& all = request.conservative_only ? gradient_ : residual_;
   all.resize(x_.size());
   request.residual = residual ? all.data() : nullptr;
@@ -218,6 +217,7 @@ int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy,
     return assembler_.fault().status;
   }
   if (residual) std::copy_n(all.begin(), u_.size(), residual);
+  if (residual && !request.conservative_only) reactions_of_.assign(u, u + u_.size());
   bad_numbers_ = (energy && !std::isfinite(*energy)) || (residual && !all_finite(all));
   return bad_numbers_ ? NETLOFT_OUTSIDE_DOMAIN : NETLOFT_OK;
 }
@@ -230,7 +230,7 @@ std::vector<double>& StaticProblem::values(MatrixKind kind) {
 
 void StaticProblem::need_metric() {
   if (!metric_.empty()) return;
-  Timed timed(books_.assembly_seconds);
+  Timed timed(statistics_.assembly_seconds);
   if (!assembler_.evaluate(assembler_.start(),
                            {.matrix = MatrixKind::metric, .values = values(MatrixKind::metric).data()}))
     metric_.assign(assembler_.value_slots(), 0.0);
@@ -273,8 +273,8 @@ int StaticProblem::factorise_between(double share, double shift) {
 netloft_factor StaticProblem::factorise_and_count(MatrixClass kind, std::span<const double> v) {
   if (v.empty() && !u_.empty()) return NETLOFT_FACTOR_FAILED;
   const netloft_factor code = factorise_as(kind, v);
-  ++books_.factorisations;
-  books_.refused_factorisations += code != NETLOFT_FACTOR_OK;
+  ++statistics_.factorisations;
+  statistics_.refused_factorisations += code != NETLOFT_FACTOR_OK;
   return code;
 }
 
@@ -286,12 +286,12 @@ MatrixClass StaticProblem::matrix_class(bool may_be_indefinite) const {
 netloft_factor StaticProblem::factorise_as(MatrixClass kind, std::span<const double> v) {
   auto& factorisation = factorisations_[static_cast<std::size_t>(kind)];
   if (!factorisation) {
-    Timed timed(books_.analysis_seconds);
+    Timed timed(statistics_.analysis_seconds);
     auto fresh = make_(kind);
     fresh->analyse(assembler_.pattern());
     factorisation = std::move(fresh);
   }
-  Timed timed(books_.factorisation_seconds);
+  Timed timed(statistics_.factorisation_seconds);
   last_ = factorisation.get();
   factor_result_ = factorisation->factorise(v);
   return factor_code(factor_result_.status);
@@ -299,8 +299,8 @@ netloft_factor StaticProblem::factorise_as(MatrixClass kind, std::span<const dou
 
 int StaticProblem::solve(const double* rhs, double* x) {
   if (!last_ || factor_result_.status != FactorStatus::ok) return NETLOFT_ERROR;
-  Timed timed(books_.solve_seconds);
-  ++books_.solves;
+  Timed timed(statistics_.solve_seconds);
+  ++statistics_.solves;
   last_->solve({rhs, u_.size()}, {x, u_.size()});
   return NETLOFT_OK;
 }
@@ -338,32 +338,43 @@ int StaticProblem::row_sums(int matrix, double shift, double* y) {
   return NETLOFT_OK;
 }
 
-int StaticProblem::progress(const double* u, double energy, const double* residual, const char* note) {
-  place(u);
+/// Tolerances are a part of the reactions at u, whichever point was evaluated last.
+void StaticProblem::find_reactions(const double* u, const double* residual) {
+  if (!std::equal(u, u + u_.size(), reactions_of_.begin(), reactions_of_.end())) {
+    gradient_.resize(x_.size());
+    evaluate(NETLOFT_WANT_FORCE, u, nullptr, gradient_.data());
+  }
   std::copy_n(residual, u_.size(), residual_.begin());
+}
+
+int StaticProblem::progress(const double* u, double energy, const double* residual, const char* note) {
+  find_reactions(u, residual);
+  place(u);
   const Balance b = balance(x_, residual_);
-  const bool falls = !step_.state && !history_.empty() && b.residual < kFalls * history_.back().residual;
-  IterationRecord record{books_.iterations,       b.residual, b.scale, energy, books_.factorisations,
+  const bool was_before = !step_.state && !history_.empty();
+  const bool arrived =
+      was_before ? may_stop(b.convergence(), b.residual, history_.back().residual) : b.balanced;
+  IterationRecord record{statistics_.iterations,  b.residual, b.scale, energy, statistics_.factorisations,
                          wall_seconds() - begun_, ""};
   std::snprintf(record.note, sizeof record.note, "%s", note ? note : "");
   if (history_.size() < history_.capacity()) history_.push_back(record);
   if (on_iteration_) on_iteration_(record);
-  if (b.balanced && !(b.at_round_off && falls))
+  if (arrived)
     stop_ = Stop::arrived;
   else if (limits_.interrupt && limits_.interrupt->load())
     stop_ = Stop::interrupted;
-  else if (books_.iterations - iterations_before_ >= limits_.iterations)
+  else if (statistics_.iterations - iterations_before_ >= limits_.iterations)
     stop_ = Stop::iterations;
-  else if (record.seconds >= limits_.seconds)
+  else if (cpu_seconds() - begun_cpu_ >= limits_.seconds)
     stop_ = Stop::time;
-  else if (cpu_seconds() - begun_cpu_ >= limits_.cpu_seconds)
-    stop_ = Stop::share;
+  else if (limits_.model && limits_.model->of(statistics_) >= limits_.work)
+    stop_ = Stop::work;
   else if (has_run_away(x_))
     stop_ = Stop::ran_away;
-  else if (is_restless(u))
-    stop_ = Stop::restless;
+  else if (does_not_settle(u))
+    stop_ = Stop::unsettled;
   if (stop_ != Stop::none) return stop_ == Stop::arrived ? NETLOFT_ARRIVED : NETLOFT_GIVE_UP;
-  ++books_.iterations;
+  ++statistics_.iterations;
   return NETLOFT_GO_ON;
 }
 
@@ -381,13 +392,15 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
               if (!(norm <= b.residual)) b.residual = norm, b.worst = node;
               for (std::int32_t i = first; i < last; ++i) b.floor = std::max(b.floor, rounding_at(i, x));
             });
-  const bool within = b.residual <= limits_.tolerance * b.scale;
-  // Where nothing but rounding loads it, rounding is all there is to see.
-  const bool excused = b.residual <= b.floor && (b.scale <= b.floor || b.residual <= kMostExcused * b.scale);
-  b.at_round_off = !within && excused;
-  // An infinite load would excuse any residual, and so would positions beyond all measure.
-  b.balanced = (within || excused) && std::isfinite(b.scale) && !has_run_away(x);
+  const Convergence c = convergence_of(imbalance_of(b), limits_.tolerance);
+  b.at_round_off = c == Convergence::at_round_off;
+  b.balanced = c != Convergence::none && !has_run_away(x);  // where rounding would excuse anything
   return b;
+}
+
+/// What drives the gear is asked for only where it matters: with no more load than rounding.
+Imbalance StaticProblem::imbalance_of(const Balance& b) {
+  return {b.residual, b.scale, b.floor, b.scale > b.floor || is_driven(), step_.state != nullptr};
 }
 
 /// Forces come from differences of coordinates: stiffness x rounding of the position is what they are worth;
@@ -410,13 +423,13 @@ bool StaticProblem::has_run_away(std::span<const double> x) const {
 }
 
 /// Sums up the largest moves from one accepted point to the next.
-bool StaticProblem::is_restless(const double* u) {
-  if (!std::isfinite(limits_.way)) return false;
+bool StaticProblem::does_not_settle(const double* u) {
+  if (!std::isfinite(limits_.path)) return false;
   double largest = 0;
-  for (std::size_t i = 0; i < way_from_.size(); ++i)
-    largest = std::max(largest, std::abs(u[i] - way_from_[i]));
-  way_from_.assign(u, u + u_.size());
-  return (way_ += largest) > limits_.way * gear_size_;
+  for (std::size_t i = 0; i < path_from_.size(); ++i)
+    largest = std::max(largest, std::abs(u[i] - path_from_[i]));
+  path_from_.assign(u, u + u_.size());
+  return (path_ += largest) > limits_.path * gear_size_;
 }
 
 double StaticProblem::step_length(const double* du) const {
@@ -431,6 +444,7 @@ bool StaticProblem::recompute(std::span<const double> u, std::vector<double>& x,
   x = x_;
   residual.resize(residual_.size());
   bad_numbers_ = false;
+  ++statistics_.energies, ++statistics_.residuals;
   if (!assembler_.evaluate(x, {.energy = &energy, .residual = residual.data(), .motion = motion_}))
     return false;
   bad_numbers_ = !all_finite(residual);
@@ -442,7 +456,8 @@ netloft_factor StaticProblem::factorise_at(std::span<const double> u, double shi
   if (!assembler_.evaluate(
           x_, {.matrix = MatrixKind::exact, .values = values(MatrixKind::exact).data(), .motion = motion_}))
     return NETLOFT_FACTOR_FAILED;
-  return factorise_as(MatrixClass::positive_definite, shifted(NETLOFT_EXACT, shift));
+  ++statistics_.matrices;
+  return factorise_and_count(MatrixClass::positive_definite, shifted(NETLOFT_EXACT, shift));
 }
 
 std::string StaticProblem::factorisation_name() const { return last_ ? last_->description() : "none"; }

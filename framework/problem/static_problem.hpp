@@ -1,26 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/assembler/assembler.hpp"
-#include "framework/problem/books.hpp"
+#include "framework/problem/convergence.hpp"
 #include "framework/problem/moving_state.hpp"
+#include "framework/problem/statistics.hpp"
+#include "framework/problem/work.hpp"
 
 #include <array>
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace netloft {
+
+/// NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC, where all forces of a scene are.
+std::uint32_t traits_of(const Assembler& assembler);
 
 /// When to stop.
 struct Limits {
   double tolerance = 1e-10;  // largest nodal residual over the largest nodal load
   int iterations = 1000;
-  double seconds = std::numeric_limits<double>::infinity();
+  double seconds = std::numeric_limits<double>::infinity();  // of the processor that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  bool ask_growth = false;  // whether a small disturbance grows, where forces have no energy: dear
-  double cpu_seconds = std::numeric_limits<double>::infinity();  // that one attempt of several may take
+  bool ask_growth = true;  // whether a small disturbance grows, where forces have no energy
   // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
-  double way = std::numeric_limits<double>::infinity();
+  double path = std::numeric_limits<double>::infinity();
+  const WorkModel* model = nullptr;                       // null: work is not limited
+  double work = std::numeric_limits<double>::infinity();  // budget, in units of the model
 };
 
 /// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
@@ -29,9 +36,14 @@ struct Balance {
   double residual = 0;        // largest nodal residual [N]
   double scale = 0;           // largest nodal load [N]
   std::uint32_t worst = 0;    // node of the largest residual
-  double floor = 0;           // what rounding of the positions is worth, where it exceeds the tolerance [N]
-  bool balanced = false;      // every node within tolerance x scale, or at its round-off floor
-  bool at_round_off = false;  // only by the latter, or by what is left to gain (verdict.cpp)
+  double floor = 0;           // what rounding of the positions is worth [N]
+  bool balanced = false;      // by convergence.hpp
+  bool at_round_off = false;  // but not within the tolerance
+
+  Convergence convergence() const {
+    if (!balanced) return Convergence::none;
+    return at_round_off ? Convergence::at_round_off : Convergence::within_tolerance;
+  }
 };
 
 /// A step in time as a problem in u: rates follow u, everything else is known.
@@ -45,17 +57,17 @@ struct StepProblem {
   double least_load;             // [N] that tolerances are a part of, at the least
 };
 
-/// r(u) = 0 of a static scene, or of a step in time: what a solver sees, with the host's books behind it.
-/// Counts and times every call, decides on convergence, keeps matrices and factors.
+/// r(u) = 0 of a static scene, or of a step in time: what a solver sees, with the host's statistics behind
+/// it. Counts and times every call, decides on convergence, keeps matrices and factors.
 class StaticProblem {
  public:
-  enum class Stop { none, arrived, iterations, time, share, interrupted, ran_away, restless };
+  enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, unsettled };
 
   StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
 
   netloft_problem& interface() { return interface_; }
-  const Books& books() const { return books_; }
+  const Statistics& statistics() const { return statistics_; }
   const std::vector<IterationRecord>& history() const { return history_; }
   Stop stop() const { return stop_; }
   const char* solver_message() const { return message_; }
@@ -72,10 +84,12 @@ class StaticProblem {
   bool recompute(std::span<const double> u, std::vector<double>& x, std::vector<double>& residual,
                  double& energy);
   Balance balance(std::span<const double> x, std::span<const double> residual);
+  /// A balance as convergence.hpp judges it.
+  Imbalance imbalance_of(const Balance& b);
   /// Largest nodal sum of the forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }
   /// Nodal sums of the forces that drive the gear at the start: those that do not depend on the state, and
-  /// those without an energy (drag, pressure).
+  /// those without an energy (drag).
   struct DrivingLoad {
     double largest = 0, sum = 0;  // over nodes [N]
   };
@@ -108,7 +122,9 @@ class StaticProblem {
   int row_sums(int matrix, double shift, double* y);
   int progress(const double* u, double energy, const double* residual, const char* note);
   double step_length(const double* du) const;
-  bool is_restless(const double* u);
+  void find_reactions(const double* u, const double* residual);
+  bool is_driven();
+  bool does_not_settle(const double* u);
   bool has_run_away(std::span<const double> x) const;
   double rounding_at(std::int32_t unknown, std::span<const double> x) const;
 
@@ -129,7 +145,7 @@ class StaticProblem {
   Limits limits_;
   std::function<void(const IterationRecord&)> on_iteration_;
   netloft_problem interface_{};
-  Books books_;
+  Statistics statistics_;
   std::vector<IterationRecord> history_;
   Stop stop_ = Stop::none;
   StepProblem step_{};
@@ -139,8 +155,10 @@ class StaticProblem {
   bool bad_numbers_ = false, met_error_ = false;
   double begun_ = 0, begun_cpu_ = 0, dead_load_ = 0, element_size_ = 1, gear_size_ = 1;
   char message_[256] = "";
-  std::vector<double> way_from_;  // u of the last accepted point, if it is asked how far it goes
-  double way_ = 0;                // [m]
+  std::optional<bool> is_driven_;     // once it was asked for
+  std::vector<double> reactions_of_;  // u that the reactions in residual_ are of; empty: of none
+  std::vector<double> path_from_;     // u of the last accepted point, if it is asked how far it goes
+  double path_ = 0;                   // [m]
 
   std::vector<double> u_, x_, residual_, gradient_;
   std::vector<double> base_, x_low_;  // empty: u counts from the start

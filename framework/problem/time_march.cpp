@@ -102,7 +102,7 @@ class March {
   bool has_ended() {
     if (limits_.interrupt && limits_.interrupt->load())
       return end(MarchStatus::interrupted, "interrupted at t = " + seconds(state_.t));
-    if (wall_seconds() - begun_ > limits_.seconds)
+    if (cpu_seconds() - cpu_begun_ > limits_.seconds)
       return end(MarchStatus::failed, "the time limit was reached at t = " + seconds(state_.t));
     return is_over_;
   }
@@ -318,9 +318,9 @@ class March {
   MarchResult finish() {
     result_.u = state_.u, result_.t = state_.t;
     result_.steps = state_.steps, result_.rejected = state_.rejected;
-    result_.books = problem_.books();
-    result_.books.total_seconds = wall_seconds() - begun_;
-    result_.books.total_cpu_seconds = cpu_seconds() - cpu_begun_;
+    result_.statistics = problem_.statistics();
+    result_.statistics.total_seconds = wall_seconds() - begun_;
+    result_.statistics.total_cpu_seconds = cpu_seconds() - cpu_begun_;
     if (result_.status == MarchStatus::finished)
       result_.reason =
           "t = " + seconds(state_.t) + " was reached in " + std::to_string(state_.steps) + " steps";

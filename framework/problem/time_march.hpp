@@ -74,7 +74,7 @@ struct MarchResult {
   std::int64_t steps = 0, rejected = 0;
   double shortest = 0, longest = 0;  // steps that were made [s]
   double stable_step = 0;            // longest stable one by the tangent of the start [s]; 0: any is
-  Books books;
+  Statistics statistics;
 };
 
 /// Who looks on. Both may be empty.

@@ -72,16 +72,16 @@ void TransientProblem::keep_message(const char* text) {
   std::snprintf(message_, sizeof message_, "%s", text);
 }
 
-Books TransientProblem::books() const {
-  Books all = algebra_.books();
-  all.residuals += books_.residuals, all.matrices += books_.matrices;
-  all.assembly_seconds += books_.assembly_seconds;
+Statistics TransientProblem::statistics() const {
+  Statistics all = algebra_.statistics();
+  all.residuals += statistics_.residuals, all.matrices += statistics_.matrices;
+  all.assembly_seconds += statistics_.assembly_seconds;
   return all;
 }
 
 int TransientProblem::evaluate() {
-  Timed timed(books_.assembly_seconds);
-  ++books_.residuals;
+  Timed timed(statistics_.assembly_seconds);
+  ++statistics_.residuals;
   if (!assembler_.evaluate(state_.x(), {.residual = residual_.data(), .motion = state_.motion()}))
     return assembler_.fault().status;
   double sum = 0;
@@ -112,8 +112,8 @@ int TransientProblem::accelerate_at(double t, std::span<const double> u, std::sp
                                     std::span<double> a, bool massless_rest) {
   state_.set(t, u, v, zero_);
   if (const int status = evaluate(); status != NETLOFT_OK) return status;
-  Timed timed(books_.assembly_seconds);
-  ++books_.matrices;
+  Timed timed(statistics_.assembly_seconds);
+  ++statistics_.matrices;
   if (!masses_.update(state_.x())) return assembler_.fault().status;
   return masses_.accelerate({residual_.data(), size()}, a, massless_rest) ? NETLOFT_OK : NETLOFT_ERROR;
 }

@@ -14,7 +14,7 @@ struct SolverChoice {
   const void* parameters = nullptr;
 };
 
-/// F(t, u, v, a) = 0 of a scene that moves: what an integrator sees, with the host's books behind it.
+/// F(t, u, v, a) = 0 of a scene that moves: what an integrator sees, with the host's statistics behind it.
 /// Residuals and masses come from the assembler; algebraic problems of steps go to whichever solver was
 /// chosen.
 class TransientProblem {
@@ -27,7 +27,7 @@ class TransientProblem {
   std::size_t size() const { return static_cast<std::size_t>(assembler_.pattern().size); }
   MovingState& state() { return state_; }
   StaticProblem& algebra() { return algebra_; }
-  Books books() const;
+  Statistics statistics() const;
   const char* message() const { return message_; }
   void keep_message(const char* text);
   /// Why the last step's problem was not solved, if it was not.
@@ -60,7 +60,7 @@ class TransientProblem {
   StaticProblem algebra_;
   NodeMasses masses_;
   netloft_motion interface_{};
-  Books books_;
+  Statistics statistics_;
   double least_load_ = 0;
   std::string trouble_;
   char message_[256] = "";

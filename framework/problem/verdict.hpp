@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/problem/static_problem.hpp"
+#include "framework/problem/assessment.hpp"
+
+#include <optional>
 
 namespace netloft {
 
-enum class SolveStatus { converged, unstable, not_converged, interrupted };
-enum class Stability { stable, neutral, unstable, unknown };
-
 /// One solve on the way to an answer: of the scene itself, or of an easier one.
-struct Leg {
+struct StageRecord {
   std::string name;    // "tension only"
   std::string solver;  // "newton/newton"
   std::size_t unknowns = 0;
   SolveStatus status = SolveStatus::not_converged;
   std::string reason;
-  Books books;
+  Statistics statistics;
+  netloft_variant variant{};  // of the scene that was solved
+  double work = 0;            // in the units of work.hpp
 };
 
 /// Another place where the gear is in equilibrium that is not unstable.
@@ -27,59 +28,42 @@ struct OtherShape {
 
 /// What was found by looking for other shapes.
 struct Shapes {
-  int looks = 0, times = 1;  // that the solution was found, the first time included
+  int restarts = 0, times = 1;  // that the solution was found, the first time included
   std::vector<OtherShape> others;
 };
 
-/// Where a solver ended and what the host makes of it.
-struct Solution {
-  SolveStatus status = SolveStatus::not_converged;
-  Stability stability = Stability::unknown;
-  std::string reason;               // a sentence
-  std::string at_fault;             // the part that is furthest from balance or could not be evaluated
-  std::vector<double> x, residual;  // over all dofs [m], [N]
-  std::vector<double> x_low;        // what x rounds off [m]; empty: not known
-  std::vector<double> u;            // displacements of the unknowns that x stands for
-  std::vector<double> growing;      // a disturbance of u that grows, where forces have no energy; length 1
-  double growth_rate = 0;  // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
-  double growth_frequency = 0;
-  bool is_restless = false;  // given up because it went on and on (Limits::way), or its motions were
-  double energy = 0;
-  Balance balance;
-  std::vector<double> corrected;      // x after the Newton step that is left, over all dofs; empty: not known
-  std::vector<double> corrected_low;  // what that rounds off
-  double correction = std::numeric_limits<double>::quiet_NaN();  // its largest nodal move [m]
-  Books books;
+/// Where a solver ended, what the host makes of it, and what it cost.
+struct Solution : Assessment {
+  StaticProblem::Stop stop = StaticProblem::Stop::none;
+  double work = 0;               // of all stages, in the units of work.hpp
+  std::vector<double> u;         // displacements of the unknowns that x stands for
+  bool does_not_settle = false;  // given up because it went on and on (Limits::path), or its motions were
+  Statistics statistics;         // the solver's own counts, and the time of everything
   std::vector<IterationRecord> history;
   std::string factorisation;
-  std::vector<std::string> signs;  // of what may be why, where it did not arrive; from who knows the parts
-  std::vector<Leg> legs;           // if there were several; `books` is then their sum
+  std::vector<std::string> diagnostics;  // what may be why it did not converge, by whoever knows the parts
+  std::vector<StageRecord> stages;       // if there were several; `statistics` is then their sum
   Shapes shapes;
 };
 
-/// Forces balance there, whether or not it is stable.
-inline bool is_stationary(const Solution& s) {
-  return s.status == SolveStatus::converged || s.status == SolveStatus::unstable;
-}
-
-/// Where a disturbance swings faster than it grows: its motion goes round and comes to rest nowhere near.
-inline bool flutters(const Solution& s) { return s.growth_frequency > s.growth_rate; }
-
 /// Of positions, while they are looked for: what a double has room for, or also what it rounds off
 /// (StaticProblem::count_from).
-enum class Digits { of_doubles, all };
+enum class Positions { plain, compensated };
+
+/// Why a solver cannot work on problems with these traits (traits_of): it needs an energy, say. Empty: it
+/// can.
+std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t problem_traits);
 
 /// Lets `solver` find the static equilibrium of the assembled scene, from displacements `start` of the
-/// unknowns (empty: from the scene's own start), recomputes the residual where it ended and judges it. How
+/// unknowns (empty: from the start of the scene), recomputes the residual where it ended and judges it. How
 /// far from the equilibrium a balanced point is estimated to be, says `correction`. A stationary point whose
-/// tangent is not positive definite is called unstable. What elements remember (friction) stands still while
-/// the solver works; where it converged is what they remember next.
+/// tangent is not positive definite is called unstable, and so is one about which something grows, where
+/// forces have no energy (Limits::ask_growth). A solver that is unfit is not started, and nothing is
+/// computed. What elements remember (friction) stands still while the solver works; where it converged is
+/// what they remember next.
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
                       std::function<void(const IterationRecord&)> on_iteration = {},
-                      std::span<const double> start = {}, Digits digits = Digits::of_doubles);
-
-const char* name_of(SolveStatus status);
-const char* name_of(Stability stability);
+                      std::span<const double> start = {}, Positions positions = Positions::plain);
 
 }  // namespace netloft

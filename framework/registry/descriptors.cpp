@@ -28,6 +28,12 @@ class Faults {
 bool named(const char* text) { return text && *text; }
 std::string shown(const char* text) { return named(text) ? text : "(no name)"; }
 
+std::string plural(std::string noun) {
+  if (!noun.ends_with('y')) return noun + "s";
+  noun.pop_back();
+  return noun + "ies";
+}
+
 template <class Rows>
 void check_names(const Rows& rows, const std::string& owner, const char* what, Faults& faults) {
   std::set<std::string> seen;
@@ -36,7 +42,7 @@ void check_names(const Rows& rows, const std::string& owner, const char* what, F
     faults.require(named(row.doc),
                    owner + ": " + what + " \"" + shown(row.name) + "\" has no sentence that says what it is");
     if (named(row.name) && !seen.insert(row.name).second)
-      faults.add(owner + ": two " + what + "s are called \"" + row.name + "\"; names must be unique");
+      faults.add(owner + ": two " + plural(what) + " are called \"" + row.name + "\"; names must be unique");
   }
 }
 
@@ -153,6 +159,29 @@ void check_globals(const ElementType& e, const std::string& owner, Faults& fault
   }
 }
 
+/// Chords lead between the nodes of an element; netloft_member has room for three.
+bool bears_along_lines(std::uint32_t stencil) {
+  return stencil == NETLOFT_BAR || stencil == NETLOFT_TRIANGLE || stencil == NETLOFT_BAR_PAIR;
+}
+
+void check_members(const ElementType& e, const std::string& owner, Faults& faults) {
+  bool has_term = false;
+  for (const auto& t : e.terms) {
+    if (!(t.traits & NETLOFT_OF_MEMBERS)) continue;
+    has_term = true;
+    faults.require(t.traits & NETLOFT_CONSERVATIVE,
+                   owner + ": term \"" + shown(t.name) + "\" is that of members and not conservative");
+  }
+  const bool has_members = e.element.member_count > 0;
+  faults.require(has_members == has_term,
+                 owner + (has_term ? " has a term of members but declares none"
+                                   : " declares members but has no term that is their force"));
+  if (!has_members) return;
+  faults.require(e.element.members != nullptr, owner + " has members but no function for them");
+  faults.require(bears_along_lines(e.element.stencil),
+                 owner + " declares members on a stencil that is none of two or three nodes");
+}
+
 ElementType read_element(const netloft_element& raw, const std::string& plugin, Faults& faults) {
   ElementType e;
   e.element = raw;
@@ -173,6 +202,7 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   check_laws(e, e.type, faults);
   check_globals(e, e.type, faults);
   check_terms(e, e.type, faults);
+  check_members(e, e.type, faults);
   return e;
 }
 
@@ -206,6 +236,16 @@ IntegratorType read_integrator(const netloft_integrator& raw, const std::string&
   faults.require(raw.step && raw.order && raw.stable_step, i.type + " has no step, order or stable_step");
   check_parameters(i.parameters, raw.parameter_bytes, i.type, faults);
   return i;
+}
+
+StrategyType read_strategy(const netloft_strategy& raw, const std::string& plugin, Faults& faults) {
+  StrategyType s;
+  s.strategy = raw;
+  s.type = plugin + "/" + shown(raw.name);
+  s.parameters = read_array(raw.parameters, raw.parameter_count);
+  faults.require(raw.run != nullptr, s.type + " has no run");
+  check_parameters(s.parameters, raw.parameter_bytes, s.type, faults);
+  return s;
 }
 
 void check_version(const netloft_plugin& p, const std::string& file) {
@@ -245,12 +285,16 @@ PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file,
   check_names(laws, stem, "law", faults);
   const auto integrators = read_array(p.integrators, p.integrator_count);
   check_names(integrators, stem, "integrator", faults);
+  const auto strategies = read_array(p.strategies, p.strategy_count);
+  check_names(strategies, stem, "strategy", faults);
   for (const auto& raw : elements) content.elements.push_back(read_element(raw, stem, faults));
   for (const auto& raw : solvers) content.solvers.push_back(read_solver(raw, stem, faults));
   for (const auto& raw : laws) content.laws.push_back(read_law(raw, stem, faults));
   for (const auto& raw : integrators) content.integrators.push_back(read_integrator(raw, stem, faults));
-  faults.require(!elements.empty() || !solvers.empty() || !laws.empty() || !integrators.empty(),
-                 "holds no element, no solver, no law and no integrator");
+  for (const auto& raw : strategies) content.strategies.push_back(read_strategy(raw, stem, faults));
+  faults.require(
+      !elements.empty() || !solvers.empty() || !laws.empty() || !integrators.empty() || !strategies.empty(),
+      "holds no element, no solver, no law, no integrator and no strategy");
   faults.raise();
   return content;
 }

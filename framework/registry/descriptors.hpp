@@ -78,6 +78,14 @@ struct IntegratorType {
   bool is_explicit() const { return integrator.traits & NETLOFT_EXPLICIT; }
 };
 
+/// A strategy as the host knows it.
+struct StrategyType {
+  std::string type;  // "auto/auto"
+  netloft_strategy strategy{};
+  std::vector<netloft_parameter> parameters;
+  const PluginOrigin* origin = nullptr;
+};
+
 /// A hydrodynamic law as the host knows it.
 struct LawType {
   std::string type;  // "hydro/morison"
@@ -93,6 +101,7 @@ struct PluginContent {
   std::vector<SolverType> solvers;
   std::vector<LawType> laws;
   std::vector<IntegratorType> integrators;
+  std::vector<StrategyType> strategies;  // none in a plugin built for minor version 0 of the interface
 };
 
 /// Reads and checks what a plugin says of itself. `stem` is the name its file promises.

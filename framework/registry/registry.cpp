@@ -23,6 +23,11 @@ std::string suggestion(const std::string& wanted, const std::vector<std::string>
 
 std::string plugin_of(const std::string& type) { return type.substr(0, type.find('/')); }
 
+/// "newton" is short for "newton/newton".
+std::string full_name(const std::string& type) {
+  return type.find('/') == std::string::npos ? type + "/" + type : type;
+}
+
 }  // namespace
 
 void Registry::add_folder(std::filesystem::path folder) { folders_.push_back(std::move(folder)); }
@@ -46,15 +51,18 @@ const ElementType& Registry::element(const std::string& type) {
 }
 
 const SolverType& Registry::solver(const std::string& type) {
-  const std::string full = type.find('/') == std::string::npos ? type + "/" + type : type;
-  const std::string name = plugin_of(full);
+  const std::string full = full_name(type), name = plugin_of(full);
   return find(plugin(name).solvers, full, "solver", name);
 }
 
 const IntegratorType& Registry::integrator(const std::string& type) {
-  const std::string full = type.find('/') == std::string::npos ? type + "/" + type : type;
-  const std::string name = plugin_of(full);
+  const std::string full = full_name(type), name = plugin_of(full);
   return find(plugin(name).integrators, full, "integrator", name);
+}
+
+const StrategyType& Registry::strategy(const std::string& type) {
+  const std::string full = full_name(type), name = plugin_of(full);
+  return find(plugin(name).strategies, full, "strategy", name);
 }
 
 const LawType& Registry::law(const std::string& type) {
@@ -90,6 +98,7 @@ const PluginContent& Registry::keep(PluginContent content) {
   for (auto& s : owned->solvers) s.origin = &owned->origin;
   for (auto& l : owned->laws) l.origin = &owned->origin;
   for (auto& i : owned->integrators) i.origin = &owned->origin;
+  for (auto& s : owned->strategies) s.origin = &owned->origin;
   auto& slot = opened_[owned->origin.name];
   if (!slot) slot = std::move(owned);
   return *slot;

@@ -31,6 +31,8 @@ class Registry {
   const SolverType& solver(const std::string& type);
   /// "newmark", short for "newmark/newmark".
   const IntegratorType& integrator(const std::string& type);
+  /// "auto", short for "auto/auto".
+  const StrategyType& strategy(const std::string& type);
   /// "hydro/morison".
   const LawType& law(const std::string& type);
   const PluginContent& plugin(const std::string& name);

@@ -5,8 +5,7 @@
 
 namespace netloft {
 
-/// A path in time: how far something has come from where it began. With τ = (t − t₀)/H between two knots a
-/// time H apart,
+/// A path in time: the displacement from the start. With τ = (t − t₀)/H between two knots a time H apart,
 ///   d = h₀₀ d₀ + h₁₀ H v₀ + h₀₁ d₁ + h₁₁ H v₁,   h the cubic Hermite polynomials in τ         (1)
 /// and on with the speed of the last knot beyond the ends. A speed that changes linearly between knots is
 /// reproduced as it is: its path is a parabola.
@@ -14,12 +13,12 @@ struct Course {
   using Point = std::array<double, 3>;
   struct Knot {
     double t;    // [s]
-    Point d, v;  // way [m], speed [m/s]
+    Point d, v;  // displacement [m], speed [m/s]
   };
   struct Moment {
     Point d{}, v{}, a{};  // [m], [m/s], [m/s²]
   };
-  std::vector<Knot> knots;  // ascending in t
+  std::vector<Knot> knots;  // increasing in t
 
   Moment at(double t) const;
 };

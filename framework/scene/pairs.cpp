@@ -8,8 +8,8 @@ namespace netloft {
 
 namespace {
 
-/// Two neighbouring elements: their numbers, and for each node of the pair, from which corner of which it
-/// comes.
+/// Two neighbouring elements: their numbers, and for each node of the pair the element and corner that it is
+/// taken from.
 struct Pair {
   std::size_t first, second;
   std::vector<std::pair<std::size_t, std::size_t>> corners;  // (element, corner)

@@ -5,13 +5,13 @@
 
 namespace netloft {
 
-/// Whether some term of the element acts with these parameters; riders that cannot act are not laid out.
+/// Whether some term of the element acts with these parameters; riders without such a term are not created.
 bool may_act(const ElementType& type, const Values& parameters);
 
-/// The part that an element riding on another makes out of a part of that one: neighbouring bars of a rope
-/// become bar pairs, triangles that share an edge triangle pairs. Data of the riders come from those of the
-/// ridden by name: a number per element becomes two (first, second), a number per corner becomes one per node
-/// of the pair. The parameters are those of the part that the rider's table knows.
+/// Makes the part of an element that rides on another one: neighbouring bars of a rope become bar pairs,
+/// triangles with a common edge become triangle pairs. Data of the rider are taken from the data of the same
+/// name: a number per element becomes two (first, second), a number per corner becomes one per node of the
+/// pair. Parameters are copied if the rider's table has them.
 Part make_companion(const Part& part, const ElementType& ridden, const ElementType& rider);
 
 }  // namespace netloft

@@ -7,29 +7,29 @@ namespace netloft {
 
 namespace {
 
-/// Whether water moves past the gear: it flows, or the gear moves through it.
+/// Whether water moves past the gear, because it flows or because the gear moves through it.
 bool meets_flow(const Scene& scene, AnalysisKind kind) {
   return scene.current.flows() || (kind == AnalysisKind::dynamics && scene.water.density > 0);
 }
 
-/// The laws of a part, slot by slot: what the part says, or the slot's default.
+/// The laws of a part, slot by slot: the part's choice, or the slot's default.
 std::vector<LawPlan> laws_of(const Scene& scene, const Part& part, const ElementType& type,
                              Registry& registry, AnalysisKind kind) {
   std::vector<LawPlan> laws;
-  if (!meets_flow(scene, kind)) return std::vector<LawPlan>(type.laws.size());  // nothing will ask them
+  if (!meets_flow(scene, kind)) return std::vector<LawPlan>(type.laws.size());  // no term will use them
   for (const auto& slot : type.laws) {
     const auto given = part.laws.find(slot.name);
     LawPlan law{slot.name, nullptr, given == part.laws.end() ? LawChoice{slot.fallback, {}} : given->second};
     law.type = &registry.law(law.choice.type);
     if (!(law.type->law.kind & slot.accepts))
-      throw SceneError(
-          {{part.name, law.choice.type + " is no law that " + type.type + " can use as its " + slot.name}});
+      throw SceneError({{part.name, law.choice.type + " is not a law that " + type.type + " can use as its " +
+                                        slot.name}});
     laws.push_back(law);
   }
   return laws;
 }
 
-/// Whether the laws of a part are those of a family of its type.
+/// Whether a part chooses the same laws as a family of its type.
 bool has_laws_of(const FamilyPlan& family, const Part& part) {
   return std::all_of(family.laws.begin(), family.laws.end(), [&](const LawPlan& law) {
     const auto& slot = family.type->laws[static_cast<std::size_t>(&law - family.laws.data())];
@@ -39,7 +39,7 @@ bool has_laws_of(const FamilyPlan& family, const Part& part) {
   });
 }
 
-/// What a part belongs to; laws are looked up for the first part alone.
+/// Finds or makes the family of a part; laws are looked up only for the first part of a family.
 FamilyPlan& family_of(std::vector<FamilyPlan>& families, const Scene& scene, const Part& part,
                       Registry& registry, AnalysisKind kind) {
   const ElementType& type = registry.element(part.type);
@@ -55,21 +55,22 @@ bool any_part_sets(std::string_view name, const FamilyPlan& family, const Scene&
                      [&](std::uint32_t part) { return sets(scene.parts[part], *family.type, name); });
 }
 
-/// The first of the parameters that a term needs which any part sets; empty if none does.
+/// The first of the parameters that a term needs and some part sets; empty if there is none.
 std::string first_set(const netloft_term& term, const FamilyPlan& family, const Scene& scene) {
   for (const auto& name : names_needed_by(term))
     if (any_part_sets(name, family, scene)) return name;
   return "";
 }
 
-/// "EA and EA_compression are zero"
+/// A reason such as "EA and EA_compression are zero".
 std::string all_are_zero(const std::vector<std::string>& names) {
   std::string text = names.front();
   for (std::size_t i = 1; i < names.size(); ++i) text += " and " + names[i];
   return text + (names.size() > 1 ? " are zero" : " is zero");
 }
 
-/// Which numbers the elements of a part share and do not know.
+/// Finds the unknowns that the elements of a part share: those without a condition and those whose condition,
+/// a parameter, is set.
 void find_globals(FamilyPlan& family, const Scene& scene) {
   for (const auto part : family.parts)
     for (const auto& g : family.type->globals)
@@ -77,7 +78,7 @@ void find_globals(FamilyPlan& family, const Scene& scene) {
         family.globals.push_back({part, g.name, g.unit, g.doc});
 }
 
-/// Less of the tangent than all of it leaves the equations of shared numbers without an answer.
+/// Shared unknowns need the exact tangent: without it their equations are singular.
 void check_globals(const FamilyPlan& family, const Plan& plan, const Scene& scene) {
   if (family.globals.empty() || plan.tangent == TangentChoice::exact) return;
   const GlobalPlan& first = family.globals.front();
@@ -91,9 +92,9 @@ TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene&
   if (term.needs && set.empty())
     plan.reason = all_are_zero(names_needed_by(term));
   else if ((term.traits & NETLOFT_NEEDS_GRAVITY) && scene.water.gravity == 0)
-    plan.reason = "no gravity in the scene";
+    plan.reason = "the scene has no gravity";
   else if ((term.traits & NETLOFT_NEEDS_FLOW) && !meets_flow(scene, kind))
-    plan.reason = kind == AnalysisKind::statics ? "no current in the scene" : "no water in the scene";
+    plan.reason = kind == AnalysisKind::statics ? "the scene has no current" : "the scene has no water";
   else if ((term.traits & NETLOFT_NEEDS_MOTION) && kind == AnalysisKind::statics)
     plan.reason = "the analysis is static";
   else
@@ -117,11 +118,12 @@ void count_unknowns(Plan& plan, const Scene& scene) {
   }
 }
 
-/// A body's own inertia, and the rates of what it carries, are not there yet.
+/// Dynamics does not support rigid bodies, because their inertia and the rates of their points are not
+/// implemented.
 void check_bodies(const Scene& scene, AnalysisKind kind) {
   if (kind == AnalysisKind::dynamics && !scene.bodies.empty())
     throw SceneError({{"", "the rigid body \"" + scene.bodies[0].name +
-                               "\" cannot take part in dynamics: only its equilibrium is known"}});
+                               "\" cannot be used in dynamics: only its equilibrium is implemented"}});
 }
 
 }  // namespace
@@ -161,7 +163,7 @@ std::vector<std::string> unused_plugins(const Plan& plan, const Registry& regist
 
 namespace {
 
-/// Not given, and nothing by default.
+/// Whether a parameter is neither given nor has a default.
 bool is_left_out(const Part& part, const ElementType& type, std::string_view parameter) {
   for (const auto& p : type.parameters)
     if (std::string_view(p.name) == parameter)
@@ -193,7 +195,10 @@ std::string describe_traits(std::uint32_t traits) {
       {NETLOFT_READS_TIME, "reads time"},
       {NETLOFT_NEEDS_GRAVITY, "needs gravity"},
       {NETLOFT_NEEDS_FLOW, "needs flow"},
-      {NETLOFT_NEEDS_MOTION, "needs motion"}};
+      {NETLOFT_NEEDS_MOTION, "needs motion"},
+      {NETLOFT_OF_MEMBERS, "of members"},
+      {NETLOFT_IS_WEIGHT, "weight"},
+      {NETLOFT_IS_DRAG, "drag"}};
   std::string text;
   for (const auto& [bit, name] : kNames)
     if (traits & bit) text += (text.empty() ? "" : ", ") + std::string(name);

@@ -23,19 +23,20 @@ struct LawPlan {
   LawChoice choice;
 };
 
-/// What the tangent of forces without an energy (drag) is worth: all of it, its symmetric part, nothing.
+/// How much of the tangent of forces without an energy (drag) is used: all of it, its symmetric part, or
+/// nothing.
 enum class TangentChoice { exact, symmetric, elastic };
 
 /// Whether everything is at rest, or moves in time.
 enum class AnalysisKind { statics, dynamics };
 
-/// A number that all elements of a part share and that is an unknown.
+/// A number that is shared by all elements of a part and is an unknown.
 struct GlobalPlan {
   std::uint32_t part = 0;  // of the scene
   std::string name, unit, doc;
 };
 
-/// All elements of one type that share their laws.
+/// All elements of one type with the same laws.
 struct FamilyPlan {
   const ElementType* type = nullptr;
   std::vector<LawPlan> laws;         // one per slot
@@ -45,10 +46,11 @@ struct FamilyPlan {
   std::vector<GlobalPlan> globals = {};
 };
 
-/// What a scene needs, decided once and printable: nothing else is loaded, evaluated or factorised.
+/// The families, terms and matrix properties that a scene needs, decided once and printable. Nothing else is
+/// loaded, evaluated or factorised.
 struct Plan {
   std::vector<FamilyPlan> families;
-  std::vector<std::string> not_loaded;  // by unused_plugins, where somebody asks
+  std::vector<std::string> not_loaded;  // filled by unused_plugins if it is asked for
   std::size_t nodes = 0, held_nodes = 0, unknowns = 0;
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
@@ -61,8 +63,7 @@ struct Plan {
 Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent = TangentChoice::exact,
                AnalysisKind kind = AnalysisKind::statics);
 
-/// Plugins that are there and that no part of a plan uses: what a plan that is to be printed says it has not
-/// loaded.
+/// Plugins that are available but not used by any part of a plan; a printed plan lists them as not loaded.
 std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry);
 
 /// Whether a part has a real parameter that is not zero.

@@ -10,7 +10,7 @@ namespace netloft {
 
 namespace {
 
-/// Nodes that elements tie together (union-find with path halving).
+/// Sets of nodes that are connected by elements (union-find with path halving).
 class Pieces {
  public:
   explicit Pieces(std::size_t nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -39,7 +39,7 @@ Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element
   return pieces;
 }
 
-/// World axes along which a node meets resistance of what holds it.
+/// World axes along which a hold resists the motion of a node.
 std::uint8_t world_axes(const Scene& scene, std::uint32_t node) {
   if (!scene.carried.empty() && scene.carried[node]) return 0;
   const auto frame = scene.frames.find(node);
@@ -63,13 +63,14 @@ std::string axes_text(std::uint8_t axes) {
 
 namespace {
 
-/// Share of the way from one of two neighbouring samples to the next, and the first of them.
+/// The position of t between two neighbouring samples: the index of the first and the fraction of the
+/// interval.
 struct Place {
   std::size_t first;
-  double way;
+  double fraction;
 };
 
-/// Where t lies among samples that ascend in t; beyond them, at the nearest.
+/// Finds t among samples with increasing t; beyond the ends it is at the nearest sample.
 template <class Samples>
 Place find_place(const Samples& samples, double t) {
   std::size_t after = 0;
@@ -78,16 +79,17 @@ Place find_place(const Samples& samples, double t) {
   return {after - 1, (t - samples[after - 1].t) / (samples[after].t - samples[after - 1].t)};
 }
 
-double share_at(const std::vector<Current::Share>& shares, double t) {
-  const auto [i, way] = find_place(shares, t);
-  return way == 0 ? shares[i].value : shares[i].value + way * (shares[i + 1].value - shares[i].value);
+double factor_at(const std::vector<Current::Factor>& factors, double t) {
+  const auto [i, fraction] = find_place(factors, t);
+  return fraction == 0 ? factors[i].value
+                       : factors[i].value + fraction * (factors[i + 1].value - factors[i].value);
 }
 
 std::array<double, 3> drift_at(const std::vector<Current::Drift>& drifts, double t) {
-  const auto [i, way] = find_place(drifts, t);
+  const auto [i, fraction] = find_place(drifts, t);
   std::array<double, 3> velocity = drifts[i].velocity;
-  for (std::size_t k = 0; k < 3 && way != 0; ++k)
-    velocity[k] += way * (drifts[i + 1].velocity[k] - velocity[k]);
+  for (std::size_t k = 0; k < 3 && fraction != 0; ++k)
+    velocity[k] += fraction * (drifts[i + 1].velocity[k] - velocity[k]);
   return velocity;
 }
 
@@ -118,9 +120,9 @@ bool Current::flows() const {
 void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t) const {
   velocity = dz = {};
   if (!samples.empty()) profile_at(samples, z, velocity, dz);
-  if (!shares.empty())
-    for (const double share = share_at(shares, t); auto* part : {&velocity, &dz})
-      for (double& v : *part) v *= share;
+  if (!factors.empty())
+    for (const double factor = factor_at(factors, t); auto* part : {&velocity, &dz})
+      for (double& v : *part) v *= factor;
   if (!drifts.empty())
     for (const auto drift = drift_at(drifts, t); const std::size_t i : {0u, 1u, 2u}) velocity[i] += drift[i];
 }
@@ -129,7 +131,7 @@ std::vector<double> Scene::corners_in_time() const {
   std::vector<double> times;
   for (const auto& guide : guides)
     for (const auto& knot : guide.course.knots) times.push_back(knot.t);
-  for (const auto& share : current.shares) times.push_back(share.t);
+  for (const auto& factor : current.factors) times.push_back(factor.t);
   for (const auto& drift : current.drifts) times.push_back(drift.t);
   std::sort(times.begin(), times.end());
   return times;
@@ -147,10 +149,10 @@ std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<i
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) held[pieces.find(n)] |= world_axes(scene, n);
 
   std::vector<SceneFault> faults;
-  std::set<std::uint32_t> told;
+  std::set<std::uint32_t> reported;
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) {
     const std::uint32_t piece = pieces.find(n);
-    if (held[piece] == kAllAxes || !told.insert(piece).second) continue;
+    if (held[piece] == kAllAxes || !reported.insert(piece).second) continue;
     const auto free = static_cast<std::uint8_t>(kAllAxes & ~held[piece]);
     const std::string& part = scene.parts[scene.labels[n].part].name;
     faults.push_back({part, scene.node_name(n) + " is connected to nothing that is held" +

@@ -12,22 +12,22 @@
 
 namespace netloft {
 
-/// The water a gear hangs in. World frame z up, z = 0 at the surface.
+/// The water in which the gear is towed. The z axis of the world frame points up; z = 0 at the surface.
 struct SceneWater {
   double density = 1025;       // [kg/m3]
   double gravity = 9.80665;    // [m/s2]
   double viscosity = 1.19e-6;  // kinematic [m2/s]
 };
 
-/// Velocity of the water over depth and time: straight lines between samples, constant beyond them.
-///   c(z, t) = profile(z) share(t) + drift(t)                                                     (1)
-/// Without samples the profile and the drift are zero and the share is one: still water.
+/// Velocity of the water over depth and time, linear between samples and constant beyond them.
+///   c(z, t) = profile(z) factor(t) + drift(t)                                                     (1)
+/// Without samples the profile and the drift are zero and the factor is one: still water.
 struct Current {
   struct Sample {
     double z;                        // [m]
     std::array<double, 3> velocity;  // [m/s]
   };
-  struct Share {
+  struct Factor {
     double t;      // [s]
     double value;  // [1]
   };
@@ -35,14 +35,14 @@ struct Current {
     double t;                        // [s]
     std::array<double, 3> velocity;  // [m/s]
   };
-  std::vector<Sample> samples;     // the profile, ascending in z
-  std::vector<Share> shares = {};  // ascending in t
-  std::vector<Drift> drifts = {};  // ascending in t
+  std::vector<Sample> samples;       // the profile, increasing in z
+  std::vector<Factor> factors = {};  // increasing in t
+  std::vector<Drift> drifts = {};    // increasing in t
 
   bool flows() const;
-  /// Whether it is the same at all heights.
+  /// Whether the current is the same at all heights.
   bool is_uniform() const { return samples.size() <= 1; }
-  /// Velocity and its derivative with z at height z.
+  /// Velocity at height z and its derivative with respect to z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
 };
 
@@ -53,12 +53,12 @@ struct LawChoice {
   bool operator==(const LawChoice&) const = default;
 };
 
-/// A named piece of a gear: elements of one type on nodes of the scene.
+/// A named part of a gear: elements of one type on nodes of the scene.
 struct Part {
-  std::string name;                  // "net"
-  std::string type;                  // "priour/triangle"
-  Values parameters;                 // by parameter name
-  std::vector<std::uint32_t> nodes;  // scene nodes of the elements, as many each as the stencil has
+  std::string name;                                 // "net"
+  std::string type;                                 // "priour/triangle"
+  Values parameters;                                // by parameter name
+  std::vector<std::uint32_t> nodes;                 // scene nodes of the elements, one after another
   std::map<std::string, std::vector<double>> data;  // by datum name: [element][width]
   std::map<std::string, LawChoice> laws = {};       // by slot name; absent: the slot's default
   bool companion = false;                           // rides on the part of the same name before it
@@ -69,18 +69,17 @@ struct NodeLabel {
   std::uint32_t part = 0, id = 0;
 };
 
-/// Held nodes that are moved: where they are beyond their start, in the world frame.
+/// Moves held nodes: their displacement from the start, in the world frame.
 struct Guide {
   std::vector<std::uint32_t> nodes;
-  std::vector<std::uint8_t> axes;  // per node, those that this guide moves
+  std::vector<std::uint8_t> axes;  // per node, the axes that this guide moves
   Course course;
 };
 
 enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 
-/// Nodes carried by a rigid body. Two nodes of the scene stand for its six unknowns: `position`, where its
-/// reference point is, and `rotation`, whose three numbers are the rotation vector from the start [rad], zero
-/// at first.
+/// Nodes carried by a rigid body. Two nodes of the scene hold its six unknowns: `position` is the position of
+/// its reference point, `rotation` the rotation vector from the start [rad], initially zero.
 struct RigidBody {
   struct Point {
     std::uint32_t node;
@@ -91,30 +90,31 @@ struct RigidBody {
   std::vector<Point> points;
 };
 
-/// What is solved: parts on nodes in water, some of them held. Plain data; whoever reads a file makes one.
+/// The model: parts on nodes in water, with holds, guides and bodies. It is plain data, made by the reader of
+/// a file.
 struct Scene {
   std::string name;
   SceneWater water;
   Current current;
-  std::vector<double> positions;   // start, 3 per node [m]
+  std::vector<double> positions;   // initial positions, 3 per node [m]
   std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move
-  /// Axes of nodes that are held along others than x, y and z: the columns of a rotation, row by row. Bits of
-  /// `held` then mean these axes.
+  /// Axes of nodes that are held along axes other than x, y and z: the columns of a rotation matrix, stored
+  /// row by row. Bits of `held` then refer to these axes.
   std::map<std::uint32_t, std::array<double, 9>> frames;
   std::vector<RigidBody> bodies;  // their points are `carried`
   std::vector<bool> carried;      // per node; empty if there are no bodies
-  std::vector<Guide> guides;      // what moves held nodes in time
+  std::vector<Guide> guides;      // motions of held nodes in time
   std::vector<NodeLabel> labels;  // per node
   std::vector<Part> parts;
 
-  /// A node that nothing moves: held along all axes, and on no body.
+  /// Whether a node cannot move: it is held along all axes and belongs to no body.
   bool stands_still(std::uint32_t node) const {
     return held[node] == kAllAxes && (carried.empty() || !carried[node]);
   }
-  /// Adds a body: its points move with it from now on.
+  /// Adds a body, which carries its points from then on.
   void add_body(RigidBody body);
 
-  /// Times at which a guide or the current changes its law, ascending [s].
+  /// Times at which the path of a guide or the current has a corner, increasing [s].
   std::vector<double> corners_in_time() const;
 
   std::size_t node_count() const { return positions.size() / 3; }
@@ -123,7 +123,7 @@ struct Scene {
   }
 };
 
-/// Something wrong with a part of a scene that its author can mend.
+/// An error in a part of a scene that the scene's author can correct.
 struct SceneFault {
   std::string part;  // empty: the scene as a whole
   std::string message;
@@ -135,8 +135,8 @@ struct SceneError : std::runtime_error {
   std::vector<SceneFault> faults;
 };
 
-/// Parts that could drift away: nothing they are connected to is held along some axis. One fault per loose
-/// piece.
+/// Finds parts that could drift away because nothing they are connected to is held along some axis; one fault
+/// per disconnected piece.
 std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element);
 
 }  // namespace netloft

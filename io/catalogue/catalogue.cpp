@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kSeaWater = 1025;  // ρ_w [kg/m³]
 
-/// What a file says once for all of its parts.
+/// Entries at the head of a file that apply to all of its parts.
 struct FileHead {
   std::string source, uncertainty;
 };
 
 FileHead read_head(TableReader& root) {
   return {root.text("source", {.doc = "where the numbers come from", .fallback = ""}),
-          root.text("uncertainty", {.doc = "how far they may be wrong", .fallback = ""})};
+          root.text("uncertainty", {.doc = "uncertainty of the numbers", .fallback = ""})};
 }
 
 std::string read_own_or_head(TableReader& table, const char* key, const char* doc, const std::string& head) {
@@ -29,7 +29,7 @@ std::string read_own_or_head(TableReader& table, const char* key, const char* do
 void read_texts(CataloguePart& part, const FileHead& head, TableReader& table) {
   part.texts["source"] = read_own_or_head(table, "source", "where its numbers come from", head.source);
   part.texts["uncertainty"] =
-      read_own_or_head(table, "uncertainty", "how far they may be wrong", head.uncertainty);
+      read_own_or_head(table, "uncertainty", "uncertainty of the numbers", head.uncertainty);
   for (const char* key : part.kind->texts) part.texts[key] = table.text(key, {});
   if (table.has("doc")) part.texts["doc"] = table.text("doc", {});
 }
@@ -59,7 +59,7 @@ void derive_line(CataloguePart& part, TableReader& table) {
     return table.error("density", "must be given, or mass and material_density, from which it follows");
   n["density"] = density_in_water(n["mass"], n["material_density"], n["diameter"]);
   if (n["density"] <= 0)
-    table.error("mass", "does not fit into the diameter: so light a material would have to be thicker");
+    table.error("mass", "does not fit into the diameter: a line of this mass and material would be thicker");
 }
 
 void derive_piece(CataloguePart& part, TableReader& table) {
@@ -86,7 +86,7 @@ CataloguePart read_part(const std::string& name, const PartKind& kind, const Fil
   return part;
 }
 
-/// Sorted, so that messages come in the same order everywhere.
+/// Sorted, so that the order of messages is the same on all systems.
 std::vector<std::filesystem::path> toml_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code none;
@@ -138,7 +138,7 @@ void Catalogue::add(CataloguePart part, const Place& place, std::size_t first_of
     parts_.push_back(std::move(part));
   else if (earlier - parts_.begin() >= static_cast<std::ptrdiff_t>(first_of_folder))
     diagnostics.error(place, std::string("the ") + part.kind->name + " \"" + part.name +
-                                 "\" stands in this folder twice, also in " + earlier->file);
+                                 "\" is in this folder twice, also in " + earlier->file);
 }
 
 const CataloguePart* Catalogue::find(const std::string& name, const std::vector<std::string>& kinds) const {

@@ -13,8 +13,8 @@ namespace netloft::io {
 
 /// One part, as a catalogue describes it.
 ///
-/// Fibres, wires and links fill only a share of the round of a line's diameter; water fills the rest. An
-/// element that takes a line for a round of one density needs
+/// Fibres, wires and links fill only a fraction of the cross-section of a line; water fills the rest. An
+/// element that treats a line as a homogeneous cylinder needs the density
 ///   ρ = ρ_w + m/A (1 − ρ_w/ρ_m),   A = π d²/4      (1)
 /// for its weight in the water to be that of its material. m [kg/m] mass of a metre, ρ_m [kg/m³] of the
 /// material, d [m] diameter, ρ_w = 1025 kg/m³; of a part that states ρ itself, (1) is not used. For pieces:
@@ -29,17 +29,17 @@ struct CataloguePart {
 
 /// All parts of some folders.
 ///
-/// A folder holds any number of .toml files with tables `[KIND.NAME]`. `source` and `uncertainty` may stand
-/// once at the head of a file, for all of its parts. Of two parts with the same kind and name the one in the
-/// folder named first counts.
+/// A folder holds any number of .toml files with tables `[KIND.NAME]`. `source` and `uncertainty` may be
+/// given once at the head of a file, for all of its parts. If two folders have a part of the same kind and
+/// name, the first folder has priority.
 class Catalogue {
  public:
-  /// Folders that do not exist are passed over. What is wrong is put into the diagnostics, located.
+  /// Folders that do not exist are skipped. Errors are put into the diagnostics with their places.
   static Catalogue load(const std::vector<std::filesystem::path>& folders, Diagnostics& diagnostics);
 
-  /// Null: there is none of these kinds.
+  /// Null if no part of these kinds has the name.
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
-  /// In the order they were read.
+  /// In the order in which they were read.
   const std::vector<CataloguePart>& parts() const { return parts_; }
   const std::vector<SourceFile>& files() const { return files_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }

@@ -5,7 +5,7 @@
 
 namespace netloft::io {
 
-/// Where catalogues are looked for: `own` (those a file names, in order), those in the variable
+/// The folders that are searched for catalogues: `own` (those a file names, in order), those in the variable
 /// NETLOFT_CATALOGUE (divided by colons), then the gear library: share/netloft/gear-library/catalogue beside
 /// the program or above it, so that the folder may be moved.
 std::vector<std::filesystem::path> catalogue_folders(std::vector<std::filesystem::path> own = {});

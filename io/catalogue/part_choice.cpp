@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kPart = "part";
 
-/// The value that holds the name itself; of a table without one, the table.
+/// The value that contains the name; if a table has none, the table itself.
 const Value& naming_value(const Value& said) {
   const Table* table = said.as<Table>();
   const Member* part = table ? table->find(kPart) : nullptr;

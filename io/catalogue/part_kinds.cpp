@@ -9,15 +9,16 @@ namespace {
 
 constexpr bool kRequired = true;
 
-/// Lines: what is spun, laid or linked, per metre.
+/// Lines: spun, laid or linked; values per metre.
 std::vector<PartKey> line_numbers(const char* diameter, double thickest, double strongest) {
   return {
       {"diameter", "m", diameter, 1e-5, thickest, kRequired},
       {"EA", "N", "axial stiffness", 0, strongest, kRequired},
       {"EA_compression", "N", "axial stiffness when slack", 0, strongest},
       {"mass", "kg/m", "mass of a metre in air, dry", 0, 1e4},
-      {"material_density", "kg/m3", "density of what it is made of", 1, 3e4},
-      {"density", "kg/m3", "of the round of the diameter, voids filled with sea water", 1, 3e4},
+      {"material_density", "kg/m3", "density of its material", 1, 3e4},
+      {"density", "kg/m3", "density of a cylinder of this diameter, with voids filled with sea water", 1,
+       3e4},
       {"breaking_load", "N", "tension at which it breaks", 0, 1e9},
   };
 }
@@ -25,14 +26,14 @@ std::vector<PartKey> line_numbers(const char* diameter, double thickest, double 
 std::vector<PartKey> piece_numbers() {
   return {
       {"diameter", "m", "diameter across the flow", 0, 20},
-      {"buoyancy", "N", "net upward force of one in sea water; sinking ones have a negative one", -1e7, 1e7},
+      {"buoyancy", "N", "net upward force of one in sea water; negative if it sinks", -1e7, 1e7},
       {"mass", "kg", "mass of one in air", 0, 1e6},
-      {"volume", "m3", "of the water that one displaces", 0, 1e3},
-      {"material_density", "kg/m3", "density of what it is made of", 1, 3e4},
+      {"volume", "m3", "volume of the water displaced by one", 0, 1e3},
+      {"material_density", "kg/m3", "density of its material", 1, 3e4},
       {"area", "m2", "area across the flow", 0, 1e3},
       {"drag_coefficient", "1", "drag coefficient on the area across the flow", 0, 10},
       {"added_mass", "1", "added mass over the mass of the water displaced", 0, 10},
-      {"depth_limit", "m", "depth it stands", 0, 2e4},
+      {"depth_limit", "m", "depth that it withstands", 0, 2e4},
   };
 }
 
@@ -40,7 +41,7 @@ std::vector<PartKey> piece_numbers() {
 
 std::span<const PartKind> part_kinds() {
   static const std::vector<PartKind> kinds = {
-      {"twine", "twine", "what netting is made of", line_numbers("diameter of the twine", 0.1, 1e9)},
+      {"twine", "twine", "twines of netting", line_numbers("diameter of the twine", 0.1, 1e9)},
       {"netting",
        "",
        "sheets of meshes",

@@ -7,7 +7,7 @@
 
 namespace netloft::io {
 
-/// One number that a catalogue says of a part.
+/// A number in the catalogue entry of a part.
 struct PartKey {
   const char* name;
   const char* unit;
@@ -16,19 +16,19 @@ struct PartKey {
   bool required = false;
 };
 
-/// What a catalogue may hold: `[twine.NAME]`, `[chain.NAME]`, …
+/// A kind of catalogue entries: `[twine.NAME]`, `[chain.NAME]`, …
 struct PartKind {
   const char* name;
-  const char* key;  // of a scene's part that takes it: a chain stands under `rope`; empty: none
+  const char* key;  // key of a scene's part that takes it: a chain is given under `rope`; empty: none
   const char* doc;
   std::vector<PartKey> numbers;
-  std::vector<const char*> texts = {};  // required ones, beside source and uncertainty
+  std::vector<const char*> texts = {};  // required ones besides source and uncertainty
 };
 
 std::span<const PartKind> part_kinds();
-/// Null: there is no such kind.
+/// Null if there is no such kind.
 const PartKind* find_kind(std::string_view name);
-/// Names of the kinds that may stand under `key`: "rope" → rope, wire, chain.
+/// Names of the kinds that a scene may give under `key`: "rope" → rope, wire, chain.
 std::vector<std::string> kinds_under(std::string_view key);
 /// Every `key` once: twine, rope, float.
 std::vector<std::string> part_keys();

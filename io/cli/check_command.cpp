@@ -39,7 +39,7 @@ Json panel_json(const Panel& panel) {
   return json;
 }
 
-void print_json(const Plan& plan, const Diagnostics& diagnostics, int code) {
+void print_json(const NetPlan& plan, const Diagnostics& diagnostics, int code) {
   Json json = {{"status", code == kDone ? "can be sewn" : "wrong input"}, {"findings", Json::array()}};
   for (const auto& finding : diagnostics.sorted())
     json["findings"].push_back(finding_json(finding, diagnostics));
@@ -49,7 +49,7 @@ void print_json(const Plan& plan, const Diagnostics& diagnostics, int code) {
   std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-void print_panels(const Plan& plan) {
+void print_panels(const NetPlan& plan) {
   std::puts(
       fmt::format("{:<24} {:>9} {:>8} {:>8} {:>8}  {}", "panel", "mesh [mm]", "fore", "aft", "depth", "twine")
           .c_str());
@@ -65,12 +65,12 @@ std::string counted(std::size_t number, const char* one, const char* more) {
 }
 
 /// Ropes that the plan writes; selvedges are netting.
-std::size_t ropes_of(const Plan& plan) {
+std::size_t ropes_of(const NetPlan& plan) {
   return static_cast<std::size_t>(
       std::count_if(plan.ropes.begin(), plan.ropes.end(), [](const Rope& r) { return !r.is_selvedge; }));
 }
 
-void print_summary(const Plan& plan, const Diagnostics& diagnostics) {
+void print_summary(const NetPlan& plan, const Diagnostics& diagnostics) {
   print_panels(plan);
   std::puts(fmt::format("{}, {}, {}: {}, {}", counted(plan.panels.size(), "panel", "panels"),
                         counted(plan.joins.size(), "seam", "seams"), counted(ropes_of(plan), "rope", "ropes"),
@@ -84,7 +84,7 @@ void print_summary(const Plan& plan, const Diagnostics& diagnostics) {
 int check_command(const Options& options) {
   Terminal terminal(options.color);
   Diagnostics diagnostics;
-  Plan plan = read_plan(options.target, options.set, diagnostics);
+  NetPlan plan = read_plan(options.target, options.set, diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   const int code = diagnostics.errors() ? kWrongInput : kDone;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/session.hpp"
-#include "io/compare/tell.hpp"
+#include "io/compare/report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,10 +38,11 @@ std::vector<double> read_tolerances(const std::string& range) {
 }
 
 std::vector<Method> read_methods(const std::vector<std::string>& words) {
+  if (words.empty()) throw UsageError{"--solver or --strategy: name at least one to compare"};
   std::vector<Method> methods;
   for (const auto& word : words) {
     if (std::count(words.begin(), words.end(), word) > 1)
-      throw UsageError{"--solver " + word + " is given twice; a method is compared once"};
+      throw UsageError{word + " is given twice; a method is compared once"};
     methods.push_back({word});
   }
   return methods;
@@ -155,7 +156,7 @@ int run(const Options& options) {
   if (interrupt_flag()) return kInterrupted;
   write_files(result, options.compare);
   std::puts(options.json ? comparison_json(result).c_str() : comparison_text(result).c_str());
-  return result.any_arrived() ? kDone : kNotConverged;
+  return result.any_converged() ? kDone : kNotConverged;
 }
 
 }  // namespace

@@ -6,15 +6,28 @@
 #include "io/scene/geometry.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iterator>
 
 namespace netloft::io {
 
+namespace {
+
+const char* kind_name(std::uint32_t kind) {
+  if (kind == NETLOFT_REAL) return "real";
+  if (kind == NETLOFT_INTEGER) return "integer";
+  if (kind == NETLOFT_BOOLEAN) return "boolean";
+  return kind == NETLOFT_CHOICE ? "choice" : "text";
+}
+
+}  // namespace
+
 Json parameter_json(std::span<const netloft_parameter> table) {
   Json rows = Json::array();
   for (const auto& p : table)
     rows.push_back({{"name", p.name},
+                    {"kind", kind_name(p.kind)},
                     {"unit", p.unit},
                     {"allowed", allowed(p)},
                     {"default", default_of(p)},
@@ -70,11 +83,46 @@ std::string element_text(const ElementType& e) {
   return text;
 }
 
+/// "[1, 100000]", "(0, 10]".
+std::string interval(const Range& range) {
+  return fmt::format("{}{:g}, {:g}{}", range.lo_open ? "(" : "[", range.lo, range.hi,
+                     range.hi_open ? ")" : "]");
+}
+
+/// "4 ", "2 or more ".
+std::string count_text(const Count& count) {
+  return count.least == count.most ? fmt::format("{} ", count.least)
+                                   : fmt::format("{} or more ", count.least);
+}
+
+std::string allowed_geometry(const GeometryKey& key) {
+  const std::string unit = key.unit == "1" ? "" : " " + key.unit;
+  switch (key.shape) {
+    case GeometryKey::Shape::word:
+      return fmt::format("one of {}", fmt::join(key.words, ", "));
+    case GeometryKey::Shape::points:
+      return (key.count.most == 1 ? "" : count_text(key.count) + "times ") + "[x, y, z]" + unit;
+    case GeometryKey::Shape::integers:
+      return count_text(key.count) + "in " + interval(key.range) + unit;
+    default:
+      return interval(key.range) + unit;
+  }
+}
+
+Json geometry_row(const GeometryKey& key) {
+  return {{"name", key.name},
+          {"unit", key.unit},
+          {"allowed", allowed_geometry(key)},
+          {"default", key.required        ? "required"
+                      : key.words.empty() ? ""
+                                          : key.words[0]},
+          {"doc", key.doc}};
+}
+
 Json element_json(const ElementType& e) {
   Json terms = Json::array(), outputs = Json::array(), data = Json::array(), geometry = Json::array(),
        laws = Json::array(), globals = Json::array();
-  for (const auto& key : geometry_keys(layout_of(e)))
-    geometry.push_back({{"name", key.name}, {"doc", key.doc}});
+  for (const auto& key : geometry_keys(layout_of(e))) geometry.push_back(geometry_row(key));
   for (const auto& t : e.terms)
     terms.push_back({{"name", t.name}, {"traits", describe_traits(t.traits)}, {"doc", t.doc}});
   for (const auto& o : e.outputs) outputs.push_back({{"name", o.name}, {"unit", o.unit}, {"doc", o.doc}});
@@ -104,7 +152,7 @@ const char* file_of(const PluginOrigin& origin) {
   return origin.file.empty() ? "compiled in" : origin.file.c_str();
 }
 
-/// A solver or an integrator: a component of the analysis, with a table of its plugin's name.
+/// A solver, an integrator or a strategy: a component of the analysis, with a table of its plugin's name.
 std::string analysis_text(const std::string& type, const char* doc, const char* kind,
                           const PluginOrigin& origin, std::span<const netloft_parameter> parameters) {
   std::string text;
@@ -135,6 +183,12 @@ Component component_of(const IntegratorType& i) {
   return {i.type, "integrator", i.integrator.doc,
           [&i] { return analysis_text(i.type, i.integrator.doc, "an integrator", *i.origin, i.parameters); },
           [&i] { return analysis_json(i.type, i.integrator.doc, "integrator", *i.origin, i.parameters); }};
+}
+
+Component component_of(const StrategyType& s) {
+  return {s.type, "strategy", s.strategy.doc,
+          [&s] { return analysis_text(s.type, s.strategy.doc, "a strategy", *s.origin, s.parameters); },
+          [&s] { return analysis_json(s.type, s.strategy.doc, "strategy", *s.origin, s.parameters); }};
 }
 
 std::string law_text(const LawType& l) {
@@ -175,6 +229,7 @@ std::vector<Component> components_of(const PluginContent& plugin) {
     all.push_back({l.type, "law", l.law.doc, [&l] { return law_text(l); }, [&l] { return law_json(l); }});
   for (const auto& s : plugin.solvers) all.push_back(component_of(s));
   for (const auto& i : plugin.integrators) all.push_back(component_of(i));
+  for (const auto& s : plugin.strategies) all.push_back(component_of(s));
   return all;
 }
 

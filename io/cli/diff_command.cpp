@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
-#include "io/diff/tell_diff.hpp"
+#include "io/diff/report_diff.hpp"
 #include "io/hdf5/handle.hpp"
 
 #include <cstdio>

@@ -21,7 +21,7 @@ std::string output_of(const Options& options) {
 }
 
 /// A picture replaces a file, never a folder, a device or the plan itself.
-void check_output(const std::string& output, const Plan& plan) {
+void check_output(const std::string& output, const NetPlan& plan) {
   std::error_code none;
   if (std::filesystem::exists(output, none) && !std::filesystem::is_regular_file(output, none))
     throw UsageError{output + " is no file that may be replaced"};
@@ -36,7 +36,7 @@ void write(const std::string& output, const std::string& picture) {
   if (!file) throw UsageError{output + " cannot be written"};
 }
 
-std::string draw_divided(const Plan& plan, std::size_t nodes) {
+std::string draw_divided(const NetPlan& plan, std::size_t nodes) {
   const Gear gear = make_gear(plan, Extent::whole);
   Fineness fineness;
   fineness.nodes = nodes;
@@ -52,7 +52,7 @@ std::string draw_divided(const Plan& plan, std::size_t nodes) {
 int draw_command(const Options& options) {
   Terminal terminal(options.color);
   Diagnostics diagnostics;
-  Plan plan = read_plan(options.target, options.set, diagnostics);
+  NetPlan plan = read_plan(options.target, options.set, diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   if (diagnostics.errors()) {

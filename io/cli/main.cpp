@@ -38,7 +38,13 @@ void add_input_options(CLI::App& command, Options& o) {
 
 void add_scene_options(CLI::App& command, Options& o) {
   add_input_options(command, o);
-  command.add_option("--solver", o.solver, "solver plugin, with parameters: newton:method=classic")
+  command
+      .add_option("--strategy", o.strategy, "how the equilibrium is found, with parameters: auto:restarts=6")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]");
+  command
+      .add_option("--solver", o.solver,
+                  "solver of the stages, with parameters: newton:method=classic; alone, without a strategy")
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("NAME[:key=value,…]");
 }
@@ -47,8 +53,25 @@ void add_compare_command(CLI::App& app, Options& o) {
   CompareOptions& c = o.compare;
   auto* command = app.add_subcommand("compare", "speed against error of several solvers on one scene");
   add_input_options(*command, o);
-  command->add_option("--solver", c.methods, "a solver to compare, as run takes it; may be repeated")
-      ->required()
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--strategy",
+          [&c](const std::vector<std::string>& all) {
+            for (const auto& one : all) c.methods.push_back("strategy " + one);
+          },
+          "a strategy to compare, as run takes it; may be repeated")
+      ->trigger_on_parse()
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]")
+      ->allow_extra_args(false);
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--solver",
+          [&c](const std::vector<std::string>& all) {
+            c.methods.insert(c.methods.end(), all.begin(), all.end());
+          },
+          "a solver to compare, as run takes it; may be repeated")
+      ->trigger_on_parse()
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("NAME[:key=value,…]")
       ->allow_extra_args(false);
@@ -92,7 +115,7 @@ void add_author_commands(CLI::App& app, Options& o) {
       app.add_subcommand("new", "write a plugin to begin with: it builds, passes its tests and runs");
   make->add_option("KIND", o.kind, "what the plugin holds")
       ->required()
-      ->check(CLI::IsMember({"element", "law", "solver", "integrator"}));
+      ->check(CLI::IsMember({"element", "law", "solver", "integrator", "strategy"}));
   make->add_option("NAME", o.target, "its name, such as otter_board; also that of the folder")->required();
   auto* reference =
       app.add_subcommand("reference", "write reference pages of all components, and the schema");
@@ -131,9 +154,21 @@ void add_gear_commands(CLI::App& app, Options& o) {
 
 void add_stability_command(CLI::App& app, Options& o) {
   StabilityOptions& s = o.stability;
-  auto* command =
-      app.add_subcommand("stability", "run solvers on the suite of hard cases, and print how they did");
-  command->add_option("SUITE", s.suite, "folder of the suite; else tests/stability");
+  auto* command = app.add_subcommand(
+      "stability", "run strategies and solvers on the suite of hard cases, and print how they did");
+  command->add_option("SUITE", s.suite,
+                      "folder of the suite; else tests/stability here, or the installed one");
+  command->add_option("--strategy", s.strategies, "strategy; may be repeated, and stand beside solvers")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]")
+      ->allow_extra_args(false);
+  command->add_option("--without", s.without, "leave out an attempt of the strategy auto; may be repeated")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("PART")
+      ->allow_extra_args(false);
+  command->add_option("--set", o.set, "a value of every scene: analysis.newton.damping=0.1")
+      ->type_name("path=value")
+      ->allow_extra_args(false);
   command->add_option("--solver", s.solvers, "solver, as run takes it; may be repeated")
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("NAME[:key=value,…]")
@@ -146,6 +181,8 @@ void add_stability_command(CLI::App& app, Options& o) {
   command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases");
   command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
       ->check(CLI::Range(0.001, 1e6));
+  command->add_option("--work", s.work, "for one case, in factorisations of its tangent; else any")
+      ->check(CLI::Range(1.0, 1e9));
   command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
   command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
   command->add_option("--threads", o.threads, "threads of the assembly; else one")
@@ -161,14 +198,12 @@ void add_commands(CLI::App& app, Options& o) {
       ->type_name("FILE.hdf");
   run->add_flag("--resume", o.resume,
                 "go on with a motion from the .part that a killed or interrupted run left");
-  run->add_option("--looks", o.looks, "look so often for other shapes in which the gear may stand")
-      ->check(CLI::Range(0, 1000));
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
   add_plugin_options(*app.add_subcommand("list", "list all elements and solvers"), o);
   auto* describe = app.add_subcommand(
-      "describe", "parameters, terms and outputs of a component, or of the tables water and analysis");
+      "describe", "parameters, terms and outputs of a component, or of the tables water, analysis and gear");
   describe->add_option("TYPE", o.target, "such as rope/bar, newton, water")->required();
   add_plugin_options(*describe, o);
   add_plugin_options(*app.add_subcommand("schema", "JSON schema of scene files, for editors"), o);

@@ -12,15 +12,15 @@ namespace netloft::io {
 /// The command line, taken apart.
 struct Options {
   std::string command;               // run, plan, list, describe, schema, test
-  std::string kind;                  // new: element, law, solver, integrator
+  std::string kind;                  // new: element, law, solver, integrator, strategy
   std::string target;                // scene, component, plugin or result
   std::string other;                 // diff: the second result
   std::string output;                // -o
   bool resume = false;               // --resume
   bool error = false;                // --error
-  int looks = -1;                    // --looks; -1: as the scene says
   std::vector<std::int64_t> nodes;   // refine: --nodes
-  std::string solver;                // --solver NAME[:key=value[,key=value]]
+  std::string strategy;              // --strategy NAME[:key=value[,key=value]]
+  std::string solver;                // --solver, likewise
   std::vector<std::string> set;      // --set path=value
   std::vector<std::string> plugins;  // --plugins DIR
   bool scene_plugins = false;        // --scene-plugins

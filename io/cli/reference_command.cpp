@@ -25,7 +25,9 @@ struct Section {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
-      {"geometry", "Geometry", {{"key", "name"}, {"what it is", "doc"}}},
+      {"geometry",
+       "Geometry",
+       {{"key", "name"}, {"allowed", "allowed"}, {"default", "default"}, {"what it is", "doc"}}},
       {"parameters",
        "Parameters",
        {{"name", "name"}, {"allowed", "allowed"}, {"default", "default"}, {"what it is", "doc"}}},
@@ -80,8 +82,8 @@ Page page_of_table(const std::string& name, std::span<const netloft_parameter> k
 }
 
 std::vector<Page> all_pages(Registry& registry) {
-  std::vector<Page> pages = {page_of_table("water", water_keys()),
-                             page_of_table("analysis", analysis_keys())};
+  std::vector<Page> pages = {page_of_table("water", water_keys()), page_of_table("analysis", analysis_keys()),
+                             page_of_table("gear", gear_keys())};
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& c : components_of(plugin)) pages.push_back(page_of(c, plugin.origin));

@@ -91,6 +91,7 @@ int run_command(const Options& options) {
   if (options.resume)
     throw UsageError{"--resume goes on with motions; an equilibrium is found from its start"};
 
+  if (const auto why_not = session.the_case().why_unfit()) throw UsageError{*why_not};
   const auto levels = levels_for_errors(options, session.loaded());
   ResultFile file(output_file(options, session.loaded()));
   RunResult result;

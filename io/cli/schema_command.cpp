@@ -287,7 +287,7 @@ Json current_schema() {
   put(profile, "y", column("m/s", 50, "velocity along y at each z"), false);
   put(profile, "up", column("m/s", 50, "velocity upwards at each z"), false);
   put(profile, "t", column("s", 1e9, "times of the shares"), false);
-  put(profile, "share", column("1", 1e3, "share of the profile at each t"), false);
+  put(profile, "factor", column("1", 1e3, "factor on the profile at each t"), false);
   Json drift = columns_schema("velocity everywhere, over time",
                               {{"t", "s"}, {"x", "m/s"}, {"y", "m/s"}, {"up", "m/s"}});
   Json velocity = column("m/s", 50, "velocity [vx, vy, vz]");
@@ -335,12 +335,12 @@ class PartSchema {
   Json types_ = Json::array(), checks_ = Json::array(), offers_ = {{{"type", "object"}}};
 };
 
-/// The table that a solver or an integrator has in `analysis`.
-Json table_schema(const char* doc, std::span<const netloft_parameter> parameters) {
-  Json own = object();
-  own["description"] = doc;
+/// The table that solvers, integrators and strategies have in `analysis`; those of one plugin share it.
+void put_component(Json& analysis, const std::string& plugin, const char* doc,
+                   std::span<const netloft_parameter> parameters) {
+  Json& own = analysis["properties"][plugin];
+  if (own.is_null()) own = object(), own["description"] = doc;
   put_table(own, parameters);
-  return own;
 }
 
 /// Tables of a net plan, whose page is GEAR.md.
@@ -372,10 +372,18 @@ void put_gear(Json& scene) {
   put(scene, "hang", plan_schema("net plan: edges on ropes", true), false);
 }
 
-Json include_schema() {
-  return {{"type", "array"},
-          {"items", {{"type", "string"}}},
-          {"description", "files laid down first, relative to this one"}};
+/// What is read beside the scene itself.
+void put_files(Json& scene) {
+  put(scene, "include",
+      {{"type", "array"},
+       {"items", {{"type", "string"}}},
+       {"description", "files laid down first, relative to this one"}},
+      false);
+  put(scene, "catalogue",
+      {{"type", "array"},
+       {"items", text("a folder, relative to the scene")},
+       {"description", "folders with catalogues of one's own, searched first"}},
+      false);
 }
 
 }  // namespace
@@ -391,20 +399,14 @@ Json scene_schema(Registry& registry) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements)
       if (!e.element.rides_on) parts.add(e, plugin);  // else it comes with another
-    for (const auto& s : plugin.solvers)
-      analysis["properties"][plugin.origin.name] = table_schema(s.solver.doc, s.parameters);
-    for (const auto& i : plugin.integrators)
-      analysis["properties"][plugin.origin.name] = table_schema(i.integrator.doc, i.parameters);
+    for (const auto& s : plugin.solvers) put_component(analysis, name, s.solver.doc, s.parameters);
+    for (const auto& i : plugin.integrators) put_component(analysis, name, i.integrator.doc, i.parameters);
+    for (const auto& s : plugin.strategies) put_component(analysis, name, s.strategy.doc, s.parameters);
   }
   Json scene = object();
   scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   scene["title"] = "Netloft scene";
-  put(scene, "include", include_schema(), false);
-  put(scene, "catalogue",
-      {{"type", "array"},
-       {"items", text("a folder, relative to the scene")},
-       {"description", "folders with catalogues of one's own, searched first"}},
-      false);
+  put_files(scene);
   put(scene, "water", water, false);
   put(scene, "parts",
       {{"type", "object"},

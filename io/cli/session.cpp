@@ -18,10 +18,12 @@ int threads_for(const Options& options) {
 
 CaseSource source_of(const Options& options) {
   CaseSource source{options.target, options.set, threads_for(options)};
-  if (options.looks >= 0) source.overrides.push_back("analysis.looks=" + std::to_string(options.looks));
-  if (options.solver.empty()) return source;
+  const auto add = [&](const char* key, const std::string& specification) {
+    if (specification.empty()) return;
+    for (auto& word : overrides_of(key, specification)) source.overrides.push_back(std::move(word));
+  };
   try {
-    for (auto& word : solver_overrides(options.solver)) source.overrides.push_back(std::move(word));
+    add("strategy", options.strategy), add("solver", options.solver);
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
@@ -49,32 +51,12 @@ int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Option
   return code;
 }
 
-namespace {
-
-/// What the program does around the solver.
-std::string way_of(const Case& scene) {
-  const Analysis& analysis = scene.loaded().analysis;
-  if (!analysis.continuation) return "";
-  if (analysis.in_stages)
-    return "from soft to stiff first, tensions being unknowns, then over easier scenes where it does not "
-           "arrive";
-  const std::string chosen = analysis.automatic ? "chosen by auto, " : "";
-  if (scene.begins_in_cones())
-    return chosen +
-           "from where it rests if twines and ropes bear tension only, over coarser meshes and easier scenes "
-           "where it does not arrive";
-  return chosen +
-         "from coarser meshes where cells can be halved, over easier scenes where it does not arrive "
-         "(from soft to stiff first where the load would hardly stretch it)";
-}
-
-}  // namespace
-
 PlanExtras Session::plan_extras() {
   const auto factorisation =
       make_factorisation(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   return {loaded().analysis.solver, factorisation->description(), assembler().pattern().entries(),
-          threads_for(options_),    assembler().threads_used(),   way_of(case_)};
+          threads_for(options_),    assembler().threads_used(),   loaded().analysis.strategy,
+          case_.explain_strategy()};
 }
 
 }  // namespace netloft::io

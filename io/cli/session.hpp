@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/analysis/case.hpp"
+#include "io/case/case.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/terminal.hpp"
 #include "io/report/text.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
+#include "io/cli/prefix.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/terminal.hpp"
 #include "io/scene/dynamics.hpp"
@@ -15,27 +16,51 @@ namespace netloft::io {
 
 namespace {
 
-/// The columns that --solver names, with what the suite gives a solver of that name; else the suite's.
-std::vector<StabilityColumn> wanted_columns(const StabilitySuite& suite, const StabilityOptions& options) {
-  if (options.solvers.empty()) return suite.columns;
+constexpr const char* kSuiteOfTheSource = "tests/stability";
+
+std::filesystem::path find_suite(const StabilityOptions& options) {
+  if (!options.suite.empty()) return options.suite;
+  std::error_code none;
+  if (std::filesystem::is_directory(kSuiteOfTheSource, none)) return kSuiteOfTheSource;
+  return installed_data("suites/stability");
+}
+
+/// The columns that --strategy and --solver name; else the suite's.
+std::vector<StabilityColumn> named_columns(const StabilitySuite& suite, const StabilityOptions& options) {
   std::vector<StabilityColumn> columns;
-  for (const auto& word : options.solvers) {
-    const std::string name = word.substr(0, word.find(':'));
-    const auto same = std::find_if(suite.columns.begin(), suite.columns.end(), [&](const auto& column) {
-      return column.word.substr(0, column.word.find(':')) == name;
-    });
-    columns.push_back(
-        {word, same == suite.columns.end() ? std::vector<std::string>{} : same->overrides, {}, ""});
+  for (const auto& strategy : options.strategies) columns.push_back({"", strategy});
+  for (const auto& solver : options.solvers) columns.push_back(column_of(solver));
+  return columns.empty() ? suite.columns : columns;
+}
+
+/// What the suite gives a solver of that name.
+std::vector<std::string> overrides_in(const StabilitySuite& suite, const std::string& solver) {
+  const auto same = std::find_if(suite.columns.begin(), suite.columns.end(), [&](const auto& column) {
+    return component_of(column.solver) == component_of(solver);
+  });
+  return solver.empty() || same == suite.columns.end() ? std::vector<std::string>{} : same->overrides;
+}
+
+std::vector<StabilityColumn> wanted_columns(const StabilitySuite& suite, const Options& options) {
+  const StabilityOptions& o = options.stability;
+  auto columns = named_columns(suite, o);
+  for (auto& column : columns) {
+    if (!o.solvers.empty()) column.overrides = overrides_in(suite, column.solver);
+    leave_out(o.without, column);
+    column.overrides.insert(column.overrides.end(), options.set.begin(), options.set.end());
   }
   return columns;
 }
 
-/// Throws UsageError for a solver that was asked for by name and is not there, or cannot be understood.
+bool is_asked_for(const StabilityOptions& o) { return !o.solvers.empty() || !o.strategies.empty(); }
+
+/// Throws UsageError for a column that was asked for by name and is not there, or cannot be understood.
 bool is_there(const StabilityColumn& column, Registry& registry, bool asked_for) {
   try {
-    solver_overrides(column.word);
-    const std::string name = column.word.substr(0, column.word.find(':'));
-    if (name != "auto" && !is_integrator(registry, name)) registry.solver(name);
+    overrides_of(column);
+    const std::string solver = component_of(column.solver);
+    if (!solver.empty() && !is_integrator(registry, solver)) registry.solver(solver);
+    if (!column.strategy.empty()) registry.strategy(component_of(column.strategy));
     return true;
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
@@ -45,16 +70,17 @@ bool is_there(const StabilityColumn& column, Registry& registry, bool asked_for)
   }
 }
 
-std::vector<StabilityColumn> find_columns(const StabilitySuite& suite, const StabilityOptions& options,
+std::vector<StabilityColumn> find_columns(const StabilitySuite& suite, const Options& options,
                                           Registry& registry, Terminal& terminal) {
   std::vector<StabilityColumn> columns;
   for (auto& column : wanted_columns(suite, options)) {
-    if (is_there(column, registry, !options.solvers.empty()))
+    if (is_there(column, registry, is_asked_for(options.stability)))
       columns.push_back(std::move(column));
     else
-      terminal.say("there is no solver " + column.word + ": left out");
+      terminal.say("there is no " + column.head() + ": left out");
   }
-  if (columns.empty()) throw UsageError{"there is none of the suite's solvers; name one with --solver"};
+  if (columns.empty())
+    throw UsageError{"there is none of the suite's solvers; name one with --solver or --strategy"};
   return columns;
 }
 
@@ -73,7 +99,7 @@ RunOptions run_options(const Options& options, Terminal& terminal) {
   const StabilityOptions& o = options.stability;
   RunOptions run;
   run.sizes = o.sizes.empty() ? std::vector<std::string>{"small", "medium"} : o.sizes;
-  run.pattern = o.pattern, run.seconds = o.seconds, run.update = o.update_references;
+  run.pattern = o.pattern, run.seconds = o.seconds, run.work = o.work, run.update = o.update_references;
   run.threads = std::max(1, options.threads);
   run.interrupt = &interrupt_flag();
   run.on_row = [&](const Row& row) { terminal.say(row_text(row)); };
@@ -88,21 +114,22 @@ int stability_command(const Options& options) {
   Registry registry;
   find_plugins(options, registry);
   Diagnostics diagnostics;
-  const StabilitySuite suite = read_suite(o.suite, o.draw, diagnostics);
+  const std::filesystem::path folder = find_suite(o);
+  const StabilitySuite suite = read_suite(folder, o.draw, diagnostics);
   if (diagnostics.errors()) {
     terminal.say(diagnostics.render(terminal.color()));
     if (options.json) std::puts(errors_json(diagnostics, kWrongInput).c_str());
     return kWrongInput;
   }
-  const auto columns = find_columns(suite, o, registry, terminal);
+  const auto columns = find_columns(suite, options, registry, terminal);
   References references(suite.folder / "references.json");
   catch_interrupts();
   const auto rows = run_suite(suite, columns, references, registry, run_options(options, terminal));
   if (rows.empty() && !interrupt_flag())
-    throw UsageError{"no case of " + o.suite + " has these names and sizes"};
+    throw UsageError{"no case of " + folder.string() + " has these names and sizes"};
   if (o.update_references && !interrupt_flag()) references.save();
 
-  const MatrixTitle title{o.suite, o.draw};
+  const MatrixTitle title{folder.string(), o.draw};
   if (!o.html.empty()) write_page(o.html, matrix_html(title, rows));
   std::puts((options.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
   if (interrupt_flag()) return kInterrupted;

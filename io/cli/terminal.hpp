@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/problem/books.hpp"
+#include "framework/problem/statistics.hpp"
 
 #include <atomic>
 #include <string>

@@ -15,12 +15,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What PLUGIN.so, "rope", "rope/bar", "hydro/morison", "newton" or "newmark" stands for.
+/// What PLUGIN.so, "rope", "rope/bar", "hydro/morison", "newton", "newmark" or "auto" stands for.
 struct Targets {
   std::vector<const ElementType*> elements;
   std::vector<const LawType*> laws;
   std::vector<const SolverType*> solvers;
   std::vector<const IntegratorType*> integrators;
+  std::vector<const StrategyType*> strategies;
   std::string file;  // where they came from; empty if compiled in
 };
 
@@ -39,8 +40,10 @@ Targets find_targets(const std::string& target, Registry& registry) {
     if (!one || v.type == target) found.solvers.push_back(&v);
   for (const auto& i : plugin.integrators)
     if (!one || i.type == target) found.integrators.push_back(&i);
+  for (const auto& s : plugin.strategies)
+    if (!one || s.type == target) found.strategies.push_back(&s);
   if (one && found.elements.empty() && found.laws.empty() && found.solvers.empty() &&
-      found.integrators.empty())
+      found.integrators.empty() && found.strategies.empty())
     registry.element(target);  // says what there is
   return found;
 }
@@ -89,6 +92,7 @@ std::vector<ConformanceReport> check_all(const Targets& found, bool aloud) {
   for (const auto* l : found.laws) check(l->type, [&] { return check_law(*l); });
   for (const auto* s : found.solvers) check(s->type, [&] { return check_solver(*s); });
   for (const auto* i : found.integrators) check(i->type, [&] { return check_integrator(*i); });
+  for (const auto* s : found.strategies) check(s->type, [&] { return check_strategy(*s); });
   return reports;
 }
 

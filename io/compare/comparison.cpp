@@ -13,8 +13,8 @@ namespace netloft::io {
 
 namespace {
 
-// Two answers are one equilibrium if, brought to the round-off floor, they are this close for the size of the
-// gear; or within what is known of them.
+// Two answers, polished to the round-off floor, are the same equilibrium if no node lies farther apart than
+// kSame times the size of the gear, or kDoubt times the uncertainty of both answers.
 constexpr double kSame = 1e-6, kDoubt = 10;
 
 double size_of(const Scene& scene) {
@@ -75,10 +75,11 @@ class Comparing {
     return result;
   }
 
-  /// Where the method's tightest answer leads, against the reference.
+  /// Compares the method's answer at its tightest tolerance with the reference; returns nothing if both are
+  /// the same equilibrium.
   std::optional<OtherEquilibrium> find_other_equilibrium(const MethodResult& result) {
     const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),
-                                   [](const Trial& t) { return t.arrived(); });
+                                   [](const Trial& t) { return t.converged(); });
     if (last == result.trials.rend()) return {};
     Case fresh(source_for(source_, result.method, last->tolerance), registry_);
     fresh.open();
@@ -101,7 +102,8 @@ class Comparing {
       }
   }
 
-  /// By the cheapest method that arrived at the tightest tolerance, so that meshes differ by the mesh alone.
+  /// Uses the cheapest method that converged at the tightest tolerance, so that the meshes differ by nothing
+  /// but the mesh.
   void find_discretisation() {
     const CellList& list = *task_.cells;
     out_.discretisation =
@@ -114,7 +116,7 @@ class Comparing {
     const MethodResult* best = nullptr;
     const auto price = [](const MethodResult& m) { return m.trials.back().cpu_seconds; };
     for (const auto& m : out_.methods)
-      if (m.trials.back().arrived() && !m.other && (!best || price(m) < price(*best))) best = &m;
+      if (m.trials.back().converged() && !m.other && (!best || price(m) < price(*best))) best = &m;
     if (best) return best->method;
     const auto& first = out_.methods.front();
     return first.reference ? first.reference->method : first.method;
@@ -131,9 +133,9 @@ class Comparing {
 
 }  // namespace
 
-bool Comparison::any_arrived() const {
+bool Comparison::any_converged() const {
   return std::any_of(methods.begin(), methods.end(), [](const MethodResult& m) {
-    return std::any_of(m.trials.begin(), m.trials.end(), [](const Trial& t) { return t.arrived(); });
+    return std::any_of(m.trials.begin(), m.trials.end(), [](const Trial& t) { return t.converged(); });
   });
 }
 

@@ -7,7 +7,7 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kTolerance = 1e-10;  // solver errors must not be taken for those of the mesh
+constexpr double kTolerance = 1e-10;  // keeps solver errors well below those of the mesh
 
 CaseSource divided(const CaseSource& source, const MeshLevel& level) {
   CaseSource with = source;
@@ -24,13 +24,13 @@ MeshResult solve_level(const CaseSource& source, Registry& registry, const Metho
   Case fresh(source_for(mesh, method, kTolerance), registry);
   if (fresh.open() != Case::State::ready) throw std::runtime_error(fresh.diagnostics().render(false));
   result.unknowns = fresh.plan().unknowns;
-  if (result.trial.arrived()) places = places_of(fresh.loaded(), fresh.positions(result.trial.x));
+  if (result.trial.converged()) places = places_of(fresh.loaded(), fresh.positions(result.trial.x));
   return result;
 }
 
 double width(const MeshResult& level) { return 1.0 / static_cast<double>(level.cells); }
 
-/// Order of levels i − 2, i − 1, i.
+/// The observed order of convergence from levels i − 2, i − 1 and i.
 double order_at(const std::vector<Places>& places, const Discretisation& d, std::size_t i) {
   const Places& among = places[i - 2];
   return observed_order(mean_distance(places[i - 2], places[i - 1], among),
@@ -61,13 +61,13 @@ Discretisation find_discretisation_error(const CaseSource& source, Registry& reg
   Discretisation result;
   result.part = part;
   std::vector<Places> places;
-  bool all_arrived = true;
+  bool all_converged = true;
   for (const MeshLevel& level : levels) {
     places.emplace_back();
     result.levels.push_back(solve_level(source, registry, method, level, watch, places.back()));
-    all_arrived &= result.levels.back().trial.arrived();
+    all_converged &= result.levels.back().trial.converged();
   }
-  if (all_arrived) judge_meshes(places, result);
+  if (all_converged) judge_meshes(places, result);
   return result;
 }
 

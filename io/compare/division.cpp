@@ -17,7 +17,7 @@ namespace netloft::io {
 
 namespace {
 
-constexpr std::int64_t kMostCells = 100000;  // along one direction, as scenes have it
+constexpr std::int64_t kMostCells = 100000;  // along one direction, the same limit as in scenes
 constexpr std::int64_t kFewestWorthwhile = 2, kFewestNodes = 100;
 
 /// A factor by which cells are multiplied.
@@ -34,7 +34,7 @@ std::int64_t read_count(const std::string& word, const std::string& all) {
   const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), count);
   if (fault != std::errc{} || end != word.data() + word.size() || count < 1 || count > kMostCells)
     refuse(fmt::format(
-        "--cells {}: \"{}\" is no number of cells; write whole numbers from 1 to {}, such as 8,16,32", all,
+        "--cells {}: \"{}\" is not a number of cells; write whole numbers from 1 to {}, such as 8,16,32", all,
         word, kMostCells));
   return count;
 }
@@ -58,7 +58,7 @@ bool divides(const PartGeometry& part, Factor factor) {
   return std::all_of(part.cells.begin(), part.cells.end(), [&](int cells) { return factor.divides(cells); });
 }
 
-/// Parts that a factor acts on: all, or the one that is named.
+/// The parts that a factor applies to: all of them, or the one named `only`.
 std::vector<const PartGeometry*> divided_parts(const LoadedScene& loaded, const std::string& only) {
   std::vector<const PartGeometry*> parts;
   for (const auto& part : loaded.parts)
@@ -75,7 +75,7 @@ MeshLevel level(const std::vector<const PartGeometry*>& parts, std::int64_t cell
   for (const auto* part : parts) {
     if (!divides(*part, factor))
       refuse(fmt::format(
-          "--cells {}: \"{}\" has {} cells and would have {} of that, which is no whole number of cells",
+          "--cells {}: \"{}\" has {} cells and would have {} of that, which is not a whole number of cells",
           cells, part->name, fmt::join(part->cells, " x "), fmt::format("{}/{}", factor.up, factor.down)));
     made.overrides.push_back(spell_cells(*part, factor));
   }
@@ -90,14 +90,15 @@ Names names_of(const std::vector<const PartGeometry*>& parts) {
   return names;
 }
 
-/// Panels and ropes of a gear, by their numbers.
+/// The numbers of a gear's panels and ropes.
 std::vector<std::uint32_t> parts_of(const GearInScene& gear) {
   std::vector<std::uint32_t> parts = gear.panels;
   parts.insert(parts.end(), gear.ropes.begin(), gear.ropes.end());
   return parts;
 }
 
-/// "net.node-17": another node on another mesh, unless its part is not divided.
+/// Whether `text` names a node by its number ("net.node-17") in one of `parts`. Such a number means a
+/// different node on another mesh.
 bool names_a_divided_node(const std::string& text, const Names& parts) {
   const auto dot = text.find(".node-");
   return dot != std::string::npos && parts.contains(text.substr(0, dot));
@@ -119,23 +120,23 @@ void refuse_numbered_nodes(const LoadedScene& loaded, const Names& parts) {
   for_texts(document.root(), [&](const std::string& text, const Place& place) {
     if (names_a_divided_node(text, parts))
       refuse(diagnostics.where(place) + ": \"" + text +
-             "\" is another node on another mesh; name an edge, a corner or a middle to compare meshes");
+             "\" is a different node on another mesh; name an edge, a corner or a middle to compare meshes");
   });
 }
 
 }  // namespace
 
-CellList read_cell_list(const std::string& word) {
+CellList read_cell_list(const std::string& text) {
   CellList list;
-  const auto equals = word.find('=');
-  if (equals != std::string::npos) list.part = word.substr(0, equals);
+  const auto equals = text.find('=');
+  if (equals != std::string::npos) list.part = text.substr(0, equals);
   if (list.part.starts_with("parts.")) list.part.erase(0, 6);
-  std::istringstream counts((equals == std::string::npos ? word : word.substr(equals + 1)) + ",");
-  for (std::string count; std::getline(counts, count, ',');) list.cells.push_back(read_count(count, word));
+  std::istringstream counts((equals == std::string::npos ? text : text.substr(equals + 1)) + ",");
+  for (std::string count; std::getline(counts, count, ',');) list.cells.push_back(read_count(count, text));
   std::sort(list.cells.begin(), list.cells.end());
   if (list.cells.size() < 2 || std::adjacent_find(list.cells.begin(), list.cells.end()) != list.cells.end())
-    refuse("--cells " + word +
-           ": two or more different numbers of cells are wanted, better four, such as 8,16,32,64");
+    refuse("--cells " + text +
+           ": give two or more different numbers of cells, preferably four, such as 8,16,32,64");
   return list;
 }
 
@@ -169,7 +170,7 @@ MeshCount count_mesh(const LoadedScene& loaded) {
 
 std::vector<MeshLevel> gear_levels(const LoadedScene& loaded, const std::vector<std::int64_t>& nodes) {
   if (!loaded.gear)
-    refuse("this scene has no net plan whose nodes could be counted; divide its parts by cells");
+    refuse("this scene has no net plan, so it has no gear nodes to count; use --cells instead");
   Names parts;
   for (const auto part : parts_of(*loaded.gear)) parts.insert(loaded.parts[part].name);
   refuse_numbered_nodes(loaded, parts);

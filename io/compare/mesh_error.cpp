@@ -28,7 +28,7 @@ std::string note_on(const std::vector<NumbersOnMesh>& meshes) {
                                        : "first order assumed");
 }
 
-/// From the coarsest to the finest; the place of the one that was there before the others.
+/// Sorts from the coarsest mesh to the finest; returns the new index of the mesh that was first.
 std::size_t sort_meshes(std::vector<NumbersOnMesh>& meshes) {
   const std::int64_t own = meshes.front().mesh.count;
   std::sort(meshes.begin(), meshes.end(),

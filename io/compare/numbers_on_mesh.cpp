@@ -22,11 +22,12 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& 
   result.solution = one.solve(watch);
   const MeshCount mesh = count_mesh(one.loaded());
   if (result.solution.status != SolveStatus::converged) {
-    why_not = fmt::format("with {} {} it was {}", mesh.count, mesh.of, name_of(result.solution.status));
+    why_not =
+        fmt::format("with {} {} the result was {}", mesh.count, mesh.of, name_of(result.solution.status));
     return {};
   }
   collect(one.loaded(), one.assembler(), result);
-  return NumbersOnMesh{mesh, one.plan().unknowns, result.solution.books.total_seconds,
+  return NumbersOnMesh{mesh, one.plan().unknowns, result.solution.statistics.total_seconds,
                        std::move(result.scalars), std::move(result.gear)};
 }
 

@@ -11,16 +11,19 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-/// Shares are fractions of small integers; the offset keeps them off the edges between two units.
-std::int64_t in_units(double share) { return static_cast<std::int64_t>(std::floor(share * 1e9 + 0.317)); }
+/// Converts a fraction to units of 1e-9. Fractions are quotients of small integers; the offset
+/// keeps them away from the edges between two units.
+std::int64_t in_units(double fraction) {
+  return static_cast<std::int64_t>(std::floor(fraction * 1e9 + 0.317));
+}
 
-/// Own node -> shares across and along.
-std::array<double, 2> shares_of(const PartGeometry& part, std::size_t own, std::array<double, 2> size) {
+/// Returns the fractions of the width and of the length at which the part's node `own` lies.
+std::array<double, 2> fractions_of(const PartGeometry& part, std::size_t own, std::array<double, 2> size) {
   if (!part.panel.empty()) return {part.panel[own][0] / size[0], part.panel[own][1] / size[1]};
   return {part.nodes.size() > 1 ? double(own) / double(part.nodes.size() - 1) : 0.0, 0.0};
 }
 
-/// Meshes across and along.
+/// Returns the extent of the part across and along it, in meshes.
 std::array<double, 2> size_of(const PartGeometry& part) {
   std::array<double, 2> size{};
   for (const auto& at : part.panel)
@@ -30,7 +33,7 @@ std::array<double, 2> size_of(const PartGeometry& part) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]); }
 
-/// Calls visit(place in a, place in b) for the spots that both have.
+/// Calls visit(place in a, place in b) for every spot that both have.
 template <class Visit>
 void for_common(const Places& a, const Places& b, const Visit& visit) {
   for (const auto& [spot, place] : a)
@@ -45,7 +48,7 @@ Places places_of(const LoadedScene& loaded, std::span<const double> positions) {
     const PartGeometry& part = loaded.parts[p];
     const auto size = size_of(part);
     for (std::size_t own = 0; own < part.nodes.size(); ++own) {
-      const auto [s, t] = shares_of(part, own, size);
+      const auto [s, t] = fractions_of(part, own, size);
       const std::size_t at = 3 * std::size_t{part.nodes[own]};
       places[{p, {in_units(s), in_units(t)}}] = {positions[at], positions[at + 1], positions[at + 2]};
     }

@@ -21,14 +21,14 @@ void measure(StaticProblem& problem, Polished& p) {
   p.residual = balance.residual, p.load = balance.scale;
 }
 
-/// Of the largest coordinate [m]: no position is known better.
+/// The rounding unit of the largest coordinate [m]; no position is known better.
 double last_digit(const std::vector<double>& x) {
   double largest = 0;
   for (const double coordinate : x) largest = std::max(largest, std::abs(coordinate));
   return std::numeric_limits<double>::epsilon() * largest;
 }
 
-/// Where a Newton step leads; not evaluated when there is none.
+/// Takes one Newton step; the result is not evaluated if there is no such step.
 Polished next(StaticProblem& problem, const Polished& from) {
   Polished to;
   std::vector<double> step(from.u.size());
@@ -43,7 +43,8 @@ Polished next(StaticProblem& problem, const Polished& from) {
 
 Polished polish(Case& fresh, const std::vector<double>& u) {
   StaticProblem problem(fresh.assembler(), make_factorisation, {});
-  // Steps keep all their digits where nothing but positions moves.
+  // Steps start from the rounded positions plus their low-order part. This needs displacements that are
+  // positions alone, which they are not for bodies.
   const bool counts_from_there = !fresh.assembler().has_bodies();
   Polished best;
   best.u = u;
@@ -74,7 +75,7 @@ double factorisation_seconds(Case& fresh, const std::vector<double>& u) {
   const int how = p.factorise(p.host, NETLOFT_EXACT, 0) == NETLOFT_FACTOR_OK
                       ? NETLOFT_EXACT
                       : NETLOFT_EXACT | NETLOFT_INDEFINITE;
-  p.factorise(p.host, how, 0);  // what is done once is done
+  p.factorise(p.host, how, 0);  // the first call may do work that later calls reuse
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kTimings; ++i) {
     const double begun = cpu_seconds();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/compare/reference.hpp"
 
+#include "io/scene/keys.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -8,18 +10,18 @@ namespace netloft::io {
 
 namespace {
 
-// The first is what most solvers reach; a slow one that does not may still find the equilibrium.
+// Most solvers reach the first tolerance; a slow one that does not may still find the equilibrium.
 constexpr std::array<double, 3> kTolerances{1e-9, 1e-6, 1e-4};
-// In the order of trust; newton's two methods share little more than the name.
+// In decreasing order of trust. The two methods of newton have hardly any code in common.
 constexpr std::array<const char*, 6> kTrusted{
     "newton", "ptc", "lbfgs", "relaxation", "newton:method=classic", "newton:method=globalised"};
 
-/// What the solver found, polished; nothing if it did not arrive at any of the tolerances.
+/// Returns the polished answer of the solver, or nothing if it did not converge to any of the tolerances.
 std::optional<ReferenceAnswer> solve_for_reference(const CaseSource& source, Registry& registry,
                                                    const Method& method, const Watch& watch) {
   for (const double tolerance : kTolerances) {
     const Trial trial = run_trial(source, registry, method, tolerance, 1, watch);
-    if (!trial.arrived()) continue;
+    if (!trial.converged()) continue;
     Case fresh(source_for(source, method, tolerance), registry);
     fresh.open();
     return ReferenceAnswer{method, true, tolerance, trial.stability, polish(fresh, trial.u)};
@@ -30,8 +32,9 @@ std::optional<ReferenceAnswer> solve_for_reference(const CaseSource& source, Reg
 }  // namespace
 
 std::string plugin_of(const Method& method) {
-  const std::string name = method.word.substr(0, method.word.find_first_of(":/"));
-  return name == "auto" ? "newton" : name;
+  return method.specification.starts_with("strategy ")
+             ? kSolver
+             : method.specification.substr(0, method.specification.find_first_of(":/"));
 }
 
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
@@ -39,12 +42,13 @@ std::vector<Method> reference_methods(const Method& method, const std::vector<st
   if (!wanted.empty()) return {{wanted}};
   std::vector<Method> others;
   for (const bool own_plugin : {false, true})
-    for (const char* word : kTrusted) {
-      const Method other{word};
+    for (const char* specification : kTrusted) {
+      const Method other{specification};
       const bool is_there =
           std::find(available.begin(), available.end(), plugin_of(other)) != available.end();
       const bool is_same_plugin = plugin_of(other) == plugin_of(method);
-      if (is_there && is_same_plugin == own_plugin && other.word != method.word) others.push_back(other);
+      if (is_there && is_same_plugin == own_plugin && other.specification != method.specification)
+        others.push_back(other);
     }
   return others;
 }
@@ -59,9 +63,9 @@ std::optional<ReferenceAnswer> ReferenceAnswers::find_for(const Method& method) 
 }
 
 const std::optional<ReferenceAnswer>& ReferenceAnswers::answer_of(const Method& method) {
-  const auto known = found_.find(method.word);
+  const auto known = found_.find(method.specification);
   if (known != found_.end()) return known->second;
-  return found_[method.word] = solve_for_reference(source_, registry_, method, watch_);
+  return found_[method.specification] = solve_for_reference(source_, registry_, method, watch_);
 }
 
 }  // namespace netloft::io

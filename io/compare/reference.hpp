@@ -5,33 +5,33 @@
 
 namespace netloft::io {
 
-/// What errors of a method are measured against: the answer of another solver, brought to the round-off
-/// floor.
+/// The answer that errors of a method are measured against: found by another solver and brought to the
+/// round-off floor.
 struct ReferenceAnswer {
   Method method;
-  bool independent = true;  // found by another solver plugin than the method it judges
-  double tolerance = 0;     // to which that solver converged by itself
+  bool independent = true;  // found by another solver plugin than the method under test
+  double tolerance = 0;     // the tolerance to which that solver converged by itself
   Stability stability = Stability::unknown;
   Polished answer;
 };
 
-/// Solvers to ask for a reference for `method`, the best first; those of its own plugin come last, for no
-/// method grades itself while there is another. `available` are names of plugins; `wanted`, if not empty, is
-/// the only one asked.
+/// Solvers to ask for a reference for `method`, the best first. Those of its own plugin come last, so that no
+/// method is compared with itself while there is another. `available` lists names of plugins; if `wanted` is
+/// not empty, it is the only solver asked.
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted);
 
-/// The plugin of a method: "newton" of "newton:method=classic", and of "auto", which is newton with
-/// continuation.
+/// The solver plugin of a method: "newton" for "newton:method=classic"; for a strategy the default solver,
+/// which its stages use.
 std::string plugin_of(const Method& method);
 
-/// The answers of reference solvers to one scene, each found when first asked for.
+/// The answers of reference solvers to one scene, each computed on first use.
 class ReferenceAnswers {
  public:
   ReferenceAnswers(const CaseSource& source, Registry& registry, std::string wanted, const Watch& watch)
       : source_(source), registry_(registry), wanted_(std::move(wanted)), watch_(watch) {}
 
-  /// Nothing if none of the solvers arrives.
+  /// Returns nothing if none of the solvers converges.
   std::optional<ReferenceAnswer> find_for(const Method& method);
 
  private:

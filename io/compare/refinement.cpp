@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kRoundOff = 1e-12;  // of the value: less is no change
+constexpr double kRoundOff = 1e-12;  // relative to the value: a smaller difference counts as no change
 
 void add_trends(const Refinement& refinement, const std::string& group, Numbers numbers,
                 std::vector<RefinedNumber>& all) {

@@ -4,32 +4,33 @@
 
 namespace netloft::io {
 
-/// What a scene reports on finer and finer meshes.
+/// The numbers that a scene reports on finer and finer meshes.
 struct Refinement {
   std::string scene;
   std::vector<NumbersOnMesh> meshes;  // from the coarsest to the finest
-  std::vector<std::string> missing;   // sentences about meshes that gave no answer
+  std::vector<std::string> missing;   // sentences about meshes without an answer
 };
 
-/// One number on all meshes, and what it tends to.
+/// One number on all meshes, and its limit.
 struct RefinedNumber {
   std::string name, unit;      // "results/lowest_z", "gear/mouth/area", as in result files
-  std::vector<double> values;  // per mesh
-  Trend trend;                 // its error is that of the finest mesh
+  std::vector<double> values;  // one per mesh
+  Trend trend;                 // its error is the one of the finest mesh
 
-  /// By more than round-off.
+  /// Whether the values differ by more than round-off.
   bool varies() const;
 };
 
-/// Solves the scene on every mesh; what does not converge is left out, and said.
+/// Solves the scene on every mesh. A mesh that does not converge is left out and named in `missing`.
 Refinement refine(const CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
                   const Watch& watch);
 
-/// Named results, then figures of the gear, in the order in which the finest mesh reports them. Fewer than
-/// two meshes: nothing.
+/// Named results, then figures of the gear, in the order in which the finest mesh reports them; empty for
+/// fewer than two meshes.
 std::vector<RefinedNumber> find_trends(const Refinement& refinement);
 
-/// A line per number that varies with the mesh, but for figures by part; and as one JSON object, with all.
+/// refinement_text has a line for every number that varies with the mesh, except figures by part;
+/// refinement_json is one JSON object with all numbers.
 std::string refinement_text(const Refinement& refinement);
 std::string refinement_json(const Refinement& refinement);
 

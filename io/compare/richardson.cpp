@@ -11,7 +11,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastOrder = 0.3, kMostOrder = 4.5, kSteady = 0.5, kHighestOrder = 20;
 
-/// Right side of (2); rises with p.
+/// Right side of (2); increases with p.
 double ratio_of(double p, double h3, double h2, double h1) {
   return (std::pow(h3 / h1, p) - std::pow(h2 / h1, p)) / (std::pow(h2 / h1, p) - 1);
 }
@@ -22,7 +22,7 @@ double largest_difference(const std::vector<double>& values, std::size_t asked) 
   return largest;
 }
 
-/// The limit from the two finest levels, by (3).
+/// Sets the limit and the error from the two finest levels, by (3).
 void extrapolate(Trend& trend, double order, const std::vector<double>& values, const std::vector<double>& h,
                  std::size_t asked) {
   const std::size_t fine = values.size() - 1, coarse = fine - 1;

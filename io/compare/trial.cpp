@@ -13,7 +13,7 @@ Trial trial_of(Solution&& s, double tolerance) {
   Trial t;
   t.tolerance = tolerance;
   t.status = s.status, t.stability = s.stability, t.reason = std::move(s.reason);
-  t.cpu_seconds = s.books.solver_cpu_seconds, t.books = s.books;
+  t.cpu_seconds = s.statistics.solver_cpu_seconds, t.statistics = s.statistics;
   t.residual = s.balance.residual, t.load = s.balance.scale;
   t.estimate = s.correction, t.energy = s.energy;
   t.x = std::move(s.x), t.u = std::move(s.u);
@@ -24,7 +24,7 @@ Trial run_once(const CaseSource& source, Registry& registry, const Method& metho
                const Watch& watch) {
   Case fresh(source_for(source, method, tolerance), registry);
   if (fresh.open() != Case::State::ready)
-    throw std::runtime_error(method.word + ": " + fresh.diagnostics().render(false));
+    throw std::runtime_error(method.specification + ": " + fresh.diagnostics().render(false));
   return trial_of(fresh.solve(watch), tolerance);
 }
 
@@ -38,7 +38,12 @@ Trial not_tried(double tolerance) {
 
 CaseSource source_for(const CaseSource& source, const Method& method, double tolerance) {
   CaseSource with = source;
-  for (auto& word : solver_overrides(method.word)) with.overrides.push_back(std::move(word));
+  constexpr std::string_view kStrategyPrefix = "strategy ";
+  const bool is_strategy = method.specification.starts_with(kStrategyPrefix);
+  const auto overrides = is_strategy
+                             ? overrides_of("strategy", method.specification.substr(kStrategyPrefix.size()))
+                             : overrides_of("solver", method.specification);
+  with.overrides.insert(with.overrides.end(), overrides.begin(), overrides.end());
   with.overrides.push_back(fmt::format("analysis.tolerance={:e}", tolerance));
   return with;
 }
@@ -46,9 +51,9 @@ CaseSource source_for(const CaseSource& source, const Method& method, double tol
 Trial run_trial(const CaseSource& source, Registry& registry, const Method& method, double tolerance,
                 int repeats, const Watch& watch) {
   Trial best = run_once(source, registry, method, tolerance, watch);
-  for (int i = 1; i < repeats && best.arrived(); ++i) {
+  for (int i = 1; i < repeats && best.converged(); ++i) {
     Trial again = run_once(source, registry, method, tolerance, watch);
-    if (again.arrived() && again.cpu_seconds < best.cpu_seconds) best = std::move(again);
+    if (again.converged() && again.cpu_seconds < best.cpu_seconds) best = std::move(again);
   }
   return best;
 }
@@ -57,7 +62,7 @@ std::vector<Trial> run_trials(const CaseSource& source, Registry& registry, cons
                               const std::vector<double>& tolerances, int repeats, const Watch& watch) {
   std::vector<Trial> trials;
   for (const double tolerance : tolerances)
-    trials.push_back(trials.empty() || trials.back().arrived()
+    trials.push_back(trials.empty() || trials.back().converged()
                          ? run_trial(source, registry, method, tolerance, repeats, watch)
                          : not_tried(tolerance));
   return trials;

@@ -9,7 +9,8 @@ namespace netloft::io {
 
 namespace {
 
-constexpr std::size_t kMostCells = 4'000'000;  // of the table; beyond it nothing in the middle is matched
+// of the table; longer stretches are reported as changed entirely
+constexpr std::size_t kMostCells = 4'000'000;
 
 using Lines = std::vector<std::string>;
 
@@ -20,7 +21,8 @@ Lines split(const std::string& text) {
   return lines;
 }
 
-/// What two texts have in common at both ends is no part of the stretches [begin, a_end) and [begin, b_end).
+/// The stretches [begin, a_end) and [begin, b_end) that remain when the common head and tail of two texts are
+/// taken away.
 struct Middle {
   std::size_t begin = 0, a_end, b_end;
 
@@ -32,7 +34,7 @@ struct Middle {
   std::size_t columns() const { return b_end - begin; }
 };
 
-/// Lengths of the longest common sequences of all pairs of tails.
+/// Lengths of the longest common subsequences of all pairs of tails.
 class CommonTails {
  public:
   CommonTails(const Lines& a, const Lines& b, const Middle& m)

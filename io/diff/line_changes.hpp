@@ -7,14 +7,14 @@ namespace netloft::io {
 
 /// A line that only one of two texts has.
 struct LineChange {
-  bool is_new = false;  // in the second text; else it is gone from the first
-  int line = 0;         // of the text that has it, from 1
+  bool is_new = false;  // true: only the second text has it; false: only the first
+  int line = 0;         // its number in that text, from 1
   std::string text;
 };
 
 /// Lines that are gone and lines that are new, in the order of the texts: what is left when a longest common
-/// sequence of lines (Wagner and Fischer, J. ACM 21, 1974) is taken out of both. Texts that differ in very
-/// many lines are told apart as a whole from the first to the last that differs.
+/// sequence of lines (Wagner and Fischer, J. ACM 21, 1974) is taken out of both. If very many lines differ,
+/// all lines from the first difference to the last count as changed.
 std::vector<LineChange> find_line_changes(const std::string& before, const std::string& after);
 
 }  // namespace netloft::io

@@ -9,9 +9,10 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kRoundOff = 1e-12;  // of the larger number: less is no change
+constexpr double kRoundOff =
+    1e-12;  // relative to the larger number: a smaller difference counts as no change
 
-/// Of those that are known; unknown if none is.
+/// The sum of the errors that are known; unknown if none is.
 double sum_of_known(std::initializer_list<double> errors) {
   double sum = ResultNumber::kUnknown;
   for (const double error : errors)
@@ -41,7 +42,7 @@ std::vector<NumberDifference> compare_numbers(const ResultSummary& before, const
   return all;
 }
 
-/// What a command line changes of its scene: "--set path=value", "--solver name".
+/// The options of a command line that change its scene: "--set path=value", "--solver name".
 std::set<std::string> options_of(const std::vector<std::string>& command) {
   std::set<std::string> options;
   for (std::size_t i = 0; i < command.size(); ++i)
@@ -61,7 +62,8 @@ std::set<std::string> only_in(const std::set<std::string>& one, const std::set<s
 
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// The scene answers to the scene, every other file to the one of the same name; -1: to none.
+/// Pairs the scene with the scene and every other file with the one of the same name; -1 marks a file without
+/// a partner.
 std::vector<int> partners(const std::vector<InputText>& before, const std::vector<InputText>& after) {
   std::vector<int> partner(before.size(), -1);
   std::vector<bool> taken(after.size());
@@ -98,7 +100,7 @@ std::vector<std::string> compare_plugins(const ResultSummary& before, const Resu
     if (!after.plugins.contains(name))
       different.push_back(name + ", before only");
     else if (after.plugins.at(name) != hash)
-      different.push_back(name + ", of another build");
+      different.push_back(name + ", built differently");
   for (const auto& [name, hash] : after.plugins)
     if (!before.plugins.contains(name)) different.push_back(name + ", after only");
   return different;

@@ -7,32 +7,33 @@
 
 namespace netloft::io {
 
-/// One number in two results. What only one of them has is unknown in the other.
+/// One number in two results. If only one of them has it, the other value is unknown.
 struct NumberDifference {
   std::string name, unit;
   double before = ResultNumber::kUnknown, after = ResultNumber::kUnknown;
-  double error = ResultNumber::kUnknown;  // sum of all errors known of either; unknown: none is
+  double error = ResultNumber::kUnknown;  // sum of all known errors of both; unknown if there are none
 
   double difference() const { return after - before; }
-  /// Of what it was before; not known of zero.
+  /// The difference relative to the value before; unknown if that is zero.
   double percent() const;
-  /// By more than round-off.
+  /// Whether the difference exceeds round-off.
   bool is_changed() const;
-  /// Larger than the errors known of it.
+  /// Whether the difference exceeds the known errors.
   bool exceeds() const;
 };
 
-/// A file of the scene that is not the same in both, with its lines; or one that only one has.
+/// A file of the scene that differs between the results, with its lines; or a file that only one of them has.
 struct FileDifference {
-  std::string before, after;  // paths; empty: not there
+  std::string before, after;  // paths; empty: there is no such file
   std::vector<LineChange> lines;
 };
 
-/// What is not the same of the inputs of two results.
+/// The differences between the inputs of two results.
 struct InputDifferences {
-  std::set<std::string> options_before, options_after;  // "--set water.current=[1,0,0]" of one only
+  // options of only one, such as "--set water.current=[1,0,0]"
+  std::set<std::string> options_before, options_after;
   std::vector<FileDifference> files;
-  std::vector<std::string> plugins;  // of another build, or in one only
+  std::vector<std::string> plugins;  // built differently, or present in one only
   bool other_program = false;
 
   bool none() const;
@@ -46,7 +47,7 @@ struct ResultDiff {
   bool both_are_answers() const { return before.is_answer() && after.is_answer(); }
 };
 
-/// Forces by part are compared where neither result has figures of a gear, which say the same.
+/// Forces by part are compared only if neither result has gear figures, which contain the same forces.
 ResultDiff compare_results(ResultSummary before, ResultSummary after);
 
 }  // namespace netloft::io

@@ -10,13 +10,13 @@ namespace {
 const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/";
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-/// Reads one file; members are what there is to read, group by group.
+/// Reads one file; each member function reads one group of it.
 class SummaryReader {
  public:
   explicit SummaryReader(const std::filesystem::path& path) : reader_(path) {
     summary_.path = path.string();
     if (!reader_.has("/netloft/provenance") && !reader_.has("/netloft/checkpoint"))
-      throw FileError(summary_.path + " is no result of netloft: it has no /netloft/provenance");
+      throw FileError(summary_.path + " is not a result of netloft: it has no /netloft/provenance");
   }
 
   ResultSummary read() {
@@ -46,7 +46,7 @@ class SummaryReader {
     if (reader_.has_attribute(at, "sentence")) summary_.sentence = reader_.text_attribute(at, "sentence");
   }
 
-  /// All scalars below a group, however deep; `errors` is where theirs stand.
+  /// Adds all scalars below a group, at any depth; `errors` is the group that holds their errors.
   void add_scalars(const std::string& name, const std::string& group, const std::string& errors,
                    const std::string& below = "") {
     if (!reader_.has(kRoot + group + below)) return;

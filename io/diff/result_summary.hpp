@@ -8,7 +8,7 @@
 
 namespace netloft::io {
 
-/// A number of a result, with the errors that its file knows.
+/// A number of a result, with the errors that the file states for it.
 struct ResultNumber {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string unit;
@@ -20,18 +20,18 @@ struct InputText {
   std::string path, text;
 };
 
-/// What a result file says, and what it was made of (io/hdf5/LAYOUT.md).
+/// The contents of a result file, and the inputs it was computed from (io/hdf5/LAYOUT.md).
 struct ResultSummary {
   std::string path;
-  std::string outcome, sentence;  // empty: it has no status, a run that has not ended
+  std::string outcome, sentence;  // empty: the file has no status because the run has not ended
   bool has_gear = false;
   std::map<std::string, ResultNumber> numbers;  // "results/lowest_z", "gear/mouth/area", "held/warp/x"
   std::string version;                          // of the program
-  std::vector<std::string> command;             // word by word
+  std::vector<std::string> command;             // one argument each
   std::vector<InputText> files;                 // the first is the scene
   std::map<std::string, std::string> plugins;   // name -> hash
 
-  /// Whether its numbers are those of an answer.
+  /// Whether the numbers are those of a completed computation.
   bool is_answer() const { return outcome == "converged" || outcome == "finished"; }
 };
 

@@ -8,14 +8,14 @@ const std::string kAt = "/netloft/checkpoint/";
 }
 
 void write_checkpoint(Tree& tree, const MarchState& s, const std::string& scene) {
-  tree.write_reals(kAt + "time", std::vector<double>{s.t, s.h}, "s", "reached, and the step wanted next");
+  tree.write_reals(kAt + "time", std::vector<double>{s.t, s.h}, "s", "time reached, and the next step");
   tree.write_reals(kAt + "u", s.u, "m", "displacements of the unknowns");
   tree.write_reals(kAt + "v", s.v, "m/s", "velocities of the unknowns");
   tree.write_reals(kAt + "a", s.a, "m/s2", "accelerations, as the integrator left them");
-  tree.write_reals(kAt + "memory", s.memory, "1", "what elements remember");
+  tree.write_reals(kAt + "memory", s.memory, "1", "state of the elements");
   tree.write_reals(kAt + "budget", s.budget, "J", "sums of the energy budget");
-  tree.write_reals(kAt + "judged", s.judged, "J", "sums of who judges whether energy comes out of nothing");
-  tree.write_real(kAt + "load", s.least_load, "N", "what tolerances are a part of, at the least");
+  tree.write_reals(kAt + "judged", s.judged, "J", "sums of the check that no energy is created");
+  tree.write_real(kAt + "load", s.least_load, "N", "least load to which tolerances are relative");
   tree.write_ints(kAt + "counts",
                   std::vector<std::int64_t>{static_cast<std::int64_t>(s.outputs), s.steps, s.rejected}, "1",
                   "outputs, steps, steps rejected");
@@ -24,9 +24,9 @@ void write_checkpoint(Tree& tree, const MarchState& s, const std::string& scene)
 
 MarchState read_checkpoint(const Reader& reader, const std::string& scene) {
   if (!reader.has(kAt + "time") || !reader.has(kAt + "scene"))
-    throw FileError("the file holds no output to go on from");
+    throw FileError("the file has no output from which to continue");
   if (reader.text(kAt + "scene") != scene)
-    throw FileError("the file was made of another scene, or with other words on the command line");
+    throw FileError("the file belongs to another scene, or to another command line");
   const auto time = reader.reals(kAt + "time");
   const auto counts = reader.integers(kAt + "counts");
   MarchState s;

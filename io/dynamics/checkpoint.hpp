@@ -6,11 +6,11 @@
 
 namespace netloft::io {
 
-/// What a march goes on from, under /netloft/checkpoint. `scene` tells one scene from another: going on with
-/// another one is refused.
+/// Writes the state from which a march continues, under /netloft/checkpoint. `scene` identifies the scene;
+/// continuing with another one is refused.
 void write_checkpoint(Tree& tree, const MarchState& state, const std::string& scene);
 
-/// Throws FileError if there is none, or it is of another scene.
+/// Throws FileError if there is none, or if it belongs to another scene.
 MarchState read_checkpoint(const Reader& reader, const std::string& scene);
 
 }  // namespace netloft::io

@@ -12,14 +12,14 @@
 namespace netloft::io {
 
 double real_time_factor(const MotionResult& result) {
-  const double wall = result.march.books.total_seconds;
+  const double wall = result.march.statistics.total_seconds;
   return wall > 0 ? (result.march.t - result.resumed_from) / wall : 0;
 }
 
 std::string motion_text(const LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
   std::string text;
   const auto out = std::back_inserter(text);
-  const Books& b = r.march.books;
+  const Statistics& b = r.march.statistics;
   fmt::format_to(out, "{}: {}\n  {}\n", loaded.scene.name, name_of(r.march.status), r.march.reason);
   fmt::format_to(out, "  {} unknowns, {}, {} steps of {:.3g} to {:.3g} s, {} rejected, {} outputs\n",
                  plan.unknowns, loaded.analysis.dynamics.integrator, r.march.steps, r.march.shortest,
@@ -27,7 +27,8 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
   fmt::format_to(out, "  {} iterations, {} factorisations, {:.3g} s, {:.3g} CPU s; real-time factor {:.3g}\n",
                  b.iterations, b.factorisations, b.total_seconds, b.total_cpu_seconds, real_time_factor(r));
   if (r.march.stable_step > 0)
-    fmt::format_to(out, "  stable up to {:.3g} s by the tangent of the start\n", r.march.stable_step);
+    fmt::format_to(out, "  stable for steps up to {:.3g} s, by the tangent at the start\n",
+                   r.march.stable_step);
   for (const auto& s : r.scalars)
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8} {}\n", s.name, s.value, s.unit == "1" ? "" : s.unit,
                    s.doc + ", at the end");
@@ -41,7 +42,7 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
 
 std::string motion_json(const LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
   using Json = nlohmann::ordered_json;
-  const Books& b = r.march.books;
+  const Statistics& b = r.march.statistics;
   Json results = Json::object(), units = Json::object(), energies = Json::object();
   for (const auto& s : r.scalars) results[s.name] = s.value, units[s.name] = s.unit;
   for (const auto& [name, joules] : r.energies) energies[name] = joules;

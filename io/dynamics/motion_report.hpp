@@ -4,11 +4,11 @@
 
 namespace netloft::io {
 
-/// What came of a motion, for a person and for a program (one JSON object).
+/// The result of a motion, for people and for programs (one JSON object).
 std::string motion_text(const LoadedScene& loaded, const Plan& plan, const MotionResult& result);
 std::string motion_json(const LoadedScene& loaded, const Plan& plan, const MotionResult& result);
 
-/// Simulated time over wall time: above 1 it is faster than what it shows.
+/// Simulated time divided by wall time: above 1 the simulation is faster than real time.
 double real_time_factor(const MotionResult& result);
 
 }  // namespace netloft::io

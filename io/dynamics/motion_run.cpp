@@ -14,7 +14,7 @@ namespace {
 
 const std::string kEnergy = "energy/", kGear = "gear/";
 
-/// One run; the file is made at the first output, when it is known what an output holds.
+/// One run; the file is made at the first output, because the content of an output is known only then.
 class MotionRun {
  public:
   MotionRun(Case& the_case, const RunContext& context, const MotionOptions& options)
@@ -57,14 +57,14 @@ class MotionRun {
     file_.emplace(options_.output, layout_, killed_ ? &*killed_ : nullptr, result_.outputs);
   }
 
-  /// It was killed after its last output: nothing is left to do but to finish it.
+  /// The run was killed after its last output: the file only needs to be finished.
   void finish_killed(const MarchState& from) {
     describe_layout_of_killed(from);
     recall(read_state(*killed_, layout_, result_.outputs - 1).row);
     open_file();
   }
 
-  /// Numbers of the last output, as they are in the killed file.
+  /// Restores the numbers of the last output from the killed file.
   void recall(const std::vector<double>& row) {
     auto value = row.begin();
     for (auto& scalar : result_.scalars) scalar.value = *value++;
@@ -72,7 +72,7 @@ class MotionRun {
     for (auto& figure : result_.gear) figure.value = *value++;
   }
 
-  /// What an output holds, by making one of the place where it would go on.
+  /// Finds the content of an output by making one at the point of continuation.
   void describe_layout_of_killed(const MarchState& from) {
     Assembler& assembler = case_.assembler();
     MovingState state(assembler, 0);
@@ -99,7 +99,7 @@ class MotionRun {
     SeriesState state;
     layout_.changing.clear(), layout_.columns.clear();
     state.time = at.t;
-    state.points = by_node(loaded_, assembler, solution.x);
+    state.points = assembler.node_positions(solution.x);
     add_point_fields(at, solution, state);
     for (auto& cell : gather_outputs(loaded_, assembler, answer.outputs))
       layout_.changing.push_back(cell.spec), state.fields.push_back(std::move(cell.values));
@@ -109,6 +109,7 @@ class MotionRun {
     if (layout_.mesh.n_points == 0) {
       layout_.mesh = make_mesh(loaded_, assembler), layout_.fixed = label_points(loaded_);
       layout_.fixed.push_back(label_cells(loaded_, assembler));
+      layout_.fixed.push_back(label_corners(loaded_, assembler));
     }
     return state;
   }
@@ -121,11 +122,10 @@ class MotionRun {
       const auto held = assembler.reaction(node, solution.residual);
       reaction.insert(reaction.end(), held.begin(), held.end());
     }
-    const std::vector<double> rates(at.v.begin(), at.v.end());
     layout_.changing = {{"displacement", "m", "movement from the sketch", Location::kPoint, 3, false},
                         {"velocity", "m/s", "velocity", Location::kPoint, 3, false},
-                        {"reaction", "N", "force of what holds the node", Location::kPoint, 3, false}};
-    state.fields = {displacement, by_node(loaded_, assembler, rates), reaction};
+                        {"reaction", "N", "force of the hold on the node", Location::kPoint, 3, false}};
+    state.fields = {displacement, assembler.node_positions(at.v), reaction};
   }
 
   void add_row(const Snapshot& at, const Solution& solution, const FamilyOutputs& outputs,
@@ -143,7 +143,7 @@ class MotionRun {
     const auto names = at.budget->names();
     const auto values = at.budget->values();
     for (std::size_t k = 0; k < names.size(); ++k) {
-      layout_.columns.push_back({kEnergy + names[k], "J", "of the energy budget"});
+      layout_.columns.push_back({kEnergy + names[k], "J", "contribution to the energy budget"});
       state.row.push_back(values[k]);
       result_.energies.emplace_back(names[k], values[k]);
     }
@@ -157,10 +157,10 @@ class MotionRun {
     }
   }
 
-  /// Where outputs lie between steps, forces are those of the end of a step.
+  /// If outputs lie between steps, forces are those of the end of a step.
   void add_moment_of_forces(const Snapshot& at, SeriesState& state) {
     if (!loaded_.analysis.dynamics.march.dense) return;
-    layout_.columns.push_back({"forces_time", "s", "end of the step that forces and outputs are of"});
+    layout_.columns.push_back({"forces_time", "s", "end of the step to which forces and outputs belong"});
     state.row.push_back(at.forces.t);
   }
 
@@ -173,10 +173,9 @@ class MotionRun {
     file_->finish([&](Tree& tree) {
       tree.set_attribute("/netloft/status", "outcome", std::string_view(name_of(result_.march.status)));
       tree.set_attribute("/netloft/status", "sentence", std::string_view(result_.march.reason));
-      write_origins(tree, loaded_, context_, result_.march.books);
-      tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "steps in time");
-      tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1",
-                     "steps that were tried again");
+      write_origins(tree, loaded_, context_, result_.march.statistics);
+      tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
+      tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
       write_gear(tree, loaded_, result_.gear);
       for (const auto& s : result_.scalars)
         tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");

@@ -20,7 +20,7 @@ std::string item(const std::string& file, const std::string& path, const std::ve
       extents, file, path);
 }
 
-/// Cells as XDMF wants them: type, number of nodes where the type does not say it, nodes.
+/// Cells in XDMF's order: type, number of nodes if the type does not imply it, nodes.
 std::string topology(const Reader& reader) {
   const auto nodes = reader.integers("/VTKHDF/Connectivity"), offsets = reader.integers("/VTKHDF/Offsets");
   std::string mixed;

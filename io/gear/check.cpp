@@ -7,14 +7,14 @@
 
 namespace netloft::io {
 
-void check_plan(Plan& plan, Diagnostics& diagnostics, const CheckLimits& limits) {
+void check_plan(NetPlan& plan, Diagnostics& diagnostics, const CheckLimits& limits) {
   check_panels(plan, limits, diagnostics);
   const int errors_before = diagnostics.errors();
   check_joins(plan, limits, diagnostics);
   check_hangings(plan, limits, diagnostics);
   check_ropes(plan, limits, diagnostics);
   check_pieces(plan, diagnostics);
-  // A wrong name leaves something unconnected, which is no second error.
+  // A wrong name leaves parts unconnected; that is not reported as a second error.
   if (diagnostics.errors() == errors_before) check_connections(plan, diagnostics);
   if (diagnostics.errors() == 0) check_spans(plan, limits, diagnostics);
 }
@@ -26,6 +26,6 @@ std::string in_meshes(double meshes) {
 
 std::string in_metres(double metres) { return fmt::format("{:.4g}", metres); }
 
-std::string in_percent(double share) { return fmt::format("{:+.1f} %", 100 * share); }
+std::string in_percent(double fraction) { return fmt::format("{:+.1f} %", 100 * fraction); }
 
 }  // namespace netloft::io

@@ -16,13 +16,14 @@ namespace {
 constexpr const char* kRates =
     "rates are written AB, AN, 5B1P, 1N2B, 3B1M: bars, then points or meshes, of one cycle";
 
-/// By how much the cuttings miss the aft edge, as a share of it; of a plan that does not state it, nothing.
+/// The misfit of the cuttings at the aft edge, relative to its count; zero if the plan does not state the
+/// count.
 double misses_by(const Panel& panel) {
   const double aft = panel.count(panel.aft);
   return panel.states_aft ? std::abs(aft_by_cuttings(panel) - aft) / std::max(1.0, aft) : 0;
 }
 
-/// The panel as it would be if one of its cuts were at another rate.
+/// The panel with one of its cuts at another rate.
 Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string& rate) {
   auto& side = is_outer ? panel.outer : panel.inner;
   side[which].rate = *parse_rate(rate), side[which].is_known = true;
@@ -30,7 +31,7 @@ Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string
   return panel;
 }
 
-/// Of the rates that a blurred letter may hide, the one that closes the panel best. Empty: none is near.
+/// The rate that closes the panel best among those that a blurred letter may hide; empty if none is near.
 std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
   std::string best;
@@ -44,7 +45,8 @@ std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
 
 void say_no_rate(const Panel& panel, const Cut& cut, const std::string& proposed, const Panel& mended,
                  const Cut& meant, const CheckLimits& limits, Diagnostics& diagnostics) {
-  const std::string said = fmt::format("{}.{}: cutting \"{}\" is no rate", panel.name, cut.name, cut.written);
+  const std::string said =
+      fmt::format("{}.{}: cutting \"{}\" is not a rate", panel.name, cut.name, cut.written);
   if (proposed.empty()) return diagnostics.error(cut.place, said, kRates);
   const bool fits = misses_by(mended) <= limits.closing_error;
   diagnostics.error(cut.place,
@@ -71,7 +73,7 @@ bool all_rates_are_known(const Panel& panel) {
          std::all_of(panel.inner.begin(), panel.inner.end(), known);
 }
 
-/// What would close a panel: another aft count, or another depth of one of its cuts.
+/// A hint how to close a panel: another aft count, or another depth of one of its cuts.
 std::string closing_cure(const Panel& panel, double difference) {
   std::string cure = fmt::format("aft = {}", in_meshes(aft_by_cuttings(panel)));
   const double sides = panel.stands == Standing::middle ? 2 : 1;
@@ -90,12 +92,13 @@ void check_closing(const Panel& panel, const CheckLimits& limits, Diagnostics& d
         panel.place,
         fmt::format("{}: its sides meet before the aft edge: the cuttings give {} meshes there", panel.name,
                     in_meshes(cut)),
-        "a side that should go out may be written as going in");
+        "one of its sides may go out instead of in");
   if (!panel.states_aft || std::abs(difference) <= limits.closing_meshes) return;
-  const double share = difference / std::max(1.0, planned);
-  const std::string message = fmt::format("{}.aft: the cuttings give {} meshes, the plan says {}, {}",
-                                          panel.name, in_meshes(cut), in_meshes(planned), in_percent(share));
-  if (std::abs(share) > limits.closing_error)
+  const double fraction = difference / std::max(1.0, planned);
+  const std::string message =
+      fmt::format("{}.aft: the cuttings give {} meshes, the plan says {}, {}", panel.name, in_meshes(cut),
+                  in_meshes(planned), in_percent(fraction));
+  if (std::abs(fraction) > limits.closing_error)
     diagnostics.error(panel.aft_place, message, closing_cure(panel, difference));
   else
     diagnostics.warning(panel.aft_place, message, closing_cure(panel, difference));
@@ -110,7 +113,7 @@ void check_depth(const Panel& panel, const std::vector<Cut>& side, const char* n
   const std::string message =
       fmt::format("{}.{}: its cuttings go {} meshes deep, the panel {}, {}", panel.name, name,
                   in_meshes(deep), in_meshes(panel.depth), in_percent(difference / panel.depth));
-  const std::string cure = "leave out the depth of one of its cuts, and it takes what is left";
+  const std::string cure = "leave out the depth of one of its cuts, which then takes the rest";
   if (std::abs(difference) > limits.closing_error * panel.depth)
     diagnostics.error(side.front().place, message, cure);
   else
@@ -142,8 +145,8 @@ void check_twine(const Panel& panel, Diagnostics& diagnostics) {
                       "mesh is the stretched mesh size: two bars");
 }
 
-/// Netting must be left between what seams gather of a panel. If none is, the rest is checked as if they
-/// gathered nothing.
+/// Netting must be left between the selvedges of a panel. If none is left, the remaining checks ignore the
+/// selvedges.
 void check_selvedges(Panel& panel, Diagnostics& diagnostics) {
   double gathered = 0;
   for (const auto* side : {&panel.outer, &panel.inner}) {
@@ -163,7 +166,7 @@ void check_selvedges(Panel& panel, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_panels(Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_panels(NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
   for (auto& panel : plan.panels) {
     mend_side(panel, true, limits, diagnostics);
     mend_side(panel, false, limits, diagnostics);

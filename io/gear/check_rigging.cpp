@@ -13,7 +13,7 @@ namespace netloft::io {
 
 namespace {
 
-/// Edges in a row that one side of a join names, counted over the whole gear.
+/// The edges in a row on one side of a join, counted over the whole gear.
 struct Row {
   std::string name;      // "bottom-wing.side + bottom-body.side"
   double meshes = 0;     // to port and to starboard
@@ -23,7 +23,7 @@ struct Row {
   bool is_side = false, is_one_mesh_size = true, is_sound = true;
 };
 
-Row read_row(const Plan& plan, const std::vector<std::string>& names, const Place& place,
+Row read_row(const NetPlan& plan, const std::vector<std::string>& names, const Place& place,
              const std::string& path, Diagnostics& diagnostics) {
   Row row;
   for (const auto& name : names) {
@@ -41,7 +41,8 @@ Row read_row(const Plan& plan, const std::vector<std::string>& names, const Plac
   return row;
 }
 
-/// Meshes are counted where they can be; a side on a fore edge, or sides of other meshes, are measured.
+/// Joins are compared by mesh counts if possible; a join with a side edge, or of edges with other meshes, by
+/// length.
 bool is_counted(const Row& a, const Row& b) {
   if (a.is_side != b.is_side) return false;
   return !a.is_side || (a.is_one_mesh_size && b.is_one_mesh_size && a.mesh == b.mesh);
@@ -59,8 +60,8 @@ void say_mismatch(const Join& join, const std::string& path, const Row& a, const
   const std::string message = fmt::format(
       "{}: {} has {}, {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b), in_percent(off),
       join.take_up > 0 ? fmt::format(" of the take-up {:.3g}", join.take_up) : "");
-  const std::string cure = fmt::format(
-      "take_up = {:.4g}, if that many meshes of the second are meant to go to one of the first", ratio);
+  const std::string cure =
+      fmt::format("take_up = {:.4g}, if that many meshes of the second belong to one of the first", ratio);
   if (std::abs(off) > limits.joining_error)
     diagnostics.error(join.places[1], message, cure);
   else
@@ -79,7 +80,7 @@ void check_match(const Join& join, const std::string& path, const Row& a, const 
   say_mismatch(join, path, a, b, second / first, limits, diagnostics);
 }
 
-/// Edges sewn mesh to mesh whose meshes are of so different a size that the wider ones can hardly open.
+/// Warns about edges sewn mesh to mesh whose mesh sizes differ so much that the wider meshes can hardly open.
 void check_widths(const Join& join, const std::string& path, const Row& a, const Row& b,
                   const CheckLimits& limits, Diagnostics& diagnostics) {
   const double narrow = std::min(a.stretched, b.stretched), wide = std::max(a.stretched, b.stretched);
@@ -90,10 +91,10 @@ void check_widths(const Join& join, const std::string& path, const Row& a, const
           "{}: {} is {} m wide when stretched, {} {} m: the wider meshes would be bunched, ratio {:.2g}",
           path, a.name, in_metres(a.stretched / a.times), b.name, in_metres(b.stretched / b.times),
           narrow / wide),
-      "is the mesh size of either a bar instead of two, or is take_up missing?");
+      "one mesh size may be that of one bar instead of two, or take_up may be missing");
 }
 
-/// Things that may be done to an edge once only. Names may overlap: "body.fore" holds "body.bosom".
+/// Registers what may be done to an edge only once. Names may overlap: "body.fore" contains "body.bosom".
 class Ledger {
  public:
   explicit Ledger(const char* deed) : deed_(deed) {}
@@ -115,16 +116,17 @@ class Ledger {
   std::map<std::string, Place> done_;
 };
 
-/// What is sewn to itself is there to port and to starboard.
+/// An edge that is sewn to itself must exist to port and to starboard.
 void check_sewn_to_itself(const Join& join, const std::string& path, const Row& row,
                           Diagnostics& diagnostics) {
   if (row.times != 2)
     diagnostics.error(join.places[1],
-                      fmt::format("{}: {} is there once and cannot be sewn to itself", path, row.name),
+                      fmt::format("{}: {} exists once and cannot be sewn to itself", path, row.name),
                       "sides of a middle panel can, and edges of a pair");
 }
 
-/// Length of rope that a hanging takes on the whole gear, of a rope in the middle; on one side of a pair [m].
+/// Length of rope that a hanging takes [m]: on the whole gear for a rope in the middle, on one side for a
+/// rope of a pair.
 double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rope) {
   const double once = hanging.length > 0 ? hanging.length : hanging.ratio * edge.stretched();
   return rope.stands == Standing::middle ? edge.times() * once : once;
@@ -145,26 +147,24 @@ void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::strin
   else if (ratio < limits.bunching)
     diagnostics.warning(
         hanging.place, said + fmt::format(": its meshes would be bunched, ratio {:.2g}", ratio),
-        "a hanging ratio is rarely below 0.3; is the length that of one stretch of the edge?");
+        "a hanging ratio is rarely below 0.3; the length may be that of one part of the edge");
 }
 
-/// An edge that is there twice needs a rope on both sides, and a rope of a pair an edge on its own.
+/// An edge that exists twice needs a rope on both sides, and a rope of a pair needs an edge of its own.
 void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const std::string& path,
                  Diagnostics& diagnostics) {
   const bool is_twice = edge.times() == 2;
   if (rope.stands == Standing::alone && is_twice)
-    diagnostics.error(
-        h.rope_place,
-        fmt::format("{}: {} is there to port and to starboard, {} once", path, h.edge, rope.name),
-        "stands = \"pair\" of the rope, or \"middle\" if it runs from one side to the other");
+    diagnostics.error(h.rope_place,
+                      fmt::format("{}: {} exists to port and to starboard, {} once", path, h.edge, rope.name),
+                      "stands = \"pair\" of the rope, or \"middle\" if it runs from one side to the other");
   if (rope.stands == Standing::pair && !is_twice)
-    diagnostics.error(
-        h.rope_place,
-        fmt::format("{}: {} is there once, {} to port and to starboard", path, h.edge, rope.name),
-        "stands = \"middle\" of a rope that runs from one side to the other");
+    diagnostics.error(h.rope_place,
+                      fmt::format("{}: {} exists once, {} to port and to starboard", path, h.edge, rope.name),
+                      "stands = \"middle\" of a rope that runs from one side to the other");
 }
 
-const Rope* find_rope_or_say(const Plan& plan, const std::string& name, const Place& place,
+const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const Place& place,
                              const std::string& path, Diagnostics& diagnostics) {
   const Rope* rope = plan.find_rope(name);
   std::vector<std::string> names;
@@ -177,7 +177,7 @@ const Rope* find_rope_or_say(const Plan& plan, const std::string& name, const Pl
 
 std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]", key, i); }
 
-double hung_on(const Plan& plan, const Rope& rope) {
+double hung_on(const NetPlan& plan, const Rope& rope) {
   double sum = 0;
   Diagnostics silent;
   for (const auto& h : plan.hangings) {
@@ -188,7 +188,7 @@ double hung_on(const Plan& plan, const Rope& rope) {
   return sum;
 }
 
-void check_rope_length(const Plan& plan, const Rope& rope, const CheckLimits& limits,
+void check_rope_length(const NetPlan& plan, const Rope& rope, const CheckLimits& limits,
                        Diagnostics& diagnostics) {
   const double hung = hung_on(plan, rope), missing = hung - rope.length;
   if (missing <= limits.rounding * rope.length) return;
@@ -202,8 +202,8 @@ void check_rope_length(const Plan& plan, const Rope& rope, const CheckLimits& li
     diagnostics.warning(rope.place, message, cure);
 }
 
-/// A rope that is there once cannot end at what is there twice.
-void check_end(const Plan& plan, const Rope& rope, const std::string& end, Diagnostics& diagnostics) {
+/// A rope that exists once cannot end at a point that exists twice.
+void check_end(const NetPlan& plan, const Rope& rope, const std::string& end, Diagnostics& diagnostics) {
   const std::string path = "ropes." + rope.name + ".between";
   if (find_point_owner(plan, end, rope.between_place, path, diagnostics).empty()) return;
   const bool is_once =
@@ -211,12 +211,12 @@ void check_end(const Plan& plan, const Rope& rope, const std::string& end, Diagn
   if (is_once && standing_of_point(plan, end) == Standing::pair)
     diagnostics.error(
         rope.between_place,
-        fmt::format("{}: {} is there to port and to starboard, {} once", path, end,
+        fmt::format("{}: {} exists to port and to starboard, {} once", path, end,
                     rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
         "stands = \"pair\" of the rope; one in the middle starts in the middle and ends on both sides");
 }
 
-/// Panels, ropes and points that hang together, as sets that grow into one another.
+/// Sets of connected panels, ropes and points.
 class Connections {
  public:
   void add(const std::string& name, const Place& place) {
@@ -248,7 +248,7 @@ class Connections {
   }
   void say(const std::vector<std::size_t>& group, Diagnostics& diagnostics) const {
     const std::string others =
-        group.size() > 1 ? fmt::format(" and {} more are joined to one another only", group.size() - 1)
+        group.size() > 1 ? fmt::format(" and {} more are joined to each other only", group.size() - 1)
                          : " is joined to nothing";
     diagnostics.error(
         places_[group[0]], names_[group[0]] + others,
@@ -270,7 +270,7 @@ void connect_join(Connections& all, const Join& join) {
 
 }  // namespace
 
-void check_joins(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_joins(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
   Ledger sewn("sewn");
   Diagnostics silent;
   for (std::size_t i = 0; i < plan.joins.size(); ++i) {
@@ -288,7 +288,7 @@ void check_joins(const Plan& plan, const CheckLimits& limits, Diagnostics& diagn
   }
 }
 
-void check_hangings(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_hangings(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
   Ledger hung("hung");
   for (std::size_t i = 0; i < plan.hangings.size(); ++i) {
     const Hanging& h = plan.hangings[i];
@@ -302,7 +302,7 @@ void check_hangings(const Plan& plan, const CheckLimits& limits, Diagnostics& di
   }
 }
 
-void check_ropes(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
   for (const auto& rope : plan.ropes) {
     check_rope_length(plan, rope, limits, diagnostics);
     for (const auto& end : rope.between)
@@ -310,7 +310,7 @@ void check_ropes(const Plan& plan, const CheckLimits& limits, Diagnostics& diagn
   }
 }
 
-void check_pieces(const Plan& plan, Diagnostics& diagnostics) {
+void check_pieces(const NetPlan& plan, Diagnostics& diagnostics) {
   for (const auto& pieces : plan.pieces) {
     const std::string path = "floats." + pieces.name + ".spread";
     if (pieces.is_along_edge())
@@ -322,7 +322,7 @@ void check_pieces(const Plan& plan, Diagnostics& diagnostics) {
   }
 }
 
-void check_connections(const Plan& plan, Diagnostics& diagnostics) {
+void check_connections(const NetPlan& plan, Diagnostics& diagnostics) {
   Connections all;
   for (const auto& panel : plan.panels) all.add(panel.name, panel.place);
   for (const auto& rope : plan.ropes) all.add(rope.name, rope.place);

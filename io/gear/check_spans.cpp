@@ -13,7 +13,7 @@ namespace netloft::io {
 
 namespace {
 
-/// Ropes between points and ends of ropes, for the shortest way along them.
+/// Ropes between points and ends of ropes, as a graph for shortest paths.
 class RopeWays {
  public:
   explicit RopeWays(const Gear& gear) {
@@ -26,7 +26,8 @@ class RopeWays {
     }
   }
 
-  /// Lengths of rope from one point to all that can be reached, by E. W. Dijkstra (1959).
+  /// Lengths of the shortest paths along ropes from one point to all that can be reached (E. W. Dijkstra
+  /// 1959).
   std::map<std::string, double> from(const std::string& start) const {
     std::map<std::string, double> reached;
     std::set<std::pair<double, std::string>> next = {{0, start}};
@@ -65,10 +66,10 @@ void say_too_short(const GearPoint& a, const GearPoint& b, double length, Diagno
 
 }  // namespace
 
-void check_spans(const Plan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_spans(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
   const Gear gear = make_gear(plan, Extent::whole);
   const RopeWays ways(gear);
-  std::set<std::pair<const Point*, const Point*>> said;  // port and starboard say the same
+  std::set<std::pair<const Point*, const Point*>> said;  // port and starboard would give the same message
   for (std::size_t i = 0; i < gear.points.size(); ++i) {
     const GearPoint& a = gear.points[i];
     if (!a.at) continue;

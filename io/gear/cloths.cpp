@@ -9,7 +9,7 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kHalfAngle = std::numbers::pi / 6;  // of meshes opened by one half
+constexpr double kHalfAngle = std::numbers::pi / 6;  // of meshes with an opening of one half
 
 PanelPoint between(PanelPoint a, PanelPoint b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
@@ -21,7 +21,7 @@ bool is_named_in(const std::vector<Cut>& side, const std::string& name) {
   });
 }
 
-/// Cuts the panels of one gear; members are steps in the order they happen.
+/// Makes the cloths of one gear; the member functions are steps in the order of execution.
 class Cutter {
  public:
   explicit Cutter(const Gear& gear) : gear_(gear) {}
@@ -51,7 +51,8 @@ class Cutter {
     name_corners();
   }
 
-  /// What lies on the side of `sign`, and the line along which it meets the other half.
+  /// Adds the half on the side of `sign` of a middle panel, with the line along which it meets the other
+  /// half.
   void add_half(std::size_t p, double sign) {
     begin(p, sign < 0, sign);
     std::vector<ClothSide> ring;
@@ -84,7 +85,7 @@ class Cutter {
     return side;
   }
 
-  /// Port halves are run through the other way, with x outwards.
+  /// Reverses the order of sides for port halves, so that x points outwards.
   static void reverse(std::vector<ClothSide>& ring) {
     std::reverse(ring.begin(), ring.end());
     for (auto& side : ring) {
@@ -94,7 +95,8 @@ class Cutter {
     }
   }
 
-  /// The side that starts in the middle comes first; the last one ends there.
+  /// Rotates the order of sides so that the one that starts in the middle comes first; the last one ends
+  /// there.
   static void begin_at_middle(std::vector<ClothSide>& ring) {
     const auto first = std::min_element(ring.begin(), ring.end(), [](const ClothSide& a, const ClothSide& b) {
       return a.from.x != b.from.x ? a.from.x < b.from.x : a.from.y < b.from.y;
@@ -125,7 +127,7 @@ class Cutter {
     all_.sides.push_back(side);
   }
 
-  /// A side without extent has its corners where its neighbours meet.
+  /// The corners of a side without extent are where its neighbours meet.
   void name_corners() {
     Cloth& cloth = all_.cloths.back();
     const std::size_t n = cloth.sides.size();
@@ -147,7 +149,7 @@ class Cutter {
 
   const ClothSide& at(const Cloth& cloth, std::size_t k) const { return all_.sides[cloth.sides[k]]; }
 
-  /// The plan's name of an edge.
+  /// The name of an edge in the plan.
   std::string own_name(const Cloth& cloth, std::size_t k) const {
     const std::string& name = gear_.panels[cloth.panel].outline.edges[at(cloth, k).edge.edge].name;
     const bool is_half = cloth.sign < 0 || (gear_.extent == Extent::whole &&

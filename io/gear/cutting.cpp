@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostInARow = 999;
 
-/// "A": nothing but this.
+/// Parses the rates of one letter, such as "A" for all bars.
 std::optional<CuttingRate> parse_all(char letter) {
   if (letter == 'B') return CuttingRate{.bars = 1};
   if (letter == 'N' || letter == 'P') return CuttingRate{.points = 1};
@@ -19,7 +19,7 @@ std::optional<CuttingRate> parse_all(char letter) {
   return {};
 }
 
-/// A number of one or more digits from `at` on; 0 if there is none.
+/// Reads a number of one or more digits at `at`; 0 if there is none.
 int read_number(std::string_view text, std::size_t& at) {
   int number = 0;
   for (; at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) && number <= kMostInARow;
@@ -28,7 +28,8 @@ int read_number(std::string_view text, std::size_t& at) {
   return number <= kMostInARow ? number : 0;
 }
 
-/// "5B" or "1P" added to what there is. False: it is neither, or was there before.
+/// Adds a group such as "5B" or "1P" to a rate. Returns false if the letter is unknown or the kind was given
+/// before.
 bool add_group(CuttingRate& rate, int number, char letter) {
   int* count = letter == 'B'                    ? &rate.bars
                : letter == 'N' || letter == 'P' ? &rate.points
@@ -50,7 +51,7 @@ std::optional<CuttingRate> parse_rate(std::string_view text) {
     if (at >= text.size() || !add_group(rate, number, text[at++])) return {};
   }
   const bool mixes_both = rate.points > 0 && rate.meshes > 0;
-  if (groups != 2 || mixes_both) return {};  // one kind alone is written AB, AN, AM
+  if (groups != 2 || mixes_both) return {};  // rates of one kind are written AB, AN, AM
   return rate;
 }
 

@@ -20,7 +20,7 @@ struct CuttingRate {
   int half_meshes_across() const { return bars + 2 * meshes; }  // (1)
   int half_meshes_deep() const { return bars + 2 * points; }    // (2)
   bool is_straight() const { return half_meshes_across() == 0; }
-  /// Meshes across in `deep` meshes; a rate that goes across only (AM) has no such number.
+  /// Meshes across in `deep` meshes; not defined for a rate that goes across only (AM).
   double across(double deep) const { return deep * half_meshes_across() / half_meshes_deep(); }
   double deep(double across) const { return across * half_meshes_deep() / half_meshes_across(); }
   /// Length of the twines along a cycle when pulled straight, in stretched meshes.
@@ -30,10 +30,10 @@ struct CuttingRate {
   bool operator==(const CuttingRate&) const = default;
 };
 
-/// "5B1P", "1N2B", "AB", "AN", "AM"; N and P, M and T mean the same. None: it is no rate.
+/// "5B1P", "1N2B", "AB", "AN", "AM"; N and P, M and T mean the same. Empty if the text is not a rate.
 std::optional<CuttingRate> parse_rate(std::string_view text);
 
-/// Rates that differ from `text` in one letter: what a blurred plan may have said.
+/// Rates that differ from `text` in one letter, as candidates for a blurred plan.
 std::vector<std::string> rates_near(const std::string& text);
 
 }  // namespace netloft::io

@@ -18,11 +18,11 @@ namespace netloft::io {
 namespace {
 
 constexpr double kWidth = 1100, kTallest = 1500, kMargin = 60, kLeftMargin = 130, kLineHeight = 16;
-constexpr double kWordsWidth = 100;  // of a panel that its words fit into
+constexpr double kWordsWidth = 100;  // width of a panel that can hold its text
 constexpr double kSmall = 10, kNormal = 12, kTitle = 16;
 constexpr const char *kInk = "#222", *kPale = "#777", *kRope = "#0b5fa5";
 
-/// Metres on the net to places on the sheet.
+/// Converts metres on the net to positions on the sheet.
 struct Scale {
   double per_metre = 1, left = 0, top = 0;
   PicturePoint operator()(PanelPoint p) const {
@@ -78,10 +78,10 @@ std::string depth_of(const Panel& panel) {
 
 PicturePoint halfway(PicturePoint a, PicturePoint b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 
-/// Draws a plan; members are steps in the order they happen.
+/// Draws a plan; the member functions are steps in the order of execution.
 class Draughtsman {
  public:
-  explicit Draughtsman(const Plan& plan)
+  explicit Draughtsman(const NetPlan& plan)
       : plan_(plan), panels_(lay_out(plan)), box_(box_of(panels_)), scale_(scale_for(box_)) {}
 
   std::string draw() {
@@ -157,7 +157,7 @@ class Draughtsman {
 
   PicturePoint place(const PlacedPanel& placed, PanelPoint p) const { return scale_(placed.on_sheet(p)); }
 
-  /// To port stand the words of the netting, to starboard those of the cuttings.
+  /// Labels of the netting are to port, labels of the cuttings to starboard.
   void draw_labels(const PlacedPanel& placed) {
     if (!placed.is_mirrored) {
       for (const auto& edge : placed.outline.edges) draw_edge_label(placed, edge);
@@ -166,7 +166,8 @@ class Draughtsman {
     if (placed.is_mirrored == (placed.panel->stands == Standing::pair)) draw_words(placed);
   }
 
-  /// Beside the edge, above its middle where the panel becomes wider, for there the line runs below.
+  /// Puts a label beside the edge; above the middle of the edge if the panel becomes wider there, because the
+  /// line then runs below.
   void draw_edge_label(const PlacedPanel& placed, const OutlineEdge& edge) {
     if (edge.kind != EdgeKind::outer && edge.kind != EdgeKind::inner) return;
     const PicturePoint from = place(placed, edge.from), to = place(placed, edge.to), at = halfway(from, to);
@@ -195,7 +196,7 @@ class Draughtsman {
     }
   }
 
-  /// In the middle of the panel; of a narrow one beside it, to port.
+  /// Puts the text in the middle of the panel; if the panel is narrow, beside it to port.
   void draw_words(const PlacedPanel& placed) {
     const Box box = box_of({placed});
     const double y = (box.top + box.bottom) / 2;
@@ -219,7 +220,8 @@ class Draughtsman {
     return words_;
   }
 
-  /// From border to border at one height of the sheet, both halves of a middle panel.
+  /// The extent of a panel at one height of the sheet, from border to border, with both halves of a middle
+  /// panel.
   Box across_at(const PlacedPanel& placed, double y) const {
     Box box;
     for (const auto& edge : placed.outline.edges) {
@@ -232,7 +234,8 @@ class Draughtsman {
     return box;
   }
 
-  /// A round number of metres, about an eighth of the sheet; across it is that of the stretched width halved.
+  /// Draws a scale of a round number of metres, about an eighth of the sheet; across, it refers to half of
+  /// the stretched width.
   void draw_scale() {
     const double wanted = kWidth / 8 / scale_.per_metre, power = std::pow(10, std::floor(std::log10(wanted)));
     const double metres = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
@@ -288,7 +291,7 @@ class Draughtsman {
     }
   }
 
-  const Plan& plan_;
+  const NetPlan& plan_;
   std::vector<PlacedPanel> panels_;
   Box box_;
   Scale scale_;
@@ -299,9 +302,9 @@ class Draughtsman {
 
 }  // namespace
 
-std::string draw_plan(const Plan& plan) { return Draughtsman(plan).draw(); }
+std::string draw_plan(const NetPlan& plan) { return Draughtsman(plan).draw(); }
 
-std::string draw_mesh(const Plan& plan, const Gear& gear, const GearMesh& mesh) {
+std::string draw_mesh(const NetPlan& plan, const Gear& gear, const GearMesh& mesh) {
   return Draughtsman(plan).draw(gear, mesh);
 }
 

@@ -9,9 +9,9 @@ namespace netloft::io {
 /// The plan as an SVG picture, in the manner of ISO 3169: panels to the scale of stretched length by half of
 /// the stretched width, with mesh counts, cuttings, mesh size and twine; edges that are hung on ropes are
 /// drawn thick, with the length of rope; below them the list of ropes, floats and seams, and a scale.
-std::string draw_plan(const Plan& plan);
+std::string draw_plan(const NetPlan& plan);
 
-/// The same panels in triangles: `mesh` of the whole of `gear`, which was made of `plan`.
-std::string draw_mesh(const Plan& plan, const Gear& gear, const GearMesh& mesh);
+/// Draws the same picture with the triangles of `mesh`, which belongs to the whole `gear` made from `plan`.
+std::string draw_mesh(const NetPlan& plan, const Gear& gear, const GearMesh& mesh);
 
 }  // namespace netloft::io

@@ -5,7 +5,7 @@
 
 namespace netloft::io {
 
-/// Points that turn out to be the same one by one (Tarjan 1975, disjoint sets).
+/// Points that are found to be identical, pair by pair (disjoint sets, Tarjan 1975).
 class EqualPoints {
  public:
   std::size_t add() {

@@ -21,13 +21,14 @@ OutlineEdge mirrored(OutlineEdge edge) {
   return edge;
 }
 
-/// A fore or aft edge that begins or ends in the middle is one with its mirror image.
+/// Whether an edge continues in its mirror image: a fore or aft edge that begins or ends in the middle.
 bool crosses_middle(const OutlineEdge& edge) {
   const bool lies_across = edge.kind == EdgeKind::fore || edge.kind == EdgeKind::aft;
   return lies_across && (edge.from.x == 0 || edge.to.x == 0);
 }
 
-/// Both halves of a middle panel: from port across the fore edge, aft on the starboard side, and back.
+/// The outline of both halves of a middle panel: from port across the fore edge, aft on the starboard side,
+/// and back.
 Outline both_halves(const Outline& half) {
   std::vector<OutlineEdge> starboard, port;
   for (const auto& edge : half.edges) {
@@ -47,10 +48,10 @@ Outline both_halves(const Outline& half) {
   return {std::move(starboard)};
 }
 
-/// Turns a plan into a gear; members are steps in the order they happen.
+/// Makes a gear from a plan; the member functions are steps in the order of execution.
 class GearMaker {
  public:
-  GearMaker(const Plan& plan, Extent extent) : plan_(plan) { gear_.extent = extent; }
+  GearMaker(const NetPlan& plan, Extent extent) : plan_(plan) { gear_.extent = extent; }
 
   Gear make() {
     for (const auto& panel : plan_.panels) add_panel(panel);
@@ -79,7 +80,8 @@ class GearMaker {
           {prefix(side) + panel.name, &panel, side == Side::port, doubled ? both_halves(outline) : outline});
   }
 
-  /// The edges that a name of the plan stands for, on one side of the gear; of what is there once, that.
+  /// The edges that a name of the plan denotes on one side of the gear; an edge that exists once is returned
+  /// for either side.
   std::vector<EdgeRef> edges_of(const std::string& name, Side side) const {
     Diagnostics silent;
     const EdgeSet set = find_edge(plan_, name, {}, "", silent);
@@ -109,7 +111,7 @@ class GearMaker {
     return is_whole() && find_edge(plan_, name, {}, "", silent).times() == 2;
   }
 
-  /// Those that are not to starboard or across the middle as well.
+  /// The edges to port that are not also to starboard or across the middle.
   std::vector<EdgeRef> edges_to_port(const std::string& name) const {
     auto port = edges_of(name, Side::port);
     const auto starboard = edges_of(name, Side::starboard);
@@ -128,7 +130,8 @@ class GearMaker {
     return row;
   }
 
-  /// From port to starboard: what is there twice, and between them what is there once.
+  /// The edges of a row from port to starboard: those that exist twice on both ends, those that exist once
+  /// between them.
   std::vector<EdgeRef> row_across(const std::vector<std::string>& names) const {
     std::vector<EdgeRef> row;
     for (auto name = names.rbegin(); name != names.rend(); ++name) {
@@ -160,7 +163,8 @@ class GearMaker {
       gear_.seams.push_back({{row_across(join.edges[0]), row_across(join.edges[1])}, join.take_up});
   }
 
-  /// Of the half, what is sewn to its mirror image. Comes last, for names are looked up by kind.
+  /// In the half, marks edges that are sewn to their mirror image. Comes last, because names are looked up by
+  /// kind.
   void put_on_plane(const Join& join) {
     for (const auto& ref : row_of(join.edges[0], Side::none))
       gear_.panels[ref.panel].outline.edges[ref.edge].kind = EdgeKind::middle;
@@ -182,7 +186,8 @@ class GearMaker {
     }
   }
 
-  /// To what it leads. A rope of the middle ends on both sides, and what it starts at is its middle's.
+  /// Connects the ends of a rope. A rope in the middle ends on both sides, and its start becomes the
+  /// connection of its middle.
   void tie(GearRope& one, Side side) const {
     const auto& [start, end] = one.rope->between;
     if (is_whole() && one.rope->stands == Standing::middle) {
@@ -206,7 +211,7 @@ class GearMaker {
     return port;
   }
 
-  /// Edges take as much of a hanging's length as they have of its twines.
+  /// Edges take parts of a hanging's length in proportion to the length of their twines.
   void append_hung(std::vector<HungEdge>& hung, const Hanging& hanging,
                    const std::vector<EdgeRef>& edges) const {
     Diagnostics silent;
@@ -227,7 +232,8 @@ class GearMaker {
     }
   }
 
-  /// Numbers are of the whole gear; only what stands alone is not halved with it.
+  /// Adds pieces such as floats. The plan's numbers are those of the whole gear; in the half they are halved,
+  /// except on parts that exist once.
   void add_pieces(const Pieces& pieces) {
     const Standing stands = standing_of(pieces);
     const bool is_shared = stands == Standing::pair || (stands == Standing::middle && !is_whole());
@@ -263,7 +269,7 @@ class GearMaker {
     return {name.substr(0, dot), dot == std::string::npos ? "" : name.substr(dot + 1)};
   }
 
-  /// A point of the plan as it is named on one side: ends of ropes in the middle are start and end.
+  /// The name of a plan's point on one side; the ends of ropes in the middle are called start and end.
   std::string point_on(const std::string& name, Side side) const {
     const auto [owner, rest] = split(name);
     const Standing stands = standing_of(owner);
@@ -278,13 +284,13 @@ class GearMaker {
 
   Standing standing_of(const std::string& owner) const { return netloft::io::standing_of(plan_, owner); }
 
-  const Plan& plan_;
+  const NetPlan& plan_;
   Gear gear_;
 };
 
 }  // namespace
 
-Gear make_gear(const Plan& plan, Extent extent) { return GearMaker(plan, extent).make(); }
+Gear make_gear(const NetPlan& plan, Extent extent) { return GearMaker(plan, extent).make(); }
 
 const GearPanel* Gear::find_panel(const std::string& name) const {
   const auto at = std::find_if(panels.begin(), panels.end(), [&](const auto& p) { return p.name == name; });

@@ -9,7 +9,7 @@
 
 namespace netloft::io {
 
-/// How much of a gear is modelled.
+/// The part of a gear that is modelled.
 enum class Extent {
   whole,
   half,  // the starboard half, for gears and flows that are symmetric; edges of the kind "middle" lie on the
@@ -17,37 +17,37 @@ enum class Extent {
 };
 
 /// One piece of netting of a gear. In the whole, pairs are named "port-…" and "starboard-…", and so are the
-/// edges of middle panels that are there twice; all other names stay as written.
+/// edges of middle panels that exist twice; all other names are those of the plan.
 struct GearPanel {
   std::string name;
   const Panel* panel = nullptr;
   bool is_mirrored = false;  // x of its outline points to port
   Outline outline;           // of a middle panel in the whole: both halves, port at negative x
 
-  /// (u, v) of a point of the outline in bars, twine_coordinates.hpp.
+  /// (u, v) in bars of a point of the outline, by twine_coordinates.hpp.
   std::array<double, 2> twine_coordinates(PanelPoint point) const {
     return panel->twines_at(point.x, point.y);
   }
 
   bool has_sketch() const { return !panel->sketch.empty(); }
-  /// Where the sketch puts a point of the outline [m]: the plan's four corners, joined by straight lines.
+  /// The position of a point of the outline in the sketch [m], interpolated between the plan's four corners.
   std::array<double, 3> sketched(PanelPoint point) const;
 };
 
-/// An edge of an outline: where it is in Gear::panels.
+/// Refers to an edge of an outline by indices in Gear::panels.
 struct EdgeRef {
   std::size_t panel = 0, edge = 0;
   bool operator==(const EdgeRef&) const = default;
 };
 
-/// Edges sewn together, each side in a row; it is one line of knots, however it is divided. Edges keep the
-/// direction of their outlines: two that are sewn together may run against one another.
+/// Edges sewn together, each side in a row. A seam is one line of knots, no matter how it is divided. Edges
+/// keep the direction of their outlines, so two that are sewn together may run in opposite directions.
 struct Seam {
   std::array<std::vector<EdgeRef>, 2> edges;
   double take_up = 0;  // meshes of the second for one of the first; 0: mesh to mesh
 };
 
-/// An edge on a rope, and the length of rope that it takes [m].
+/// An edge hung on a rope, and the length of rope that it takes [m].
 struct HungEdge {
   EdgeRef edge;
   double length = 0;
@@ -62,29 +62,30 @@ struct GearRope {
   double length = 0;                   // unstretched [m]
   std::vector<HungEdge> hung;          // from start to end
   std::array<std::string, 2> between;  // points, by their names in this gear
-  std::string middle;  // point that the middle is tied to, of a rope of the middle in the whole
+  std::string middle;                  // point connected to the middle, for a rope of the middle in the whole
 };
 
-/// Floats, weights or pieces of ground gear in one place. Only one of rope, edges and point is there.
+/// Floats, weights or pieces of ground gear in one place: along a rope, along edges, or at a point. Only one
+/// of the three is set.
 struct GearPieces {
   std::string name;
   const Pieces* pieces = nullptr;
-  double number = 0;           // of what is modelled; the half has half of those that lie across the plane
-  std::string rope;            // shared out along it
-  std::vector<EdgeRef> edges;  // shared out along these, by the length of their twines
-  std::string point;           // all of them there
+  double number = 0;           // in the modelled part; the half has half of those that lie across the plane
+  std::string rope;            // distributed along this rope
+  std::vector<EdgeRef> edges;  // distributed along these, in proportion to the length of their twines
+  std::string point;           // all of them at this point
 };
 
-/// A point of the plan that is no end of anything.
+/// A point of the plan that is not the end of a rope or the corner of a panel.
 struct GearPoint {
   std::string name;
   const Point* point = nullptr;
-  std::optional<std::array<double, 3>> at;  // [m], mirrored where it stands to port
+  std::optional<std::array<double, 3>> at;  // [m], mirrored if it is to port
 };
 
-/// A net plan with all that its symmetry leaves unsaid. It points into the plan, which must live longer.
-/// Points are named "headrope.end", "port-wing.fore-outer", "port-towing-point", and in the whole those of
-/// middle panels as their edges: "body.port-fore-outer"; on the plane of symmetry "body.fore-inner".
+/// A net plan completed by its symmetry. It refers to the plan, which must live longer. Points are named
+/// "headrope.end", "port-wing.fore-outer", "port-towing-point", and in the whole those of middle panels as
+/// their edges: "body.port-fore-outer"; on the plane of symmetry "body.fore-inner".
 struct Gear {
   Extent extent = Extent::whole;
   std::vector<GearPanel> panels;
@@ -95,11 +96,11 @@ struct Gear {
 
   const GearPanel* find_panel(const std::string& name) const;
   const GearRope* find_rope(const std::string& name) const;
-  /// "top-body.port-wing".
+  /// The name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
 };
 
-/// `plan` without errors (check.hpp).
-Gear make_gear(const Plan& plan, Extent extent);
+/// Makes the gear of a plan without errors (check.hpp).
+Gear make_gear(const NetPlan& plan, Extent extent);
 
 }  // namespace netloft::io

@@ -17,12 +17,12 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kNear = 0.05;  // of the nodes asked for
-constexpr int kTrials = 8;      // of sizes, until the nodes are near what is asked for
+constexpr double kNear = 0.05;  // relative deviation from the requested number of nodes
+constexpr int kTrials = 8;      // sizes that are tried to reach the requested number
 constexpr double kMostNodes = 5e6;
-constexpr double kGrid = 1e-10;  // of a cloth: what is alike to port and to starboard is the same on it
+constexpr double kGrid = 1e-10;  // relative to the cloth; makes port and starboard exactly alike
 
-constexpr int kPartings = 5;  // rounds in which sides that two cloths would share by chance are parted
+constexpr int kPartings = 5;  // rounds in which coincident sides of two cloths are separated
 
 double finer(const Fineness& fineness, const GearPanel& panel) {
   for (const auto& name : {panel.name, panel.panel->name})
@@ -30,14 +30,14 @@ double finer(const Fineness& fineness, const GearPanel& panel) {
   return 1;
 }
 
-/// A border of a cloth: where its nodes are in repose, and which they are.
+/// A border of a cloth: the positions of its nodes in repose, and their numbers.
 struct Border {
   std::vector<std::uint32_t> nodes;
   std::vector<PanelPoint> points;
   std::vector<std::size_t> side_starts;  // number in the border, by side
 };
 
-/// Divides one gear at one size; members are steps in the order they happen.
+/// Divides one gear with one size; the member functions are steps in the order of execution.
 class Divider {
  public:
   Divider(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size)
@@ -64,13 +64,13 @@ class Divider {
  private:
   std::uint32_t add_node() { return static_cast<std::uint32_t>(mesh_.nodes++); }
 
-  /// Points of lines come first, then the nodes within lines.
+  /// Numbers the points of lines first, then the nodes within lines.
   void number_lines() {
     mesh_.nodes = lines_.number_of_points;
     for (const auto& line : lines_.lines) {
       auto& nodes = line_nodes_.emplace_back();
       nodes.push_back(static_cast<std::uint32_t>(line.ends[0]));
-      for (std::size_t k = 0; k < line.shares.size(); ++k) nodes.push_back(add_node());
+      for (std::size_t k = 0; k < line.fractions.size(); ++k) nodes.push_back(add_node());
       nodes.push_back(static_cast<std::uint32_t>(line.ends[1]));
     }
   }
@@ -81,18 +81,18 @@ class Divider {
     return nodes;
   }
 
-  std::vector<double> shares_of(const Run& run) const {
-    auto shares = lines_.lines[run.line].shares;
-    shares.insert(shares.begin(), 0), shares.push_back(1);
-    if (run.is_forward) return shares;
-    std::reverse(shares.begin(), shares.end());
-    for (auto& share : shares) share = 1 - share;
-    return shares;
+  std::vector<double> fractions_of(const Run& run) const {
+    auto fractions = lines_.lines[run.line].fractions;
+    fractions.insert(fractions.begin(), 0), fractions.push_back(1);
+    if (run.is_forward) return fractions;
+    std::reverse(fractions.begin(), fractions.end());
+    for (auto& fraction : fractions) fraction = 1 - fraction;
+    return fractions;
   }
 
-  /// Whether triangles that run counter-clockwise in their cloth do so seen from outside the net. Cloths that
-  /// are sewn together run along their seam in opposite directions if they are alike. The first is on top,
-  /// where outwards and aft turn clockwise.
+  /// Finds whether triangles that are counter-clockwise in their cloth are so seen from outside the net.
+  /// Cloths with the same sense run along a common seam in opposite directions. The first panel is on top,
+  /// where the turn from outwards to aft is clockwise.
   void find_senses() {
     std::vector<std::vector<std::pair<std::size_t, bool>>> users(lines_.lines.size());
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
@@ -127,12 +127,12 @@ class Divider {
     return border;
   }
 
-  /// All nodes of a run but its last.
+  /// Appends all nodes of a run except its last.
   void append(Border& border, const ClothSide& side, const SideRun& run) const {
     const auto nodes = nodes_of(run);
-    const auto shares = shares_of(run);
+    const auto fractions = fractions_of(run);
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-      const double t = run.from + shares[k] * (run.to - run.from);
+      const double t = run.from + fractions[k] * (run.to - run.from);
       border.nodes.push_back(nodes[k]);
       border.points.push_back(
           {side.from.x + t * (side.to.x - side.from.x), side.from.y + t * (side.to.y - side.from.y)});
@@ -174,7 +174,7 @@ class Divider {
     return {sides.begin(), sides.end()};
   }
 
-  /// What tells nodes of the gear apart before those within cloths have numbers: a cloth (0: lines) and one.
+  /// Identifies a node of the gear before nodes within cloths have numbers: a cloth (0: lines) and an index.
   using Tag = std::array<std::size_t, 2>;
   Tag tag(std::size_t c, std::uint32_t point) const {
     const auto& nodes = borders_[c].nodes;
@@ -184,9 +184,9 @@ class Divider {
     return std::minmax(tag(c, side[0]), tag(c, side[1]));
   }
 
-  /// Where two sides of triangles would be one by chance, for they join the same two nodes of the gear but
-  /// are not sewn together, as near sharp corners and where seams end in a point, they get nodes of their
-  /// own. Returns whether there was any.
+  /// Sides of triangles of two cloths may coincide without a seam, because they join the same two nodes of
+  /// the gear; this happens near sharp corners and where seams end in a point. They get nodes of their own.
+  /// Returns whether there were any.
   bool part_doubled_sides() {
     std::map<std::pair<Tag, Tag>, int> times;
     for (const auto& nodes : line_nodes_)
@@ -219,7 +219,8 @@ class Divider {
     add_sets(cloth, borders_[c], own);
   }
 
-  /// Rounded to a grid, for lines that run the other way are divided a rounding error apart.
+  /// Rounds positions to a grid, because lines in opposite directions are divided with different rounding
+  /// errors.
   static std::vector<PlanePoint> on_plane(const Panel& panel, const Border& border) {
     std::vector<PlanePoint> points;
     double extent = 0;
@@ -234,7 +235,7 @@ class Divider {
     return points;
   }
 
-  /// Both halves of a panel have the nodes between them in common.
+  /// Adds the nodes of a cloth; both halves of a panel use the same nodes on the line between them.
   std::vector<std::uint32_t> add_own_nodes(const Cloth& cloth, const Panel& panel, const Border& border,
                                            const PlaneMesh& plane) {
     std::vector<std::uint32_t> own;
@@ -280,7 +281,7 @@ class Divider {
     for (const auto& [name, s] : cloth.corners) add_corner(cloth, border, own, name, s);
   }
 
-  /// Halves of an edge follow one another in its direction.
+  /// The halves of an edge follow one another in its direction.
   void add_to_edge(const Cloth& cloth, const ClothSide& side, std::vector<std::uint32_t> nodes) {
     if (side.is_reversed) std::reverse(nodes.begin(), nodes.end());
     auto& set = mesh_.panels[cloth.panel].sets[gear_.panels[cloth.panel].outline.edges[side.edge.edge].name];
@@ -302,7 +303,7 @@ class Divider {
         mesh_.panels[cloth.panel].sets[known.substr(known.find('.') + 1)] = {node};
   }
 
-  /// "body.port-fore-outer" is the corner "fore-outer" of a port half.
+  /// Whether a name such as "body.port-fore-outer" denotes the corner "fore-outer" of a port half.
   bool names_corner(const Cloth& cloth, const std::string& known, const std::string& corner) const {
     const std::string& panel = gear_.panels[cloth.panel].name;
     return known == panel + "." + corner ||
@@ -314,10 +315,10 @@ class Divider {
     rope.nodes.push_back(static_cast<std::uint32_t>(lines_.rope_ends[r][0]));
     for (const auto& run : lines_.ropes[r]) {
       const auto nodes = nodes_of(run);
-      const auto shares = shares_of(run);
+      const auto fractions = fractions_of(run);
       for (std::size_t k = 1; k < nodes.size(); ++k) {
         rope.nodes.push_back(nodes[k]);
-        rope.rest_lengths.push_back(run.length * (shares[k] - shares[k - 1]));
+        rope.rest_lengths.push_back(run.length * (fractions[k] - fractions[k - 1]));
       }
     }
     rope.sets["start"] = {0};
@@ -333,7 +334,7 @@ class Divider {
       mesh_.points.emplace(name, static_cast<std::uint32_t>(point));
   }
 
-  /// Of a half: sides on the plane, ropes that start there, and points that stand there.
+  /// In the half, adds the nodes on the plane of symmetry: sides, starts of ropes, and points.
   void add_middle() {
     if (gear_.extent != Extent::half) return;
     std::set<std::uint32_t> middle;
@@ -354,9 +355,9 @@ class Divider {
   double size_;
   SeamLines lines_;
   std::vector<std::vector<std::uint32_t>> line_nodes_;
-  std::vector<Border> borders_;    // by cloth
-  std::vector<PlaneMesh> planes_;  // by cloth
-  std::vector<int> senses_;        // by cloth
+  std::vector<Border> borders_;    // one per cloth
+  std::vector<PlaneMesh> planes_;  // one per cloth
+  std::vector<int> senses_;        // one per cloth
   GearMesh mesh_;
 };
 
@@ -376,8 +377,8 @@ double length_of(const Gear& gear) {
   return length;
 }
 
-/// The size at which the netting alone, were its triangles equal, with what the mesher adds to them, and the
-/// ropes have that many nodes:
+/// The size h for a number N of nodes, from the area A of netting in equal triangles, a factor for the nodes
+/// that the mesher adds, and the length L of ropes:
 ///   N = 1.2 · 2 A/(√3 h²) + L/h                                                                        (1)
 /// The first guess, which lines that are finer than h then correct.
 double size_for(const Gear& gear, const Fineness& fineness) {

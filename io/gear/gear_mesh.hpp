@@ -10,14 +10,15 @@
 
 namespace netloft::io {
 
-/// How finely a gear is divided. Of both, `nodes` counts for the whole of what is modelled.
+/// The fineness of a mesh, by number of nodes or by size; `nodes` counts the whole modelled part.
 struct Fineness {
-  std::size_t nodes = 2000;  // about as many in all, ropes and netting
-  double size = 0;           // or: edges of about this length where netting is spread [m]; 0: by nodes
-  std::map<std::string, double> finer;  // by panel or rope: edges that many times shorter than elsewhere
+  std::size_t nodes = 2000;  // approximate number of nodes of ropes and netting
+  double size = 0;           // if not 0, used instead of `nodes`: length of edges in the spread netting [m]
+  // by panel or rope: the factor by which edges are shorter than elsewhere
+  std::map<std::string, double> finer;
 };
 
-/// Netting in triangles. Own nodes are numbered from 0 and stand for nodes of the gear.
+/// Netting in triangles. Its own nodes are numbered from 0 and refer to nodes of the gear.
 struct PanelMesh {
   std::vector<std::uint32_t> nodes;           // own number -> gear node
   std::vector<std::array<double, 2>> meshes;  // own number -> (U, V): meshes across, outwards, and deep, aft
@@ -32,26 +33,26 @@ struct RopeMesh {
   std::map<std::string, std::vector<std::uint32_t>> sets;  // start, middle (of a rope that has one), end
 };
 
-/// How good the triangles are where netting is spread with an opening of one half.
+/// The quality of the triangles, measured in netting spread with an opening of one half.
 struct MeshQuality {
   double least_angle = 0, greatest_angle = 0;  // [rad]
   std::size_t triangles = 0;
 };
 
-/// A gear divided into elements: nodes that seams, hangings and points share are one node by construction.
-/// No positions yet (start_shape.hpp). Panels and ropes are in the order of the gear.
+/// A gear divided into elements: a node on a seam, a hanging or a point is a single node by construction. No
+/// positions yet (start_shape.hpp). Panels and ropes are in the order of the gear.
 struct GearMesh {
   std::size_t nodes = 0;
   std::vector<PanelMesh> panels;
   std::vector<RopeMesh> ropes;
   std::map<std::string, std::uint32_t> points;  // "towing-point", "headrope.end", "top-wing.fore-outer"
-  std::vector<std::uint32_t> middle;            // of a half: nodes on the plane of symmetry
+  std::vector<std::uint32_t> middle;            // of the half: nodes on the plane of symmetry
   MeshQuality quality;
 };
 
 /// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes. Throws
-/// std::invalid_argument, with a sentence for the user, on a panel whose border crosses itself and on a size
-/// of which there would be millions.
+/// std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and for a
+/// size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness);
 
 }  // namespace netloft::io

@@ -20,20 +20,20 @@ EdgeKind kind_of(const Gear& gear, const EdgeRef& ref) {
   return gear.panels[ref.panel].outline.edges[ref.edge].kind;
 }
 
-/// Fore sewn to fore or aft to aft: an end that is closed.
+/// Whether a seam closes an end: fore is sewn to fore, or aft to aft.
 bool closes(const Gear& gear, const Seam& seam) {
   if (seam.edges[0].empty() || seam.edges[1].empty()) return false;
   const EdgeKind one = kind_of(gear, seam.edges[0][0]), other = kind_of(gear, seam.edges[1][0]);
   return one == other && !is_lateral(one);
 }
 
-/// Whether going outwards on one panel is going inwards on the other.
+/// Whether the outward direction of one panel continues as the inward direction of the other.
 bool turns(const Gear& gear, const EdgeRef& one, const EdgeRef& other) {
   const EdgeKind a = kind_of(gear, one), b = kind_of(gear, other);
   return a == b && is_lateral(a);
 }
 
-/// Meshes outwards from the middle, of panels across it; else from where the inner side begins.
+/// Meshes outwards from the middle for panels across the middle; for others from the start of the inner side.
 double outwards(const GearPanel& panel, double U) {
   return panel.panel->stands == Standing::middle ? std::abs(U) : U;
 }
@@ -56,7 +56,7 @@ Girth::Girth(const Gear& gear, const GearMesh& mesh)
   measure_bottom(gear, mesh);
 }
 
-/// A walk over the seams from the first panel, which is taken to be on top.
+/// Walks over the seams from the first panel, which is taken to be on top.
 void Girth::find_senses(const Gear& gear) {
   for (std::size_t first = 0; first < sense_.size(); ++first) {
     if (sense_[first]) continue;
@@ -88,7 +88,7 @@ void Girth::find_closed(const Gear& gear, const GearMesh& mesh) {
   }
 }
 
-/// Ropes off the netting lie on the side of their panels; a rope across the plane is to port before its
+/// Ropes beside the netting are on the side of their panels; a rope across the plane is to port before its
 /// middle.
 void Girth::find_sides(const Gear& gear, const GearMesh& mesh) {
   for (std::size_t p = 0; p < mesh.panels.size(); ++p)
@@ -110,7 +110,8 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
         const auto i = panel.triangles[t + k], j = panel.triangles[t + (k + 1) % 3];
         const auto from = panel.nodes[i], to = panel.nodes[j];
         aft.push_back({from, to, deep * (panel.meshes[j][1] - panel.meshes[i][1]), 1});  // (1)
-        if (sense_[p] < 0 && (closed_[from] || closed_[to])) continue;  // the other panel says where they are
+        if (sense_[p] < 0 && (closed_[from] || closed_[to]))
+          continue;  // the other panel gives their position
         around.push_back({from, to,
                           sense_[p] * wide *
                               (outwards(gear.panels[p], panel.meshes[j][0]) -
@@ -131,7 +132,8 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);
 }
 
-/// Every node of a lower middle panel says where its middle is; on a net without one the girth is open below.
+/// Every node of a lower middle panel gives the position of the middle; a net without such a panel has an
+/// open girth.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);

@@ -6,21 +6,21 @@
 
 namespace netloft::io {
 
-/// Where nodes lie on the bag of a net: how far aft, how far round from the top, and on which side. Fields
-/// (1) and (2) of start_shape.hpp.
+/// Positions of nodes on the bag of a net: distance aft, distance along the girth from the top, and side.
+/// Fields (1) and (2) of start_shape.hpp.
 class Girth {
  public:
   Girth(const Gear& gear, const GearMesh& mesh);
 
-  /// Whether netting, or a rope that netting hangs on, has this node.
+  /// Whether the node belongs to netting or to a rope on which netting is hung.
   bool covers(std::uint32_t node) const { return covered_[node]; }
   double aft(std::uint32_t node) const { return aft_[node]; }        // a [m]
   double around(std::uint32_t node) const { return around_[node]; }  // s [m]
   int side(std::uint32_t node) const { return side_[node]; }         // −1 to port, else 1
-  /// Whether an end of the bag that is sewn to itself has it.
+  /// Whether the node belongs to an end of the bag that is sewn to itself.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
-  /// S [m] where this node is: by its own way to the middle of a lower panel, else by the nearest such so far
-  /// aft.
+  /// S [m] at this node: along its own girth to the middle of a lower panel, or else the nearest such value
+  /// at this distance aft.
   double half_girth(std::uint32_t node) const;
 
  private:
@@ -30,12 +30,12 @@ class Girth {
   void solve_fields(const Gear& gear, const GearMesh& mesh);
   void measure_bottom(const Gear& gear, const GearMesh& mesh);
 
-  std::vector<int> sense_;  // by panel: the sign in (2)
+  std::vector<int> sense_;  // the sign in (2), one per panel
   std::vector<double> aft_, around_;
-  std::vector<double> own_;  // S by its own way; 0: it has none
+  std::vector<double> own_;  // S along the node's own girth; 0: there is none
   std::vector<int> side_;
   std::vector<bool> covered_, closed_;
-  std::vector<std::pair<double, double>> bottom_;  // (a, S), ascending in a
+  std::vector<std::pair<double, double>> bottom_;  // (a, S), increasing in a
 };
 
 }  // namespace netloft::io

@@ -12,21 +12,21 @@ namespace netloft::io {
 namespace {
 
 constexpr double kHalfWidth = 0.5;  // of the stretched width
-constexpr double kGap = 0.25;       // between columns, of the width of the one before
+constexpr double kGap = 0.25;       // between columns, relative to the width of the previous one
 
-/// Meshes of square netting are counted by one bar, half a stretched mesh.
+/// Meshes of square netting are counted in bars, half a stretched mesh.
 double length_of_mesh(const Panel& panel) {
   return panel.orientation == "square" ? panel.mesh / 2 : panel.mesh;
 }
 
-/// The middle of an edge, and how far it lies aft.
+/// The middle of an edge and its distance aft.
 PanelPoint middle_of(const EdgeSet& set) {
   const double left = std::min(set.edges.front().from.x, set.edges.back().to.x);
   const double right = std::max(set.edges.front().from.x, set.edges.back().to.x);
   return {set.is_across_middle() ? 0 : (left + right) / 2, set.edges.front().from.y};
 }
 
-/// Two edges of a join that stand for one another, the aft edge of one panel and a fore edge of another.
+/// The two edges of a join that align panels: the aft edge of one panel and a fore edge of another.
 struct Seam {
   EdgeSet aft, fore;
 };
@@ -38,10 +38,10 @@ std::optional<Seam> seam_of(EdgeSet a, EdgeSet b) {
   return Seam{std::move(a), std::move(b)};
 }
 
-/// Lays out one column after the other; members are steps in the order they happen.
+/// Lays out one column after the other; the member functions are steps in the order of execution.
 class Sheet {
  public:
-  explicit Sheet(const Plan& plan) : plan_(plan) { find_seams(); }
+  explicit Sheet(const NetPlan& plan) : plan_(plan) { find_seams(); }
 
   std::vector<PlacedPanel> lay_out() {
     for (const auto& panel : plan_.panels)
@@ -84,7 +84,7 @@ class Sheet {
     next_ += (1 + kGap) * (right - left);
   }
 
-  /// The panel, and all that is sewn to its fore and aft edges and stands nowhere yet.
+  /// Places the panel and all panels that are sewn to its fore and aft edges and not placed yet.
   void place(const Panel& panel, double x, double y) {
     if (!seen_.insert(&panel).second) return;
     placed_.push_back({&panel, outline_of(panel), x, y, false});
@@ -97,7 +97,7 @@ class Sheet {
     }
   }
 
-  /// A panel whose edge meets the point `at` of one that stands already.
+  /// Places a panel so that its edge meets the point `at` of a placed panel.
   void place_at(const EdgeSet& edge, PanelPoint at, const PlacedPanel& there) {
     const PanelPoint target = there.on_sheet(at), own = middle_of(edge);
     const double across = kHalfWidth * edge.panel->mesh, aft = length_of_mesh(*edge.panel);
@@ -106,7 +106,7 @@ class Sheet {
     place(*edge.panel, x, target.y - aft * own.y);
   }
 
-  const Plan& plan_;
+  const NetPlan& plan_;
   std::vector<Seam> seams_;
   std::vector<PlacedPanel> placed_;
   std::set<const Panel*> seen_;
@@ -120,6 +120,6 @@ PanelPoint PlacedPanel::on_sheet(PanelPoint p) const {
   return {x + (is_mirrored ? -across : across), y + length_of_mesh(*panel) * p.y};
 }
 
-std::vector<PlacedPanel> lay_out(const Plan& plan) { return Sheet(plan).lay_out(); }
+std::vector<PlacedPanel> lay_out(const NetPlan& plan) { return Sheet(plan).lay_out(); }
 
 }  // namespace netloft::io

@@ -6,7 +6,7 @@
 
 namespace netloft::io {
 
-/// Where a panel's outline stands on the sheet. A plan is drawn to the scale of the stretched length going
+/// The position of a panel's outline on the sheet. A plan is drawn to the scale of the stretched length going
 /// aft, and of half the stretched width across (ISO 3169), as netting of a hanging ratio of 0.5 would lie.
 struct PlacedPanel {
   const Panel* panel = nullptr;
@@ -18,8 +18,9 @@ struct PlacedPanel {
   PanelPoint on_sheet(PanelPoint p) const;
 };
 
-/// Panels one behind the other as they are sewn, pairs over the stretch of the edge that they are sewn to,
-/// each such column beside the others. Middle panels and pairs stand there twice, the second time mirrored.
-std::vector<PlacedPanel> lay_out(const Plan& plan);
+/// Places panels one behind the other as they are sewn, pairs next to the part of the edge that they are sewn
+/// to, and each such column beside the others. Middle panels and pairs are placed twice, the second time
+/// mirrored.
+std::vector<PlacedPanel> lay_out(const NetPlan& plan);
 
 }  // namespace netloft::io

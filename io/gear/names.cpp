@@ -30,7 +30,7 @@ bool stands_for(const std::string& word, const OutlineEdge& edge) {
     case EdgeKind::inner:
       return word == "inner" || word == edge.name;
     default:
-      return false;  // the middle is sewn to its mirror image, and to nothing else
+      return false;  // an edge in the middle is sewn to its mirror image and to nothing else
   }
 }
 
@@ -46,7 +46,7 @@ void append_names(std::vector<std::string>& names, const std::vector<T>& all) {
   for (const auto& one : all) names.push_back(one.name);
 }
 
-const Panel* find_panel_or_say(const Plan& plan, const std::string& name, const Place& place,
+const Panel* find_panel_or_say(const NetPlan& plan, const std::string& name, const Place& place,
                                const std::string& path, Diagnostics& diagnostics) {
   const Panel* panel = plan.find_panel(name);
   std::vector<std::string> names;
@@ -92,14 +92,14 @@ bool EdgeSet::is_across_middle() const {
          std::any_of(edges.begin(), edges.end(), [](const auto& e) { return e.from.x == 0 || e.to.x == 0; });
 }
 
-EdgeSet find_edge(const Plan& plan, const std::string& name, const Place& place, const std::string& path,
+EdgeSet find_edge(const NetPlan& plan, const std::string& name, const Place& place, const std::string& path,
                   Diagnostics& diagnostics) {
   const DottedName dotted = split(name);
   const Panel* panel = find_panel_or_say(plan, dotted.owner, place, path, diagnostics);
   if (!panel) return {};
   EdgeSet set{panel, {}};
   if (panel->count(panel->fore) <= 0 && panel->count(panel->aft) <= 0)
-    return set;  // has no edges: it was said
+    return set;  // a panel without edges has been reported already
   for (auto& edge : outline_of(*panel).edges)
     if (stands_for(dotted.rest, edge)) set.edges.push_back(edge);
   if (set.edges.empty())
@@ -115,7 +115,7 @@ std::vector<std::string> corner_names(const Panel& panel) {
   return names;
 }
 
-Standing standing_of(const Plan& plan, const std::string& name) {
+Standing standing_of(const NetPlan& plan, const std::string& name) {
   if (const Rope* rope = plan.find_rope(name)) return rope->stands;
   if (const Panel* panel = plan.find_panel(name)) return panel->stands;
   if (const Point* point = plan.find_point(name)) return point->stands;
@@ -126,14 +126,14 @@ bool is_corner_in_middle(const std::string& corner) {
   return corner == "fore-inner" || corner == "aft-inner";
 }
 
-Standing standing_of_point(const Plan& plan, const std::string& name) {
+Standing standing_of_point(const NetPlan& plan, const std::string& name) {
   const auto [owner, rest] = split(name);
   const Standing stands = standing_of(plan, owner);
   const bool is_aside = plan.find_panel(owner) ? !is_corner_in_middle(rest) : rest == "end";
   return stands == Standing::middle && is_aside ? Standing::pair : stands;
 }
 
-std::string find_point_owner(const Plan& plan, const std::string& name, const Place& place,
+std::string find_point_owner(const NetPlan& plan, const std::string& name, const Place& place,
                              const std::string& path, Diagnostics& diagnostics) {
   const DottedName dotted = split(name);
   const auto is_one_of = [&](const std::vector<std::string>& words) {

@@ -7,8 +7,8 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kTie = 1e-9;  // to zero, of what nothing else determines
-constexpr double kHold = 1e9;  // of a value that is given, against a weight of one
+constexpr double kTie = 1e-9;  // weight towards zero, for values that nothing else determines
+constexpr double kHold = 1e9;  // weight of a given value; all others have weight one
 
 }  // namespace
 

@@ -24,7 +24,7 @@ double depth_of(const std::vector<Cut>& side) {
 
 bool is_middle(const Panel& panel) { return panel.stands == Standing::middle; }
 
-/// Of a middle panel the half that is drawn: the first count lies half on either side.
+/// The counts of the half of a middle panel that is drawn: the first count lies half on either side.
 std::vector<MeshCount> drawn_counts(const Panel& panel, const std::vector<MeshCount>& edge) {
   auto counts = edge;
   if (is_middle(panel) && !counts.empty()) counts.front().meshes /= 2;
@@ -42,7 +42,7 @@ class Pen {
  public:
   explicit Pen(PanelPoint start) : at_(start) {}
 
-  /// What is on the middle but for rounding is on the middle.
+  /// A point within rounding of the middle is put on the middle.
   void draw(OutlineEdge edge, PanelPoint to) {
     if (std::abs(to.x) < 1e-9) to.x = 0;
     edge.from = at_, edge.to = to;
@@ -69,12 +69,12 @@ void draw_counts(Pen& pen, const Panel& panel, const std::vector<MeshCount>& cou
              {pen.at().x + direction * count.meshes, pen.at().y});
 }
 
-/// Meshes that selvedges take at the corner before cut k of a side, which may be where the side ends.
+/// Meshes that selvedges take at the corner before cut k of a side; k may be the end of the side.
 double selvedge_at(const std::vector<Cut>& side, std::size_t k) {
   return std::max(k > 0 ? side[k - 1].selvedge : 0.0, k < side.size() ? side[k].selvedge : 0.0);
 }
 
-/// Takes meshes of a count, as many as there are.
+/// Takes up to `wanted` meshes from a count; returns the meshes taken.
 double take(double wanted, MeshCount* count) {
   const double taken = count ? std::min(wanted, count->meshes) : 0;
   if (count) count->meshes -= taken;
@@ -84,7 +84,7 @@ double take(double wanted, MeshCount* count) {
 MeshCount* first(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.front(); }
 MeshCount* last(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.back(); }
 
-/// Moves corners inwards by what is gathered; of the fore and aft edges only what they have.
+/// Moves corners inwards by the gathered meshes, at most by those that the fore and aft edges have.
 void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, double inwards, MeshCount* fore,
             MeshCount* aft) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -95,8 +95,8 @@ void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, doub
   }
 }
 
-/// Corners of a side that starts at x0 and gains `sign` times what its cuts give; `shift` is added in
-/// proportion to the depth, and depths are brought to the panel's.
+/// The corners of a side that starts at x0 and moves by `sign` times the meshes of its cuts; `shift` is added
+/// in proportion to the depth, and depths are brought to the panel's.
 std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, double sign, double depth,
                                      double shift) {
   const double scale = depth_of(side) > 0 ? depth / depth_of(side) : 1;
@@ -109,7 +109,7 @@ std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, do
   return corners;
 }
 
-/// The length of a cut is that of the cut as written, not of the line that counts leave to it.
+/// The length of a cut is that of the cut as written, not of the line that results from the counts.
 void draw_side(Pen& pen, const Panel& panel, const std::vector<PanelPoint>& corners, EdgeKind kind) {
   const bool forward = kind == EdgeKind::inner;
   const auto& side = forward ? panel.inner : panel.outer;

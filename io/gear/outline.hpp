@@ -4,8 +4,8 @@
 
 namespace netloft::io {
 
-/// A point of a panel in repose: x meshes across, outwards; y meshes aft of the fore edge. A mesh stands for
-/// its full width across and its stretched length aft, as counts are counted.
+/// A point of a panel in repose: x meshes across, outwards; y meshes aft of the fore edge. A mesh is its full
+/// width across and its stretched length aft, in agreement with mesh counts.
 struct PanelPoint {
   double x = 0, y = 0;
 };
@@ -17,8 +17,8 @@ struct OutlineEdge {
   std::string name;
   EdgeKind kind;
   PanelPoint from, to;
-  double meshes = 0;     // as counted: across of fore and aft edges, deep of sides
-  double stretched = 0;  // length of its twines pulled straight, in stretched meshes of two bars
+  double meshes = 0;     // counted meshes: across for fore and aft edges, deep for sides
+  double stretched = 0;  // length of its straight twines, in stretched meshes of two bars
 };
 
 /// The border of a panel with its corners, closed: fore edge outwards, outer side aft, aft edge inwards,
@@ -26,9 +26,9 @@ struct OutlineEdge {
 /// or more.
 ///
 /// Middle panels are given by their starboard half, the middle at x = 0; pairs by the one whose inner side
-/// begins at x = 0. Where cuttings and counts differ (the check speaks of that), counts are kept, for they
-/// are what is sewn: sides are moved by the difference, half of it each, in proportion to the depth. Then
-/// they are moved inwards by what selvedges gather of them.
+/// begins at x = 0. If cuttings and counts differ (the check reports it), counts are kept, because counted
+/// meshes are sewn: sides are moved by the difference, half of it each, in proportion to the depth. Then they
+/// are moved inwards by what selvedges gather of them.
 struct Outline {
   std::vector<OutlineEdge> edges;
   std::vector<PanelPoint> corners() const;
@@ -36,7 +36,7 @@ struct Outline {
 
 Outline outline_of(const Panel& panel);
 
-/// Meshes of the aft edge as its cuttings give them, the whole panel. Both outlines and checks need it.
+/// Meshes of the aft edge of the whole panel that follow from its cuttings. Used by outlines and checks.
 double aft_by_cuttings(const Panel& panel);
 
 }  // namespace netloft::io

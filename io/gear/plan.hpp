@@ -11,12 +11,12 @@
 
 namespace netloft::io {
 
-// A net plan as its maker writes it: counts in meshes, lengths in metres, names as written. Of what there is
-// to port and to starboard only one is written; nothing here is yet mirrored, cut to size or divided.
+// A net plan as written by its maker: counts in meshes, lengths in metres, names unchanged. Parts that exist
+// to port and to starboard are written once; nothing is mirrored, cut to size or divided yet.
 
-/// How something stands to the plane of symmetry.
+/// The symmetry of a part.
 enum class Standing {
-  alone,   // where it is, once
+  alone,   // exists once, in its place
   pair,    // to starboard, and mirrored to port
   middle,  // across the plane, symmetric in itself
 };
@@ -35,15 +35,16 @@ struct Cut {
   std::string name;
   std::string written;  // "5B1P in"
   CuttingRate rate;
-  bool is_known = true;                          // false: what is written is no rate, and `rate` a guess
-  int goes = 0;                                  // +1 outwards, the panel becomes wider going aft; -1 inwards
-  std::optional<double> said_across, said_deep;  // meshes; with neither it takes what is left of the depth
-  double across = 0, deep = 0;                   // meshes, as they follow
-  double selvedge = 0;                           // meshes gathered into the seam along it
+  bool is_known = true;  // false: the text is not a rate, and `rate` is a guess
+  int goes = 0;          // +1 outwards, the panel becomes wider going aft; -1 inwards
+  // meshes; if neither is given, the cut takes the rest of the depth
+  std::optional<double> said_across, said_deep;
+  double across = 0, deep = 0;  // meshes, as computed
+  double selvedge = 0;          // meshes gathered into the seam along it
   Place place;
 };
 
-/// Finds how far each cut of a side goes, from what is said of them and the depth of the panel.
+/// Computes the extent of each cut of a side from the given numbers and the depth of the panel.
 void settle(std::vector<Cut>& side, double depth);
 
 struct Panel {
@@ -51,82 +52,83 @@ struct Panel {
   Standing stands = Standing::middle;
   double mesh = 0;  // stretched mesh size, two bars [m]
   std::string orientation = "diamond";
-  double angle = 0;           // by which the netting is turned in the panel, twine_coordinates.hpp (2) [rad]
-  std::string twine_name;     // of the catalogue; empty: written out
+  double angle = 0;           // rotation of the netting in the panel, twine_coordinates.hpp (2) [rad]
+  std::string twine_name;     // in the catalogue; empty: written in the plan
   Value twine;                // a table: diameter, EA, density, …
   double twine_diameter = 0;  // [m]
-  int twines = 1;             // laid side by side: 2 in double netting
+  int twines = 1;             // number laid side by side: 2 in double netting
   std::vector<MeshCount> fore, aft;
-  bool states_aft = false;  // whether the plan says it, or it follows from the cuttings
-  double depth = 0;         // meshes, of all pieces in a row
-  int pieces = 1;           // sewn in a row mesh to mesh, one of them `depth`/`pieces` deep
+  bool states_aft = false;  // whether the plan states it; otherwise it follows from the cuttings
+  double depth = 0;         // meshes, over all pieces in a row
+  int pieces = 1;           // sewn in a row mesh to mesh, each `depth`/`pieces` deep
   bool is_round = false;    // a tube: its sides are sewn to one another
   std::vector<Cut> outer;   // of a middle panel: both sides
   std::vector<Cut> inner;   // of a middle panel: none
-  /// Where it may start: fore-inner, fore-outer, aft-outer, aft-inner, to starboard [m]; or nothing.
+  /// Initial corners: fore-inner, fore-outer, aft-outer, aft-inner, to starboard [m]; may be empty.
   std::vector<std::array<double, 3>> sketch;
   Place place, aft_place;
 
   /// Meshes of the whole edge, to port and to starboard of a middle panel.
   double count(const std::vector<MeshCount>& edge) const;
-  /// (u, v) in bars of a point, or of the way from one to another; twine_coordinates.hpp.
+  /// (u, v) in bars of a point, or of the vector from one point to another; twine_coordinates.hpp.
   std::array<double, 2> twines_at(double across, double deep) const;
 };
 
-/// A rope, wire or chain. One that stands in the middle is whole here; it starts in the middle and ends on
-/// the side, on both sides.
+/// A rope, wire or chain. One in the middle is given in full length; it starts in the middle and ends on both
+/// sides.
 struct Rope {
   std::string name;
   Standing stands = Standing::alone;
   std::string part_name;
   Value rope;                          // a table: diameter, EA, density, …
   double length = 0;                   // unstretched [m]
-  std::array<std::string, 2> between;  // points of its ends; empty: none
-  bool is_selvedge = false;            // none that a plan writes: meshes gathered into a seam
+  std::array<std::string, 2> between;  // points at its ends; empty: none
+  bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
   Place place, between_place;
 };
 
-/// An edge hung on a rope. In the order of a rope's hangings lies the order along it.
+/// An edge hung on a rope. Along the rope, edges follow one another in the order of its hangings.
 struct Hanging {
   std::string edge, rope;
-  double length = 0;  // of rope that it takes, of the whole of a middle edge [m]; 0: by the ratio
-  double ratio = 0;   // length of rope over that of the stretched edge; 0: by the length
+  // length of rope that it takes, over the whole of a middle edge [m]; 0: given by the ratio
+  double length = 0;
+  double ratio = 0;  // length of rope divided by that of the stretched edge; 0: given by the length
   Place edge_place, rope_place, place;
 };
 
-/// Edges sewn together, each side one edge or several in a row. Both may be the same: what is to port is then
-/// sewn to what is to starboard.
+/// Edges sewn together, each side one edge or several in a row. If both sides are the same edge, port is sewn
+/// to starboard.
 struct Join {
   std::array<std::vector<std::string>, 2> edges;
   double take_up = 0;   // meshes of the second for one of the first; 0: mesh to mesh
-  double selvedge = 0;  // meshes of either edge that are gathered into the seam
+  double selvedge = 0;  // meshes of each edge that are gathered into the seam
   std::array<Place, 2> places;
   Place place;
 
   bool is_to_itself() const { return edges[0] == edges[1]; }
 };
 
-/// "47 along headrope", "2 at footrope.end": floats, weights or pieces of ground gear, shared out along a
+/// "47 along headrope", "2 at footrope.end": floats, weights or pieces of ground gear, distributed along a
 /// rope or an edge, or hung at a point.
 struct Pieces {
   std::string name, part_name;
   Value piece;
-  double number = 0;      // of the whole gear
-  std::string along, at;  // either of them
+  double number = 0;      // in the whole gear
+  std::string along, at;  // one of them is set
   Place place, spread_place;
 
   bool is_along_edge() const { return along.find('.') != std::string::npos; }
 };
 
-/// A point that is no end of anything: where bridles meet, where the gear is towed.
+/// A point that is not the end of a rope: where bridles meet, or where the gear is towed.
 struct Point {
   std::string name;
   Standing stands = Standing::pair;
-  std::optional<std::array<double, 3>> at;  // [m]; of a pair the one to starboard
+  std::optional<std::array<double, 3>> at;  // [m]; for a pair the one to starboard
   Place place;
 };
 
-struct Plan {
+struct NetPlan {
   std::string title, source;
   std::vector<Panel> panels;
   std::vector<Rope> ropes;

@@ -6,17 +6,17 @@
 
 namespace netloft::io {
 
-/// A part that a plan names, or writes out.
+/// A part that a plan names from a catalogue or writes itself.
 struct ChosenPart {
-  std::string name;  // of the catalogue; empty: written out
+  std::string name;  // in the catalogue; empty: written in the plan
   Value table;
 };
 
-/// What stands under `key`, of the catalogue's kinds for `kind_key`.
+/// Reads the part under `key`: a name of the catalogue's kinds for `kind_key`, or a table.
 ChosenPart read_part_choice(TableReader& table, const char* key, const char* kind_key,
                             const Catalogue& catalogue);
 
-/// Reads tables of a plan. Members are those of the plan, a file each.
+/// Reads tables of a plan. The members of a plan are read in a file each.
 Panel read_panel(const std::string& name, TableReader& table, const Catalogue& catalogue);
 Rope read_rope(const std::string& name, TableReader& table, const Catalogue& catalogue);
 Hanging read_hanging(TableReader& table);
@@ -24,10 +24,10 @@ Join read_join(TableReader& table);
 Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue& catalogue);
 Point read_point(const std::string& name, TableReader& table);
 
-/// Gathers what seams take of their edges: outlines become narrower, and the strip is a rope on the edge.
-void add_selvedges(Plan& plan, Diagnostics& diagnostics);
+/// Adds the selvedges that seams gather: outlines become narrower, and each strip becomes a rope on the edge.
+void add_selvedges(NetPlan& plan, Diagnostics& diagnostics);
 
-/// `stands = "pair"`.
+/// Reads the symmetry of a part, `stands = "pair"`.
 Standing read_standing(TableReader& table, const char* fallback);
 
 }  // namespace netloft::io

@@ -37,7 +37,7 @@ struct CutText {
   std::string rate, direction;
 };
 
-/// "5B1P in" taken apart.
+/// Splits a text such as "5B1P in" into rate and direction.
 CutText split_cut(const std::string& written) {
   const auto space = written.find(' ');
   if (space == std::string::npos) return {written, ""};
@@ -49,7 +49,7 @@ void read_direction(Cut& cut, const std::string& direction, TableReader& table, 
   if (direction == "in" || direction == "out")
     cut.goes = direction == "in" ? -1 : 1;
   else if (!direction.empty())
-    table.error(key, "\"" + direction + "\" is no direction",
+    table.error(key, "\"" + direction + "\" is not a direction",
                 "\"in\" where the panel becomes narrower going aft, \"out\" where it becomes wider");
   else if (cut.is_known && !cut.rate.is_straight())
     table.error(key, "does not say whether \"" + cut.written + "\" goes in or out",
@@ -57,7 +57,7 @@ void read_direction(Cut& cut, const std::string& direction, TableReader& table, 
                     cut.written + " out\"");
 }
 
-/// The rate that a plan may have said, for one that is none, is found when the whole panel is known.
+/// Reads a rate. If the text is not a rate, the probable one is found later, with the whole panel.
 void read_rate(Cut& cut, TableReader& table, const char* key) {
   const auto words = split_cut(table.text(key, {.doc = "cutting rate and direction, such as \"5B1P in\""}));
   cut.written = words.rate, cut.place = table.place(key);
@@ -75,7 +75,7 @@ void read_extent(Cut& cut, TableReader& table) {
   if (table.has("depth")) cut.said_deep = read_meshes(table, "depth", "meshes that it goes aft");
 }
 
-/// Both numbers of a cut that a plan states must say the same.
+/// Whether the two numbers that a plan states for a cut agree.
 bool agrees(const Cut& cut) {
   const double across = cut.rate.across(*cut.said_deep);
   return std::abs(across - *cut.said_across) <= std::max(1.0, 0.03 * *cut.said_across);
@@ -109,11 +109,11 @@ std::vector<Cut> read_whole_side(TableReader& table, const char* key) {
   Cut cut;
   cut.name = key;
   read_rate(cut, table, key);
-  if (goes_across_only(cut)) table.error(key, "goes across only: nothing of it goes aft");
+  if (goes_across_only(cut)) table.error(key, "goes across only and takes nothing of the depth");
   return {cut};
 }
 
-/// A tube has straight sides unless they are said to be cut.
+/// The straight side of a tube without cuts.
 Cut straight_cut(const char* key, const Place& place) {
   Cut cut;
   cut.name = key, cut.written = "AN", cut.rate = {.points = 1}, cut.place = place;
@@ -129,7 +129,7 @@ std::vector<Cut> read_side(TableReader& table, const char* key, double depth, bo
   } else {
     for (auto& entry : table.tables(key, Presence::required, "cuts going aft, such as \"5B1P in\""))
       side.push_back(read_cut(entry, std::string(key) + "-" + std::to_string(side.size() + 1)));
-    if (table.kind(key) == Kind::array && side.empty()) table.error(key, "is empty: a cut is wanted");
+    if (table.kind(key) == Kind::array && side.empty()) table.error(key, "is empty: give at least one cut");
   }
   if (std::count_if(side.begin(), side.end(), is_open) > 1)
     table.error(key, "more than one of its cuts has neither meshes nor depth");
@@ -153,7 +153,7 @@ const std::vector<std::string>& orientations() {
   return words;
 }
 
-/// `netting = "83-112-fore"` of the catalogue stands for mesh and twine, where those are not said.
+/// A catalogue entry, `netting = "83-112-fore"`, provides mesh and twine unless the plan gives them.
 const CataloguePart* read_netting(TableReader& table, const Catalogue& catalogue) {
   const Value* said = table.raw("netting");
   return said ? choose_part(*said, {"netting"}, table.path("netting"), catalogue, table.diagnostics())
@@ -189,7 +189,7 @@ void read_material(Panel& panel, TableReader& table, const Catalogue& catalogue)
       table.choice("orientation", {.allowed = orientations(), .doc = "of the meshes", .fallback = "diamond"});
 }
 
-/// Netting that is to be the same to port and to starboard is turned by eighths of a round.
+/// Netting that must be the same to port and to starboard can be turned only by multiples of 45 degrees.
 void read_angle(Panel& panel, TableReader& table) {
   panel.angle = table.real("angle", {.unit = "rad",
                                      .doc = "by which the netting is turned, from outwards towards aft",
@@ -203,20 +203,21 @@ void read_angle(Panel& panel, TableReader& table) {
                     panel.name + ".inner\", \"" + panel.name + ".inner\"]");
 }
 
-/// `fore`, or `round`, the meshes of a tube.
+/// Reads `fore`, or `round`, the meshes of a tube.
 void read_fore(Panel& panel, TableReader& table) {
   panel.is_round = table.has("round");
   panel.fore = read_counts(table, panel.is_round ? "round" : "fore");
   if (!panel.is_round) return;
   for (auto& count : panel.fore)
     if (count.name == "round") count.name = "fore";
-  if (table.has("fore")) table.error("fore", "stands beside round, which says the same", "leave out either");
+  if (table.has("fore"))
+    table.error("fore", "cannot be combined with round, which has the same meaning", "leave out either");
   if (panel.stands != Standing::middle)
-    table.error("round", "a tube lies across the plane of symmetry",
+    table.error("round", "a tube is always across the plane of symmetry",
                 "leave out stands, or write fore for round");
 }
 
-/// Pieces in a row are of one width, or the next would not fit on the one before.
+/// Pieces in a row must have the same width to fit one another.
 void read_depth(Panel& panel, TableReader& table) {
   panel.depth = table.real(
       "depth", {.unit = "1", .doc = "meshes from the fore to the aft edge", .range = {0, kMostMeshes, true}});
@@ -229,7 +230,8 @@ void check_pieces_in_a_row(const Panel& panel, TableReader& table) {
   for (const auto* side : {&panel.outer, &panel.inner})
     for (const auto& cut : *side)
       if (panel.pieces > 1 && !cut.rate.is_straight())
-        return table.error("pieces", "pieces in a row have straight sides, AN, for each has the same meshes",
+        return table.error("pieces",
+                           "pieces in a row have the same number of meshes, so their sides are straight, AN",
                            "write a panel for each, with its own counts");
 }
 
@@ -254,8 +256,7 @@ ChosenPart read_part_choice(TableReader& table, const char* key, const char* kin
     return {"", {table.place(), Table{}}};
   }
   if (!names_a_part(*said)) {
-    if (said->kind() != Kind::table)
-      table.error(key, "the name of a part of the catalogue, or a table, is wanted");
+    if (said->kind() != Kind::table) table.error(key, "give the name of a part of the catalogue, or a table");
     return {"", said->kind() == Kind::table ? *said : Value{said->place, Table{}}};
   }
   const CataloguePart* part =

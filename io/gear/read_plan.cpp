@@ -12,22 +12,22 @@ namespace netloft::io {
 
 namespace {
 
-// What a scene may hold beside a plan, and what its [gear] says of the model.
+// The tables of a scene beside those of a plan, and the keys of its [gear] about the model.
 constexpr const char* kOfScenes[] = {"water", "parts", "hold", "analysis", "results", "elements"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
 constexpr const char* kOfPlans[] = {"gear", "panels", "ropes", "hang", "floats", "points"};
 
-/// A [[join]] of parts of a scene rather than of edges.
+/// Whether a [[join]] connects parts of a scene rather than edges.
 bool joins_parts(TableReader& join) {
   const bool joins = join.has("points");
   if (joins) join.has("together");
   return joins && !join.has("edges");
 }
 
-/// Reads one plan; members are steps in the order they happen.
+/// Reads one plan; the member functions are steps in the order of execution.
 class PlanReader {
  public:
-  /// `catalogue` null: that of the user and the library.
+  /// A null `catalogue` stands for that of the user and the library.
   PlanReader(const Document& document, std::filesystem::path folder, const Catalogue* catalogue,
              Diagnostics& diagnostics)
       : root_(document.root(), diagnostics), diagnostics_(diagnostics), folder_(std::move(folder)) {
@@ -35,7 +35,7 @@ class PlanReader {
     read_catalogue(catalogue);
   }
 
-  Plan read() {
+  NetPlan read() {
     read_head();
     read_named("panels", "the pieces of netting, a table each", Presence::required,
                [&](const std::string& name, TableReader& t) {
@@ -85,17 +85,19 @@ class PlanReader {
     }
   }
 
-  /// Names lead to edges and points by a dot, and a name is one thing only.
+  /// A dot separates a name from its edges and points, so names must not contain one; and each name is used
+  /// once.
   void check_name(const std::string& name, TableReader& tables) {
     if (name.find('.') != std::string::npos || name.empty())
-      diagnostics_.error(tables.place(name),
-                         "the name \"" + name + "\" must not be empty nor hold a dot, which leads to edges");
+      diagnostics_.error(
+          tables.place(name),
+          "the name \"" + name + "\" must not be empty or contain a dot, which separates names of edges");
     if (!names_.insert(name).second)
       diagnostics_.error(tables.place(name), "there is something named \"" + name + "\" already",
-                         "panels, ropes, floats and points share one list of names");
+                         "names of panels, ropes, floats and points must all be different");
   }
 
-  /// Of a panel that does not state its aft edge the cuttings give it.
+  /// Computes the aft edge of a panel from its cuttings if the plan does not state it.
   void complete(Panel& panel) {
     if (!panel.states_aft) panel.aft = {{"aft", std::max(0.0, aft_by_cuttings(panel)), panel.place}};
   }
@@ -110,7 +112,7 @@ class PlanReader {
   Diagnostics& diagnostics_;
   std::filesystem::path folder_;
   Catalogue catalogue_;
-  Plan plan_;
+  NetPlan plan_;
   std::set<std::string> names_;
 };
 
@@ -123,14 +125,14 @@ const T* find_named(const std::vector<T>& all, const std::string& name) {
 
 }  // namespace
 
-Plan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-               Diagnostics& diagnostics) {
+NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                  Diagnostics& diagnostics) {
   const Document document = Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
   return PlanReader(document, file.parent_path(), nullptr, diagnostics).read();
 }
 
-Plan read_plan(const Document& document, const std::filesystem::path& folder, Diagnostics& diagnostics) {
+NetPlan read_plan(const Document& document, const std::filesystem::path& folder, Diagnostics& diagnostics) {
   return PlanReader(document, folder, nullptr, diagnostics).read();
 }
 
@@ -140,21 +142,21 @@ bool holds_plan(const Document& document) {
                              [&](const char* key) { return root->find(key); });
 }
 
-Plan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
+NetPlan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
   const Document document = Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
   return PlanReader(document, {}, nullptr, diagnostics).read();
 }
 
-Plan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
-                    Diagnostics& diagnostics) {
+NetPlan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
+                       Diagnostics& diagnostics) {
   const Document document = Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
   return PlanReader(document, {}, &catalogue, diagnostics).read();
 }
 
-const Panel* Plan::find_panel(const std::string& name) const { return find_named(panels, name); }
-const Rope* Plan::find_rope(const std::string& name) const { return find_named(ropes, name); }
-const Point* Plan::find_point(const std::string& name) const { return find_named(points, name); }
+const Panel* NetPlan::find_panel(const std::string& name) const { return find_named(panels, name); }
+const Rope* NetPlan::find_rope(const std::string& name) const { return find_named(ropes, name); }
+const Point* NetPlan::find_point(const std::string& name) const { return find_named(points, name); }
 
 }  // namespace netloft::io

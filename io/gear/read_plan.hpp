@@ -7,25 +7,24 @@
 
 namespace netloft::io {
 
-/// Reads a gear with all it includes, `overrides` ("path=value") laid on top, and the catalogues that it
-/// names parts of. Everything wrong with the writing is put into the diagnostics, located; whether the net
-/// can be sewn is another question (check.hpp). After an error the plan holds what could be read.
-Plan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-               Diagnostics& diagnostics);
+/// Reads a gear with all its includes, with `overrides` ("path=value") on top, and the catalogues with the
+/// parts that it names. All errors of the text are put into the diagnostics with their places; check.hpp
+/// checks whether the net can be sewn. After an error the plan contains whatever could be read.
+NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                  Diagnostics& diagnostics);
 
-/// The same of a document that is there already: a scene that holds the tables of a plan beside its own. What
-/// else a scene may hold is passed over, and the keys of `[gear]` that say how it is modelled. `folder` is
-/// what `catalogue` is relative to.
-Plan read_plan(const Document& document, const std::filesystem::path& folder, Diagnostics& diagnostics);
+/// Reads a plan from a document in memory: a scene that contains the tables of a plan. Other tables of the
+/// scene are ignored, and so are the keys of `[gear]` about the model. `folder` is the base of `catalogue`.
+NetPlan read_plan(const Document& document, const std::filesystem::path& folder, Diagnostics& diagnostics);
 
-/// Whether a document holds tables of a plan.
+/// Whether a document contains tables of a plan.
 bool holds_plan(const Document& document);
 
-/// The same for a text in memory.
-Plan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics);
+/// Reads a plan from a text in memory.
+NetPlan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics);
 
-/// The same with parts of a catalogue at hand; one that the text names is not read.
-Plan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
-                    Diagnostics& diagnostics);
+/// Reads a plan from a text in memory with a given catalogue; a catalogue that the text names is not read.
+NetPlan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
+                       Diagnostics& diagnostics);
 
 }  // namespace netloft::io

@@ -15,7 +15,7 @@ double read_length(TableReader& table, const char* key, const char* doc) {
   return table.real(key, {.unit = "m", .doc = doc, .range = {0, kLongest, true}});
 }
 
-/// One name, or several in a row.
+/// Reads one name, or several in a row.
 std::vector<std::string> read_row(const Value& said, const std::string& path, Diagnostics& diagnostics) {
   if (const std::string* name = said.as<std::string>()) return {*name};
   std::vector<std::string> names;
@@ -24,11 +24,11 @@ std::vector<std::string> read_row(const Value& said, const std::string& path, Di
     for (const auto& item : array->items)
       if (const std::string* name = item.as<std::string>()) names.push_back(*name);
   if (!array || names.size() != array->items.size() || names.empty())
-    diagnostics.error(said.place, path + ": the name of an edge is wanted, or an array of edges in a row");
+    diagnostics.error(said.place, path + ": give the name of an edge, or an array of edges in a row");
   return names;
 }
 
-/// "47 along headrope", "2 at footrope.end".
+/// Splits a text such as "47 along headrope" or "2 at footrope.end".
 bool split_spread(const std::string& text, Pieces& pieces) {
   const auto* end = text.data() + text.size();
   const auto [after, error] = std::from_chars(text.data(), end, pieces.number);
@@ -40,14 +40,14 @@ bool split_spread(const std::string& text, Pieces& pieces) {
   return !pieces.along.empty() || !pieces.at.empty();
 }
 
-/// Of a pair the one to starboard is written; what stands in the middle lies on the plane of symmetry.
+/// A point of a pair must be to starboard; a point in the middle must lie on the plane of symmetry.
 void check_side(const Point& point, TableReader& table) {
   const double y = (*point.at)[1];
   if (point.stands == Standing::pair && y < 0)
     table.error("at", "lies to port, y < 0",
-                "of a pair the one to starboard is written, and the other mirrored");
+                "for a pair, give the point to starboard; the other is its mirror image");
   if (point.stands == Standing::middle && y != 0)
-    table.error("at", "lies beside the plane of symmetry, in which y = 0",
+    table.error("at", "is not on the plane of symmetry, y = 0",
                 "stands = \"pair\", if there is one to port and one to starboard");
 }
 
@@ -76,7 +76,7 @@ Hanging read_hanging(TableReader& table) {
   hanging.edge_place = table.place("edge"), hanging.rope_place = table.place("on");
   hanging.place = table.place();
   if (table.has("length") && table.has("ratio"))
-    table.error("ratio", "stands beside length, which says the same", "leave out either");
+    table.error("ratio", "cannot be combined with length, which has the same meaning", "leave out either");
   if (table.has("ratio"))
     hanging.ratio = table.real(
         "ratio",
@@ -92,8 +92,7 @@ Join read_join(TableReader& table) {
   const Value* edges = table.raw("edges");
   const Array* array = edges ? edges->as<Array>() : nullptr;
   if (!array || array->items.size() != 2) {
-    table.error("edges",
-                "two edges that are sewn together are wanted, such as [\"wing.aft\", \"body.fore\"]");
+    table.error("edges", "give two edges that are sewn together, such as [\"wing.aft\", \"body.fore\"]");
     return join;
   }
   for (std::size_t i = 0; i < 2; ++i) {
@@ -120,7 +119,7 @@ Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue&
   pieces.spread_place = table.place("spread");
   if (table.has("spread") && table.kind("spread") == Kind::text && !split_spread(spread, pieces))
     table.error("spread", "\"" + spread + "\" is not understood",
-                "a number of pieces and a rope, an edge or a point are wanted, such as \"47 along headrope\" "
+                "give a number of pieces and a rope, an edge or a point, such as \"47 along headrope\" "
                 "or \"2 at footrope.end\"");
   return pieces;
 }

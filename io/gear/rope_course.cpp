@@ -9,8 +9,8 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kRounding = 0.02;  // of a rope's length: no stretch of its own
-constexpr double kLikely = 0.1;     // weight of the usual direction against that of a point in common
+constexpr double kRounding = 0.02;  // of a rope's length; a shorter excess gets no stretch of its own
+constexpr double kLikely = 0.1;     // weight of the usual direction, compared with that of a common point
 
 bool crosses(const Gear& gear, const GearRope& rope) {
   return gear.extent == Extent::whole && rope.rope->stands == Standing::middle;
@@ -22,7 +22,7 @@ struct HungRow {
   double length = 0;
 };
 
-/// Runs the ropes of one gear; members are steps in the order they happen.
+/// Runs the ropes of one gear; the member functions are steps in the order of execution.
 class Rigger {
  public:
   Rigger(const Gear& gear, Borders& borders) : gear_(gear), borders_(borders) {}
@@ -48,7 +48,7 @@ class Rigger {
         all_.points.emplace(corner_name(cloth, name), borders_.breaks[side].front().point);
   }
 
-  /// In the whole, of middle panels: port, starboard, and what lies in the middle.
+  /// The name of a corner; for middle panels of the whole, with port, starboard, or neither on the plane.
   std::string corner_name(const Cloth& cloth, const std::string& name) const {
     const GearPanel& panel = gear_.panels[cloth.panel];
     const bool is_half = gear_.extent == Extent::whole && panel.panel->stands == Standing::middle;
@@ -102,7 +102,7 @@ class Rigger {
   std::size_t start(const Row& row) const { return borders_.start(row.front()); }
   std::size_t end(const Row& row) const { return borders_.end(row.back()); }
 
-  /// Turns the edges so that most ends meet (dynamic programming over both directions of each).
+  /// Chooses the direction of each edge so that most ends meet (dynamic programming over both directions).
   void direct(const GearRope& rope, std::vector<HungRow>& rows) {
     if (rows.empty()) return;
     std::vector<std::array<double, 2>> best(rows.size());
@@ -131,8 +131,8 @@ class Rigger {
     }
   }
 
-  /// 1 if an edge runs as it usually does: of a rope of the middle to starboard and forward there, to port
-  /// the other way round; of others outwards or aft.
+  /// 1 if an edge runs in its usual direction: for a rope of the middle forward to starboard and aft to port,
+  /// for other ropes outwards or aft.
   double likelihood(const GearRope& rope, const Row& row) const {
     const ClothSide& side = borders_.cloths.sides[row[0].side];
     const bool is_port = borders_.cloths.cloths[side.cloth].is_port;
@@ -145,12 +145,12 @@ class Rigger {
 
   void append(RopeCourse& course, const HungRow& hung) const {
     double whole = 0;
-    for (const auto& s : hung.row) whole += share(s);
+    for (const auto& s : hung.row) whole += fraction(s);
     for (const auto& s : hung.row)
-      course.push_back({s, false, borders_.start(s), borders_.end(s), hung.length * share(s) / whole});
+      course.push_back({s, false, borders_.start(s), borders_.end(s), hung.length * fraction(s) / whole});
   }
 
-  double share(const DirectedSide& s) const {
+  double fraction(const DirectedSide& s) const {
     return std::abs(borders_.cloths.sides[s.side].edge_to - borders_.cloths.sides[s.side].edge_from);
   }
 
@@ -159,9 +159,9 @@ class Rigger {
                            [](double sum, const RopeStretch& s) { return sum + s.length; });
   }
 
-  /// A place between stretches, or before or after all of them, where a rope may be free.
+  /// A place before, between or after all stretches, where a rope may be free.
   struct Gap {
-    std::size_t before = 0;  // this stretch
+    std::size_t before = 0;  // index of the stretch after it
     std::size_t from = 0, to = 0;
     double weight = 1;
   };
@@ -193,7 +193,7 @@ class Rigger {
     return gaps;
   }
 
-  /// Of a half: the first edge of a rope that starts on the plane of symmetry does not begin there.
+  /// In the half: whether the first edge of a rope that starts on the plane of symmetry begins elsewhere.
   bool begins_off_the_middle(const GearRope& rope, const RopeCourse& course) {
     if (gear_.extent != Extent::half || rope.rope->stands != Standing::middle) return false;
     for (std::size_t s = 0; s < borders_.cloths.sides.size(); ++s)
@@ -216,7 +216,7 @@ class Rigger {
     return leads_to ? std::vector<Gap>{first} : std::vector<Gap>{last};
   }
 
-  /// Stretches that follow one another meet, and the first and the last have the ends of the rope.
+  /// Joins consecutive stretches, and the first and last with the ends of the rope.
   void close(const GearRope& rope, RopeCourse& course) {
     const std::size_t start = point(rope.name + ".start"), end = point(rope.name + ".end");
     if (course.empty()) course.push_back({{}, true, start, end, rope.length});
@@ -225,7 +225,7 @@ class Rigger {
     for (std::size_t k = 1; k < course.size(); ++k) borders_.points.unite(course[k - 1].to, course[k].from);
   }
 
-  /// The middle of a whole rope is a point: of a free stretch any, else the nearest that there is.
+  /// Puts the middle of a whole rope at a point: anywhere on a free stretch, or else at the nearest point.
   void put_middle(const GearRope& rope, RopeCourse& course) {
     if (!crosses(gear_, rope)) return;
     const std::size_t middle = point(rope.name + ".middle");

@@ -15,7 +15,7 @@ struct RopeStretch {
   double length = 0;
 };
 
-/// The way of a rope through the gear, from its start to its end.
+/// The course of a rope through the gear, from its start to its end.
 using RopeCourse = std::vector<RopeStretch>;
 
 struct RopeCourses {
@@ -23,9 +23,10 @@ struct RopeCourses {
   std::map<std::string, std::size_t> points;  // ends of ropes, corners of panels and points of the plan
 };
 
-/// Ropes along their hung edges, in that direction in which these meet one another and what the rope is tied
-/// to. What is longer than its edges is free where these do not meet, or else where it is not tied to them:
-/// at its end, and of a rope of the middle at both. Less than 2 % (check.hpp) is shared out among the edges.
+/// Runs ropes along their hung edges, in the direction in which these meet each other and the points that the
+/// rope is tied to. A rope that is longer than its edges has free stretches where its edges do not meet,
+/// otherwise at ends that are not tied: at its end, or at both ends for a rope of the middle. Less than 2 %
+/// (check.hpp) is distributed among the edges.
 RopeCourses run_ropes(const Gear& gear, Borders& borders);
 
 }  // namespace netloft::io

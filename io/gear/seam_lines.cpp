@@ -12,8 +12,9 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kSnap = 0.3;    // corners of both sides of a seam nearer than that many elements are one
-constexpr double kGrowth = 0.4;  // by which elements may become larger, of the way along a line
+// corners of both sides of a seam that are closer than this fraction of an element are merged
+constexpr double kSnap = 0.3;
+constexpr double kGrowth = 0.4;  // growth of the element size per length along a line
 
 double finer(const Fineness& fineness, const std::string& name, const std::string& plan_name) {
   auto at = fineness.finer.find(name);
@@ -21,7 +22,7 @@ double finer(const Fineness& fineness, const std::string& name, const std::strin
   return at == fineness.finer.end() ? 1 : at->second;
 }
 
-/// Makes the lines of one gear; members are steps in the order they happen.
+/// Makes the lines of one gear; the member functions are steps in the order of execution.
 class LineMaker {
  public:
   LineMaker(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size)
@@ -68,7 +69,7 @@ class LineMaker {
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s) {
       const auto& breaks = borders_.breaks[s];
       for (std::size_t b = 0; b + 1 < breaks.size(); ++b)
-        all_.sides[s].push_back({{kNoPoint, true}, breaks[b].share, breaks[b + 1].share});
+        all_.sides[s].push_back({{kNoPoint, true}, breaks[b].fraction, breaks[b + 1].fraction});
     }
     for (const auto& seam : borders_.seams) share_lines(seam);
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
@@ -82,7 +83,7 @@ class LineMaker {
     return all_.lines.size() - 1;
   }
 
-  /// A run of a side, by its number along the side.
+  /// A run of a side, by its index along the side.
   struct RunOfSide {
     DirectedSide side;
     std::size_t run;
@@ -106,7 +107,7 @@ class LineMaker {
     }
   }
 
-  /// Lines of two lengths, as of two mesh sizes, count by the geometric mean.
+  /// A line with two lengths, for instance with two mesh sizes, uses the geometric mean.
   void use(std::size_t l, DirectedSide s, std::size_t k) {
     const ClothSide& side = cloths_.sides[s.side];
     const auto& breaks = borders_.breaks[s.side];
@@ -158,7 +159,7 @@ class LineMaker {
     part_parallel_lines();
   }
 
-  /// As many nodes as elements of the size wanted take, which near short lines is that of these:
+  /// Divides a line into elements of the wanted size, which decreases towards short neighbouring lines:
   ///   h(x) = min(size, h₀ + g x, h₁ + g (L − x)),   n = ∫ dx/h                                     (1)
   /// spread so that each element has as much of the integral.
   static void divide_line(Line& line, double h0, double h1) {
@@ -177,23 +178,23 @@ class LineMaker {
   }
 
   static void spread_nodes(Line& line, const std::vector<double>& sum, std::size_t elements) {
-    line.shares.clear();
+    line.fractions.clear();
     std::size_t k = 0;
     for (std::size_t i = 1; i < elements; ++i) {
       const double wanted = sum.back() * static_cast<double>(i) / static_cast<double>(elements);
       while (sum[k + 1] < wanted) ++k;
-      line.shares.push_back((static_cast<double>(k) + (wanted - sum[k]) / (sum[k + 1] - sum[k])) /
-                            static_cast<double>(sum.size() - 1));
+      line.fractions.push_back((static_cast<double>(k) + (wanted - sum[k]) / (sum[k + 1] - sum[k])) /
+                               static_cast<double>(sum.size() - 1));
     }
   }
 
-  /// Lines between the same two points would be one where none has a node.
+  /// Separates lines between the same two points that would coincide because neither has a node.
   void part_parallel_lines() {
     std::map<std::array<std::size_t, 2>, std::size_t> seen;
     for (auto& line : all_.lines) {
       auto ends = line.ends;
       std::sort(ends.begin(), ends.end());
-      if (line.shares.empty() && seen[ends]++ > 0) line.shares = {0.5};
+      if (line.fractions.empty() && seen[ends]++ > 0) line.fractions = {0.5};
     }
   }
 

@@ -8,9 +8,9 @@ namespace netloft::io {
 
 namespace {
 
-/// A corner of a row by its share of the row.
+/// A corner of a row at a fraction of the row.
 struct Knot {
-  double share = 0;
+  double fraction = 0;
   std::size_t point = 0;
 };
 
@@ -20,7 +20,7 @@ bool is_forward(const ClothSide& side, bool to_starboard, bool is_port) {
   return outwards == !(to_starboard && is_port);
 }
 
-/// Sews one gear; members are steps in the order they happen.
+/// Sews one gear; the member functions are steps in the order of execution.
 class Sewer {
  public:
   Sewer(const Gear& gear, const Cloths& cloths, double snap)
@@ -47,7 +47,7 @@ class Sewer {
       borders_.breaks.push_back({{0, corners[k]}, {1, corners[(k + 1) % corners.size()]}});
   }
 
-  /// The line inside a middle panel is one of both its halves.
+  /// The line between both halves of a middle panel belongs to both.
   void join_halves() {
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
       for (std::size_t t = s + 1; t < cloths_.sides.size(); ++t) {
@@ -58,7 +58,7 @@ class Sewer {
     join_tips();
   }
 
-  /// Where a panel ends in a tip in the middle, or where its edges meet there.
+  /// Joins the halves where a panel ends in a tip in the middle, or where its edges meet there.
   void join_tips() {
     for (std::size_t c = 0; c + 1 < cloths_.cloths.size(); ++c) {
       const auto &one = cloths_.cloths[c], &other = cloths_.cloths[c + 1];
@@ -95,7 +95,7 @@ class Sewer {
     return row;
   }
 
-  /// Edges of one panel that follow one another in a row do so as they lie.
+  /// Orders edges of one panel that follow one another in a row by their position on the panel.
   void order_panel_by_panel(Row& row, bool to_starboard) const {
     const auto panel = [&](const DirectedSide& s) { return cloths_.cloths[side(s).cloth].panel; };
     for (auto first = row.begin(); first != row.end();) {
@@ -115,17 +115,18 @@ class Sewer {
     return (is_turned ? -1 : 1) * (c.from.x + c.to.x);
   }
 
-  /// Both rows get a break wherever either has a corner.
+  /// Gives both rows a break wherever either has a corner.
   void match(const std::array<Row, 2>& rows) {
     const bool counted = is_counted(rows);
     for (const auto& row : rows) chain(row);
-    const std::array<std::vector<double>, 2> ends{shares(rows[0], counted), shares(rows[1], counted)};
+    const std::array<std::vector<double>, 2> ends{fractions(rows[0], counted), fractions(rows[1], counted)};
     std::array<std::vector<Knot>, 2> knots{knots_of(rows[0], ends[0]), knots_of(rows[1], ends[1])};
     unite_near(knots, snap_ / std::max(length_of(rows[0]), length_of(rows[1])));
     const auto own = knots;
     for (std::size_t r = 0; r < 2; ++r)
       for (const auto& knot : own[1 - r])
-        if (!has(own[r], knot)) insert(rows[r], ends[r], {moved(knot.share, own[1 - r], own[r]), knot.point});
+        if (!has(own[r], knot))
+          insert(rows[r], ends[r], {moved(knot.fraction, own[1 - r], own[r]), knot.point});
   }
 
   bool is_counted(const std::array<Row, 2>& rows) const {
@@ -151,8 +152,8 @@ class Sewer {
     return sum;
   }
 
-  /// Where the sides of a row begin and end, as shares of it.
-  std::vector<double> shares(const Row& row, bool counted) const {
+  /// The fractions of a row at which its sides begin and end.
+  std::vector<double> fractions(const Row& row, bool counted) const {
     std::vector<double> ends{0};
     for (const auto& s : row) {
       const ClothSide& c = side(s);
@@ -168,23 +169,23 @@ class Sewer {
       auto breaks = borders_.breaks[row[k].side];
       if (!row[k].is_forward) std::reverse(breaks.begin(), breaks.end());
       for (std::size_t b = 1; b < breaks.size(); ++b) {
-        const double share = row[k].is_forward ? breaks[b].share : 1 - breaks[b].share;
-        knots.push_back({ends[k] + share * (ends[k + 1] - ends[k]), breaks[b].point});
+        const double fraction = row[k].is_forward ? breaks[b].fraction : 1 - breaks[b].fraction;
+        knots.push_back({ends[k] + fraction * (ends[k + 1] - ends[k]), breaks[b].point});
       }
     }
     return knots;
   }
 
-  /// Ends are one whatever their shares; corners between them are, each with the nearest, if that is near.
+  /// Merges the ends of both rows, and corners between them with their nearest counterparts within `near`.
   void unite_near(std::array<std::vector<Knot>, 2>& knots, double near) {
     borders_.points.unite(knots[0].front().point, knots[1].front().point);
     borders_.points.unite(knots[0].back().point, knots[1].back().point);
     std::size_t next = 1;
     for (std::size_t i = 1; i + 1 < knots[0].size(); ++i)
       for (std::size_t j = next; j + 1 < knots[1].size(); ++j) {
-        const double apart = std::abs(knots[1][j].share - knots[0][i].share);
-        const bool is_nearest = std::abs(knots[1][j + 1].share - knots[0][i].share) >= apart &&
-                                std::abs(knots[0][i + 1].share - knots[1][j].share) >= apart;
+        const double apart = std::abs(knots[1][j].fraction - knots[0][i].fraction);
+        const bool is_nearest = std::abs(knots[1][j + 1].fraction - knots[0][i].fraction) >= apart &&
+                                std::abs(knots[0][i + 1].fraction - knots[1][j].fraction) >= apart;
         if (apart > near || !is_nearest) continue;
         borders_.points.unite(knots[0][i].point, knots[1][j].point);
         next = j + 1;
@@ -197,27 +198,27 @@ class Sewer {
                        [&](const Knot& k) { return borders_.points.are_one(k.point, knot.point); });
   }
 
-  /// A share of one row as one of the other, in proportion between the knots that both have.
-  double moved(double share, const std::vector<Knot>& from, const std::vector<Knot>& to) {
+  /// Converts a fraction of one row to one of the other, linearly between their common knots.
+  double moved(double fraction, const std::vector<Knot>& from, const std::vector<Knot>& to) {
     double a = 0, b = 1, at_a = 0, at_b = 1;
     for (const auto& k : from)
       for (const auto& other : to) {
         if (!borders_.points.are_one(k.point, other.point)) continue;
-        if (k.share < share && k.share > a) a = k.share, at_a = other.share;
-        if (k.share > share && k.share < b) b = k.share, at_b = other.share;
+        if (k.fraction < fraction && k.fraction > a) a = k.fraction, at_a = other.fraction;
+        if (k.fraction > fraction && k.fraction < b) b = k.fraction, at_b = other.fraction;
       }
-    return at_a + (share - a) / (b - a) * (at_b - at_a);
+    return at_a + (fraction - a) / (b - a) * (at_b - at_a);
   }
 
   void insert(const Row& row, const std::vector<double>& ends, const Knot& knot) {
     std::size_t k = 0;
-    while (k + 1 < row.size() && ends[k + 1] < knot.share) ++k;
-    double share = (knot.share - ends[k]) / (ends[k + 1] - ends[k]);
-    if (!row[k].is_forward) share = 1 - share;
+    while (k + 1 < row.size() && ends[k + 1] < knot.fraction) ++k;
+    double fraction = (knot.fraction - ends[k]) / (ends[k + 1] - ends[k]);
+    if (!row[k].is_forward) fraction = 1 - fraction;
     auto& breaks = borders_.breaks[row[k].side];
     const auto after =
-        std::find_if(breaks.begin(), breaks.end(), [&](const Break& b) { return b.share > share; });
-    breaks.insert(after == breaks.end() ? after - 1 : after, {share, knot.point});
+        std::find_if(breaks.begin(), breaks.end(), [&](const Break& b) { return b.fraction > fraction; });
+    breaks.insert(after == breaks.end() ? after - 1 : after, {fraction, knot.point});
   }
 
   const Gear& gear_;

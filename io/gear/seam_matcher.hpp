@@ -5,25 +5,25 @@
 
 namespace netloft::io {
 
-/// A point on a side, by the share of it.
+/// A point on a side, at a fraction of its length.
 struct Break {
-  double share = 0;
+  double fraction = 0;
   std::size_t point = 0;
 };
 
-/// A side as a seam or a rope runs along it.
+/// A side in the direction in which a seam or a rope runs along it.
 struct DirectedSide {
   std::size_t side = 0;
   bool is_forward = true;
 };
 using Row = std::vector<DirectedSide>;
 
-/// Borders of cloths with their corners, sewn together.
+/// The borders of cloths with their corners, sewn together.
 struct Borders {
   const Cloths& cloths;
   EqualPoints points;
-  std::vector<std::vector<Break>> breaks;  // by side, ascending from 0 to 1
-  std::vector<std::array<Row, 2>> seams;   // with as many runs between breaks on both sides
+  std::vector<std::vector<Break>> breaks;  // by side, increasing from 0 to 1
+  std::vector<std::array<Row, 2>> seams;   // both sides have the same number of runs between breaks
 
   std::size_t start(DirectedSide s) const {
     const auto& all = breaks[s.side];
@@ -32,10 +32,10 @@ struct Borders {
   std::size_t end(DirectedSide s) const { return start({s.side, !s.is_forward}); }
 };
 
-/// Corners nearer to one another than `snap` [m] along a seam become one.
+/// Sews the gear; corners closer than `snap` [m] along a seam are merged.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 
-/// Sides of an edge, one or both halves of it, in its direction.
+/// The sides of an edge, one or both halves of it, in its direction.
 Row sides_of(const Cloths& cloths, const EdgeRef& edge);
 
 }  // namespace netloft::io

@@ -8,10 +8,10 @@ namespace netloft::io {
 
 namespace {
 
-// A strip of n meshes has 2n twines side by side when it is stretched, for a mesh is two bars long and has
-// four of them. All of them carry, but half of those of square netting, which run across. With t twines laid
-// side by side in the netting:
-//   k = 2 n t  for what is weighed,  e = k, of square netting k/2, for what is pulled        (1)
+// A stretched strip of n meshes has 2n twines side by side, because a mesh is two bars long and consists of
+// four. All of them carry load, except in square netting, where half of them run across. With t twines laid
+// side by side in the netting, k counts twines for the mass and e those for the stiffness:
+//   k = 2 n t,   e = k, for square netting k/2                                              (1)
 //   d_strip = √k d,  m_strip = k m,  EA_strip = e EA                                          (2)
 struct Bundle {
   double twines = 0, carrying = 0;
@@ -22,7 +22,7 @@ Bundle bundle_of(const Panel& panel, double meshes) {
   return {twines, panel.orientation == "square" ? twines / 2 : twines};  // (1)
 }
 
-/// The numbers of a twine, as those of the strip.
+/// The properties of a strip's rope, from those of the twine.
 Value strip_of(const Panel& panel, const Bundle& bundle, Diagnostics& diagnostics) {
   Value strip = panel.twine;
   TableReader twine(panel.twine, diagnostics, "panels." + panel.name + ".twine");
@@ -36,8 +36,8 @@ Value strip_of(const Panel& panel, const Bundle& bundle, Diagnostics& diagnostic
   return strip;
 }
 
-/// An edge that is sewn twice has one strip: that it is sewn twice will be told.
-bool is_taken(const Plan& plan, const std::string& name, const Join& join, Diagnostics& diagnostics) {
+/// Whether an edge already has a strip; that it is sewn twice is reported by the check.
+bool is_taken(const NetPlan& plan, const std::string& name, const Join& join, Diagnostics& diagnostics) {
   const Rope* rope = plan.find_rope(name);
   const bool is_written = (rope && !rope->is_selvedge) || plan.find_panel(name) || plan.find_point(name);
   if (is_written)
@@ -46,8 +46,8 @@ bool is_taken(const Plan& plan, const std::string& name, const Join& join, Diagn
   return rope || is_written;
 }
 
-/// A rope on the edge, as long as its twines: slack until they are straight.
-void add_strip(Plan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
+/// Adds a rope on the edge, as long as its twines, so that it is slack until they are straight.
+void add_strip(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
                Diagnostics& diagnostics) {
   const Panel& panel = *set.panel;
   Rope rope;
@@ -63,7 +63,7 @@ void add_strip(Plan& plan, const EdgeSet& set, const OutlineEdge& edge, const Jo
   plan.ropes.push_back(std::move(rope)), plan.hangings.push_back(std::move(hanging));
 }
 
-void gather(Plan& plan, const EdgeSet& set, const OutlineEdge& edge, double meshes) {
+void gather(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, double meshes) {
   for (auto& panel : plan.panels)
     if (&panel == set.panel)
       for (auto& cut : edge.kind == EdgeKind::outer ? panel.outer : panel.inner)
@@ -71,14 +71,14 @@ void gather(Plan& plan, const EdgeSet& set, const OutlineEdge& edge, double mesh
 }
 
 void say_not_a_side(const Join& join, const std::string& edge, Diagnostics& diagnostics) {
-  diagnostics.error(join.place, "join.selvedge: " + edge + " is no side",
+  diagnostics.error(join.place, "join.selvedge: " + edge + " is not a side",
                     "selvedges are gathered along sides; fore and aft edges are sewn mesh to mesh");
 }
 
 }  // namespace
 
-void add_selvedges(Plan& plan, Diagnostics& diagnostics) {
-  Diagnostics silent;  // names that are not there are the check's
+void add_selvedges(NetPlan& plan, Diagnostics& diagnostics) {
+  Diagnostics silent;  // unknown names are reported by the check
   for (const auto& join : plan.joins)
     for (std::size_t k = 0; join.selvedge > 0 && k < (join.is_to_itself() ? 1u : 2u); ++k)
       for (const auto& name : join.edges[k]) {

@@ -16,7 +16,7 @@ Place3 between(const Place3& a, const Place3& b, double t) {
   return {between(a[0], b[0], t), between(a[1], b[1], t), between(a[2], b[2], t)};
 }
 
-/// Where a panel's sides begin and end, meshes across.
+/// The positions at which a panel's sides begin and end, in meshes across.
 struct SideEnds {
   double fore_inner = 0, fore_outer = 0, aft_outer = 0, aft_inner = 0;
 };
@@ -36,8 +36,8 @@ SideEnds side_ends(const Outline& outline) {
   return ends;
 }
 
-/// The share of the way from the inner to the outer side, those taken for straight; at a tip none.
-double share_across(const SideEnds& ends, double x, double t) {
+/// The fraction of the distance from the inner to the outer side, both taken as straight; zero at a tip.
+double fraction_across(const SideEnds& ends, double x, double t) {
   const double inner = between(ends.fore_inner, ends.aft_inner, t),
                outer = between(ends.fore_outer, ends.aft_outer, t);
   return outer - inner > 1e-9 ? (x - inner) / (outer - inner) : 0;
@@ -50,7 +50,7 @@ std::array<double, 3> GearPanel::sketched(PanelPoint point) const {
   const bool is_middle = panel->stands == Standing::middle,
              is_port = is_mirrored || (is_middle && point.x < 0);
   const double t = point.y / panel->depth;
-  const double s = share_across(side_ends(outline_of(*panel)), is_middle ? std::abs(point.x) : point.x, t);
+  const double s = fraction_across(side_ends(outline_of(*panel)), is_middle ? std::abs(point.x) : point.x, t);
   Place3 at = between(between(corner[0], corner[1], s), between(corner[3], corner[2], s), t);
   if (is_port) at[1] = -at[1];
   return at;

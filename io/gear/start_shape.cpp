@@ -33,7 +33,7 @@ struct Lead {
   double length;  // [m]
 };
 
-/// Makes one shape; members are steps in the order they happen.
+/// Makes one shape; the member functions are steps in the order of execution.
 class Shaper {
  public:
   Shaper(const Gear& gear, const GearMesh& mesh, const std::vector<KnownCoordinate>& known)
@@ -56,8 +56,8 @@ class Shaper {
  private:
   double& x(std::uint32_t node, int axis) { return positions_[at(node, axis)]; }
 
-  /// Points of the plan, the plane of symmetry and sketches, beside what the caller knows, which counts
-  /// first.
+  /// Collects known positions: those of the caller, which have priority, then points of the plan, the plane
+  /// of symmetry and sketches.
   void collect_known() {
     for (const auto& point : gear_.points)
       if (const auto node = mesh_.points.find(point.name); point.at && node != mesh_.points.end())
@@ -96,7 +96,7 @@ class Shaper {
     }
   }
 
-  /// The netting as a whole: by what is known of it, else by the ropes that lead to it.
+  /// Positions the netting as a whole, by its known nodes, or else by the ropes that lead to it.
   void stand_as_a_whole() {
     const double aft = shift_along(0, true);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
@@ -120,7 +120,7 @@ class Shaper {
     return {};
   }
 
-  /// The netting so far aft that ropes to known points are straight, in the mean of them.
+  /// Shifts the netting aft until ropes to known points are straight on average.
   double shift_by_leads() {
     double sum = 0, count = 0;
     for (const Lead& lead : find_leads()) {
@@ -141,7 +141,7 @@ class Shaper {
     return std::isfinite(known) && std::isfinite(lowest) ? known - lowest : 0;
   }
 
-  /// Shortest ways along ropes from known points to the netting (Dijkstra 1959).
+  /// Finds the shortest paths along ropes from known points to the netting (Dijkstra 1959).
   std::vector<Lead> find_leads() const {
     const auto neighbours = rope_neighbours(mesh_);
     std::vector<Lead> leads;
@@ -168,7 +168,7 @@ class Shaper {
     }
   }
 
-  /// Ropes off the netting: from what is placed at both ends, straight; from one end, forward.
+  /// Places ropes beside the netting: straight between two placed ends, forward from a single one.
   void put_ropes() {
     for (const auto& k : known_) complete(k.node);
     for (bool goes_on = true; goes_on;) {
@@ -179,7 +179,7 @@ class Shaper {
     }
   }
 
-  /// A node off the netting of which all is known.
+  /// Marks a node beside the netting as placed once all its coordinates are known.
   void complete(std::uint32_t node) {
     if (placed_[node]) return;
     std::array<std::optional<double>, 3> p{known_at(node, 0), known_at(node, 1), known_at(node, 2)};
@@ -188,7 +188,8 @@ class Shaper {
     placed_[node] = true;
   }
 
-  /// Places one stretch of a rope between nodes that are placed, or from one on. False: there is none.
+  /// Places one stretch of a rope, between placed nodes or from one placed node. Returns false if there is
+  /// none.
   bool put_stretch(const RopeMesh& rope, bool between) {
     for (std::size_t i = 0; i < rope.nodes.size(); ++i) {
       if (placed_[rope.nodes[i]]) continue;
@@ -219,7 +220,7 @@ class Shaper {
     }
   }
 
-  /// From a placed node straight forward, to the first or to the last of a rope.
+  /// Places nodes straight forward from a placed node, to the first or the last of a rope.
   void put_forward(const RopeMesh& rope, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i != to;) {
       const std::size_t next = i < to ? i + 1 : i - 1;
@@ -231,7 +232,7 @@ class Shaper {
     }
   }
 
-  /// Displacements that are harmonic on the net bring every known coordinate where it is.
+  /// Adds displacements that are harmonic on the net and bring every known coordinate to its value.
   void follow_known() {
     const auto sides = sides_of(mesh_);
     for (int axis = 0; axis < 3; ++axis) {

@@ -6,15 +6,15 @@
 
 namespace netloft::io {
 
-/// A coordinate of a node that is given: of a point of the plan, or of what a scene holds.
+/// A given coordinate of a node, of a point of the plan or from the scene.
 struct KnownCoordinate {
   std::uint32_t node = 0;  // of the gear
   int axis = 0;            // 0, 1, 2: aft, to starboard, up
   double value = 0;        // [m]
 };
 
-/// Where the nodes of a gear may start, 3 per node [m]: x aft, y to starboard, z up. Nothing of it has to be
-/// accurate; it has to be without kinks and folds, on the right side, and about as large as the gear.
+/// Initial positions of the nodes of a gear, 3 per node [m]: x aft, y to starboard, z up. They need not be
+/// accurate, but must be free of kinks and folds, on the right side, and about as large as the gear.
 ///
 /// Two fields on the nodes of the netting, both by least squares over the sides of all triangles, since
 /// panels that are sewn together need not fit:
@@ -27,7 +27,7 @@ struct KnownCoordinate {
 /// puts the netting on rings, half an ellipse of the arc S to port and starboard. Where an end is closed by
 /// sewing it to itself z = 0.
 ///
-/// The gear as a whole then stands where its ropes lead to known points and are straight, and its lowest
+/// The gear as a whole is then placed so that ropes to known points are straight, and its lowest
 /// point as deep as the lowest known one. What is known, sketches of panels among it, is put in its place,
 /// and all else follows by displacements that are harmonic on the net. Ropes off the netting are straight.
 std::vector<double> start_shape(const Gear& gear, const GearMesh& mesh,

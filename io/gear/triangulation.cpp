@@ -26,10 +26,12 @@ using Triangulation =
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
 using Mesher = CGAL::Delaunay_mesher_no_edge_refinement_2<Triangulation, Criteria>;
 
-constexpr double kShape = 0.125;  // sin² of the least angle that is refined, 20.7°: the mesher ends for sure
-constexpr double kLongest = 1.35;                       // longest side of a triangle over the mean wanted
-constexpr int kRounds = 5;                              // of smoothing
-constexpr double kSharp = 50 * std::numbers::pi / 180;  // corners that may be a triangle's own
+// sin² of the least angle after refinement, 20.7°, for which the mesher is proven to terminate
+constexpr double kShape = 0.125;
+constexpr double kLongest = 1.35;  // longest side of a triangle, relative to the wanted mean
+constexpr int kRounds = 5;         // rounds of smoothing
+// corners from this angle on are divided between triangles
+constexpr double kSharp = 50 * std::numbers::pi / 180;
 
 double twice_area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -40,7 +42,7 @@ double angle_at(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return std::atan2(std::abs(twice_area(a, b, c)), along);
 }
 
-/// Fills one border; members are steps in the order they happen.
+/// Fills one border; the member functions are steps in the order of execution.
 class Filler {
  public:
   Filler(const std::vector<PlanePoint>& border, double size) : border_(border.size()), size_(size) {
@@ -98,7 +100,7 @@ class Filler {
 
   void refine() {
     Mesher mesher(cdt_, Criteria(kShape, kLongest * size_));
-    mesher.clear_seeds();  // CGAL 5.5 reads whether they mark, and sets it only here
+    mesher.clear_seeds();  // CGAL 5.5 reads whether seeds mark the domain, and sets the flag only here
     mesher.refine_mesh();
     std::uint32_t next = static_cast<std::uint32_t>(border_);
     for (const auto v : cdt_.finite_vertex_handles()) {
@@ -119,7 +121,7 @@ class Filler {
         mesh_.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
 
-  /// All that cannot be reached from far away without crossing the border.
+  /// Marks all triangles inside: those that cannot be reached from far away without crossing the border.
   void mark_inside() {
     for (const auto f : cdt_.all_face_handles()) f->set_in_domain(true);
     std::vector<Triangulation::Face_handle> outside{cdt_.infinite_face()};
@@ -136,7 +138,7 @@ class Filler {
     }
   }
 
-  /// Inner points go to the middle of their neighbours, unless that would turn a triangle over.
+  /// Moves inner points to the mean of their neighbours, unless that would turn a triangle over.
   void smooth() {
     std::vector<std::vector<std::uint32_t>> around(mesh_.points.size());
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -164,7 +166,7 @@ class Filler {
     return twice_area(mesh_.points[a], mesh_.points[b], mesh_.points[c]) / 2;
   }
 
-  /// Triangles with two sides on the border hand half of their corner to their neighbour.
+  /// Divides the corner of a triangle with two sides on the border with its neighbour, half to each.
   void open_corners() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {
@@ -178,7 +180,7 @@ class Filler {
     return a < border_ && b < border_ && (a + 1) % border_ == b;
   }
 
-  /// The first node is a corner of the border whose both sides are the triangle's.
+  /// Whether the first node is a corner of the border between two sides of the triangle.
   bool is_corner(const std::array<std::uint32_t, 3>& t) const {
     return follows(t[0], t[1]) && follows(t[2], t[0]) && mesh_.triangles.size() > 1 &&
            angle_at(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]) > kSharp;

@@ -15,16 +15,17 @@ struct PlaneMesh {
 };
 
 /// Fills a closed border, counter-clockwise and without crossings, with triangles of sides of about `size`;
-/// near finer borders they are finer. No point is added to the border. Corners of 50 degrees or more are no
-/// triangle's own, so that pieces which meet at the corner share more than its two sides.
+/// near finer borders they are finer. No point is added to the border. Corners of 50 degrees or more are
+/// divided between triangles, so that pieces which meet at the corner have more than its two sides in common.
 /// Throws std::invalid_argument on a border that crosses itself.
 PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size);
 
-/// The same with a point more in the middle of each of some sides, given by their points; all is smoothed.
+/// Returns the same triangles with an additional point in the middle of some sides, given by their end
+/// points; all points are smoothed.
 PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
                       const std::vector<std::array<std::uint32_t, 2>>& sides);
 
-/// Of one triangle [rad].
+/// The angles of one triangle [rad].
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
 }  // namespace netloft::io

@@ -6,7 +6,7 @@
 
 namespace netloft::io {
 
-/// Where a point of a panel in repose stands along its twines, in bars (Priour 2013: u and v are the two
+/// Coordinates of a point of a panel in repose along its twines, in bars (Priour 2013: u and v are the two
 /// twine directions, and knots have whole numbers of both). U meshes across, outwards; V meshes deep, aft:
 ///   diamond  u = U + V,  v = V − U;   T90  u = V + U,  v = U − V;   square  u = U,  v = V        (1)
 /// Across and deep, a mesh of diamond or T90 netting counts as much as the other way: both are √2 bars when
@@ -25,7 +25,7 @@ inline std::array<double, 2> twine_coordinates(const std::string& orientation, d
 /// Length of the twines from one point of a panel to another when all are pulled straight, in stretched
 /// meshes of two bars:
 ///   s = (|Δu| + |Δv|)/2                                                                          (3)
-/// Along a cutting it is what its bars, points and meshes are long (cutting.hpp (3)).
+/// Along a cutting it is the length of its bars, points and meshes (cutting.hpp (3)).
 inline double stretched_meshes(const std::array<double, 2>& from_to) {
   return (std::abs(from_to[0]) + std::abs(from_to[1])) / 2;
 }

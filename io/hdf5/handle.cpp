@@ -19,7 +19,7 @@ herr_t keep_ends(unsigned, const H5E_error2_t* record, void* data) {
   return 0;
 }
 
-/// The drivers describe a failed system call in a long list; the system's own words are what helps.
+/// Extracts the operating system's own message from the drivers' long description of a failed system call.
 std::string system_words(const std::string& description) {
   constexpr std::string_view kMark = "error message = '";
   const auto begin = description.find(kMark);
@@ -31,8 +31,9 @@ std::string system_words(const std::string& description) {
 }  // namespace
 
 void silence_hdf5() {
-  // After a full disk H5Fclose() fails and leaves an id behind that the clean-up at exit crashes on (1.10.8).
-  // All our ids close themselves, so that clean-up has nothing else to do.
+  // After a full disk H5Fclose() fails and leaves an id behind, on which the clean-up at exit crashes
+  // (1.10.8). The clean-up is switched off; all our ids close themselves, so nothing else is left for it to
+  // do.
   static const bool no_clean_up = H5dont_atexit() >= 0;
   static_cast<void>(no_clean_up);
   thread_local const bool done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;

@@ -9,7 +9,7 @@
 
 namespace netloft::io {
 
-/// A result file that cannot be written or read; what() is a sentence for the person at the terminal.
+/// A result file that cannot be written or read; what() is a sentence for the user.
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -19,7 +19,7 @@ class FileError : public std::runtime_error {
 /// the second must be ahead of any other call, so every entry point begins with this.
 void silence_hdf5();
 
-/// The newest HDF5 error in one line: what was asked for, and the cause at the bottom of the stack.
+/// The newest HDF5 error in one line: the call that failed, and the cause at the bottom of the stack.
 std::string hdf5_message();
 
 /// Passes a status or an id through; a negative one becomes a FileError with the HDF5 message.
@@ -29,7 +29,7 @@ Status check(Status status) {
   return status;
 }
 
-/// Runs `action`; a FileError out of it gets `context` (file, path) in front.
+/// Runs `action`; a FileError that it throws gets `context` (file, path) in front of its message.
 template <class Action>
 decltype(auto) with_context(const std::string& context, Action&& action) {
   try {
@@ -56,7 +56,7 @@ class Handle {
     if (id_ >= 0) close_(id_);
   }
 
-  /// Closes now, where a failure can still be reported.
+  /// Closes the id now, while a failure can still be reported.
   void close() {
     if (id_ >= 0) check(close_(std::exchange(id_, H5I_INVALID_HID)));
   }

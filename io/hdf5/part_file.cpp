@@ -22,7 +22,7 @@ void require_usable(const fs::path& path) {
   if (!path.has_filename()) throw FileError("'" + path.string() + "' names no file to write");
   if (fs::is_directory(path, ignored)) throw FileError(path.string() + " is a folder, not a file to write");
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
-    throw FileError(path.string() + " is a device or the like, not a file that a result may replace");
+    throw FileError(path.string() + " is a device or similar, not a file that a result may replace");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
     throw FileError("cannot write " + path.string() + ": the folder " + folder.string() + " does not exist");
@@ -30,14 +30,14 @@ void require_usable(const fs::path& path) {
 
 enum class Lock { kTaken, kWriterAlive, kReadersOnly };
 
-/// A file system without locks counts as free: refusing to write there would help nobody.
+/// On a file system without locks the file counts as free, because refusing to write would not help the user.
 Lock try_lock(int fd) {
   if (flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Lock::kTaken;
   if (flock(fd, LOCK_SH | LOCK_NB) != 0) return Lock::kWriterAlive;
   return Lock::kReadersOnly;
 }
 
-/// False when another process renamed or replaced the file between our open() and our lock.
+/// Returns false if another process renamed or replaced the file between our open() and our lock.
 bool is_still_named(int fd, const fs::path& path) {
   struct stat by_fd {};
   struct stat by_name {};
@@ -60,7 +60,7 @@ Descriptor take(const fs::path& part) {
                       ": another process is writing it now; wait for it or choose another name");
     if (!is_still_named(fd.get(), part)) continue;
     if (lock == Lock::kTaken) return fd;
-    // A viewer looks at what a dead writer left: let it keep those bytes, and start a file of our own.
+    // A viewer may still read what a dead writer left: it keeps those bytes, and we start a new file.
     if (unlink(part.c_str()) != 0 && errno != ENOENT)
       throw FileError("cannot replace " + part.string() + ": " + system_reason());
   }
@@ -81,7 +81,7 @@ Handle create_hdf5(const fs::path& part, const Descriptor& lock) {
   return with_context("cannot create " + part.string(), [&] { return Handle(id, H5Fclose); });
 }
 
-/// Gives `path` the second name NAME.hdf~ without a moment in which it has none.
+/// Gives `path` the second name NAME.hdf~; it has at least one name at every moment.
 void keep_as_backup(const fs::path& path) {
   const fs::path backup = with_suffix(path, "~");
   const fs::path link_path = with_suffix(path, "~.new");
@@ -96,7 +96,7 @@ void keep_as_backup(const fs::path& path) {
     return;
   }
   if (errno == ENOENT) return;  // no earlier result
-  // File systems without hard links: for a moment only the name NAME.hdf~ exists.
+  // On file systems without hard links, only the name NAME.hdf~ exists for a moment.
   if (rename(path.c_str(), backup.c_str()) != 0)
     throw FileError("cannot keep " + path.string() + " as " + backup.string() + ": " + system_reason());
 }

@@ -36,12 +36,13 @@ class Descriptor {
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path final_path);
-  /// The same under another name while it grows.
+  /// The same, with another name while it grows.
   PartFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
-  /// Two files that grow change names, on the disk and here, in one instant. False: the file system cannot.
+  /// Two growing files exchange names, on the disk and in these objects, in one atomic operation. Returns
+  /// false if the file system does not support it.
   bool exchange_names(PartFile& other);
-  /// Takes the name of a file that nobody writes, which gets this one's instead.
+  /// Exchanges names with a file that has no writer.
   bool exchange_name_with(const std::filesystem::path& part);
 
   hid_t id() const { return file_; }
@@ -55,7 +56,8 @@ class PartFile {
  private:
   std::filesystem::path final_;
   std::filesystem::path part_, former_part_;
-  Descriptor lock_;  // outlives file_: nobody may take the .part while HDF5 still closes it
+  // destroyed after file_, so that no other process takes the .part while HDF5 is still closing it
+  Descriptor lock_;
   Handle file_;
   bool finished_ = false;
 };

@@ -10,7 +10,7 @@ namespace netloft::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// HDF5's words for the two failures people meet, in ours.
+/// Replaces HDF5's messages for the two most common failures by sentences of our own.
 std::string explain(const std::string& reason) {
   if (reason.find("truncated") != std::string::npos)
     return "it is truncated: a copy that was cut short, or a writer that died before its first output (" +
@@ -56,7 +56,7 @@ bool is_number(hid_t type) {
   return kind == H5T_INTEGER || kind == H5T_FLOAT;
 }
 
-/// Texts of `count` strings of any HDF5 kind; `read(type, buffer)` fetches them into memory.
+/// Texts of `count` strings of any HDF5 kind; `read(type, buffer)` reads them into memory.
 template <class Read>
 std::vector<std::string> fetch_strings(const Handle& type, const Handle& space, std::size_t count,
                                        Read&& read) {

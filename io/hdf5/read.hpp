@@ -18,14 +18,14 @@ class Reader {
   explicit Reader(std::filesystem::path path);
 
   bool has(const std::string& path) const;
-  /// False, too, if there is no such path.
+  /// Returns false also if there is no such path.
   bool is_group(const std::string& path) const;
   /// Names in a group, sorted.
   std::vector<std::string> list(const std::string& group) const;
   /// Extents of a dataset; empty for a scalar.
   std::vector<std::size_t> shape(const std::string& path) const;
 
-  /// All numbers of a dataset, row by row; a scalar is one number.
+  /// All numbers of a dataset, row by row; a scalar gives one number.
   std::vector<double> reals(const std::string& path) const;
   std::vector<std::int64_t> integers(const std::string& path) const;
   double real(const std::string& path) const;
@@ -40,7 +40,7 @@ class Reader {
 
   /// Times of the stored states, in order; the last is the newest.
   std::vector<double> times() const;
-  /// Points, 3n [m], or a field as it was at a step 0 … times().size()-1.
+  /// Points, 3n [m], or a field, at step 0 … times().size()-1.
   std::vector<double> points(std::size_t step) const;
   std::vector<double> field(Location location, const std::string& name, std::size_t step) const;
 

@@ -4,7 +4,7 @@
 namespace netloft::io {
 namespace {
 
-constexpr int kSchema = 1;  // raised when a reader of /netloft has to change
+constexpr int kSchema = 1;  // incremented when readers of /netloft must change
 
 }  // namespace
 

@@ -24,10 +24,10 @@ namespace netloft::io {
 class ResultFile {
  public:
   explicit ResultFile(std::filesystem::path final_path);
-  /// The same under another name while it grows.
+  /// The same, with another name while it grows.
   ResultFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
-  /// Once, before the first state.
+  /// Called once, before the first state.
   void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed = {});
   void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::initializer_list<StaticField> fixed) {
     begin(mesh, std::move(changing), std::span<const StaticField>(fixed.begin(), fixed.size()));
@@ -42,14 +42,14 @@ class ResultFile {
   }
   std::size_t n_states() const { return grid_ ? grid_->n_states() : 0; }
 
-  /// For everything but the grid; written out at the next flush().
+  /// Access to everything but the grid; written out at the next flush().
   Tree& tree() { return tree_; }
   void flush() { part_.flush(); }
 
-  /// Flushes, closes, and gives the file its name; nothing can be written afterwards.
+  /// Flushes, closes, and gives the file its final name; nothing can be written afterwards.
   void finish();
 
-  /// Of a twin and its names, see PartFile.
+  /// The file and its names, for a twin file: see PartFile.
   PartFile& part() { return part_; }
   const std::filesystem::path& part_path() const { return part_.part_path(); }
   const std::filesystem::path& final_path() const { return part_.final_path(); }

@@ -27,7 +27,7 @@ SeriesFile::SeriesFile(std::filesystem::path final_path, Layout layout, const Re
   copy(*killed, states, *front_);
   if (!front_->part().exchange_name_with(part_))
     throw FileError("cannot go on in " + part_.string() + ": its file system cannot exchange names");
-  std::filesystem::remove(twin_part_);  // what was killed; the reader holds on to it
+  std::filesystem::remove(twin_part_);  // the killed file, which the reader keeps open
   twin_ = make(twin_part_);
   copy(*killed, states, *twin_);
 }
@@ -52,7 +52,7 @@ void SeriesFile::write(const SeriesState& state, const std::function<void(Tree&)
   write_into(twin_ ? *twin_ : *front_, state, extra);
 }
 
-/// The row comes first: a state counts once `write_state` has counted it.
+/// The row is written first; a state counts only after `write_state` has counted it.
 void SeriesFile::write_into(ResultFile& file, const SeriesState& state,
                             const std::function<void(Tree&)>& extra) const {
   for (std::size_t k = 0; k < layout_.columns.size(); ++k) {

@@ -9,7 +9,7 @@
 
 namespace netloft::io {
 
-/// A number per state, under /netloft/series/<name>.
+/// A column of the series: one number per state, under /netloft/series/<name>.
 struct SeriesColumn {
   std::string name, unit, doc;
 };
@@ -31,7 +31,7 @@ struct SeriesState {
 /// the file system cannot exchange names (Linux's can), there is one copy, with what VtkHdf promises of it.
 class SeriesFile {
  public:
-  /// What every copy begins with.
+  /// The description of the file, with which every copy begins.
   struct Layout {
     Mesh mesh;
     std::vector<FieldSpec> changing;
@@ -39,15 +39,15 @@ class SeriesFile {
     std::vector<SeriesColumn> columns;
   };
 
-  /// `killed`: a .part to go on from, whose first `states` states come first; it keeps its name until they
-  /// are all in the new file.
+  /// `killed` is a .part to continue, whose first `states` states are copied first; it keeps its name until
+  /// all of them are in the new file.
   SeriesFile(std::filesystem::path final_path, Layout layout, const Reader* killed = nullptr,
              std::size_t states = 0);
 
-  /// `extra` writes what goes with the state (where to go on from) into each copy.
+  /// `extra` writes the data that belong to the state (the point from which to continue) into each copy.
   void write(const SeriesState& state, const std::function<void(Tree&)>& extra);
 
-  /// Writes the rest into the one copy that is left, and gives it its name.
+  /// Writes the rest into the remaining copy and gives it its final name.
   void finish(const std::function<void(Tree&)>& rest);
   const std::filesystem::path& final_path() const { return final_; }
 
@@ -58,10 +58,11 @@ class SeriesFile {
 
   std::filesystem::path final_, part_, twin_part_;
   Layout layout_;
-  std::unique_ptr<ResultFile> front_, twin_;  // front_ bears the name; no twin_: names cannot be exchanged
+  // front_ has the name; twin_ is empty if names cannot be exchanged
+  std::unique_ptr<ResultFile> front_, twin_;
 };
 
-/// A state of a series that is on the disk.
+/// Reads a state of a series from the disk.
 SeriesState read_state(const Reader& reader, const SeriesFile::Layout& layout, std::size_t i);
 
 }  // namespace netloft::io

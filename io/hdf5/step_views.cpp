@@ -8,7 +8,7 @@ namespace netloft::io {
 
 namespace {
 
-/// Slot of a state, (1) of vtkhdf.hpp.
+/// Slot of a state, by (1) of vtkhdf.hpp.
 std::size_t slot_of(std::size_t step, std::size_t states) { return step + 1 < states ? step + 1 : 0; }
 
 void write_view(hid_t file, const std::string& path, const SlottedArray& array, std::size_t slot,

@@ -14,8 +14,8 @@ struct SlottedArray {
   std::size_t rows, columns;
 };
 
-/// Lets every state have its arrays under /steps/<number>/… by themselves: virtual datasets, which hold no
-/// numbers and point at the slots of VtkHdf. XDMF readers want that.
+/// Gives every state its own arrays under /steps/<number>/…: virtual datasets, which contain no numbers and
+/// refer to the slots of VtkHdf. XDMF readers need them.
 void write_step_views(hid_t file, std::size_t states, const std::vector<SlottedArray>& arrays);
 
 /// "/steps/00017/"

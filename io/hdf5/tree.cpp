@@ -18,7 +18,7 @@ Handle make_link_properties() {
   return links;
 }
 
-/// H5Lexists() demands that every group on the way exists, so ask for one after the other.
+/// H5Lexists() requires that every group on the path exists, so they are checked one after the other.
 bool exists(hid_t file, const std::string& path) {
   for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
     if (path == "/") return true;
@@ -32,8 +32,8 @@ void make_group_if_missing(hid_t file, const std::string& path) {
     Handle(H5Gcreate2(file, path.c_str(), make_link_properties(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
 }
 
-/// Length of the UTF-8 sequence `text` begins with (RFC 3629, table 3-7 of Unicode), 0 if it begins with
-/// none.
+/// Length of the UTF-8 sequence at the beginning of `text` (RFC 3629, table 3-7 of Unicode), 0 if it begins
+/// with none.
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
@@ -127,7 +127,7 @@ void Tree::replace(const std::string& path, hid_t file_type, hid_t memory_type, 
 
 namespace {
 
-/// A series without an entry, that can grow.
+/// Makes an empty series that can grow.
 void make_series(hid_t file, const std::string& path, std::string_view unit, std::string_view doc) {
   constexpr hsize_t kChunk = 256, kNone = 0, kMost = H5S_UNLIMITED;
   const Handle properties = make_dataset_properties();

@@ -14,9 +14,9 @@ namespace netloft::io {
 /// Writes named data anywhere in an open HDF5 file: `tree.write_real("/netloft/scalars/drag", 4.2e4, "N",
 /// "…")`.
 ///
-/// Paths are absolute; groups on the way are made. A dataset that exists is replaced. Every dataset carries
-/// the attributes `unit` (numbers only; "1" when dimensionless) and `doc`, each left out when empty. Text is
-/// UTF-8. Bytes that are not, or that contain NUL, are stored as an array of uint8 with the attribute
+/// Paths are absolute; missing groups on the path are made. A dataset that exists is replaced. Every dataset
+/// carries the attributes `unit` (numbers only; "1" when dimensionless) and `doc`, each left out when empty.
+/// Text is UTF-8. Bytes that are not, or that contain NUL, are stored as an array of uint8 with the attribute
 /// `content` = "bytes"; Reader::text() reads either.
 class Tree {
  public:
@@ -30,9 +30,9 @@ class Tree {
                    std::string_view doc = {});
   void write_ints(const std::string& path, std::span<const std::int64_t> values, std::string_view unit,
                   std::string_view doc = {});
-  /// One more number at the end of a series, which the first one makes.
+  /// Appends a number to a series; the first call makes the series.
   void append_real(const std::string& path, double value, std::string_view unit, std::string_view doc = {});
-  /// `values` row by row, a multiple of `columns` of them.
+  /// `values` row by row; their number must be a multiple of `columns`.
   void write_matrix(const std::string& path, std::span<const double> values, std::size_t columns,
                     std::string_view unit, std::string_view doc = {});
   void write_strings(const std::string& path, std::span<const std::string> values, std::string_view doc = {});
@@ -66,11 +66,11 @@ class Tree {
 
 /// Variable-length UTF-8.
 Handle make_string_type();
-/// Writes, or writes anew, an attribute on an open object.
+/// Writes or replaces an attribute on an open object.
 void put_attribute(hid_t object, const std::string& name, hid_t file_type, hid_t memory_type,
                    const void* data);
 void put_text_attribute(hid_t object, const std::string& name, std::string_view value);
-/// `unit` and `doc`, each unless empty.
+/// Writes `unit` and `doc`, each unless empty.
 void put_labels(hid_t object, std::string_view unit, std::string_view doc);
 /// Creation properties without time stamps: equal content gives equal bytes.
 Handle make_dataset_properties();

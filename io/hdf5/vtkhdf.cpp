@@ -10,7 +10,7 @@
 namespace netloft::io {
 namespace {
 
-constexpr unsigned kGzipLevel = 1;  // 4 costs a third more time and saves a few per cent
+constexpr unsigned kGzipLevel = 1;  // level 4 takes a third more time and saves a few per cent
 constexpr hsize_t kStepChunk = 64;
 
 [[noreturn]] void reject(const std::string& reason) { throw std::invalid_argument("result mesh: " + reason); }
@@ -70,7 +70,7 @@ Handle make_extendable(hid_t group, const std::string& name, hid_t type, std::ar
   return make_dataset(group, name, type, space, properties);
 }
 
-/// A dataset written once; no chunks, so any reader copes.
+/// Writes a dataset once, without chunks, so that any reader supports it.
 Handle write_fixed(hid_t group, const std::string& name, hid_t type, hid_t memory_type, const void* values,
                    std::array<hsize_t, 2> extents, int rank) {
   const Handle space(H5Screate_simple(rank, extents.data(), nullptr), H5Sclose);
@@ -91,7 +91,7 @@ void write_count(hid_t group, const std::string& name, std::size_t count) {
   write_ids(group, name, {&value, 1}, "");
 }
 
-/// VTK compares the type letter by letter and wants a string of fixed length for it.
+/// VTK compares the type string exactly and requires a string of fixed length for it.
 void put_grid_type(hid_t group) {
   constexpr std::string_view kType = "UnstructuredGrid";
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -109,14 +109,14 @@ void put_version(hid_t group) {
   check(H5Awrite(attribute, H5T_NATIVE_INT64, kVersion.data()));
 }
 
-/// In place: an attribute that is deleted and made anew is missing for a moment.
+/// Overwrites the attribute in place; deleting and creating it would leave a moment without it.
 void put_step_count(hid_t steps, std::size_t count) {
   const auto value = static_cast<std::int64_t>(count);
   const Handle attribute(H5Aopen(steps, "NSteps", H5P_DEFAULT), H5Aclose);
   check(H5Awrite(attribute, H5T_NATIVE_INT64, &value));
 }
 
-/// Makes the first extent at least `rows`; what is there stays.
+/// Increases the first extent to at least `rows`; existing data remain.
 void grow(hid_t dataset, hsize_t rows) {
   std::array<hsize_t, 2> extents{};
   const Handle space(H5Dget_space(dataset), H5Sclose);

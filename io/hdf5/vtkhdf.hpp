@@ -10,7 +10,7 @@
 
 namespace netloft::io {
 
-/// VTK's numbers for the cell shapes a gear is made of.
+/// VTK's numbers of the cell shapes used for gears.
 enum CellType : std::uint8_t { kVertex = 1, kLine = 3, kTriangle = 5 };
 
 /// Cells over nodes 0 … n_points-1; cell c has the nodes connectivity[offsets[c]] …
@@ -28,12 +28,12 @@ enum class Location { kPoint, kCell };
 
 /// An array over the points or cells. Several components are stored point by point (x₀ y₀ z₀ x₁ …).
 struct FieldSpec {
-  std::string name;  // as ParaView lists it; no '/'
+  std::string name;  // as ParaView shows it; without '/'
   std::string unit;  // "1" when dimensionless
   std::string doc;
   Location location = Location::kPoint;
   std::size_t components = 1;
-  bool is_integer = false;  // stored as int64; values are handed over as double all the same
+  bool is_integer = false;  // stored as int64, although values are passed as double
 };
 
 /// A field that is the same at all times, stored once.

@@ -9,11 +9,11 @@ namespace netloft::io {
 
 namespace {
 
-// An end this close to a value counts as the value itself: rounding of a power of ten.
+// Within this factor, an end of the axis equals a value; covers the rounding of powers of ten.
 constexpr double kSlack = 1e-9;
-// Markers keep off the frame by this factor at least.
+// Markers keep at least this factor away from the frame.
 constexpr double kMargin = 1.15;
-// With more decades than this, their inner ticks would run into one another.
+// With more decades than this, their inner ticks would overlap.
 constexpr int kMostSubdivided = 5;
 
 double power_of_ten(int exponent) { return std::pow(10.0, exponent); }

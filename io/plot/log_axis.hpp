@@ -5,7 +5,7 @@
 
 namespace netloft::io {
 
-/// A logarithmic axis that holds all values with room to spare, and its ticks.
+/// A logarithmic axis that includes all values with a margin, and its ticks.
 ///   place(v) = (lg v − lg low)/(lg high − lg low)                                          (1)
 /// Its ends are whole multiples of powers of ten. Ticks with a label are powers of ten, every second, third …
 /// of them when there are many; an axis with fewer than two of these labels 2 and 5 as well.
@@ -16,8 +16,7 @@ class LogAxis {
     bool labelled;
   };
 
-  /// Values that are not positive and finite have no place and are passed over. `most_labels` is how many
-  /// fit.
+  /// Values that are not positive and finite are ignored. `most_labels` is the number of labels that fit.
   explicit LogAxis(std::span<const double> values, int most_labels = 6);
 
   double low() const { return low_; }

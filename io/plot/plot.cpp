@@ -12,21 +12,21 @@ namespace netloft::io {
 
 namespace {
 
-// Lengths are in units of the picture; kWidth of them are a column of 8.5 cm, so that one is 0.71 pt.
+// Lengths are in units of the picture; kWidth units are a column of 8.5 cm, so one unit is 0.71 pt.
 constexpr double kWidth = 340, kInnerHeight = 210;
 constexpr double kLeft = 46, kRight = 10, kTop = 24, kAxisRoom = 38, kLegendLine = 14, kMargin = 6;
 constexpr double kText = 10, kSmall = 8.5;
-constexpr double kLetter = 0.6;  // width of a letter, of its height, generously
+constexpr double kLetter = 0.6;  // width of a letter relative to its height, estimated generously
 constexpr const char *kInk = "#222222", *kGrid = "#dddddd", *kMinorGrid = "#f0f0f0", *kMarkInk = "#666666";
 
-/// M. Okabe and K. Ito, Color Universal Design, 2008; yellow is left out, for it is too light on white.
+/// M. Okabe and K. Ito, Color Universal Design, 2008; yellow is left out because it is too light on white.
 constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                               "#e69f00", "#56b4e9", "#000000"};
 
 bool has_place(double value) { return value > 0 && std::isfinite(value); }
 bool has_place(const PlotSeries::Point& p) { return has_place(p.x) && has_place(p.y); }
 
-/// All x or all y that have a place.
+/// All x or all y that can be drawn.
 std::vector<double> values_of(const LogLogPlot& plot, bool of_x) {
   std::vector<double> values;
   for (const auto& series : plot.series)
@@ -60,7 +60,7 @@ class Drawing {
   static const char* colour(std::size_t series) { return kColours[series % kColours.size()]; }
 
   void draw_ticks() {
-    for (const bool labelled : {false, true}) {  // labelled lines lie on top
+    for (const bool labelled : {false, true}) {  // labelled lines are drawn last
       const char* grid = labelled ? kGrid : kMinorGrid;
       for (const auto& tick : x_.ticks())
         if (tick.labelled == labelled)
@@ -86,8 +86,7 @@ class Drawing {
     picture_.text({middle, 15}, plot_.title, kText, kInk, Anchor::middle);
   }
 
-  /// From left to right, labels above the lines; where two are close, the right one stands below the left
-  /// one.
+  /// Draws marks from left to right with labels above the lines; of two close labels the right one is lower.
   void draw_marks() {
     std::vector<PlotMark> marks = plot_.marks;
     std::erase_if(marks, [](const PlotMark& mark) { return !has_place(mark.x); });

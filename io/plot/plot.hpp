@@ -14,24 +14,25 @@ struct PlotSeries {
   std::vector<Point> points;
 };
 
-/// A dashed vertical line with a label at its top: a value of x that is worth knowing.
+/// A dashed vertical line with a label at its top, at a special value of x.
 struct PlotMark {
   double x;
   std::string label;
 };
 
-/// Lines over two logarithmic axes. What is not positive and finite has no place there and is left out.
+/// Lines over two logarithmic axes. Values that are not positive and finite are left out.
 struct LogLogPlot {
   std::string title, x_label, y_label;  // labels with their unit: "CPU time [s]"
   std::vector<PlotSeries> series;
   std::vector<PlotMark> marks;
 };
 
-/// The plot as an SVG that stands alone: white ground, colours that the colour-blind tell apart (Okabe and
-/// Ito), a marker of its own for each series. Drawn for a column of 8.5 cm, where its letters are 7 pt high.
+/// The plot as a self-contained SVG: white ground, colours that colour-blind readers can distinguish (Okabe
+/// and Ito), a marker of its own for each series. Drawn for a column of 8.5 cm, in which letters are 7 pt
+/// high.
 std::string draw_svg(const LogLogPlot& plot);
 
-/// The same in an HTML page that needs no other file.
+/// The plot as an HTML page that needs no other file.
 std::string draw_html(const LogLogPlot& plot);
 
 }  // namespace netloft::io

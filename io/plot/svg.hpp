@@ -11,22 +11,22 @@ struct PicturePoint {
 
 enum class Anchor { start, middle, end };
 
-/// An SVG picture in the making: a list of shapes, drawn in the order they are added.
+/// An SVG picture: a list of shapes, drawn in the order in which they are added.
 class SvgPicture {
  public:
   void line(PicturePoint from, PicturePoint to, const char* colour, double width, const char* dashes = "");
   void frame(PicturePoint corner, PicturePoint opposite, const char* colour);
   void path(const std::vector<PicturePoint>& points, const char* colour, double width);
-  /// One of eight shapes that differ without their colour; after the eighth they begin again.
+  /// One of eight shapes that differ even without their colour; after the eighth they repeat.
   void marker(PicturePoint at, std::size_t shape, const char* colour);
   void text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor);
-  /// Read from below; `halo`: with a white rim, so that lines behind do not disturb it.
+  /// Text that reads upwards; `halo`: with a white rim that separates it from lines behind.
   void rotated_text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor,
                     bool halo = false);
   /// A tick's number, as a power of ten (10⁻³) or as it is written (0.02).
   void number(PicturePoint at, double value, bool as_power, double size, Anchor anchor);
 
-  /// The whole file, on white ground.
+  /// The complete file, on white ground.
   std::string finish(double width, double height) const;
 
  private:

@@ -14,7 +14,8 @@ void add_forces(const Scene& scene, Assembler& assembler, std::size_t f, const K
     for (std::size_t p = 0; p < family.parts().size(); ++p)
       answer.forces.push_back({scene.parts[family.parts()[p]].name,
                                family.active_terms()[t].name,
-                               {0.0 - sums[3 * p], 0.0 - sums[3 * p + 1], 0.0 - sums[3 * p + 2]}});
+                               {0.0 - sums[3 * p], 0.0 - sums[3 * p + 1], 0.0 - sums[3 * p + 2]},
+                               family.active_terms()[t].traits});
   }
 }
 

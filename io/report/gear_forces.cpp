@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What water, weight and ground do to the parts of a gear.
+// Forces of water, weight and ground on the parts of a gear.
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -11,9 +11,10 @@ namespace netloft::io {
 
 namespace {
 
-/// Names of the forces that add up to a kind of load; a plugin of anyone's that calls them so is counted.
-constexpr std::initializer_list<const char*> kDrag = {"drag", "pressure"}, kWeight = {"weight", "buoyancy"},
-                                             kFriction = {"friction"};
+/// Forces that add up to a kind of load: by what their terms say of themselves, friction by its name.
+bool is_drag(const PartForce& force) { return force.traits & NETLOFT_IS_DRAG; }
+bool is_weight(const PartForce& force) { return force.traits & NETLOFT_IS_WEIGHT; }
+bool is_friction(const PartForce& force) { return force.term == "friction"; }
 
 struct PartGroup {
   std::string name;
@@ -36,15 +37,15 @@ std::vector<PartGroup> kinds_of(const GearView& gear) {
   return kinds;
 }
 
-Vector sum_over(const GearView& gear, const PartGroup& kind, std::initializer_list<const char*> terms) {
+Vector sum_over(const GearView& gear, const PartGroup& kind, GearView::Kind is_of_kind) {
   Vector sum;
-  for (const auto part : kind.parts) sum += gear.force(gear.name(part), terms);
+  for (const auto part : kind.parts) sum += gear.force(gear.name(part), is_of_kind);
   return whole_of(sum, gear.times());
 }
 
-bool any_has(const GearView& gear, const PartGroup& kind, std::initializer_list<const char*> terms) {
+bool any_has(const GearView& gear, const PartGroup& kind, GearView::Kind is_of_kind) {
   return std::any_of(kind.parts.begin(), kind.parts.end(),
-                     [&](auto part) { return gear.has_force(gear.name(part), terms); });
+                     [&](auto part) { return gear.has_force(gear.name(part), is_of_kind); });
 }
 
 void add_vector(const std::string& at, const std::string& doc, const Vector& force,
@@ -56,15 +57,15 @@ void add_vector(const std::string& at, const std::string& doc, const Vector& for
 
 void add_drag(const GearView& gear, const std::string& at, const PartGroup& kind,
               std::vector<Figure>& figures) {
-  if (any_has(gear, kind, kDrag))
-    add_vector(at + kind.name + "/", "force of the water", sum_over(gear, kind, kDrag), figures);
+  if (any_has(gear, kind, is_drag))
+    add_vector(at + kind.name + "/", "force of the water", sum_over(gear, kind, is_drag), figures);
 }
 
 void add_weight(const GearView& gear, const std::string& at, const PartGroup& kind,
                 std::vector<Figure>& figures) {
-  if (any_has(gear, kind, kWeight))
-    figures.push_back(
-        {at + kind.name, "N", "weight in water, negative of what floats", -sum_over(gear, kind, kWeight).z});
+  if (any_has(gear, kind, is_weight))
+    figures.push_back({at + kind.name, "N", "weight in water, negative of what floats",
+                       -sum_over(gear, kind, is_weight).z});
 }
 
 /// Every part of a kind as a kind of its own.
@@ -78,7 +79,7 @@ std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
 void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::vector<Figure>& figures) {
   double sinking = 0, floating = 0;
   for (const auto& part : parts) {
-    const double weight = -sum_over(gear, part, kWeight).z;
+    const double weight = -sum_over(gear, part, is_weight).z;
     (weight > 0 ? sinking : floating) += weight;
   }
   figures.push_back({"budget/sinking", "N", "weight in water of all parts that sink", sinking});
@@ -98,7 +99,7 @@ std::set<std::uint32_t> touching_nodes(const GearView& gear) {
   return touching;
 }
 
-double share_touching(const GearView& gear, std::uint32_t rope) {
+double fraction_on_ground(const GearView& gear, std::uint32_t rope) {
   const auto touching = touching_nodes(gear);
   const auto& nodes = gear.nodes_of(rope);
   const auto lengths = gear.rest_lengths(rope);
@@ -119,23 +120,24 @@ void add_force_figures(const GearView& gear, std::vector<Figure>& figures) {
   for (const auto& kind : kinds) add_drag(gear, "drag/", kind, figures);
   for (const auto& part : parts) add_drag(gear, "drag_by_part/", part, figures);
   for (const auto& kind : kinds) add_weight(gear, "weight_in_water/", kind, figures);
-  if (any_has(gear, kinds.front(), kWeight)) add_budget(gear, parts, figures);
+  if (any_has(gear, kinds.front(), is_weight)) add_budget(gear, parts, figures);
   for (const auto& part : parts) add_weight(gear, "weight_in_water_by_part/", part, figures);
 }
 
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
   const PartGroup all = kinds_of(gear).front();
-  double pressed = 0;
+  double normal = 0;
   bool is_there = false;
   for (const auto part : all.parts)
-    for (const double force : gear.output(part, "normal_force")) pressed += force, is_there = true;
+    for (const double force : gear.output(part, "normal_force")) normal += force, is_there = true;
   if (!is_there) return;
-  figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * pressed});
-  if (any_has(gear, all, kFriction))
-    add_vector("ground/friction_", "friction of the ground", sum_over(gear, all, kFriction), figures);
+  figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * normal});
+  if (any_has(gear, all, is_friction))
+    add_vector("ground/friction_", "friction of the ground", sum_over(gear, all, is_friction), figures);
   if (const auto* footrope = gear.find_rope(gear.gear().footrope))
-    figures.push_back({"ground/footrope_share", "1", "share of the footrope's length that touches the ground",
-                       share_touching(gear, *footrope)});
+    figures.push_back({"ground/footrope_fraction", "1",
+                       "fraction of the footrope's length that touches the ground",
+                       fraction_on_ground(gear, *footrope)});
 }
 
 }  // namespace netloft::io

@@ -6,7 +6,7 @@
 
 namespace netloft::io {
 
-/// Of every number; what is not known is null.
+/// The errors of every number; unknown ones are null.
 nlohmann::ordered_json errors_json(const std::vector<NamedScalar>& scalars);
 
 /// The figures of a gear, by name; null if the scene has none.

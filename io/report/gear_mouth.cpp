@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Height, spread and area of the mouth, and what pulls at the ends of ropes.
+// Height, spread and area of the mouth, and tensions at the ends of ropes.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -18,7 +18,7 @@ double real(const Values& parameters, const std::string& name) {
   return value ? *value : 0;
 }
 
-/// Height of the bed below a place [m], by the first part that says how deep it is; nothing without a bed.
+/// Height of the seabed below a place [m], from the first part that has a depth; empty if there is no seabed.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   for (const Part& part : scene.parts)
     if (part.parameters.contains("seabed.depth"))
@@ -31,14 +31,15 @@ void add_height(const GearView& gear, std::uint32_t headline, const std::uint32_
                 std::vector<Figure>& figures) {
   const Vector middle = gear.middle_of(headline);
   if (const auto bed = bed_below(middle, gear.loaded().scene))
-    figures.push_back(
-        {"mouth/headline_height", "m", "middle of the headline over the seabed", middle.z - *bed});
+    figures.push_back({"mouth/headline_height", "m", "height of the middle of the headline above the seabed",
+                       middle.z - *bed});
   else if (footrope)
-    figures.push_back({"mouth/headline_height", "m", "middle of the headline over that of the footrope",
+    figures.push_back({"mouth/headline_height", "m",
+                       "height of the middle of the headline above that of the footrope",
                        middle.z - gear.middle_of(*footrope).z});
 }
 
-/// From end to end; of a half, from its end to the mirror image of that.
+/// Distance between the ends of a rope; of a half gear, between its end and the mirror image of that end.
 double spread(const GearView& gear, std::uint32_t rope) {
   const Vector way = gear.at(gear.nodes_of(rope).back()) - gear.at(gear.nodes_of(rope).front());
   return gear.is_half() ? 2 * std::abs(way.y) : norm(way);
@@ -48,7 +49,7 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
   std::vector<std::uint32_t> curve = gear.nodes_of(headline);
   const auto& below = gear.nodes_of(footrope);
   curve.insert(curve.end(), below.rbegin(), below.rend());
-  const Vector from = gear.at(curve.front());  // so that little is lost to round-off far from the origin
+  const Vector from = gear.at(curve.front());  // a local origin keeps round-off small far from the global one
   Vector S, middle;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     S += 0.5 * cross(gear.at(curve[i]) - from, gear.at(curve[(i + 1) % curve.size()]) - from);  // (1)
@@ -57,8 +58,8 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
   return gear.times() * std::abs(dot(gear.current_at(middle), S));
 }
 
-/// Linearly from the middles of the two outer bars, from the end inwards, if the third one lies on their
-/// course; else, as where netting pulls at the end, that of the outer bar.
+/// Extrapolates linearly to the end from the middles of the two outer bars, if the third bar lies on the same
+/// line. Otherwise, for instance where netting pulls at the end, it is the tension of the outer bar.
 double tension_at_end(const std::vector<double>& T, const std::vector<double>& l) {
   if (T.size() < 3 || !(T[0] > 0 && T[1] > 0)) return T[0];
   const double change = T[0] - T[1], before = T[1] - T[2];
@@ -93,14 +94,15 @@ void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures) {
   const std::uint32_t* footrope = gear.find_rope(gear.gear().footrope);
   if (headline) {
     add_height(gear, *headline, footrope, figures);
-    figures.push_back(
-        {"mouth/upper_wing_spread", "m", "between the ends of the headline", spread(gear, *headline)});
+    figures.push_back({"mouth/upper_wing_spread", "m", "distance between the ends of the headline",
+                       spread(gear, *headline)});
   }
   if (footrope)
-    figures.push_back(
-        {"mouth/lower_wing_spread", "m", "between the ends of the footrope", spread(gear, *footrope)});
+    figures.push_back({"mouth/lower_wing_spread", "m", "distance between the ends of the footrope",
+                       spread(gear, *footrope)});
   if (headline && footrope)
-    figures.push_back({"mouth/area", "m2", "within headline and footrope, on the plane across the current",
+    figures.push_back({"mouth/area", "m2",
+                       "area enclosed by headline and footrope on the plane across the current",
                        mouth_area(gear, *headline, *footrope)});
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How far meshes are open, and how much netting there is.
+// Opening of the meshes, and area and mass of the netting.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,10 +11,10 @@ namespace netloft::io {
 
 namespace {
 
-/// Sums over netting, of what was modelled.
+/// Sums over the netting that was modelled.
 struct Amount {
   double area = 0, filtered = 0, twine_area = 0, mass = 0;
-  bool is_spread = false;  // in triangles, which have an area
+  bool is_spread = false;  // true: it consists of triangles, which have an area
 
   void add(const Amount& other) {
     area += other.area, filtered += other.filtered, twine_area += other.twine_area, mass += other.mass;
@@ -24,7 +24,7 @@ struct Amount {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// (3) of one family's elements of a part.
+/// Adds (3) for one family's elements of a part.
 void add_triangles(const GearView& gear, const ElementFamily& family, std::uint32_t panel, Amount& amount) {
   for (std::size_t e = 0; e < family.size(); ++e) {
     if (family.part(e) != panel) continue;
@@ -53,9 +53,9 @@ void add_amount(const GearView& gear, const std::string& at, const Amount& amoun
   };
   if (amount.is_spread) {
     add("area", "m2", "area of the netting as it is spread", amount.area);
-    add("filtered_area", "m2", "the same on the plane across the current", amount.filtered);
+    add("filtered_area", "m2", "projected area on the plane across the current", amount.filtered);
   }
-  add("twine_area", "m2", "length times diameter of its twines, knots left out", amount.twine_area);
+  add("twine_area", "m2", "length times diameter of its twines, without knots", amount.twine_area);
   add("mass", "kg", "mass of its twines in air", amount.mass);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// "12.3", or a dash for what is not known.
+/// Formats a number, or "-" if it is unknown.
 std::string number(const NamedScalar* scalar, const char* format) {
   if (!scalar || !std::isfinite(scalar->value)) return "-";
   return fmt::format(fmt::runtime(format), scalar->value);
@@ -23,7 +23,7 @@ std::string plus_minus(double error) {
   return std::isfinite(error) ? fmt::format("± {:<7.1e}", error) : "±  ?     ";
 }
 
-/// What stands between `group` and the next slash is added to `members`, in the order of the figures, each
+/// Adds the name between `group` and the next slash to `members`, in the order of the figures, each name
 /// once.
 void add_members(const std::vector<NamedScalar>& figures, const std::string& group,
                  std::vector<std::string>& members) {
@@ -35,13 +35,13 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
   }
 }
 
-/// What stands in a column of a member: the figure `before` + member + `after`.
+/// A column of a table with a line per member: it shows the figure `before` + member + `after`.
 struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
 };
 
-/// A line for every member of the columns' groups.
+/// Writes a line for every member of the columns' groups.
 void table(const std::vector<NamedScalar>& figures, const std::string& title,
            const std::vector<Column>& columns, Out out) {
   std::vector<std::string> members;
@@ -58,13 +58,13 @@ void table(const std::vector<NamedScalar>& figures, const std::string& title,
   }
 }
 
-/// "headline_height" as it is spoken.
+/// The name of a figure in words: "headline height" for "headline_height".
 std::string spoken(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
 
-/// Which errors are known of some figure.
+/// Which kinds of error are known for at least one figure.
 struct Known {
   bool solver = false, mesh = false;
 };
@@ -84,7 +84,7 @@ void line(const std::string& name, const NamedScalar& figure, Known known, Out o
                  known.solver ? errors_text(figure, known.mesh) : "", figure.doc);
 }
 
-/// One figure a line, with its errors.
+/// Writes the principal figures, one a line, with their errors.
 void headlines(const std::vector<NamedScalar>& figures, Out out) {
   const Known known = known_errors(figures);
   for (const auto& figure : figures) {
@@ -97,7 +97,7 @@ void headlines(const std::vector<NamedScalar>& figures, Out out) {
   }
 }
 
-/// Drag and weight of every kind, or of every part.
+/// Writes drag and weight of every kind, or of every part.
 void force_table(const std::vector<NamedScalar>& figures, const std::string& title, const std::string& drag,
                  const std::string& weight, Out out) {
   table(figures, title,
@@ -119,10 +119,11 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
   std::string text;
   if (figures.empty()) return text;
   const Out out = std::back_inserter(text);
-  fmt::format_to(out, "{}\n",
-                 is_half ? "gear: a half was modelled; areas, masses, weights and forces aft and upwards are "
-                           "those of the whole, both halves of it"
-                         : "gear");
+  fmt::format_to(
+      out, "{}\n",
+      is_half ? "gear: one half was modelled; areas, masses, weights and forces aft and upwards are those of "
+                "the whole gear"
+              : "gear");
   headlines(figures, out);
   const std::string rope = "ropes/", panel = "panels/";
   table(figures, is_half ? "ropes (middle: start)" : "ropes",

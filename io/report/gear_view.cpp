@@ -6,14 +6,6 @@
 
 namespace netloft::io {
 
-namespace {
-
-bool is_among(const std::string& term, std::initializer_list<const char*> terms) {
-  return std::find(terms.begin(), terms.end(), term) != terms.end();
-}
-
-}  // namespace
-
 const std::uint32_t* GearView::find_rope(const std::string& wanted) const {
   const auto& ropes = gear().ropes;
   const auto at = std::find_if(ropes.begin(), ropes.end(), [&](auto rope) { return name(rope) == wanted; });
@@ -21,10 +13,8 @@ const std::uint32_t* GearView::find_rope(const std::string& wanted) const {
 }
 
 Vector GearView::at(std::uint32_t node) const {
-  Vector place;
-  for (int axis = 0; axis < 3; ++axis)
-    place[axis] = answer_.x[static_cast<std::size_t>(assembler_.numbering().index(node, axis))];
-  return place;
+  const auto [x, y, z] = assembler_.node_position(node, answer_.x);
+  return {x, y, z};
 }
 
 std::vector<double> GearView::rest_lengths(std::uint32_t rope) const {
@@ -56,16 +46,16 @@ std::vector<double> GearView::output(std::uint32_t part, const std::string& name
   return values;
 }
 
-Vector GearView::force(const std::string& part, std::initializer_list<const char*> terms) const {
+Vector GearView::force(const std::string& part, Kind is_of_kind) const {
   Vector sum;
   for (const auto& f : answer_.forces)
-    if (f.part == part && is_among(f.term, terms)) sum += {f.force[0], f.force[1], f.force[2]};
+    if (f.part == part && is_of_kind(f)) sum += {f.force[0], f.force[1], f.force[2]};
   return sum;
 }
 
-bool GearView::has_force(const std::string& part, std::initializer_list<const char*> terms) const {
+bool GearView::has_force(const std::string& part, Kind is_of_kind) const {
   return std::any_of(answer_.forces.begin(), answer_.forces.end(),
-                     [&](const PartForce& f) { return f.part == part && is_among(f.term, terms); });
+                     [&](const PartForce& f) { return f.part == part && is_of_kind(f); });
 }
 
 Vector GearView::current_at(const Vector& place) const {

@@ -8,7 +8,7 @@ namespace netloft::io {
 
 using Vector = Vec3<double>;
 
-/// An answer, asked in the words of the gear: where a rope is, what comes out of a panel.
+/// Access to an answer by the names of the gear: positions along a rope, outputs of a panel.
 class GearView {
  public:
   GearView(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer)
@@ -22,24 +22,26 @@ class GearView {
   bool is_half() const { return gear().times == 2; }
 
   const std::string& name(std::uint32_t part) const { return loaded_.scene.parts[part].name; }
-  /// The part of a rope; nothing if there is none of that name.
+  /// The part of a rope; null if no rope has that name.
   const std::uint32_t* find_rope(const std::string& name) const;
 
   Vector at(std::uint32_t node) const;
   /// Nodes of a rope from its start to its end.
   const std::vector<std::uint32_t>& nodes_of(std::uint32_t rope) const { return loaded_.parts[rope].nodes; }
-  /// Unstretched lengths of its bars [m]; equal ones if its elements know none.
+  /// Unstretched lengths of its bars [m]; all equal if its elements state none.
   std::vector<double> rest_lengths(std::uint32_t rope) const;
-  /// The middle of a rope that goes from side to side; a half of one starts there.
+  /// The middle of a rope that goes from side to side; a half gear's rope starts there.
   Vector middle_of(std::uint32_t rope) const;
 
-  /// An output of all elements of a part, in their order; empty: they have none of that name.
+  /// An output of all elements of a part, in their order; empty if they have no output of that name.
   std::vector<double> output(std::uint32_t part, const std::string& name) const;
-  /// Sum of some forces on a part [N], of what was modelled.
-  Vector force(const std::string& part, std::initializer_list<const char*> terms) const;
-  bool has_force(const std::string& part, std::initializer_list<const char*> terms) const;
+  /// Which forces on a part belong to a kind of load.
+  using Kind = bool (*)(const PartForce& force);
+  /// Sum of the forces of a kind on a part [N], of what was modelled.
+  Vector force(const std::string& part, Kind is_of_kind) const;
+  bool has_force(const std::string& part, Kind is_of_kind) const;
 
-  /// Unit vector of the current at a place; aft in still water.
+  /// Unit vector of the current at a place; in still water it points aft (along x).
   Vector current_at(const Vector& place) const;
 
  private:
@@ -48,7 +50,7 @@ class GearView {
   const Answer& answer_;
 };
 
-/// Of the whole gear out of a sum over what was modelled.
+/// The value for the whole gear from a sum over the modelled half or whole.
 Vector whole_of(const Vector& modelled, double times);
 
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);

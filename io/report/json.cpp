@@ -36,7 +36,7 @@ Json terms_json(const Scene& scene, const Plan& plan) {
 }
 
 Json seconds_json(const RunResult& r) {
-  const Books& b = r.solution.books;
+  const Statistics& b = r.solution.statistics;
   return {{"reading", r.reading_seconds},
           {"setup", r.setup_seconds},
           {"assembly", b.assembly_seconds},
@@ -47,34 +47,41 @@ Json seconds_json(const RunResult& r) {
           {"total", r.reading_seconds + r.setup_seconds + b.total_seconds}};
 }
 
-/// What was solved on the way, the scene itself included; empty if it was solved at once.
-Json legs_json(const Solution& s) {
-  Json legs = Json::array();
-  for (const Leg& leg : s.legs)
-    legs.push_back({{"name", leg.name},
-                    {"solver", leg.solver},
-                    {"unknowns", leg.unknowns},
-                    {"status", name_of(leg.status)},
-                    {"reason", leg.reason},
-                    {"iterations", leg.books.iterations},
-                    {"factorisations", leg.books.factorisations},
-                    {"seconds", leg.books.total_seconds}});
-  return legs;
+/// Every stage of the search, those on easier variants included.
+Json stages_json(const Solution& s) {
+  Json stages = Json::array();
+  for (const StageRecord& stage : s.stages)
+    stages.push_back({{"name", stage.name},
+                      {"variant",
+                       {{"level", stage.variant.level},
+                        {"stiffness_cap", stage.variant.stiffness_cap},
+                        {"compression", stage.variant.compression},
+                        {"current", stage.variant.current}}},
+                      {"solver", stage.solver},
+                      {"unknowns", stage.unknowns},
+                      {"status", name_of(stage.status)},
+                      {"reason", stage.reason},
+                      {"iterations", stage.statistics.iterations},
+                      {"factorisations", stage.statistics.factorisations},
+                      {"work", stage.work},
+                      {"seconds", stage.statistics.total_seconds}});
+  return stages;
 }
 
-/// Null where nobody looked.
+/// Null where nobody looked for other shapes.
 Json shapes_json(const Shapes& shapes) {
-  if (shapes.looks == 0) return nullptr;
+  if (shapes.restarts == 0) return nullptr;
   Json others = Json::array();
   for (const OtherShape& other : shapes.others)
     others.push_back({{"energy", other.energy},
                       {"distance", other.distance},
                       {"furthest", other.furthest},
                       {"times", other.times}});
-  return {{"looks", shapes.looks}, {"times", shapes.times}, {"others", others}};
+  return {{"restarts", shapes.restarts}, {"times", shapes.times}, {"others", others}};
 }
 
-/// One line per nothing; invalid bytes of a file name are replaced, so that the output is always JSON.
+/// One indented JSON text. Invalid bytes of a file name are replaced, so that the output is always valid
+/// JSON.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
@@ -91,7 +98,8 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
                {"unsymmetric_because", plan.unsymmetric_because},
                {"conservative", plan.conservative},
                {"solver", extras.solver},
-               {"way", extras.way},
+               {"strategy", extras.strategy},
+               {"attempts", extras.attempts},
                {"factorisation", extras.factorisation},
                {"threads", {{"given", extras.threads_given}, {"used", extras.threads_used}}}});
 }
@@ -107,20 +115,21 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"status", name_of(s.status)},
                {"stability", name_of(s.stability)},
                {"reason", s.reason},
-               {"signs", s.signs},
+               {"diagnostics", s.diagnostics},
                {"shapes", shapes_json(s.shapes)},
                {"at_fault", s.status == SolveStatus::converged ? Json(nullptr) : Json(s.at_fault)},
-               {"iterations", s.books.iterations},
-               {"factorisations", s.books.factorisations},
+               {"iterations", s.statistics.iterations},
+               {"factorisations", s.statistics.factorisations},
                {"residual", s.balance.residual},
                {"largest_load", s.balance.scale},
                {"energy", s.energy},
                {"wall_seconds", seconds_json(r)},
-               {"cpu_seconds", s.books.total_cpu_seconds},
+               {"cpu_seconds", s.statistics.total_cpu_seconds},
                {"unknowns", plan.unknowns},
                {"solver", loaded.analysis.solver},
-               {"automatic", loaded.analysis.automatic},
-               {"legs", legs_json(s)},
+               {"strategy", loaded.analysis.strategy},
+               {"stages", stages_json(s)},
+               {"work", s.work},
                {"factorisation", s.factorisation},
                {"terms", terms_json(loaded.scene, plan)},
                {"results", results},

@@ -2,7 +2,10 @@
 #include "io/report/picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <span>
 
 namespace netloft::io {
 
@@ -10,11 +13,58 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// What makes a cell of the picture: elements on nodes of their own, and whatever sits on single nodes.
-/// Pairs, and what rides on elements that are drawn already, would hide those.
+/// Whether the elements of a family become cells of the picture: elements between their own nodes, and
+/// elements on single nodes. Elements between other parts' nodes and elements that ride on drawn elements
+/// would hide those.
 bool is_drawn(const LoadedScene& loaded, const ElementFamily& family) {
   if (family.type().element.stencil == NETLOFT_NODE) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
+}
+
+using PanelPoint = std::array<double, 2>;  // U, V [meshes]
+
+/// Where a panel has each node of the scene. A node of a seam that closes the panel has two places.
+class PanelPlaces {
+ public:
+  explicit PanelPlaces(const PartGeometry& part) {
+    for (std::size_t own = 0; own < part.panel.size(); ++own)
+      places_.emplace(part.nodes[own], part.panel[own]);
+  }
+  /// The place of `node` that is nearest to `near`; NaN if the panel has none.
+  PanelPoint nearest(std::uint32_t node, const PanelPoint& near) const {
+    PanelPoint best{kNone, kNone};
+    double least = std::numeric_limits<double>::infinity();
+    for (auto [it, end] = places_.equal_range(node); it != end; ++it) {
+      const double d = std::hypot(it->second[0] - near[0], it->second[1] - near[1]);
+      if (d < least) least = d, best = it->second;
+    }
+    return best;
+  }
+  /// The place of the first of `nodes` that has only one, to tell apart those of the others.
+  PanelPoint anchor(std::span<const std::uint32_t> nodes) const {
+    for (const auto node : nodes)
+      if (places_.count(node) == 1) return places_.find(node)->second;
+    const auto any = nodes.empty() ? places_.end() : places_.find(nodes[0]);
+    return any == places_.end() ? PanelPoint{kNone, kNone} : any->second;
+  }
+
+ private:
+  std::multimap<std::uint32_t, PanelPoint> places_;
+};
+
+/// U, V of three corners; NaN where there is no panel, and where netting is gathered so that two corners are
+/// one node.
+std::array<double, 6> corners_on_panel(const PanelPlaces& panel, std::span<const std::uint32_t> nodes) {
+  std::array<double, 6> corners;
+  corners.fill(kNone);
+  if (nodes.size() != 3 || nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0])
+    return corners;
+  const PanelPoint anchor = panel.anchor(nodes);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const PanelPoint at = panel.nearest(nodes[c], anchor);
+    corners[2 * c] = at[0], corners[2 * c + 1] = at[1];
+  }
+  return corners;
 }
 
 }  // namespace
@@ -61,6 +111,21 @@ StaticField label_cells(const LoadedScene& loaded, const Assembler& assembler) {
           part};
 }
 
+StaticField label_corners(const LoadedScene& loaded, const Assembler& assembler) {
+  const std::vector<PanelPlaces> places(loaded.parts.begin(), loaded.parts.end());
+  std::vector<double> corners;
+  for (const auto& family : assembler.families())
+    for (std::size_t e = 0; e < family->size() && is_drawn(loaded, *family); ++e) {
+      std::vector<std::uint32_t> nodes;
+      for (int c = 0; c < family->nodes_per_element(); ++c) nodes.push_back(family->node(e, c));
+      const auto uv = corners_on_panel(places[family->part(e)], nodes);
+      corners.insert(corners.end(), uv.begin(), uv.end());
+    }
+  return {{"panel_corners", "1", "U, V of the corners on the cell's own panel, in meshes", Location::kCell, 6,
+           false},
+          corners};
+}
+
 std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler& assembler,
                                       const FamilyOutputs& outputs_of) {
   std::size_t cells = 0, first = 0;
@@ -82,16 +147,6 @@ std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler
     first += assembler.families()[f]->size();
   }
   return fields;
-}
-
-/// A vector over all dofs, node by node; without what elements share, which is in no place.
-std::vector<double> by_node(const LoadedScene& loaded, const Assembler& assembler,
-                            const std::vector<double>& v) {
-  std::vector<double> nodes(3 * loaded.scene.node_count());
-  for (std::size_t d = 0; d < nodes.size(); ++d)
-    nodes[d] = v[static_cast<std::size_t>(
-        assembler.numbering().index(static_cast<std::uint32_t>(d / 3), static_cast<int>(d % 3)))];
-  return nodes;
 }
 
 }  // namespace netloft::io

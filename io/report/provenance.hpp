@@ -11,7 +11,7 @@ std::string program_version();
 std::string machine_description();
 /// Compiler the program was built with.
 std::string compiler_description();
-/// Now, ISO 8601, UTC.
+/// The current time in UTC, ISO 8601.
 std::string utc_now();
 
 }  // namespace netloft::io

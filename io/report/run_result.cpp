@@ -43,7 +43,8 @@ std::vector<NamedScalar> collect_scalars(const LoadedScene& loaded, const Assemb
   return scalars;
 }
 
-/// How far values are from those after the step that is left. None is known better than to its last digit.
+/// Sets the solver error of every number: its difference from the number after the next Newton step, and at
+/// least its rounding unit.
 void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {
     const NamedScalar* moved = find_scalar(after, scalar.name);
@@ -52,18 +53,19 @@ void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar
   }
 }
 
-/// With the digits of its positions, if they are known.
+/// The motion of a scene at rest, with the low-order part of its positions if that is known.
 Kinematics at_rest(const Solution& s) { return {.x_low = s.x_low.empty() ? nullptr : s.x_low.data()}; }
 
-/// One evaluation more: what every number would be after the step that is left.
+/// Evaluates all numbers once more, after the next Newton step, to estimate the solver's error.
 void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   Solution after;
   after.x = result.solution.corrected, after.x_low = result.solution.corrected_low;
   after.residual.resize(after.x.size());
-  const Kinematics digits = at_rest(after);
-  if (after.x.empty() || !assembler.evaluate(after.x, {.residual = after.residual.data(), .motion = digits}))
+  const Kinematics at_corrected = at_rest(after);
+  if (after.x.empty() ||
+      !assembler.evaluate(after.x, {.residual = after.residual.data(), .motion = at_corrected}))
     return;
-  const Answer answer = ask_elements(loaded.scene, assembler, after.x, digits);
+  const Answer answer = ask_elements(loaded.scene, assembler, after.x, at_corrected);
   note_changes(collect_scalars(loaded, assembler, after, answer.outputs), result.scalars);
   note_changes(collect_gear(loaded, assembler, answer), result.gear);
 }

@@ -23,24 +23,26 @@ struct NamedScalar {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit, doc;
   double value = 0;
-  double solver_error = kUnknown;  // its change by the step that is left
-  double mesh_error = kUnknown;    // from what finer meshes tend to, if that was asked for
-  double mesh_order = kUnknown;    // observed; unknown: one was assumed, or a difference stands for the error
+  double solver_error = kUnknown;  // its change by the next Newton step
+  double mesh_error = kUnknown;    // distance from the limit of finer meshes, if that was asked for
+  // observed; unknown: an order of one was assumed, or the error is a difference between meshes
+  double mesh_order = kUnknown;
 };
 
-/// Nothing if none is called so.
+/// Returns null if none has this name.
 const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const std::string& name);
 
-/// Everything a run tells, whoever it is told to: a terminal, a program, a file.
+/// The record of a run, from which the terminal, JSON and file outputs are written.
 struct RunResult {
   Solution solution;
   std::vector<PartForce> part_forces;
   std::vector<HoldForce> hold_forces;
-  std::array<double, 3> balance{};  // sum of all forces on the gear, what holds it included [N]
-  double largest_force = 0;         // of those that were summed [N]
+  std::array<double, 3> balance{};  // sum of all forces on the gear, those of the holds included [N]
+  double largest_force = 0;         // the largest of the forces that were summed [N]
   std::vector<NamedScalar> scalars;
   std::vector<NamedScalar> gear;  // figures of a scene with a net plan (gear_figures.hpp)
-  std::string mesh_note;  // what mesh errors were found from, or why there are none; empty: not asked for
+  // the meshes behind the mesh errors, or why there are no errors; empty: not asked for
+  std::string mesh_note;
   FamilyOutputs outputs;
   double reading_seconds = 0, setup_seconds = 0;
   std::string output_file;

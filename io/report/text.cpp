@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/text.hpp"
 
+#include "framework/study/variants.hpp"
+
 #include "io/report/gear_text.hpp"
 
 #include <fmt/format.h>
+
+#include <sstream>
 
 #include <cmath>
 #include <iterator>
@@ -33,22 +37,36 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// "coarse-to-fine, elements x 2"
+std::string stage_name(const StageRecord& stage) {
+  const std::string variant = text_of(stage.variant);
+  return stage.name + (variant.empty() ? "" : ", " + variant);
+}
+
 const char* plural(int count) { return count == 1 ? "" : "s"; }
 
 void shapes_text(const Shapes& shapes, Out out) {
-  if (shapes.looks == 0) return;
-  fmt::format_to(out, "  looked {} time{} for other shapes: {}; this one came up {} time{}\n", shapes.looks,
-                 plural(shapes.looks),
+  if (shapes.restarts == 0) return;
+  fmt::format_to(out, "  {} restart{} for other shapes: {}; this one came up {} time{}\n", shapes.restarts,
+                 plural(shapes.restarts),
                  shapes.others.empty() ? "none" : fmt::format("{} found", shapes.others.size()), shapes.times,
                  plural(shapes.times));
   for (const OtherShape& other : shapes.others)
-    fmt::format_to(
-        out, "    it may also stand {:.3g} m away, at {}, with an energy of {:.10g} J (found {} time{})\n",
-        other.distance, other.furthest, other.energy, other.times, plural(other.times));
+    fmt::format_to(out,
+                   "    another equilibrium is up to {:.3g} m away, at {}, with an energy of {:.10g} J "
+                   "(found {} time{})\n",
+                   other.distance, other.furthest, other.energy, other.times, plural(other.times));
 }
 
-/// What the tables of a gear say part by part.
-bool is_told_of_gears(const std::string& term) {
+/// Whether the tables of a gear report this force part by part.
+bool is_in_gear_tables(const std::string& term) {
   return term == "drag" || term == "weight" || term == "buoyancy" || term == "pressure";
 }
 
@@ -64,9 +82,10 @@ std::string plan_text(const Plan& plan, const PlanExtras& extras) {
                  plan.nodes, plan.held_nodes, plan.unknowns, extras.matrix_entries,
                  plan.symmetric ? "symmetric" : "unsymmetric because of " + plan.unsymmetric_because,
                  plan.conservative ? ", every force has an energy" : "");
-  fmt::format_to(out, "solver: {}{}{}\nfactorisation: {}\nthreads: {} given, {} used by the assembly\n",
-                 extras.solver, extras.way.empty() ? "" : "; ", extras.way, extras.factorisation,
-                 extras.threads_given, extras.threads_used);
+  if (!extras.strategy.empty()) fmt::format_to(out, "strategy: {}, in this order\n", extras.strategy);
+  for (const auto& line : lines_of(extras.attempts)) fmt::format_to(out, "  {}\n", line);
+  fmt::format_to(out, "solver: {}\nfactorisation: {}\nthreads: {} given, {} used by the assembly\n",
+                 extras.solver, extras.factorisation, extras.threads_given, extras.threads_used);
   return text;
 }
 
@@ -77,13 +96,16 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   fmt::format_to(out, "{}: {}", loaded.scene.name, name_of(s.status));
   if (s.stability != Stability::unknown) fmt::format_to(out, ", {} equilibrium", name_of(s.stability));
   fmt::format_to(out, "\n  {}\n", s.reason);
-  for (const auto& sign : s.signs) fmt::format_to(out, "  {}\n", sign);
+  for (const auto& sentence : s.diagnostics) fmt::format_to(out, "  {}\n", sentence);
   shapes_text(s.shapes, out);
-  fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, {:.3g} s\n", plan.unknowns,
-                 s.books.iterations, s.books.factorisations, s.books.total_seconds);
-  for (const Leg& leg : s.legs)
-    fmt::format_to(out, "    {:<44} {:>7} unknowns {:>4} iterations {:>4} factorisations  {}\n", leg.name,
-                   leg.unknowns, leg.books.iterations, leg.books.factorisations, name_of(leg.status));
+  fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, work {:.4g}, {:.3g} s\n",
+                 plan.unknowns, s.statistics.iterations, s.statistics.factorisations, s.work,
+                 s.statistics.total_seconds);
+  if (s.stages.size() > 1)
+    for (const StageRecord& stage : s.stages)
+      fmt::format_to(out, "    {:<44} {:>7} unknowns {:>4} iterations {:>4} factorisations  {}\n",
+                     stage_name(stage), stage.unknowns, stage.statistics.iterations,
+                     stage.statistics.factorisations, name_of(stage.status));
   const bool with_errors = !result.mesh_note.empty();
   for (const auto& scalar : result.scalars)
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8}{} {}\n", scalar.name, scalar.value,
@@ -94,7 +116,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
     fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",
                    result.gear.empty() ? "forces on the gear [N]" : "forces as modelled [N]", "x", "y", "z");
   for (const auto& f : result.part_forces)
-    if (f.term != "elastic" && (result.gear.empty() || !is_told_of_gears(f.term)))
+    if (f.term != "elastic" && (result.gear.empty() || !is_in_gear_tables(f.term)))
       fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", f.part + ", " + f.term, f.force[0],
                      f.force[1], f.force[2]);
   for (const auto& h : result.hold_forces)

@@ -4,21 +4,21 @@
 
 namespace netloft::io {
 
-/// Facts of the solve that the plan does not decide but a reader of the plan wants.
+/// Facts about the solve that the plan does not decide but that a reader of the plan needs.
 struct PlanExtras {
   std::string solver, factorisation;
   std::size_t matrix_entries = 0;
   int threads_given = 1, threads_used = 1;
-  std::string way;  // what is done around the solver; empty: nothing
+  std::string strategy, attempts;  // how the equilibrium is found; what it tries and why, a line each
 };
 
-/// What the scene needs, term by term, and why not the rest.
+/// The forces that each family of elements evaluates, and why the others are off.
 std::string plan_text(const Plan& plan, const PlanExtras& extras);
 std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& extras);
 
-/// The result for a person.
+/// The result of a run as text for people.
 std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResult& result);
-/// The result for a program: one JSON object.
+/// The result of a run as one JSON object.
 std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResult& result);
 
 }  // namespace netloft::io

@@ -15,7 +15,7 @@ namespace {
 
 void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                    const RunResult& result) {
-  const auto points = by_node(loaded, assembler, result.solution.x);
+  const auto points = assembler.node_positions(result.solution.x);
   std::vector<double> displacement(points.size()), residual, reaction;
   for (std::size_t d = 0; d < points.size(); ++d) displacement[d] = points[d] - loaded.scene.positions[d];
   for (std::uint32_t node = 0; node < loaded.scene.node_count(); ++node) {
@@ -27,12 +27,13 @@ void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler&
   const auto cells = gather_outputs(loaded, assembler, result.outputs);
   std::vector<FieldSpec> changing = {
       {"displacement", "m", "movement from the start", Location::kPoint, 3, false},
-      {"residual", "N", "force out of balance: what the solver left", Location::kPoint, 3, false},
-      {"reaction", "N", "force of what holds the node", Location::kPoint, 3, false}};
+      {"residual", "N", "force out of balance that the solver left", Location::kPoint, 3, false},
+      {"reaction", "N", "force of the hold on the node", Location::kPoint, 3, false}};
   std::vector<std::span<const double>> values = {displacement, residual, reaction};
   for (const auto& cell : cells) changing.push_back(cell.spec), values.push_back(cell.values);
   auto fixed = label_points(loaded);
   fixed.push_back(label_cells(loaded, assembler));
+  fixed.push_back(label_corners(loaded, assembler));
   file.begin(make_mesh(loaded, assembler), changing, fixed);
   file.write_state(0, points, values);
 }
@@ -92,13 +93,13 @@ void write_convergence(Tree& tree, const Solution& s) {
   tree.write_ints(at + "iteration", iteration, "1", "accepted steps before this point");
   tree.write_ints(at + "factorisations", factorisations, "1", "factorisations before this point");
   tree.write_reals(at + "residual", residual, "N", "largest nodal residual");
-  tree.write_reals(at + "load", scale, "N", "largest nodal load: what the tolerance is a part of");
+  tree.write_reals(at + "load", scale, "N", "largest nodal load, to which the tolerance is relative");
   tree.write_reals(at + "energy", energy, "J", "energy, if all forces have one");
   tree.write_reals(at + "seconds", seconds, "s", "wall time since the solver began");
-  tree.write_strings(at + "note", note, "what the solver said of the step that led here");
+  tree.write_strings(at + "note", note, "the solver's remark on the step to this point");
 }
 
-void write_books(Tree& tree, const Books& b) {
+void write_books(Tree& tree, const Statistics& b) {
   const std::string at = "/netloft/cost/";
   tree.write_int(at + "iterations", b.iterations, "1", "accepted steps");
   tree.write_int(at + "factorisations", b.factorisations, "1", "factorisations, refused ones included");
@@ -110,36 +111,35 @@ void write_books(Tree& tree, const Books& b) {
   tree.write_real(at + "factorisation", b.factorisation_seconds, "s", "wall time of factorisations");
   tree.write_real(at + "solve", b.solve_seconds, "s", "wall time of solutions with a factor");
   tree.write_real(at + "total", b.total_seconds, "s", "wall time of the solver, checks included");
-  tree.write_real(at + "cpu", b.total_cpu_seconds, "s", "processor time of the same");
+  tree.write_real(at + "cpu", b.total_cpu_seconds, "s", "processor time of the solver, checks included");
 }
 
-/// What is not known is not written.
+/// Writes a value unless it is unknown.
 void write_known(Tree& tree, const std::string& at, double error, const std::string& unit, const char* doc) {
   if (std::isfinite(error)) tree.write_real(at, error, unit, doc);
 }
 
 void write_errors_of(Tree& tree, const std::string& at, const std::vector<NamedScalar>& scalars) {
   for (const auto& s : scalars) {
-    write_known(tree, at + "solver/" + s.name, s.solver_error, s.unit, "its change by the step that is left");
+    write_known(tree, at + "solver/" + s.name, s.solver_error, s.unit, "its change by the next Newton step");
     write_known(tree, at + "mesh/" + s.name, s.mesh_error, s.unit,
-                "its distance from what finer meshes tend to, an estimate");
-    write_known(tree, at + "mesh_order/" + s.name, s.mesh_order, "1",
-                "order of convergence that was observed");
+                "estimated distance from its limit on finer meshes");
+    write_known(tree, at + "mesh_order/" + s.name, s.mesh_order, "1", "observed order of convergence");
   }
 }
 
 void write_errors(Tree& tree, const RunResult& result) {
   const std::string at = "/netloft/errors/";
   write_known(tree, at + "nodes", result.solution.correction, "m",
-              "largest nodal move of the step that is left: an estimate");
+              "estimated error: largest nodal move of the next Newton step");
   write_errors_of(tree, at, result.scalars);
   write_errors_of(tree, at + "gear/", result.gear);
   if (!result.mesh_note.empty())
-    tree.write_text(at + "mesh_note", result.mesh_note, "what mesh errors were found from");
+    tree.write_text(at + "mesh_note", result.mesh_note, "the meshes that mesh errors were estimated from");
 }
 
 void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result) {
-  std::size_t parts = 0;  // companions come last and count with the part they ride on
+  std::size_t parts = 0;  // companions come last and count with the part that they ride on
   while (parts < loaded.scene.parts.size() && !loaded.scene.parts[parts].companion) ++parts;
   std::map<std::string, std::vector<double>> terms;
   for (const auto& f : result.part_forces) {
@@ -150,7 +150,7 @@ void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result
   }
   for (const auto& [term, rows] : terms)
     tree.write_matrix("/netloft/forces/" + term, rows, 3, "N",
-                      "sum of this force over each part, as the gear feels it");
+                      "sum of this force over each part, in the direction in which it acts on the gear");
   std::vector<double> held;
   std::vector<std::string> names;
   for (const auto& h : result.hold_forces)
@@ -158,16 +158,18 @@ void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result
   tree.write_matrix("/netloft/forces/held", held, 3, "N", "force of each hold on the gear");
   tree.write_strings("/netloft/forces/held_name", names);
   tree.write_reals("/netloft/forces/balance", result.balance, "N",
-                   "sum of all forces on the gear, what holds it included");
+                   "sum of all forces on the gear, those of the holds included");
 }
 
 }  // namespace
 
-void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context, const Books& books) {
+void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context,
+                   const Statistics& statistics) {
   write_provenance(tree, loaded, context);
   write_parts(tree, loaded);
-  tree.write_text("/netloft/plan", context.plan_text, "what the scene needs, and why not the rest");
-  write_books(tree, books);
+  tree.write_text("/netloft/plan", context.plan_text,
+                  "forces that are evaluated, and why the others are off");
+  write_books(tree, statistics);
 }
 
 void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
@@ -182,7 +184,7 @@ void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& 
   write_picture(file, loaded, assembler, result);
   Tree& tree = file.tree();
   write_status(tree, result.solution);
-  write_origins(tree, loaded, context, result.solution.books);
+  write_origins(tree, loaded, context, result.solution.statistics);
   write_convergence(tree, result.solution);
   write_forces(tree, loaded, result);
   tree.write_real("/netloft/energy", result.solution.energy, "J",
@@ -190,7 +192,7 @@ void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& 
   write_errors(tree, result);
   write_gear(tree, loaded, result.gear);
   if (const auto memory = assembler.memory(); !memory.empty())
-    tree.write_reals("/netloft/memory", memory, "1", "what elements remember, one after another: friction");
+    tree.write_reals("/netloft/memory", memory, "1", "state of the elements, one after another: friction");
   for (const auto& s : result.scalars) tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc);
   file.finish();
 }

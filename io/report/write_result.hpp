@@ -5,7 +5,7 @@
 
 namespace netloft::io {
 
-/// Facts of a run that stand in no result.
+/// Facts of a run that are not part of its result.
 struct RunContext {
   std::vector<std::string> command;
   std::string started;
@@ -13,13 +13,14 @@ struct RunContext {
   std::string plan_text;
 };
 
-/// Where a result comes from and what it cost: what every kind of run writes.
-void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context, const Books& books);
+/// Writes the inputs and the cost of a result, the same for every kind of run.
+void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context,
+                   const Statistics& statistics);
 
-/// Figures of a gear under /netloft/gear, by their names; nothing of a scene without one.
+/// Writes figures of a gear below /netloft/gear, under their names; a scene without a gear has none.
 void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedScalar>& figures);
 
-/// Writes all of a run into `file`, as io/hdf5/LAYOUT.md says, and finishes it.
+/// Writes the complete result of a run into `file`, as described in io/hdf5/LAYOUT.md, and finishes it.
 void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                   const RunResult& result, const RunContext& context);
 

@@ -38,7 +38,6 @@ bool read_time(TableReader& table, Registry& registry, Analysis& a) {
   if (!table.has("tangent")) a.tangent = TangentChoice::symmetric;
   if (moves && !table.has("tolerance")) a.limits.tolerance = 1e-5;
   if (moves && !table.has("max_iterations")) a.limits.iterations = 25;
-  a.continuation = a.continuation && !moves && !a.settles;
   if (a.settles) read_settling(table, registry, a);
   return a.settles;
 }
@@ -52,18 +51,35 @@ void read_solver(TableReader& table, Registry& registry, Analysis& a) {
     a.solver_parameters.try_emplace("damping", 0.0);
 }
 
+/// A solver that is named alone is to show what it is worth by itself. A motion names the solver of its
+/// steps; the equilibrium that it may start from is found by the default strategy.
+void read_strategy(TableReader& table, Registry& registry, const Values& values, Analysis& a) {
+  const bool only_solver = values.contains("solver") && !values.contains("strategy");
+  if (only_solver && a.kind == AnalysisKind::statics) a.strategy = kStrategyOfNamedSolver;
+  const StrategyType& strategy = registry.strategy(a.strategy);
+  TableReader own = own_table(table, a.strategy);
+  a.strategy_parameters = read_parameters(strategy.parameters, own);
+}
+
 Analysis from_keys(const AnalysisKeys& keys) {
   Analysis a;
-  a.solver = keys.solver;
-  a.automatic = a.solver == "auto";
-  if (a.automatic) a.solver = "newton";
-  a.in_stages = keys.continuation == 3;
-  a.continuation = keys.continuation == 1 || a.in_stages || (keys.continuation == 0 && a.automatic);
+  a.strategy = keys.strategy, a.solver = keys.solver, a.work = keys.work;
   a.tangent = static_cast<TangentChoice>(keys.tangent);
-  a.limits = {keys.tolerance, static_cast<int>(keys.max_iterations), keys.max_seconds, nullptr};
+  a.limits.tolerance = keys.tolerance, a.limits.iterations = static_cast<int>(keys.max_iterations);
+  a.limits.seconds = keys.max_seconds;
   a.kind = static_cast<AnalysisKind>(keys.kind);
-  a.looks = keys.looks < 0 && !a.automatic ? 0 : static_cast<int>(keys.looks);
   return a;
+}
+
+/// Says of each component that is not there under which key it stands.
+template <class Read>
+void read_component(TableReader& table, const char* key, bool& refused, const Read& read) {
+  try {
+    read();
+  } catch (const PluginRefused& e) {
+    refused = true;
+    report_refusal(table, key, e.what());
+  }
 }
 
 }  // namespace
@@ -79,12 +95,17 @@ Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
     table.error("solver", "is empty; the name of a solver is wanted, such as newton");
     return a;
   }
-  try {
-    if (!read_time(table, registry, a)) read_solver(table, registry, a);
-  } catch (const PluginRefused& e) {
-    refused = true;
-    report_refusal(table, "solver", e.what());
+  if (a.strategy.empty()) {
+    table.error("strategy", "is empty; the name of a strategy is wanted, such as auto");
+    return a;
   }
+  bool settles = false;
+  read_component(table, "solver", refused, [&] {
+    settles = read_time(table, registry, a);
+    if (!settles) read_solver(table, registry, a);
+  });
+  if (!settles && !refused)
+    read_component(table, "strategy", refused, [&] { read_strategy(table, registry, values, a); });
   return a;
 }
 

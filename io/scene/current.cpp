@@ -41,22 +41,22 @@ Current read_drift(TableReader table) {
   return current;
 }
 
-/// `share` of the profile over the times `t`.
-void read_shares(TableReader& profile, Current& current) {
-  if (!profile.has("t") && !profile.has("share")) return;
+/// Reads the factors on the profile at the times `t`.
+void read_factors(TableReader& profile, Current& current) {
+  if (!profile.has("t") && !profile.has("factor")) return;
   const auto t = profile.reals("t", kTimes);
-  const auto share = profile.reals(
-      "share",
-      {.doc = "share of the profile at each t", .range = between(-1e3, 1e3), .count = exactly(t.size())});
+  const auto factor = profile.reals(
+      "factor",
+      {.doc = "factor on the profile at each t", .range = between(-1e3, 1e3), .count = exactly(t.size())});
   if (!ascend(t, profile)) return;
-  for (std::size_t i = 0; i < std::min(t.size(), share.size()); ++i)
-    current.shares.push_back({t[i], share[i]});
+  for (std::size_t i = 0; i < std::min(t.size(), factor.size()); ++i)
+    current.factors.push_back({t[i], factor[i]});
 }
 
 Current read_profile(TableReader profile) {
   if (!profile.has("z") && profile.has("t")) return read_drift(profile);
   Current current;
-  read_shares(profile, current);
+  read_factors(profile, current);
   const auto z = profile.reals("z", {.unit = "m",
                                      .doc = "heights of the samples, 0 at the surface",
                                      .range = between(-2e4, 1e3),

@@ -99,7 +99,7 @@ std::optional<std::size_t> Draft::find_part(const Mention& m, const std::string&
   if (riders_.contains(name))
     refuse_rider(m, name);
   else if (m.name.empty())
-    diagnostics_.error(m.place, m.path + " is empty; a part, an edge or a point is wanted (net.fore)");
+    diagnostics_.error(m.place, m.path + " is empty; a part, an edge or a point is expected (net.fore)");
   else
     diagnostics_.error(m.place, m.path + ": there is no part " + in_quotes(name),
                        owners.empty() ? name_hint(name, names) : "did you mean \"" + owners[0] + "\"?");

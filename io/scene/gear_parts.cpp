@@ -54,7 +54,7 @@ bool is_seam(TableReader& join) {
   return sews;
 }
 
-GearParts::GearParts(const io::Plan& plan, TableReader& root, const ElementChoice& elements, Draft& draft)
+GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& elements, Draft& draft)
     : elements_(elements), draft_(draft), diagnostics_(root.diagnostics()) {
   for (const char* key : {"panels", "ropes", "hang", "floats", "points"}) root.has(key);
   const int errors_before = diagnostics_.errors();
@@ -69,7 +69,7 @@ GearParts::GearParts(const io::Plan& plan, TableReader& root, const ElementChoic
   own_.resize(mesh_.nodes);
 }
 
-void GearParts::read_model(TableReader& root, const io::Plan& plan) {
+void GearParts::read_model(TableReader& root, const NetPlan& plan) {
   TableReader table = root.table("gear", Presence::optional);
   const Values values = read_parameters(gear_keys(), table);
   std::vector<std::string> faults;
@@ -112,7 +112,7 @@ void GearParts::read_exceptions(TableReader& elements) {
       elements.error(name, "there is nothing named " + in_quotes(name) + " in the net plan",
                      name_hint(name, names));
     else if (!said->as<Table>())
-      elements.error(name, "a table is wanted, such as { drag = \"hydro/morison\" }");
+      elements.error(name, "a table is expected, such as { drag = \"hydro/morison\" }");
     else
       exceptions_[name] = *said;
   }

@@ -19,7 +19,7 @@ bool is_seam(TableReader& join);
 class GearParts {
  public:
   /// `plan` has no errors. Reads `[gear]` and `[elements]`.
-  GearParts(const io::Plan& plan, TableReader& root, const ElementChoice& elements, Draft& draft);
+  GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& elements, Draft& draft);
 
   /// False after an error: then nothing in the scene can be judged.
   bool is_divided() const { return mesh_.nodes > 0; }
@@ -45,7 +45,7 @@ class GearParts {
     const ElementType* type = nullptr;
   };
 
-  void read_model(TableReader& root, const io::Plan& plan);
+  void read_model(TableReader& root, const NetPlan& plan);
   void read_finer(TableReader& gear);
   Made read_elements(TableReader& elements, const GearElements& of) const;
   void read_exceptions(TableReader& elements);

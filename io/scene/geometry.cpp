@@ -22,7 +22,7 @@ Layout layout_of(const ElementType& type) {
 
 const std::vector<std::string>& geometry_data(Layout layout) {
   static const ByLayout<std::vector<std::string>> data{
-      {"share", "length"}, {"rest_length"}, {"u", "v", "bar_length", "to_aft"}, {"rest_length", "parallel"}};
+      {"pieces", "length"}, {"rest_length"}, {"u", "v", "bar_length", "to_aft"}, {"rest_length", "parallel"}};
   return data.of(layout);
 }
 
@@ -43,7 +43,7 @@ Geometry read_point(TableReader& part) {
   const Point at = read_one_point(part, kAt);
   append(out.positions, at);
   out.elements = {0};
-  out.data["share"] = {1}, out.data["length"] = {0};
+  out.data["pieces"] = {1}, out.data["length"] = {0};
   out.names.sets["point"] = {0};
   return out;
 }

@@ -45,10 +45,10 @@ const std::vector<GeometryKey>& geometry_keys(Layout layout);
 /// Names of the element data that the geometry of such parts gives; all other data stand in the part's table.
 const std::vector<std::string>& geometry_data(Layout layout);
 
-/// The point a share `t` of the way along a line through one or more points.
+/// The point at fraction `t` of the length of a line through one or more points.
 std::array<double, 3> along_line(const std::vector<std::array<double, 3>>& line, double t);
 
-/// A point: one node. Set: point. Data: share [pieces], one; length [m], none.
+/// A point: one node. Set: point. Data: pieces [1], one; length [m], none.
 Geometry read_point(TableReader& part);
 
 /// A rope in bars: `length` unstretched, `cells` bars, `sketch` a line of two or more points along which the

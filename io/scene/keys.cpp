@@ -8,7 +8,8 @@ std::span<const netloft_parameter> water_keys() {
     ParameterTable<SceneWater> t;
     t.real("density", &SceneWater::density, "kg/m3", "density of the water; 0 is air",
            {.lo = 0, .hi = 3000, .fallback = 1025});
-    t.real("gravity", &SceneWater::gravity, "m/s2", "gravity", {.lo = 0, .hi = 100, .fallback = 9.80665});
+    t.real("gravity", &SceneWater::gravity, "m/s2", "acceleration of gravity, downwards",
+           {.lo = 0, .hi = 100, .fallback = 9.80665});
     t.real("viscosity", &SceneWater::viscosity, "m2/s", "kinematic viscosity of the water",
            {.lo = 1e-9, .hi = 1, .fallback = 1.19e-6});
     return t;
@@ -21,30 +22,30 @@ std::span<const netloft_parameter> analysis_keys() {
     ParameterTable<AnalysisKeys> t;
     t.choice("kind", &AnalysisKeys::kind, "what is looked for: the static equilibrium, or the motion in time",
              {"static", "dynamic"});
+    t.text("strategy", &AnalysisKeys::strategy,
+           "strategy plugin, how an equilibrium is found; its own parameters stand in a table of its name; "
+           "where only a solver is named: direct",
+           kStrategy);
     t.text("solver", &AnalysisKeys::solver,
-           "solver plugin; its own parameters stand in a table of its name; auto: newton, with continuation",
-           "auto");
-    t.choice(
-        "continuation", &AnalysisKeys::continuation,
-        "over coarser meshes and easier scenes (tension only, stiffness or current raised by steps) where "
-        "that helps; default: with solver auto; tensions: from soft to stiff first, tensions being unknowns",
-        {"default", "on", "off", "tensions"});
+           "solver plugin, for the stages of the strategy or the steps of a motion; its own parameters stand "
+           "in a "
+           "table of its name",
+           kSolver);
     t.real("tolerance", &AnalysisKeys::tolerance, "1", "largest nodal residual over the largest nodal load",
            {.lo = 1e-16, .hi = 1, .fallback = 1e-10});
-    t.integer("max_iterations", &AnalysisKeys::max_iterations, "iterations after which the solver gives up",
-              0, 1000000, 1000);
-    t.real("max_seconds", &AnalysisKeys::max_seconds, "s", "wall time after which the solver gives up",
-           {.lo = 0, .hi = 1e9, .fallback = 1e9});
+    t.integer("max_iterations", &AnalysisKeys::max_iterations,
+              "iterations after which a solver gives up a stage, or a step of a motion", 0, 1000000, 1000);
+    t.real("work", &AnalysisKeys::work, "1",
+           "budget of all stages together, in Newton iterations of the scene as it is written; the same on "
+           "every "
+           "machine",
+           {.lo = 0, .hi = 1e12, .fallback = 20000});
+    t.real("max_seconds", &AnalysisKeys::max_seconds, "s",
+           "processor time after which the search is given up", {.lo = 0, .hi = 1e9, .fallback = 1e9});
     t.choice(
         "tangent", &AnalysisKeys::tangent,
         "what counts of the tangent of forces without an energy (drag): all, its symmetric part, nothing",
         {"exact", "symmetric", "elastic"});
-    t.integer(
-        "looks", &AnalysisKeys::looks,
-        "how often to look for other shapes in which the gear may stand, from where nothing is pressed and "
-        "from the one found, shaken; -1: with solver auto up to six times after a long way or tension only, "
-        "if cheap",
-        -1, 1000, -1);
     return t;
   }();
   return table.rows();

@@ -8,16 +8,18 @@
 
 namespace netloft::io {
 
-/// `[analysis]`, but for the tables of solvers.
+/// What `[analysis]` means where it names none: the solver of stages and of the steps of a motion, how an
+/// equilibrium is found, and how if only a solver is named.
+inline constexpr const char *kSolver = "newton", *kStrategy = "auto", *kStrategyOfNamedSolver = "direct";
+
+/// `[analysis]`, but for the tables of solvers and strategies.
 struct AnalysisKeys {
   std::int64_t kind = 0;
-  const char* solver = nullptr;
-  std::int64_t continuation = 0;
+  const char *strategy = nullptr, *solver = nullptr;
   double tolerance = 0;
   std::int64_t max_iterations = 0;
-  double max_seconds = 0;
+  double work = 0, max_seconds = 0;
   std::int64_t tangent = 0;
-  std::int64_t looks = -1;
 };
 
 /// `[gear]`, but for the table `finer`.

@@ -49,11 +49,10 @@ struct Analysis {
   AnalysisKind kind = AnalysisKind::statics;
   bool settles = false;  // `solver` is an integrator, which goes through time until all is at rest
   Dynamics dynamics = {};
-  std::string solver;         // the plugin that is to work
-  bool automatic = false;     // the user left the choice to the program: solver = "auto"
-  bool continuation = false;  // over coarser meshes and easier scenes, where that helps
-  bool in_stages = false;     // from soft to stiff before that, with tensions as unknowns
-  int looks = 0;              // for other shapes
+  std::string strategy;  // the plugin that decides how the equilibrium is found
+  Values strategy_parameters;
+  double work = 0;     // budget of the strategy, in the units of framework/problem/work.hpp
+  std::string solver;  // the plugin that solves stages, or steps in time
   Values solver_parameters;
   Limits limits;
   TangentChoice tangent = TangentChoice::exact;

@@ -35,7 +35,7 @@ void drop_repeats(std::vector<std::uint32_t>& nodes) {
 class SceneReader {
  public:
   /// `plan`: of a gear that stands in the scene; null without.
-  SceneReader(const Value& root, const io::Plan* plan, std::string name, Registry& registry,
+  SceneReader(const Value& root, const NetPlan* plan, std::string name, Registry& registry,
               Diagnostics& diagnostics, bool& refused)
       : root_(root, diagnostics),
         registry_(registry),
@@ -397,10 +397,10 @@ class SceneReader {
 };
 
 /// The net plan in a scene, checked; nothing if there is none.
-std::optional<io::Plan> read_plan_of(const Document& document, const std::filesystem::path& folder,
-                                     Diagnostics& diagnostics) {
+std::optional<NetPlan> read_plan_of(const Document& document, const std::filesystem::path& folder,
+                                    Diagnostics& diagnostics) {
   if (!holds_plan(document)) return {};
-  io::Plan plan = read_plan(document, folder, diagnostics);
+  NetPlan plan = read_plan(document, folder, diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
   return plan;
 }

@@ -94,12 +94,10 @@ std::string take_hint(const ResultRequest& request, const ElementType& type, boo
 
 double node_value(const ResultRequest& r, std::uint32_t node, const Scene& scene, const Assembler& assembler,
                   const Solution& s) {
-  std::array<double, 3> v{};
-  if (r.source == Source::reaction) v = assembler.reaction(node, s.residual);
-  for (std::size_t axis = 0; axis < 3 && r.source != Source::reaction; ++axis) {
-    v[axis] = s.x[static_cast<std::size_t>(assembler.numbering().index(node, static_cast<int>(axis)))];
-    if (r.source == Source::displacement) v[axis] -= scene.positions[3 * std::size_t{node} + axis];
-  }
+  std::array<double, 3> v = r.source == Source::reaction ? assembler.reaction(node, s.residual)
+                                                         : assembler.node_position(node, s.x);
+  if (r.source == Source::displacement)
+    for (std::size_t axis = 0; axis < 3; ++axis) v[axis] -= scene.positions[3 * std::size_t{node} + axis];
   return r.axis == 3 ? std::hypot(v[0], v[1], v[2]) : v[static_cast<std::size_t>(r.axis)];
 }
 

@@ -42,7 +42,7 @@ void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<do
   for (const auto node : nodes) total += carried[node];
   for (const auto node : nodes) {
     rider.nodes.push_back(node);
-    rider.data["share"].push_back(
+    rider.data["pieces"].push_back(
         number * (total > 0 ? carried[node] / total : 1 / static_cast<double>(nodes.size())));
     rider.data["length"].push_back(carried[node]);
   }

@@ -12,8 +12,9 @@ namespace netloft::io {
 /// third of the twines of each triangle. Zero elsewhere.
 std::vector<double> carried_length(const Scene& scene, const Part& part, const ElementType& type);
 
-/// One element on each of `nodes`. Data: `share`, `number` of pieces times the node's part of what all of
-/// them carry (equal parts if they carry nothing); `length`, the metres it carries.
+/// One element on each of `nodes`. Data: `pieces`, the fraction of `number` that belongs to the node, in
+/// proportion to the length that it carries (equal fractions if no node carries any); `length` [m] that it
+/// carries.
 void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<double>& carried, double number,
                    Part& rider);
 

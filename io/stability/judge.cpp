@@ -33,12 +33,10 @@ double diagonal(const std::vector<double>& x) {
   return sum > 0 ? std::sqrt(sum) : 1;
 }
 
-bool claims_success(const Solution& s) { return s.status == SolveStatus::converged; }
-
 Where judge_failure(const Ended& ended, Expected expected, bool has_reference) {
-  if (expected == Expected::none) return ended.out_of_time ? Where::late : Where::honest;
+  if (expected == Expected::none) return ended.out_of_budget ? Where::late : Where::honest;
   if (!has_reference && flutters(ended.solution)) return Where::flutters;
-  if (!has_reference && ended.solution.is_restless && !ended.out_of_time) return Where::restless;
+  if (!has_reference && ended.solution.does_not_settle && !ended.out_of_budget) return Where::unsettled;
   return ended.solution.status == SolveStatus::unstable ? Where::unstable : Where::failed;
 }
 
@@ -73,25 +71,27 @@ Verdict judge(const StabilityCase& c, const std::optional<Reference>& reference,
   }
   if (ended.unfit)
     v.where = Where::unfit;
-  else if (!claims_success(s))
+  else if (!ended.claims_success())
     v.where = judge_failure(ended, c.expected, reference.has_value());
   else if (c.expected == Expected::none)
     v.where = Where::lied;
-  else if (s.stability == Stability::unstable || ended.grows)
+  else if (ended.stability == Stability::unstable)
     v.where = Where::wrong;
+  else if (!ended.is_at_rest())
+    v.where = Where::unproven;
   else
     v.where = reference ? judge_place(c, v, ended.conservative) : Where::another;
   return v;
 }
 
-bool is_arrival(Where where) {
+bool is_answer(Where where) {
   return where == Where::reference || where == Where::lower || where == Where::another;
 }
 bool is_honest(Where where) {
-  return where == Where::honest || where == Where::flutters || where == Where::restless;
+  return where == Where::honest || where == Where::flutters || where == Where::unsettled;
 }
-bool is_right(Where where) { return is_arrival(where) || is_honest(where); }
-bool is_lie(Where where) { return where == Where::wrong || where == Where::lied; }
+bool is_right(Where where) { return is_answer(where) || is_honest(where); }
+bool is_claimed_wrong(Where where) { return where == Where::wrong || where == Where::lied; }
 
 const char* name_of(Where where) {
   switch (where) {
@@ -113,8 +113,10 @@ const char* name_of(Where where) {
       return "honest";
     case Where::flutters:
       return "flutters";
-    case Where::restless:
-      return "restless";
+    case Where::unsettled:
+      return "unsettled";
+    case Where::unproven:
+      return "unproven";
     case Where::late:
       return "late";
     case Where::lied:

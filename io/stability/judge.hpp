@@ -33,12 +33,13 @@ enum class Where {
   higher,     // stable, at more energy: a shape of the gear, but not the best
   wrong,      // says it has arrived, and is not where the only answer is
   unstable,   // at a stationary point that is not stable, and says so
+  unproven,   // in balance, but whether it is stable could not be found out
   failed,     // says that it has not arrived
   honest,     // there is no equilibrium, and it says so
-  late,       // the same, but only because its time was up
+  late,       // the same, but only because its budget was spent
   lied,       // there is no equilibrium, and it says that it has arrived
   flutters,   // swings on about an equilibrium, says so, and no solver of this run knows one where it rests
-  restless,   // let go, it goes on and on, says so, and no solver of this run knows where it rests
+  unsettled,  // let go, it goes on and on, says so, and no solver of this run knows where it rests
   not_run,    // the case could not be set up
   unfit,      // the solver is not made for such a problem: it wants an energy
 };
@@ -62,18 +63,30 @@ struct Ended {
   std::vector<double> positions;  // of all nodes [m]
   std::size_t unknowns = 0;
   bool conservative = true;  // energies tell which of two places is the better one
-  bool out_of_time = false;
+  /// The suite's own finding: the host's where forces have an energy, else by the growth of a disturbance
+  /// (framework/problem/growth.hpp), which is asked of every claim of success.
+  Stability stability = Stability::unknown;
+  bool out_of_budget = false;
   bool unfit = false;  // the solver needs what the problem does not have
-  bool grows = false;  // a small disturbance does, where forces have no energy: growth.hpp
+
+  bool claims_success() const { return !unfit && solution.status == SolveStatus::converged; }
+  /// At a stable equilibrium, whatever it says.
+  bool is_at_rest() const {
+    return claims_success() && (stability == Stability::stable || stability == Stability::neutral);
+  }
 };
 
 /// `reference` may be missing: then nothing can be said but whether it is balanced.
 Verdict judge(const StabilityCase& c, const std::optional<Reference>& reference, const Ended& ended);
 
-bool is_arrival(Where where);  // at an equilibrium that the case accepts
-bool is_honest(Where where);   // an honest failure where there is nothing to arrive at
-bool is_right(Where where);    // arrival, or that
-bool is_lie(Where where);      // success was claimed where there was none
+/// The two columns of truth. Right: stationary, stable, and equal to or better than the best answer that any
+/// solver of the run or the references know; or an honest failure where there is nothing to find. Claimed
+/// wrong: success was claimed at another than the only answer, at an unstable one, or where there is none.
+bool is_right(Where where);
+bool is_claimed_wrong(Where where);
+
+bool is_answer(Where where);  // right, at an equilibrium
+bool is_honest(Where where);  // right, without one
 const char* name_of(Where where);
 
 /// At the same place as the reference, and in balance to more digits.

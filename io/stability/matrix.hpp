@@ -4,13 +4,23 @@
 
 namespace netloft::io {
 
-/// How one solver did on all rows.
+/// How one column did on all rows, or on those of one kind.
 struct Tally {
   std::string solver;
-  std::size_t cases = 0, right = 0, lies = 0;  // right: arrived, or honest where there is nothing to find
+  std::size_t cases = 0;
+  std::size_t right = 0, claimed_wrong = 0;  // as judge.hpp has it
+  std::size_t unconfirmed = 0;               // right, but no other solver knows a stable equilibrium
+  std::size_t factorisations = 0;
   double cpu_seconds = 0;
 };
 std::vector<Tally> tally(const std::vector<Row>& rows);
+
+/// By kind of case, which is the file of the suite that it stands in; in the order of the rows.
+struct KindTally {
+  std::string kind;
+  std::vector<Tally> columns;
+};
+std::vector<KindTally> tally_by_kind(const std::vector<Row>& rows);
 
 /// The matrix of cases and solvers: for a terminal, for a program, and as a page of its own.
 struct MatrixTitle {

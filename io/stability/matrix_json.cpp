@@ -25,16 +25,16 @@ Json history_json(const std::vector<IterationRecord>& history) {
   return all;
 }
 
-Json legs_json(const std::vector<Leg>& legs) {
+Json stages_json(const std::vector<StageRecord>& stages) {
   Json all = Json::array();
-  for (const Leg& leg : legs)
-    all.push_back({{"name", leg.name},
-                   {"unknowns", leg.unknowns},
-                   {"status", name_of(leg.status)},
-                   {"iterations", leg.books.iterations},
-                   {"factorisations", leg.books.factorisations},
-                   {"seconds", number(leg.books.total_seconds)},
-                   {"reason", leg.reason}});
+  for (const StageRecord& stage : stages)
+    all.push_back({{"name", stage.name},
+                   {"unknowns", stage.unknowns},
+                   {"status", name_of(stage.status)},
+                   {"iterations", stage.statistics.iterations},
+                   {"factorisations", stage.statistics.factorisations},
+                   {"seconds", number(stage.statistics.total_seconds)},
+                   {"reason", stage.reason}});
   return all;
 }
 
@@ -45,7 +45,7 @@ Json shapes_json(const Shapes& shapes) {
                       {"distance", other.distance},
                       {"furthest", other.furthest},
                       {"times", other.times}});
-  return {{"looks", shapes.looks}, {"times", shapes.times}, {"others", others}};
+  return {{"restarts", shapes.restarts}, {"times", shapes.times}, {"others", others}};
 }
 
 /// As `--set` takes them.
@@ -87,9 +87,10 @@ Json cell_json(const Cell& c, const Row& row) {
           {"size", c.size},
           {"solver", c.solver},
           {"unknowns", c.unknowns},
-          {"arrived", is_arrival(c.verdict.where)},
           {"where", name_of(c.verdict.where)},
           {"right", is_right(c.verdict.where)},
+          {"claimed_wrong", is_claimed_wrong(c.verdict.where)},
+          {"confirmed", c.confirmed},
           {"expected", name_of(c.expected)},
           {"drawn", row.about->drawn},
           {"stable_shapes", row.shapes},
@@ -102,24 +103,38 @@ Json cell_json(const Cell& c, const Row& row) {
           {"status", c.status},
           {"stability", c.stability},
           {"reason", c.reason},
-          {"legs", legs_json(c.legs)},
+          {"stages", stages_json(c.stages)},
           {"shapes", shapes_json(c.shapes)},
           {"history", history_json(c.history)}};
+}
+
+Json tally_json(const Tally& t) {
+  return {{"solver", t.solver},
+          {"cases", t.cases},
+          {"right", t.right},
+          {"claimed_wrong", t.claimed_wrong},
+          {"unconfirmed", t.unconfirmed},
+          {"factorisations", t.factorisations},
+          {"cpu_seconds", t.cpu_seconds}};
 }
 
 }  // namespace
 
 std::string matrix_json(const MatrixTitle& title, const std::vector<Row>& rows) {
-  Json cases = Json::array(), solvers = Json::array();
+  Json cases = Json::array(), solvers = Json::array(), kinds = Json::array();
   for (const auto& row : rows)
     for (const auto& cell : row.cells) cases.push_back(cell_json(cell, row));
-  for (const auto& t : tally(rows))
-    solvers.push_back({{"solver", t.solver},
-                       {"cases", t.cases},
-                       {"right", t.right},
-                       {"lies", t.lies},
-                       {"cpu_seconds", t.cpu_seconds}});
-  const Json all = {{"suite", title.folder}, {"draw", title.draw}, {"solvers", solvers}, {"cases", cases}};
+  for (const auto& t : tally(rows)) solvers.push_back(tally_json(t));
+  for (const auto& kind : tally_by_kind(rows))
+    for (const auto& t : kind.columns) {
+      kinds.push_back({{"kind", kind.kind}});
+      kinds.back().update(tally_json(t));
+    }
+  const Json all = {{"suite", title.folder},
+                    {"draw", title.draw},
+                    {"solvers", solvers},
+                    {"kinds", kinds},
+                    {"cases", cases}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

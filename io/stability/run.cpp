@@ -19,18 +19,29 @@ struct Attempt {
   Ended ended;
   bool ran = false;
   std::string why_not;
-  bool arrived() const {
-    return ran && !ended.unfit && ended.solution.status == SolveStatus::converged && !ended.grows;
+};
+
+/// Stable equilibria of a case: the best, and which solvers found one.
+struct Answers {
+  std::optional<Reference> best;
+  std::set<std::string> solvers;
+
+  bool has_another_than(const std::string& solver) const {
+    return solvers.size() > (solvers.contains(solver) ? 1u : 0u);
   }
 };
 
-bool is_fit(const Analysis& analysis, const Plan& plan, Registry& registry) {
-  if (analysis.settles) return true;
-  const SolverType& solver = registry.solver(analysis.solver);
-  std::uint32_t traits = 0;
-  if (plan.conservative) traits |= NETLOFT_CONSERVATIVE;
-  if (plan.symmetric) traits |= NETLOFT_SYMMETRIC;
-  return (solver.solver.needs & ~traits) == 0;
+constexpr const char* kFromTheSketch = " from the sketch";
+constexpr const char* kFromTheStart = " from the start of ";
+
+/// "newton" of "newton from the sketch".
+std::string solver_of(const std::string& found_by) { return found_by.substr(0, found_by.find(" from the ")); }
+
+Stability find_stability(Case& one, const Ended& e) {
+  if (e.conservative || !e.claims_success()) return e.solution.stability;
+  const Growth growth = find_growth(one.assembler(), e.solution.x, make_factorisation, e.solution.x_low);
+  if (std::isnan(growth.per_power)) return Stability::unknown;
+  return growth.grows() ? Stability::unstable : Stability::stable;
 }
 
 class SuiteRun {
@@ -42,10 +53,10 @@ class SuiteRun {
   Row run(const StabilityCase& c, const std::string& size) {
     std::vector<Attempt> attempts;
     for (const auto& column : columns_) attempts.push_back(attempt(c, size, column, c.start));
-    const auto reference = find_reference(c, size, attempts);
+    const Answers answers = find_answers(c, size, attempts);
     Row row{&c, size, {}, 0};
     for (std::size_t i = 0; i < columns_.size(); ++i)
-      row.cells.push_back(make_cell(c, size, columns_[i], reference, attempts[i]));
+      row.cells.push_back(make_cell(c, size, columns_[i], answers, attempts[i]));
     row.shapes = count_shapes(attempts);
     return row;
   }
@@ -63,9 +74,10 @@ class SuiteRun {
     const auto add = [&](const std::vector<std::string>& words) {
       source.overrides.insert(source.overrides.end(), words.begin(), words.end());
     };
-    add(c.sizes.at(size)), add(solver_overrides(column.word));
+    add(c.sizes.at(size));
     add({"analysis.max_seconds=" + std::to_string(seconds_for(size))});
-    add(column.overrides);
+    if (options_.work > 0) add({"analysis.work=" + std::to_string(options_.work)});
+    add(overrides_of(column));
     return source;
   }
 
@@ -85,16 +97,14 @@ class SuiteRun {
     a.ran = true;
     Ended& e = a.ended;
     e.unknowns = one.plan().unknowns, e.conservative = one.plan().conservative;
-    e.unfit = !is_fit(one.loaded().analysis, one.plan(), registry_);
-    if (e.unfit) {
-      a.why_not = "the solver needs an energy, which not all forces here have";
+    if (const auto why_not = one.why_unfit()) {
+      e.unfit = true, a.why_not = *why_not;
       return a;
     }
     e.solution = one.solve({options_.interrupt, {}});
-    e.out_of_time = e.solution.books.total_seconds >= seconds_for(size);
+    e.out_of_budget = e.solution.statistics.total_cpu_seconds >= seconds_for(size);
     if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
-    if (!e.conservative && a.arrived())
-      e.grows = find_growth(one.assembler(), e.solution.x, make_factorisation, e.solution.x_low).grows();
+    e.stability = find_stability(one, e);
     return a;
   }
 
@@ -103,63 +113,82 @@ class SuiteRun {
     return all.empty() ? "" : diagnostics.where(all[0].place) + ": " + all[0].message;
   }
 
-  /// The book's, or the best answer of this run; a case that is drawn is solved from its sketch, too, in
-  /// more ways where nobody found one.
-  std::optional<Reference> find_reference(const StabilityCase& c, const std::string& size,
-                                          const std::vector<Attempt>& attempts) {
-    if (c.expected == Expected::none) return {};
-    auto best = known_reference(c, size);
-    if (best && !options_.update) return best;
-    const StabilityColumn gentle{"newton", {"analysis.tolerance=1e-13"}};
-    best = better(best, attempt(c, size, gentle, {}), "newton from the sketch");
+  /// The known answer, or the best of this run; that of a drawn case also from its sketch, by as many solvers
+  /// as it takes until two agree that there is one.
+  Answers find_answers(const StabilityCase& c, const std::string& size,
+                       const std::vector<Attempt>& attempts) {
+    Answers all;
+    if (c.expected == Expected::none) return all;
+    const bool is_known = add_known(all, c, size);
+    if (!is_known) add(all, sketch_attempt(c, size, "newton", {"analysis.tolerance=1e-13"}), "newton");
     for (std::size_t i = 0; i < attempts.size(); ++i)
-      best = better(best, attempts[i], columns_[i].word + " from the start of " + c.name);
-    if (c.drawn && !best)
-      for (const char* word : {"ptc", "relaxation"})
-        best = better(best, attempt(c, size, {word, {}}, {}), std::string(word) + " from the sketch");
-    if (options_.update && best && !c.drawn) {
-      references_.keep(c.reference, size, *best);
-      renewed_.insert({c.reference, size});
-    }
-    return best;
+      if (attempts[i].ended.is_at_rest()) {
+        if (!is_known) keep_better(all, attempts[i], columns_[i].head() + kFromTheStart + c.name);
+        all.solvers.insert(columns_[i].head());
+      }
+    for (const char* solver : {"ptc", "relaxation"})
+      if (c.drawn && all.solvers.size() < 2) add(all, sketch_attempt(c, size, solver, {}), solver);
+    if (options_.update && all.best && !c.drawn) keep_reference(c, size, *all.best);
+    return all;
   }
 
-  /// Of a book that is being renewed, only what this run has written counts.
-  std::optional<Reference> known_reference(const StabilityCase& c, const std::string& size) const {
-    if (c.drawn || (options_.update && !renewed_.contains({c.reference, size}))) return {};
-    return references_.find(c.reference, size);
+  /// While references are renewed, only what this run has written counts, and may be bettered.
+  bool add_known(Answers& all, const StabilityCase& c, const std::string& size) const {
+    if (c.drawn || (options_.update && !renewed_.contains({c.reference, size}))) return false;
+    all.best = references_.find(c.reference, size);
+    if (all.best) all.solvers.insert(solver_of(all.best->found_by));
+    return all.best && !options_.update;
   }
 
-  static std::optional<Reference> better(const std::optional<Reference>& known, const Attempt& a,
-                                         const std::string& found_by) {
-    if (!a.arrived()) return known;
-    const Reference found = make_reference(a.ended, found_by);
-    if (!known) return found;
-    const bool lower =
-        a.ended.conservative && found.energy < known->energy - energy_noise(*known, a.ended.solution);
-    return lower || is_closer(a.ended, *known) ? found : known;
+  Attempt sketch_attempt(const StabilityCase& c, const std::string& size, const char* solver,
+                         std::vector<std::string> overrides) {
+    return attempt(c, size, {.solver = solver, .strategy = "", .overrides = std::move(overrides)}, {});
+  }
+
+  static void add(Answers& all, const Attempt& a, const std::string& solver) {
+    if (!a.ended.is_at_rest()) return;
+    keep_better(all, a, solver + kFromTheSketch);
+    all.solvers.insert(solver);
+  }
+
+  static void keep_better(Answers& all, const Attempt& a, const std::string& found_by) {
+    if (!all.best || is_better(a, *all.best)) all.best = make_reference(a.ended, found_by);
+  }
+
+  static bool is_better(const Attempt& a, const Reference& known) {
+    const bool lower = a.ended.conservative &&
+                       a.ended.solution.energy < known.energy - energy_noise(known, a.ended.solution);
+    return lower || is_closer(a.ended, known);
+  }
+
+  void keep_reference(const StabilityCase& c, const std::string& size, const Reference& reference) {
+    references_.keep(c.reference, size, reference);
+    renewed_.insert({c.reference, size});
   }
 
   Cell make_cell(const StabilityCase& c, const std::string& size, const StabilityColumn& column,
-                 const std::optional<Reference>& reference, const Attempt& a) const {
-    Cell cell{c.name, size, column.head(), c.expected, a.ended.unknowns, {}, "", "", "", 0, 0, 0, 0, {},
-              {},     {}};
+                 const Answers& answers, const Attempt& a) const {
+    Cell cell;
+    cell.name = c.name, cell.size = size, cell.solver = column.head(), cell.expected = c.expected;
+    cell.unknowns = a.ended.unknowns;
     if (!a.ran) {
       cell.verdict.where = c.expected == Expected::none ? Where::honest : Where::not_run;
       cell.status = "wrong input", cell.reason = a.why_not;
       return cell;
     }
     const Solution& s = a.ended.solution;
-    cell.verdict = judge(c, reference, a.ended);
+    cell.verdict = judge(c, answers.best, a.ended);
+    cell.confirmed = !is_answer(cell.verdict.where) || answers.has_another_than(column.head());
     if (a.ended.unfit) {
       cell.status = "not run", cell.reason = a.why_not;
       return cell;
     }
-    cell.status = name_of(s.status), cell.stability = name_of(s.stability), cell.reason = s.reason;
-    if (a.ended.grows) cell.stability = "unstable: a small disturbance grows";
-    cell.iterations = s.books.iterations, cell.factorisations = s.books.factorisations;
-    cell.cpu_seconds = s.books.total_cpu_seconds, cell.energy = s.energy;
-    cell.legs = s.legs, cell.shapes = s.shapes;
+    cell.status = name_of(s.status), cell.stability = name_of(a.ended.stability), cell.reason = s.reason;
+    if (a.ended.claims_success() && a.ended.stability == Stability::unstable && !a.ended.conservative)
+      cell.stability = "unstable: a small disturbance grows";
+    cell.iterations = s.statistics.iterations, cell.factorisations = s.statistics.factorisations;
+    cell.cpu_seconds = s.statistics.total_cpu_seconds, cell.energy = s.energy;
+    cell.stages = s.stages, cell.shapes = s.shapes;
     cell.history = thinned(s.history);
     return cell;
   }
@@ -177,7 +206,7 @@ class SuiteRun {
     std::vector<Reference> found;
     const StabilityCase any;
     for (const Attempt& a : attempts) {
-      if (!a.arrived()) continue;
+      if (!a.ended.is_at_rest()) continue;
       const bool known = std::any_of(found.begin(), found.end(), [&](const Reference& r) {
         const Verdict v = judge(any, r, a.ended);
         return v.distance <= kSameShape;

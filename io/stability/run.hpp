@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/analysis/case.hpp"
+#include "io/case/case.hpp"
 #include "io/stability/references.hpp"
 
 #include <functional>
 
 namespace netloft::io {
 
-/// One case, one size, one solver: what became of it.
+/// One case, one size, one column: what became of it.
 struct Cell {
   std::string name, size, solver;
   Expected expected = Expected::stable;
   std::size_t unknowns = 0;
   Verdict verdict;
+  bool confirmed = true;  // if it is an answer, another solver knows a stable equilibrium of the case, too
   std::string status, stability, reason;
   int iterations = 0, factorisations = 0;
   double cpu_seconds = 0, energy = 0;
-  std::vector<Leg> legs;                 // what was solved on the way, if it was not solved at once
+  std::vector<StageRecord> stages;       // what was solved on the way, if it was not solved at once
   Shapes shapes;                         // those that the solver was told to look for
   std::vector<IterationRecord> history;  // some of it: the first, the last, and some between
 };
@@ -33,6 +34,7 @@ struct RunOptions {
   std::vector<std::string> sizes;  // of kStabilitySizes
   std::string pattern;             // only cases whose name contains it
   double seconds = 0;              // for one case; 0: 10, of large ones 60
+  double work = 0;                 // the same in factorisations of the scene's tangent; 0: any
   int threads = 1;
   bool update = false;  // the book of references
   const std::atomic<bool>* interrupt = nullptr;

@@ -44,7 +44,7 @@ int find_kind(TableReader& table) {
     if (table.has(kKinds[k])) found = static_cast<int>(k), ++count;
   if (count == 1) return found;
   table.diagnostics().error(table.place(),
-                            table.path() + ": one of noise, scale, turn, shift and shuffle is wanted");
+                            table.path() + ": one of noise, scale, turn, shift and shuffle is expected");
   return -1;
 }
 

@@ -99,15 +99,25 @@ class GroupReader {
   std::vector<StabilityCase>& out_;
 };
 
+StabilityColumn read_column(TableReader& table) {
+  const std::string solver = table.text("use", {.doc = "solver, as --solver takes it", .fallback = ""});
+  StabilityColumn column = column_of(solver);
+  column.strategy =
+      table.text("strategy", {.doc = "strategy, as --strategy takes it", .fallback = column.strategy});
+  if (column.solver.empty() && column.strategy.empty())
+    table.error("use", "is missing: a solver, or a strategy under the key strategy");
+  column.overrides = read_words(table, "set", "values of the scene, path=value");
+  column.sizes = read_words(table, "sizes", "sizes that it is run at; all if left out");
+  column.title = table.text("title", {.doc = "head of the column; else what it runs", .fallback = ""});
+  return column;
+}
+
 std::vector<StabilityColumn> read_columns(const fs::path& file, Diagnostics& diagnostics) {
   std::vector<StabilityColumn> columns;
   const Document document = Document::load(file, {}, diagnostics);
   TableReader root(document.root(), diagnostics);
   for (auto& table : root.tables("solver", Presence::required, "the columns of the matrix"))
-    columns.push_back({table.text("use", {.doc = "solver, as --solver takes it"}),
-                       read_words(table, "set", "values of the scene, path=value"),
-                       read_words(table, "sizes", "sizes that it is run at; all if left out"),
-                       table.text("title", {.doc = "head of the column; else its solver", .fallback = ""})});
+    columns.push_back(read_column(table));
   root.finish();
   return columns;
 }
@@ -119,7 +129,7 @@ std::vector<fs::path> find_files(const fs::path& folder, Diagnostics& diagnostic
     if (entry.path().extension() == ".toml" && entry.path().filename() != kSolvers)
       files.insert(entry.path());
   if (files.empty())
-    diagnostics.error({}, folder.string() + " holds no suite: a folder with TOML files of cases is wanted");
+    diagnostics.error({}, folder.string() + " holds no suite: a folder with TOML files of cases is expected");
   return {files.begin(), files.end()};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/stability/column.hpp"
 #include "io/stability/start.hpp"
 
 #include <filesystem>
@@ -25,16 +26,6 @@ struct StabilityCase {
   bool neutral = false;   // something may move without force: only the energy is compared
   bool drawn = false;     // made of random numbers: its reference is the best answer of the run
   std::string reference;  // cases that share one answer share this name
-};
-
-/// A column of the matrix: a solver, and what else the analysis is given.
-struct StabilityColumn {
-  std::string word;  // "newton:method=classic"
-  std::vector<std::string> overrides;
-  std::vector<std::string> sizes;  // that it is run at unless asked for by name; empty: all
-  std::string title;               // at its head; empty: the word
-
-  const std::string& head() const { return title.empty() ? word : title; }
 };
 
 struct StabilitySuite {

@@ -7,7 +7,7 @@ namespace netloft::io {
 namespace {
 
 constexpr std::size_t kWindow = 100;     // characters shown of a long line
-constexpr std::size_t kBeforeSpot = 40;  // of which this many in front of the spot
+constexpr std::size_t kBeforeSpot = 40;  // number of these before the marked place
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
@@ -88,7 +88,7 @@ std::string Diagnostics::source_line(const Place& place) const {
   return line;
 }
 
-/// The line and below it the underline, cut to a window around the spot.
+/// The line and its underline, cut to a window around the marked place.
 std::string Diagnostics::excerpt(const Place& place) const {
   const std::vector<std::string> line = characters_of(printable(source_line(place)));
   if (line.empty()) return {};

@@ -9,7 +9,7 @@
 
 namespace netloft::io {
 
-/// Where something was written. Lines and columns count from 1, columns in characters.
+/// The place of a text in an input. Lines and columns count from 1, columns in characters.
 struct Place {
   int file = -1;  // what Diagnostics::add_source returned; -1: nowhere
   int line = 0;   // 0: the file as a whole
@@ -26,12 +26,13 @@ struct Diagnostic {
   std::string hint;  // the cure; may be empty
 };
 
-/// Collects everything that is wrong with an input, so that all of it is shown at once.
+/// Collects all errors of an input, so that they are reported together.
 class Diagnostics {
  public:
   enum class Source { file, command_line };
 
-  /// Sources sort in the order they are added: the root file first. A command line is shown by its name only.
+  /// Sources are sorted in the order in which they are added: the root file first. A command line is shown by
+  /// its name only.
   int add_source(std::string name, std::string text, Source kind = Source::file);
 
   void error(const Place& place, std::string message, std::string hint = {});
@@ -40,15 +41,15 @@ class Diagnostics {
   int errors() const { return errors_; }
   int warnings() const { return static_cast<int>(entries_.size()) - errors_; }
 
-  /// Each once, by source, line and column.
+  /// Each message once, by source, line and column.
   std::vector<Diagnostic> sorted() const;
 
   /// "codend.toml:41:13", "--set parts.net.cells", or "" for nowhere.
   std::string where(const Place& place) const;
 
   /// For each: `codend.toml:41:13: error: message`, the line of source with the spot underlined, `  hint: …`.
-  /// At most `limit` of them, then how many were left out. Control characters are not passed on to a
-  /// terminal.
+  /// At most `limit` of them are shown, followed by the number of the others. Control characters are not
+  /// passed on to a terminal.
   std::string render(bool color, std::size_t limit = 100) const;
 
  private:

@@ -24,12 +24,12 @@ constexpr std::size_t kDeepestInclude = 32;
 
 struct FileText {
   std::string text;
-  std::string trouble;  // empty: text is good
+  std::string trouble;  // empty: the text is valid
 };
 
 FileText read_file(const fs::path& path) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return {{}, "is a directory; a TOML file is wanted"};
+  if (fs::is_directory(path, ignored)) return {{}, "is a directory; a TOML file is expected"};
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file) return {{}, std::string("cannot be opened: ") + std::strerror(errno)};
   FileText result;
@@ -43,7 +43,7 @@ FileText read_file(const fs::path& path) {
   return result;
 }
 
-/// The byte where `text` ceases to be UTF-8, or npos. Overlong forms and surrogates are refused.
+/// The index of the first byte that is not valid UTF-8, or npos. Overlong forms and surrogates are invalid.
 std::size_t find_bad_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = [&](std::size_t k) {
@@ -72,22 +72,22 @@ std::string find_trouble(const std::string& text) {
   if (text.size() > kLargestFile)
     return "is larger than " + std::to_string(kLargestFile >> 20) + " MiB, too large for a scene";
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return "is empty";
-  if (text.find('\0') != std::string::npos) return "is a binary file; a TOML file is wanted";
+  if (text.find('\0') != std::string::npos) return "is a binary file; a TOML file is expected";
   if (const std::size_t bad = find_bad_utf8(text); bad != std::string::npos)
     return "is not UTF-8 text: line " +
            std::to_string(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n') +
                           1) +
-           " has a byte that does not belong";
+           " has an invalid byte";
   return {};
 }
 
-/// Reads a file and, before it, what it includes.
+/// Reads a file and, before it, the files that it includes.
 class Loader {
  public:
   Loader(std::vector<SourceFile>& files, Diagnostics& diagnostics)
       : files_(files), diagnostics_(diagnostics) {}
 
-  /// `named_at` is the entry in the including file; nowhere for the root.
+  /// `named_at` is the entry in the including file; for the root it is no place.
   Value load(const fs::path& path, const Place& named_at) {
     const std::string name = path.lexically_normal().string();
     FileText file = read_file(path);
@@ -138,7 +138,7 @@ class Loader {
     if (!name || name->empty())
       return diagnostics_.error(entry.place, "an include is the name of a file, a text");
     if (name->find('\0') != std::string::npos)
-      return diagnostics_.error(entry.place, "a file name has a NUL in it");
+      return diagnostics_.error(entry.place, "a file name contains a NUL byte");
     const fs::path path = folder / *name;
     const std::string id = identity(path);
     const auto loop =

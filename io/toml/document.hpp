@@ -15,25 +15,25 @@ namespace netloft::io {
 struct SourceFile {
   std::string path;  // as it was named: the root as given, an include relative to the file that names it
   std::string text;
-  std::string
-      hash;  // "fnv1a64:" and 16 hexadecimal digits of the text; tells versions apart, does not sign them
+  std::string hash;  // "fnv1a64:" and 16 hexadecimal digits of the text; distinguishes versions, but is not a
+                     // signature
 };
 
-/// A scene file with all it includes and all that was set on the command line, as one table.
+/// A scene file with its includes and the overrides of the command line, as one table.
 ///
 /// `include = ["a.toml", …]` names files relative to the including one. They are laid down in that order, the
 /// file's own keys last: tables merge, `[[hold]]` appends, everything else replaces. A file is read once,
 /// where it is first named. Overrides ("path=value") come last.
 class Document {
  public:
-  /// Errors go to `diagnostics`; after any, the document holds what could be read.
+  /// Errors go to `diagnostics`; after an error the document contains whatever could be read.
   static Document load(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                        Diagnostics& diagnostics);
-  /// The same for a text in memory; includes are relative to the working directory.
+  /// Parses a text in memory; includes are relative to the working directory.
   static Document parse(std::string text, const std::string& name, const std::vector<std::string>& overrides,
                         Diagnostics& diagnostics);
 
-  /// The whole as a table, without `include`.
+  /// The complete table, without `include`.
   const Value& root() const { return root_; }
   /// The root file first, then includes in the order they were read.
   const std::vector<SourceFile>& files() const { return files_; }

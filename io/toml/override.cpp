@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kShape = "write it as --set parts.net.cells=[64,64]";
 
-/// The position of the '=' that ends the path; keys in quotes may hold one.
+/// The position of the '=' that ends the path; quoted keys may contain another one.
 std::size_t find_equals(const std::string& text) {
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -27,7 +27,7 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-/// Lets the parser read the path as a key without a value worth speaking of.
+/// Parses the path as a TOML key with a dummy value.
 std::optional<std::vector<std::string>> parse_path(const std::string& path) {
   if (path.find_first_of("\n\r#[]{}=") != std::string::npos && path.find_first_of("\"'") == std::string::npos)
     return std::nullopt;
@@ -64,7 +64,7 @@ void move_places(Value& value, int file, int columns) {
     for (Value& item : array->items) move_places(item, file, columns);
 }
 
-/// `place` is that of the text behind the '='.
+/// `place` is that of the text after the '='.
 Value parse_value(const std::string& text, const Place& place) {
   const std::string kKey = "v=";
   Diagnostics unheard;

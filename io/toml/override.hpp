@@ -7,9 +7,9 @@
 
 namespace netloft::io {
 
-/// Applies "parts.net.cells=[64,64]" as from `--set`. The value is TOML; what is no TOML is a text, so that
-/// solver=newton and bar=0.6 m need no quotes. It replaces what is there, tables too, and makes the tables on
-/// its way.
+/// Applies "parts.net.cells=[64,64]" as from `--set`. The value is TOML; anything else is taken as a text, so
+/// that solver=newton and bar=0.6 m need no quotes. It replaces an existing value, tables too, and creates
+/// missing tables on the path.
 void apply_override(Value& root, const std::string& text, Diagnostics& diagnostics);
 
 }  // namespace netloft::io

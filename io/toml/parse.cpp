@@ -36,7 +36,7 @@ class Converter {
             one_line ? static_cast<int>(source.end.column - source.begin.column) : 1};
   }
 
-  /// toml++ sorts keys by name; people write them in the order they think of them.
+  /// toml++ sorts keys by name; this restores the order of the file.
   Table convert_table(const toml::table& table, int depth) {
     Table result;
     result.members.reserve(table.size());
@@ -98,8 +98,8 @@ std::string line_of(const std::string& text, int number) {
   return line;
 }
 
-/// `bar = 0.6 m` is what everybody writes once. The parser stumbles at the unit or behind it, so that the
-/// value is the last one that begins before `column`.
+/// A hint for the common mistake `bar = 0.6 m`. The parser fails at the unit or after it, so the value is the
+/// last one that begins before `column`.
 std::string hint_for(const std::string& line, int column) {
   const std::size_t equals = line.rfind('=', static_cast<std::size_t>(std::max(column, 1)) - 1);
   if (equals == std::string::npos) return {};

@@ -8,10 +8,10 @@
 
 namespace netloft::io {
 
-/// Tables and arrays deeper than this are refused, so that all that walks the tree may recurse.
+/// Tables and arrays nested deeper than this are refused, so that functions on the tree may recurse.
 constexpr int kDeepestValue = 64;
 
-/// The table that `text` holds; `file` is its number in `diagnostics`. None after an error.
+/// The table in `text`; `file` is its number in `diagnostics`. Empty after an error.
 std::optional<Value> parse_toml(const std::string& text, int file, Diagnostics& diagnostics);
 
 }  // namespace netloft::io

@@ -46,7 +46,7 @@ std::string spell_integers(std::int64_t lo, std::int64_t hi) {
 
 std::string spell(const Count& count) {
   const auto are_wanted = [](std::size_t n) {
-    return std::to_string(n) + (n == 1 ? " is wanted" : " are wanted");
+    return std::to_string(n) + (n == 1 ? " is expected" : " are expected");
   };
   if (count.least == count.most) return are_wanted(count.least);
   if (count.most == Count{}.most) return "at least " + are_wanted(count.least);
@@ -54,7 +54,7 @@ std::string spell(const Count& count) {
   return std::to_string(count.least) + " to " + are_wanted(count.most);
 }
 
-/// What a person wrote, in words.
+/// Describes a value for messages: "the integer 3".
 std::string describe(const Value& value) {
   switch (value.kind()) {
     case Kind::table:
@@ -79,7 +79,7 @@ std::string wanted_real(const std::string& unit) {
   return unit == "1" ? std::string("a number") : dimension_name(unit) + " in " + unit;
 }
 
-/// A value that the caller may go on with after an error.
+/// A value in the range, with which the caller can continue after an error.
 double within(const Range& range) {
   if (range.contains(0)) return 0;
   if (std::isfinite(range.lo) && std::isfinite(range.hi)) return range.lo + (range.hi - range.lo) / 2;
@@ -91,7 +91,7 @@ std::string with_index(const std::string& path, std::size_t i) {
   return path + '[' + std::to_string(i) + ']';
 }
 
-/// Where a value stands, what it is called, where to complain.
+/// The place of a value, its name, and the receiver of messages.
 struct Spot {
   const Value& value;
   std::string path;
@@ -101,7 +101,7 @@ struct Spot {
     diagnostics.error(value.place, message, hint);
   }
   void refuse_type(const std::string& wanted, const std::string& doc, const std::string& hint = {}) const {
-    refuse(path + " is " + describe(value) + "; " + wanted + " is wanted" + in_parentheses(doc), hint);
+    refuse(path + " is " + describe(value) + "; " + wanted + " is expected" + in_parentheses(doc), hint);
   }
 };
 
@@ -162,8 +162,8 @@ bool check_count(const Spot& at, std::size_t n, const Count& count, const char* 
   return false;
 }
 
-/// Reads each item with `read_item`; after a few bad ones it stops, so that a wrong unit in a long column is
-/// no flood.
+/// Reads each item with `read_item`. It stops after a few errors, so that a wrong unit in a long column does
+/// not produce a flood of messages.
 template <class T, class ReadItem>
 std::optional<std::vector<T>> read_array(const Spot& at, const Count& count, const char* what,
                                          const std::string& wanted, const std::string& doc,
@@ -200,8 +200,8 @@ struct TableReader::State {
   Place place;
   std::string path;
   Diagnostics* diagnostics;
-  bool silent = false;                  // stands in for a table whose absence has been reported
-  std::vector<std::string> known = {};  // keys that were asked for
+  bool silent = false;                  // true: replaces a table whose absence has been reported
+  std::vector<std::string> known = {};  // keys that have been requested
   std::unordered_map<const Value*, std::shared_ptr<State>> opened = {};
 
   const Table& table() const {
@@ -342,7 +342,7 @@ std::vector<std::string> TableReader::texts(std::string_view key, const TextsSpe
   return result ? *result : std::vector<std::string>(stand_in_size(spec.count));
 }
 
-/// Opening a table twice gives the same state, so that keys asked for through either are known.
+/// Opening a table twice gives the same state, so that keys requested through either are known.
 TableReader TableReader::open(const Value& table, const std::string& path) {
   std::shared_ptr<State>& state = state_->opened[&table];
   if (!state) state = TableReader(table, diagnostics(), path).state_;

@@ -15,7 +15,7 @@
 
 namespace netloft::io {
 
-/// The values a quantity may take; the ends belong to it unless they are open.
+/// The values that a quantity may take; the ends are included unless they are open.
 struct Range {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
@@ -30,8 +30,8 @@ inline Range between(double lo, double hi) { return {lo, hi, false, false}; }
 inline Range at_least(double lo) { return {.lo = lo}; }
 inline Range above(double lo) { return {.lo = lo, .lo_open = true}; }
 
-// What a key may hold. `doc` says in words what it is, `unit` is what the caller computes in, and the range
-// is in it. A key without a fallback is required.
+// The specification of a key. `doc` describes it in words, `unit` is the unit in which the value is returned
+// and in which the range is given. A key without a fallback is required.
 
 struct RealSpec {
   std::string unit = "1";
@@ -107,7 +107,7 @@ enum class Presence { required, optional };
 /// and a value within the range is returned, so that all errors are found in one go. Ask `errors()` before
 /// using what was read.
 ///
-/// Copies are cheap and speak of the same table; the Value and the Diagnostics must live longer.
+/// Copies are cheap and refer to the same table; the Value and the Diagnostics must live longer.
 class TableReader {
  public:
   /// `table` is a table, for example Document::root(); `path` is its name in messages.
@@ -123,33 +123,33 @@ class TableReader {
   std::vector<std::int64_t> integers(std::string_view key, const IntegersSpec& spec);
   std::vector<std::string> texts(std::string_view key, const TextsSpec& spec);
 
-  /// A missing optional table reads as an empty one; a missing required one is reported once and then reads
-  /// silently.
+  /// A missing optional table reads as an empty one; a missing required table is reported once and then read
+  /// without further messages.
   TableReader table(std::string_view key, Presence presence = Presence::required,
                     const std::string& doc = {});
-  /// `[[hold]]`: one reader each.
+  /// The tables of `[[hold]]`, one reader each.
   std::vector<TableReader> tables(std::string_view key, Presence presence = Presence::optional,
                                   const std::string& doc = {});
 
-  /// Whether the key is there. Like every getter, it makes the key a known one.
+  /// Whether the table has the key. Like every getter, it marks the key as known.
   bool has(std::string_view key);
-  /// What the key holds, for keys that take a name or a table; none when it is missing.
+  /// The kind of a key's value, for keys that take a name or a table; empty if it is missing.
   std::optional<Kind> kind(std::string_view key);
-  /// The value as it is, for callers with a use of their own for it; null when it is missing.
+  /// The unprocessed value, for callers that interpret it themselves; null if it is missing.
   const Value* raw(std::string_view key);
-  /// All keys as written. Does not make them known.
+  /// All keys in the file. Does not mark them as known.
   std::vector<std::string> keys() const;
 
-  /// Errors the reader cannot know of: "parts.net.twine: no such entry in the catalogue", at the key's value.
+  /// Reports an error found by the caller at the key's value, such as "parts.net.twine: no such entry in the
+  /// catalogue".
   void error(std::string_view key, const std::string& message, const std::string& hint = {});
   Place place() const;                      // of the table's header
-  Place place(std::string_view key) const;  // of the value, or of the header when it is missing
+  Place place(std::string_view key) const;  // of the value, or of the header if the value is missing
   std::string path() const;
   std::string path(std::string_view key) const;
   Diagnostics& diagnostics() const;
 
-  /// Reports every key that nobody asked for, here and in the tables that were opened from here. Once, at the
-  /// end.
+  /// Reports every unknown key, here and in the tables that were opened from here. Call it once, at the end.
   void finish() const;
 
  private:

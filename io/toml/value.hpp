@@ -15,7 +15,7 @@ struct Member;
 struct Value;
 
 struct Table {
-  std::vector<Member> members;  // in the order they were written
+  std::vector<Member> members;  // in the order of the file
   const Member* find(std::string_view key) const;
   Member* find(std::string_view key);
 };
@@ -31,7 +31,7 @@ struct Date {
 
 enum class Kind { table, array, text, integer, real, boolean, date };
 
-/// What a file says, with the place where it says so. Free of the parser that read it.
+/// A value of a file, with its place. Independent of the parser that read it.
 struct Value {
   Place place;
   std::variant<Table, Array, std::string, std::int64_t, double, bool, Date> data;  // in the order of Kind
@@ -63,10 +63,10 @@ inline Member* Table::find(std::string_view key) {
   return const_cast<Member*>(static_cast<const Table*>(this)->find(key));
 }
 
-/// How a key is written in a dotted path: bare, or quoted where it must be.
+/// A key in the spelling of a dotted path: bare, or quoted if necessary.
 std::string spell_key(std::string_view key);
 
-/// "parts.net" + "cells" → "parts.net.cells".
+/// Joins "parts.net" and "cells" to "parts.net.cells".
 std::string join_path(std::string_view path, std::string_view key);
 
 }  // namespace netloft::io

@@ -6,13 +6,13 @@
 
 namespace netloft::io {
 
-/// Powers of the base units, "kg" → 1, "m" → -3. The radian counts as a base unit, so that 45 deg is no pure
-/// number and N.m/deg is never taken for N.m.
+/// Powers of the base units, "kg" → 1, "m" → -3. The radian counts as a base unit, so that 45 deg is not a
+/// pure number and N.m/deg is never taken for N.m.
 using Dimension = std::map<std::string, int>;
 
 struct DimensionName {
   Dimension dimension;
-  std::string unit;  // as a designer writes it: "kg/m3"
+  std::string unit;  // in the notation of designers: "kg/m3"
   std::string name;  // with its article: "a density"
 };
 

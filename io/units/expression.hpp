@@ -15,8 +15,8 @@ namespace netloft::io {
 /// Only single words are given to UDUNITS: its own grammar reads "10 5 m" as 50 m and "3 s since 5" as a
 /// date, and loses memory at every syntax error.
 struct ParsedUnit {
-  std::optional<Unit> unit;  // none: it cannot be read
-  std::string unknown;       // because of this word; empty: because of its grammar
+  std::optional<Unit> unit;  // empty: it cannot be read
+  std::string unknown;       // the unknown word; empty: the grammar is wrong
 };
 
 ParsedUnit parse_unit(const UnitSystem& system, std::string_view text);

@@ -17,7 +17,7 @@ struct Unit {
   double offset = 0;  // degC, degF
 };
 
-/// The UDUNITS-2 database and the words of the trade that it lacks or reads otherwise.
+/// The UDUNITS-2 database, with words of the trade that it lacks or defines differently.
 class UnitSystem {
  public:
   /// `database` is the path of udunits2.xml; empty: UDUNITS2_XML_PATH, then the installed one.
@@ -26,10 +26,10 @@ class UnitSystem {
   UnitSystem(const UnitSystem&) = delete;
   UnitSystem& operator=(const UnitSystem&) = delete;
 
-  /// The one that is shared by all.
+  /// The instance that all callers use.
   static const UnitSystem& shared();
 
-  /// Empty when the database was read, otherwise what is wrong with it.
+  /// Empty if the database was read; otherwise a sentence about the error.
   const std::string& trouble() const { return trouble_; }
 
   /// One word with its prefix, such as "mm". None: UDUNITS does not know it, or it is a logarithm.

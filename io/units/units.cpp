@@ -54,7 +54,7 @@ Quantity split(std::string_view text, Written& out) {
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
   const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), out.number);
   if (code == std::errc::result_out_of_range)
-    return refuse(quoted(text) + " is beyond what a number can hold");
+    return refuse(quoted(text) + " exceeds the range of floating-point numbers");
   if (code != std::errc())
     return refuse(quoted(text) + " does not begin with a number", "write it as \"10 mm\"");
   if (!std::isfinite(out.number)) return refuse(quoted(text) + " is not a finite number");
@@ -124,7 +124,7 @@ std::string cure(const std::string& unit, const Dimension& got, const Dimension&
   if (is == "a mass" && should == "a force") return "the weight of a mass is written with kgf, tonf or lbf";
   if (is == "a force" && should == "a mass") return "kgf, tonf and lbf are forces; kg, t and lb are masses";
   if (is == "a speed" && unit == "kn") return "kn is the knot; the kilonewton is kN";
-  if (is == "a pure number" && unit.empty()) return "add a unit, or leave the quotes away for an SI number";
+  if (is == "a pure number" && unit.empty()) return "add a unit, or omit the quotes for an SI number";
   return {};
 }
 
@@ -153,10 +153,10 @@ Quantity read_checked(const UnitSystem& units, std::string_view text, std::strin
   if (!unit) return refuse_unknown(text, written.unit, unknown);
   if (unit->dimension != wanted->dimension)
     return refuse(quoted(text) + " is " + named(unit->dimension, describe(unit->dimension).unit) + "; " +
-                      named(wanted->dimension, si_unit) + " is wanted",
+                      named(wanted->dimension, si_unit) + " is expected",
                   cure(written.unit, unit->dimension, wanted->dimension));
   const double value = times(written.number + unit->offset, unit->scale) / wanted->scale - wanted->offset;
-  if (!std::isfinite(value)) return refuse(quoted(text) + " is beyond what a number can hold");
+  if (!std::isfinite(value)) return refuse(quoted(text) + " exceeds the range of floating-point numbers");
   return {value, {}, {}};
 }
 

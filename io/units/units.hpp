@@ -6,7 +6,7 @@
 
 namespace netloft::io {
 
-/// What a text such as "10 mm" says in SI, or the sentence why it says nothing.
+/// The SI value of a text such as "10 mm", or a sentence that says why it has none.
 struct Quantity {
   double value = 0;   // in the unit that was asked for; finite
   std::string error;  // empty: value is good
@@ -19,12 +19,12 @@ struct Quantity {
 /// Dimensions must agree, and an angle is not a pure number. Safe to call from several threads.
 Quantity to_si(std::string_view text, std::string_view si_unit);
 
-/// What a value in `unit` is called, with its article: "N" is "a force"; a unit without a name is "a value".
+/// The name of a quantity in `unit`, with its article: "a force" for "N"; a unit without a name is "a value".
 std::string dimension_name(std::string_view unit);
 
 /// The shortest decimal that reads back as `value`.
 std::string format(double value);
-/// The same with its unit behind it; the unit "1" is not written.
+/// The value as text, followed by its unit unless that is "1".
 std::string format(double value, std::string_view unit);
 
 }  // namespace netloft::io

@@ -3,33 +3,34 @@
 
 using netloft::catches::Pressure;
 
-NETLOFT_PLUGIN("catch", "0.1.0", "What is caught, and its push on the cod-end") {
+NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
   auto& c =
       plugin.element<Pressure>("pressure", "Pressure on the netting of a cod-end behind the catch front");
   c.real("catch.meshes", &Pressure::Parameters::meshes, "1",
          "meshes along the panel that are filled, counted from its aft edge",
          {.lo = 0, .hi = 1e6, .fallback = 0});
   c.real("catch.volume", &Pressure::Parameters::volume, "m3",
-         "volume of the catch, instead of meshes: how far it fills the netting is found",
+         "volume of the catch, instead of meshes; its front is then computed",
          {.lo = 0, .hi = 1e5, .fallback = 0});
   c.choice("catch.across", &Pressure::Parameters::across,
            "axis across the cod-end, which is the same on both sides", {"y", "x", "z"});
   c.real("catch.middle", &Pressure::Parameters::middle, "m",
-         "where on that axis the middle of the cod-end is", {.lo = -1e5, .hi = 1e5, .fallback = 0});
+         "position of the middle of the cod-end on that axis", {.lo = -1e5, .hi = 1e5, .fallback = 0});
   c.real("catch.pressure", &Pressure::Parameters::pressure, "Pa", "pressure on the netting from inside",
          {.lo = 0, .hi = 1e7, .fallback = 0});
   c.real("catch.speed", &Pressure::Parameters::speed, "m/s",
          "speed of the water through the gear, which adds the pressure of the flow it stops",
          {.lo = 0, .hi = 50, .fallback = 0});
   c.real("catch.drag_coefficient", &Pressure::Parameters::drag_coefficient, "1",
-         "pressure over the dynamic pressure of that speed", {.lo = 0, .hi = 10, .fallback = 1.4});
+         "pressure divided by the dynamic pressure of that speed", {.lo = 0, .hi = 10, .fallback = 1.4});
   c.global("front", "1", "meshes along the panel that the catch fills, from its aft edge", "catch.volume",
            Pressure::first_front);
   c.data("to_aft", &Pressure::Data::to_aft, "1", "meshes from each corner to the aft edge of its panel");
-  c.term<Pressure::Push, netloft::from_outside>("pressure", "push of the catch on the netting, outwards");
-  c.output("pressure", "Pa", "pressure on the netting, cut by the catch front in part",
+  c.term<Pressure::Push, netloft::from_outside | netloft::is_drag>(
+      "pressure", "outward force of the catch on the netting");
+  c.output("pressure", "Pa", "pressure on the netting, reduced for triangles that the catch front cuts",
            [](auto& p, auto& d, auto& s) { return Pressure::on(p, d, s); });
-  c.output("volume", "m3", "share of the triangle in the volume of the catch; their sum is that",
+  c.output("volume", "m3", "contribution of the triangle to the volume of the catch",
            [](auto& p, auto& d, auto& s) { return Pressure::volume(p, d, s); });
   c.output("front", "1", "meshes along the panel that the catch fills, from its aft edge",
            [](auto&, auto&, auto& s) { return s.x[3].x; });

@@ -9,7 +9,7 @@ namespace netloft::catches {
 namespace {
 
 constexpr int kFront = 9;           // degree of freedom of m: x of the last node
-constexpr int kAxes[] = {1, 0, 2};  // y, x, z, as `across` has them
+constexpr int kAxes[] = {1, 0, 2};  // y, x, z, the order of the choices of `across`
 
 struct Skew {
   double at[3][3];
@@ -23,7 +23,7 @@ Vec3<double> opposite(const State<4>& s, int j) {
 
 double front(const State<4>& s) { return s.x[3].x; }
 
-/// What (6) to (9) need of one triangle.
+/// The quantities of one triangle in (6) to (9).
 struct Slice {
   Slice(const Pressure::Parameters& p, const State<4>& s)
       : axis(kAxes[p.across]),
@@ -34,53 +34,53 @@ struct Slice {
   double n, arm;
 };
 
-/// A front at `depth` from a corner, the others being at `first` and `second` from it [meshes]; with m it
-/// moves away from that corner (1) or towards it (−1).
+/// A cut at `depth` from a corner whose neighbours are at `first` and `second` from it [meshes]. As m grows,
+/// the cut moves away from that corner (1) or towards it (−1).
 struct Cut {
   double depth, first, second, away;
 };
 
-/// (5) of the corner that the front cuts off, corner[0].
-Pressure::Share cut_off(const std::array<std::size_t, 3>& corner, const Cut& cut) {
-  const double t1 = cut.depth / cut.first, t2 = cut.depth / cut.second;  // of the sides that are cut off
-  const double d1 = cut.away / cut.first, d2 = cut.away / cut.second;    // with m
+/// The fractions (5) of the corner piece that the front cuts off at corner[0].
+Pressure::Fraction cut_off(const std::array<std::size_t, 3>& corner, const Cut& cut) {
+  const double t1 = cut.depth / cut.first, t2 = cut.depth / cut.second;  // fractions of the two sides
+  const double d1 = cut.away / cut.first, d2 = cut.away / cut.second;    // derivatives with respect to m
   const double area = t1 * t2, d_area = d1 * t2 + t1 * d2;
-  Pressure::Share share;
-  share.at[corner[0]] = area * (3 - t1 - t2) / 3;
-  share.at[corner[1]] = area * t1 / 3;
-  share.at[corner[2]] = area * t2 / 3;
-  share.slope_at[corner[0]] = (d_area * (3 - t1 - t2) - area * (d1 + d2)) / 3;
-  share.slope_at[corner[1]] = (d_area * t1 + area * d1) / 3;
-  share.slope_at[corner[2]] = (d_area * t2 + area * d2) / 3;
-  return share;
+  Pressure::Fraction fraction;
+  fraction.at[corner[0]] = area * (3 - t1 - t2) / 3;
+  fraction.at[corner[1]] = area * t1 / 3;
+  fraction.at[corner[2]] = area * t2 / 3;
+  fraction.slope_at[corner[0]] = (d_area * (3 - t1 - t2) - area * (d1 + d2)) / 3;
+  fraction.slope_at[corner[1]] = (d_area * t1 + area * d1) / 3;
+  fraction.slope_at[corner[2]] = (d_area * t2 + area * d2) / 3;
+  return fraction;
 }
 
-void push(double pressure, const Pressure::Share& share, const State<4>& s, Local<4>& out) {
+void push(double pressure, const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
   const double half = pressure / 2;
-  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);                // (2)
-  for (std::size_t i = 0; i < 3; ++i) out.force[i] = -(share.at[i] * half) * n;  // (3)
+  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);                   // (2)
+  for (std::size_t i = 0; i < 3; ++i) out.force[i] = -(fraction.at[i] * half) * n;  // (3)
   if (!s.wants_tangent) return;
   for (int j = 0; j < 3; ++j) {
     const Skew turn = cross_matrix((s.cu * half) * opposite(s, j));
     for (std::size_t r = 0; r < 9; ++r)
-      for (int c = 0; c < 3; ++c) out.tangent[r][3 * j + c] = share.at[r / 3] * turn.at[r % 3][c];  // (4)
+      for (int c = 0; c < 3; ++c) out.tangent[r][3 * j + c] = fraction.at[r / 3] * turn.at[r % 3][c];  // (4)
   }
   for (std::size_t r = 0; r < 9; ++r)
-    out.tangent[r][kFront] = -s.cu * share.slope_at[r / 3] * half * n[static_cast<int>(r % 3)];  // (8)
+    out.tangent[r][kFront] = -s.cu * fraction.slope_at[r / 3] * half * n[static_cast<int>(r % 3)];  // (8)
 }
 
 void balance_volume(const Pressure::Parameters& p, double pressure, double triangles,
-                    const Pressure::Share& share, const State<4>& s, Local<4>& out) {
+                    const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
   const Slice slice(p, s);
   const double k = pressure / std::cbrt(p.volume);
-  out.force[3].x = k * (share.value() * slice.volume() - p.volume / triangles);  // (7)
+  out.force[3].x = k * (fraction.value() * slice.volume() - p.volume / triangles);  // (7)
   if (!s.wants_tangent) return;
-  out.tangent[kFront][kFront] = s.cu * k * share.slope() * slice.volume();  // (8)
+  out.tangent[kFront][kFront] = s.cu * k * fraction.slope() * slice.volume();  // (8)
   for (int j = 0; j < 3; ++j) {
     const Skew turn = cross_matrix((0.5 * slice.arm) * opposite(s, j));
     for (int c = 0; c < 3; ++c)
-      out.tangent[kFront][3 * j + c] =
-          s.cu * k * share.value() * ((c == slice.axis ? slice.n / 6 : 0) - turn.at[slice.axis][c]);  // (9)
+      out.tangent[kFront][3 * j + c] = s.cu * k * fraction.value() *
+                                       ((c == slice.axis ? slice.n / 6 : 0) - turn.at[slice.axis][c]);  // (9)
   }
 }
 
@@ -89,13 +89,14 @@ void balance_volume(const Pressure::Parameters& p, double pressure, double trian
 void Pressure::check(const Parameters& p, const Data&) {
   if (p.pressure == 0 && p.speed * p.drag_coefficient == 0)
     throw std::invalid_argument(
-        "nothing presses on the netting: give catch.pressure, or catch.speed (and a catch.drag_coefficient "
+        "the catch exerts no pressure: give catch.pressure, or catch.speed (and a catch.drag_coefficient "
         "that is not zero)");
   if (p.meshes == 0 && p.volume == 0)
     throw std::invalid_argument(
-        "nothing is caught: give catch.meshes, how many meshes along are filled, or catch.volume");
+        "the catch has no size: give catch.meshes, the number of filled meshes along, or catch.volume");
   if (p.meshes != 0 && p.volume != 0)
-    throw std::invalid_argument("the front of the catch is given twice: give catch.meshes or catch.volume");
+    throw std::invalid_argument(
+        "the front of the catch is given twice: give either catch.meshes or catch.volume");
 }
 
 void Pressure::gather(const Parameters&, const Data& d, Whole& whole) {
@@ -107,7 +108,7 @@ double Pressure::first_front(const Parameters& p, const Whole& whole) {
   return p.volume > 0 ? 0.25 * whole.length : p.meshes;
 }
 
-Pressure::Share Pressure::share_behind_front(const std::array<double, 3>& to_aft, double meshes) {
+Pressure::Fraction Pressure::fraction_behind_front(const std::array<double, 3>& to_aft, double meshes) {
   std::array<std::size_t, 3> corner{0, 1, 2};
   std::sort(corner.begin(), corner.end(), [&](auto i, auto j) { return to_aft[i] < to_aft[j]; });
   const double a = to_aft[corner[0]], b = to_aft[corner[1]], c = to_aft[corner[2]];
@@ -116,9 +117,9 @@ Pressure::Share Pressure::share_behind_front(const std::array<double, 3>& to_aft
   if (meshes <= a) return {};
   if (meshes <= b) return cut_off(corner, {meshes - a, b - a, c - a, 1});
   std::swap(corner[0], corner[2]);
-  Share share = cut_off(corner, {c - meshes, c - b, c - a, -1});
-  for (std::size_t i = 0; i < 3; ++i) share.at[i] = kThird - share.at[i], share.slope_at[i] *= -1;
-  return share;
+  Fraction fraction = cut_off(corner, {c - meshes, c - b, c - a, -1});
+  for (std::size_t i = 0; i < 3; ++i) fraction.at[i] = kThird - fraction.at[i], fraction.slope_at[i] *= -1;
+  return fraction;
 }
 
 double Pressure::full(const Parameters& p, const Water& w) {
@@ -126,21 +127,21 @@ double Pressure::full(const Parameters& p, const Water& w) {
 }
 
 double Pressure::on(const Parameters& p, const Data& d, const State<4>& s) {
-  return share_behind_front(d.to_aft, front(s)).value() * full(p, s.water);
+  return fraction_behind_front(d.to_aft, front(s)).value() * full(p, s.water);
 }
 
 double Pressure::volume(const Parameters& p, const Data& d, const State<4>& s) {
-  return share_behind_front(d.to_aft, front(s)).value() * Slice(p, s).volume();
+  return fraction_behind_front(d.to_aft, front(s)).value() * Slice(p, s).volume();
 }
 
 Status Pressure::Push::evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,
                                 Local<4>& out) {
   if (p.volume > 0 && !(front(s) >= 0 && front(s) <= whole.length))
-    throw OutsideDomain("the front of the catch has left its netting: is that too small for the volume?");
-  const Share share = share_behind_front(d.to_aft, front(s));
+    throw OutsideDomain("the front of the catch has left its netting, which may be too small for the volume");
+  const Fraction fraction = fraction_behind_front(d.to_aft, front(s));
   const double pressure = full(p, s.water);
-  push(pressure, share, s, out);
-  if (p.volume > 0) balance_volume(p, pressure, whole.triangles, share, s, out);
+  push(pressure, fraction, s, out);
+  if (p.volume > 0) balance_volume(p, pressure, whole.triangles, fraction, s, out);
   return Status::ok;
 }
 

@@ -9,24 +9,23 @@ namespace netloft::catches {
 /// Pressure of the flow that the catch stops, on the netting behind the catch front, from inside:
 ///   p = p₀ + C_d ½ ρ V²                                                                (1)
 ///   n = (x₂−x₁)×(x₃−x₁) = x₁×x₂ + x₂×x₃ + x₃×x₁     outwards, twice the area              (2)
-///   r_i = −(φ_i p/2) n,  i = 1, 2, 3                  what of the force each corner bears   (3)
+///   r_i = −(φ_i p/2) n,  i = 1, 2, 3                  the part of the force on each corner   (3)
 ///   K_ij = (φ_i p/2) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v            (4)
 ///   φ_i(m) = ∫ N_i over the part of the triangle with s < m, over its area,  φ = Σ φ_i      (5)
 /// p₀ [Pa] a pressure that is given, V [m/s] speed of the water through the gear, C_d drag coefficient of the
 /// catch; s meshes from a corner to the aft edge of its panel, m meshes of it that are filled, the front; N_i
 /// is linear, 1 at corner i and 0 at the others, so that the force acts in the middle of the part behind the
 /// front, and φ_i = 1/3 where that is all. s is linear in the triangle, so φ_i is of the unstretched one.
-/// Corners counter-clockwise seen from outside.
-/// Source: the paper's catch, p with C_d = 1.4; (3) after Priour, A Finite Element Method for Netting
-/// (Springer 2013).
+/// Corners counter-clockwise seen from outside. Source: the paper's catch, p with C_d = 1.4; (3) after
+/// Priour, A Finite Element Method for Netting (Springer 2013).
 ///
 /// A follower force without an energy: over a closed surface, or one whose rim is fixed, the sum of (3) is
-/// the gradient of −p × volume and the sum of (4) symmetric, but a catch front that cuts through a cod-end
-/// is a rim that moves. An energy −p Σ x₁·(x₂×x₃)/6 would add forces on that rim that depend on where the
-/// origin is.
+/// the gradient of −p × volume and the sum of (4) symmetric, but a catch front that cuts through a cod-end is
+/// a rim that moves. An energy −p Σ x₁·(x₂×x₃)/6 would add forces on that rim that depend on where the origin
+/// is.
 ///
-/// The front m is a number that all triangles of a part share, and stands where `meshes` says, or is the
-/// unknown of one more equation, that the catch is as large as it is said to be:
+/// The front m is a number that all triangles of a part have in common. It is the given number of `meshes`,
+/// or an unknown with the equation that the catch has the given volume:
 ///   v = (ȳ − y₀) n_y/2,  ȳ = (y₁ + y₂ + y₃)/3         ∮ (y − y₀) dA_y over the triangle      (6)
 ///   r_m = k (Σ φ v − V₀) = 0,  k = p/∛V₀                                                  (7)
 ///   ∂r_i/∂m = −φ_i′ (p/2) n,   ∂r_m/∂m = k φ′ v                                           (8)
@@ -36,7 +35,7 @@ namespace netloft::catches {
 /// That is exact for every cod-end that is the same on both sides of the plane y = y₀, however it hangs, sags
 /// or pitches, wherever it is, and for the half of one that ends in that plane. Were the cod-end turned by ψ
 /// out of the plane, the volume would change by the area of the front times sin ψ times how far its middle is
-/// from y₀. A triangle that the front cuts counts with its share φ and its own middle. k makes (7) a force
+/// from y₀. A triangle that the front cuts counts with its fraction φ and its own middle. k makes (7) a force
 /// that is to the drag on the front as the volume lacking to V₀.
 struct Pressure {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
@@ -49,26 +48,27 @@ struct Pressure {
   struct Data {
     std::array<double, 3> to_aft{};  // s [meshes]
   };
-  /// All triangles of a part.
+  /// Sums over all triangles of a part.
   struct Whole {
     double triangles = 0, length = 0;  // length: largest s [meshes]
   };
-  /// (5) and its derivative with m.
-  struct Share {
+  /// The fractions (5) and their derivatives with respect to m.
+  struct Fraction {
     std::array<double, 3> at{}, slope_at{};
     double value() const { return at[0] + at[1] + at[2]; }
     double slope() const { return slope_at[0] + slope_at[1] + slope_at[2]; }
   };
 
-  /// Throws std::invalid_argument if nothing presses, or the front is not given once.
+  /// Throws std::invalid_argument if there is neither pressure nor speed, or if the front is given by both or
+  /// none of its parameters.
   static void check(const Parameters& p, const Data& d);
   static void gather(const Parameters& p, const Data& d, Whole& whole);
   static double first_front(const Parameters& p, const Whole& whole);
 
-  static Share share_behind_front(const std::array<double, 3>& to_aft, double meshes);  // (5)
-  static double full(const Parameters& p, const Water& w);                              // p [Pa]
-  static double on(const Parameters& p, const Data& d, const State<4>& s);              // φ p [Pa]
-  static double volume(const Parameters& p, const Data& d, const State<4>& s);          // φ v [m³]
+  static Fraction fraction_behind_front(const std::array<double, 3>& to_aft, double meshes);  // (5)
+  static double full(const Parameters& p, const Water& w);                                    // p [Pa]
+  static double on(const Parameters& p, const Data& d, const State<4>& s);                    // φ p [Pa]
+  static double volume(const Parameters& p, const Data& d, const State<4>& s);                // φ v [m³]
 
   struct Push {
     static Status evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,

@@ -7,17 +7,18 @@
 
 namespace netloft::axial {
 
-/// A straight elastic twine or rope between two points a vector w apart, slack bars keep a small stiffness:
+/// A straight elastic twine or rope between two points, w the vector from one to the other; slack bars keep a
+/// small stiffness:
 ///   l = ‖w‖,  t = w/l                                          (1)
 ///   T = EA (l − l₀)/l₀  if l ≥ l₀,  else EA_c (l − l₀)/l₀      (2)
 ///   ψ = ½ T (l − l₀)                                           (3)  energy, dψ/dl = T
 ///   A = ∂(T t)/∂w = k t tᵀ + g (I − t tᵀ),  k = dT/dl,  g = T/l (4)
 ///   A₊: g clamped at zero, positive semi-definite               (5)
 ///   M = (max(EA, EA_c)/l₀) I, bounds A₊ for every w             (6)
-/// EA, EA_c [N] stiffness in tension and in compression; l₀ [m] unstretched length.
-/// Source: the linear spring of the trawl-gear paper, section 2.3; Priour, A Finite Element Method for
-/// Netting (Springer 2013), for the reduced stiffness of a slack twine.
-/// Below kCollapsed·l₀ the direction t is undefined; w/(kCollapsed l₀) stands in for it, which is finite.
+/// EA, EA_c [N] stiffness in tension and in compression; l₀ [m] unstretched length. Source: the linear spring
+/// of the trawl-gear paper, section 2.3; Priour, A Finite Element Method for Netting (Springer 2013), for the
+/// reduced stiffness of a slack twine. Below kCollapsed·l₀ the direction t is undefined; w/(kCollapsed l₀)
+/// replaces it, which is finite.
 inline constexpr double kCollapsed = 1e-9;
 
 struct Material {
@@ -56,10 +57,10 @@ inline Block stiffness(const Bar& b, double wx, double wy, double wz, double fac
   return {{s * wx * wx + g, s * wy * wx, s * wy * wy + g, s * wz * wx, s * wz * wy, s * wz * wz + g}};
 }
 
-/// Place of (row, column) of a symmetric 3 × 3 block in its six numbers.
+/// Index of (row, column) of a symmetric 3 × 3 block among its six numbers.
 inline constexpr int kPlace[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};
 
-/// ψ for dual numbers: the oracle of the kernels.
+/// ψ for dual numbers: the reference implementation for tests of the kernels.
 template <class T>
 T energy(const Vec3<T>& w, double l0, const Material& m) {
   const T elongation = norm(w) - l0;

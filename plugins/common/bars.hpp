@@ -7,7 +7,7 @@
 
 namespace netloft::bars {
 
-/// Straight two-node bars of rope or twine, 64 at a time; a bar stands for N equal ones side by side.
+/// Straight two-node bars of rope or twine, 64 at a time; a bar represents N equal ones side by side.
 ///   w = x₁ − x₀; tension T and tangent by axial (1)–(5)
 ///   r₀ = −N T t,  r₁ = +N T t      residual ∂E/∂x                    (1)
 ///   W = V (ρ − ρ_w) g              weight in water, half per node    (2)
@@ -29,8 +29,8 @@ struct Lanes {
   double damping[kLanes], added_mass[kLanes];  // N η, C_a
 };
 
-/// Multiplicity enters here and nowhere else. `P` has EA, EA_compression, diameter, density, damping and
-/// added_mass of one bar.
+/// Fills one lane. The multiplicity N enters here and nowhere else. `P` has EA, EA_compression, diameter,
+/// density, damping and added_mass of one bar.
 template <class P>
 void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::size_t lane) {
   lanes.l0[lane] = rest_length;
@@ -44,7 +44,13 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.added_mass[lane] = p.added_mass;
 }
 
-/// Mass of what bars stand for, in air [kg].
+/// The bars of an element as its one member; `P` has EA and EA_compression of one bar.
+template <class P>
+Member member(const P& p, double rest_length, double parallel) {
+  return {{-1, 1, 0}, rest_length, p.EA, p.EA_compression, parallel};
+}
+
+/// Mass in air of the bars that each element represents [kg].
 inline void mass_of(const Lanes& p, const netloft_tile& t, double* values) {
   for (std::size_t i = 0; i < t.count; ++i) values[i] = p.density[i] * p.volume[i];
 }
@@ -75,7 +81,7 @@ inline Status add_elastic(const Lanes& p, netloft_tile& t) {
     add_metric(p, t);
     return Status::ok;
   }
-  // Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
+  // Plain loops over lanes with one purpose each, because compilers vectorise those.
   double w[3][kLanes], inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
   find_spans(t, w);
   const double(&wx)[kLanes] = w[0], (&wy)[kLanes] = w[1], (&wz)[kLanes] = w[2];
@@ -112,7 +118,7 @@ inline Status add_weight(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// Half of (2) at both nodes, for any kind of numbers: the oracle of the kernel.
+/// Half of (2) at both nodes, for any number type: the reference implementation for tests of the kernel.
 template <class T, class P>
 T weight_energy(const P& p, double rest_length, double parallel, const Water& w, const Points<T, 2>& x) {
   const double volume = parallel * std::numbers::pi / 4 * p.diameter * p.diameter * rest_length;

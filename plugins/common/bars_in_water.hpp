@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What water and motion do to bars: drag (3), damping (4) and inertia (5) of bars.hpp.
+// Forces of water and motion on bars: drag (3), damping (4) and inertia (5) of bars.hpp.
 #pragma once
 #include <netloft/law.hpp>
 
@@ -8,15 +8,15 @@
 
 namespace netloft::bars {
 
-/// Entry of a tile's input that may be missing.
+/// An entry of a tile's input; zero if the input is absent.
 inline double entry(const double* field, int row, std::size_t lane) {
   return field ? field[at(row, lane)] : 0;
 }
 
-/// Place of (node p, axis r; node q, axis c) in a full tangent.
+/// Index of (node p, axis r; node q, axis c) in a full tangent.
 constexpr int place(int p, int r, int q, int c) { return 6 * (3 * p + r) + 3 * q + c; }
 
-/// W, t and D of (3), ready for a law.
+/// Fills in W, t and D of (3) for a law.
 inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t, FlowLanes& flow) {
   const double *current = t.current, *v = t.v;
   const std::size_t count = t.count;
@@ -31,7 +31,7 @@ inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t
   std::fill_n(flow.solidity, count, 0.0);
 }
 
-/// ½ ∂f/∂W dc/dz of row r and node q.
+/// Computes ½ ∂f/∂W dc/dz of row r and node q.
 inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, double* shear) {
   std::fill_n(shear, t.count, 0.0);
   if (!t.current_dz) return;
@@ -40,7 +40,7 @@ inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, 
       shear[i] += 0.5 * f.d_flow[3 * r + c][i] * t.current_dz[at(3 * q + c, i)];
 }
 
-/// ∂f/∂t (I − t tᵀ)/l.
+/// Computes ∂f/∂t (I − t tᵀ)/l.
 inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count, int r,
                       double (&turn)[3][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -51,7 +51,7 @@ inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count
   }
 }
 
-/// Adds -½ N l₀ ∂f to the tangent, the same for both nodes p; of node q
+/// Adds -½ N l₀ ∂f to the tangent, the same for both nodes p; the derivative for node q is
 ///   ∂f = cu [½ ∂f/∂W (dc/dz)_q e_zᵀ ± ∂f/∂t (I − t tᵀ)/l] − cv ½ ∂f/∂W
 inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLanes& f, netloft_tile& t) {
   const double cu = t.cu, cv = t.cv;
@@ -97,7 +97,7 @@ inline Status add_drag(const Lanes& p, const netloft_bound_law& law, netloft_til
 /// Magnitude of (3) [N]; zero in still water.
 inline void drag_of(const Lanes& p, const netloft_bound_law& law, const netloft_tile& t, double* values) {
   std::fill_n(values, t.count, 0.0);
-  if (!law.evaluate) return;  // still water: no law was asked for
+  if (!law.evaluate) return;  // still water: the part has no law
   const Chords chord(t, p.l0);
   FlowLanes f;
   fill_flow(p, chord, t, f);
@@ -118,8 +118,8 @@ inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
   }
 }
 
-/// With w the chord and w' its rate: ∂(T_d t)/∂w = N (η/l₀)/l [t (w' − (t·w') t)ᵀ + (t·w')(I − t tᵀ)],
-/// ∂(T_d t)/∂w' = N (η/l₀) t tᵀ.
+/// With w the chord and w' its rate:
+///  ∂(T_d t)/∂w = N (η/l₀)/l [t (w' − (t·w') t)ᵀ + (t·w')(I − t tᵀ)],  ∂(T_d t)/∂w' = N (η/l₀) t tᵀ
 inline Status add_damping(const Lanes& p, netloft_tile& t) {
   const Chords chord(t, p.l0);
   for (std::size_t i = 0; i < t.count; ++i) {

@@ -6,7 +6,8 @@ namespace netloft::bars {
 
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
-/// x₁ − x₀ of the bars of a tile [m], with the digits that positions round off where the tile has them.
+/// Computes x₁ − x₀ of the bars of a tile [m], including the low-order part of the positions if the tile has
+/// it.
 inline void find_spans(const netloft_tile& t, double (&__restrict w)[3][kLanes]) {
   for (int axis = 0; axis < 3; ++axis) {
     const double *first = t.x + at(axis, 0), *second = t.x + at(axis + 3, 0);

@@ -7,7 +7,7 @@
 namespace netloft::floats {
 
 void Float::check(const Parameters&, const Data& d) {
-  if (!(d.share >= 0)) throw std::invalid_argument("there cannot be fewer than no floats at a node");
+  if (!(d.pieces >= 0)) throw std::invalid_argument("the number of floats at a node must not be negative");
 }
 
 double Float::net_buoyancy(const Parameters& p, const Water& w) {
@@ -20,7 +20,7 @@ double Float::drag_factor(const Parameters& p, const Water& w) {
 }
 
 Status Float::Buoyancy::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
-  const double up = d.share * net_buoyancy(p, s.water);
+  const double up = d.pieces * net_buoyancy(p, s.water);
   out.energy = -up * s.x[0].z;
   out.force[0].z = -up;  // (2)
   return Status::ok;
@@ -28,7 +28,7 @@ Status Float::Buoyancy::evaluate(const Parameters& p, const Data& d, const State
 
 Status Float::Drag::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
   const Vec3<double> W = s.current[0] - s.v[0];
-  const double speed = norm(W), factor = d.share * drag_factor(p, s.water);
+  const double speed = norm(W), factor = d.pieces * drag_factor(p, s.water);
   out.force[0] = -factor * speed * W;  // (3)
   if (!s.wants_tangent || speed == 0) return Status::ok;
   for (int r = 0; r < 3; ++r)
@@ -41,7 +41,7 @@ Status Float::Drag::evaluate(const Parameters& p, const Data& d, const State<1>&
 }
 
 Status Float::Inertia::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
-  const double mass = d.share * (p.mass + p.added_mass * s.water.density * p.volume);
+  const double mass = d.pieces * (p.mass + p.added_mass * s.water.density * p.volume);
   out.force[0] = mass * s.a[0];  // (5)
   for (int axis = 0; axis < 3; ++axis) out.tangent[axis][axis] = s.ca * mass;
   return Status::ok;

@@ -4,7 +4,8 @@
 
 namespace netloft::floats {
 
-/// Floats at a node, s of them (a share of those that were strung along a rope); weights sink for B < 0.
+/// A number s of floats at a node (a fraction of those along a rope, not necessarily whole). Weights are
+/// floats with B < 0.
 ///   B = the buoyancy that is given, else (ρ V − m) g                        (1)
 ///   r = −s B e_z,  E = −s B z                  net upward force             (2)
 ///   r = −s κ |W| W,  κ = ½ ρ C_d A             drag                         (3)
@@ -24,7 +25,7 @@ struct Float {
     double drag_coefficient = 0, added_mass = 0;
   };
   struct Data {
-    double share = 0;  // s
+    double pieces = 0;  // s
   };
 
   static void check(const Parameters&, const Data& d);

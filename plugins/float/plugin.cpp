@@ -21,11 +21,12 @@ NETLOFT_PLUGIN("float", "0.1.0", "Floats and weights at nodes") {
          {.lo = 0, .hi = 10, .fallback = 0.47});
   f.real("float.added_mass", &Float::Parameters::added_mass, "1",
          "added mass over the mass of the water displaced", {.lo = 0, .hi = 10, .fallback = 0.5});
-  f.data("share", &Float::Data::share, "1", "number of floats at this node");
+  f.data("pieces", &Float::Data::pieces, "1", "number of floats at this node");
   f.term<Float::Buoyancy, netloft::conservative | netloft::symmetric | netloft::constant |
-                              netloft::needs_gravity>("buoyancy", "buoyancy less weight");
-  f.term<Float::Drag, netloft::reads_velocity | netloft::reads_current | netloft::needs_flow>(
-      "drag", "force of the flowing water", "float.drag_coefficient");
+                              netloft::needs_gravity | netloft::is_weight>("buoyancy",
+                                                                           "buoyancy minus weight");
+  f.term<Float::Drag, netloft::reads_velocity | netloft::reads_current | netloft::needs_flow |
+                          netloft::is_drag>("drag", "force of the flowing water", "float.drag_coefficient");
   f.term<Float::Inertia, netloft::symmetric | netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass and added mass");
 }

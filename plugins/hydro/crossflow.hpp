@@ -7,7 +7,8 @@
 
 namespace netloft::hydro {
 
-/// Force of the water on a metre of twine, by the flow across it and the flow along it, each on its own:
+/// Force of the water on a metre of twine, the sum of the forces of the flow across it and of the flow along
+/// it:
 ///   U = r W,  τ = U·t,  U_n = U − τ t,  s = ‖U_n‖,  û = U_n/s           (1)
 ///   F = k(s) U_n + κ |τ| τ t,  κ = ½ ρ D C_t                            (2)
 ///   ∂F/∂U = k (I − t tᵀ) + g û ûᵀ + 2 κ |τ| t tᵀ,  g = s dk/ds           (3)
@@ -22,14 +23,14 @@ struct CrossFlow {
   double tangential;  // C_t
 };
 
-/// k and g of (2), (3).
+/// The resistance factor k and the slope g of (2), (3).
 struct Resistance {
   double k, g;
 };
 
 inline constexpr double kStill = 1e-150;  // [m/s], below which s² is zero
 
-/// (2) for dual numbers: the oracle. `across(s)` is k.
+/// (2) for dual numbers: the reference implementation for tests. `across(s)` returns k.
 template <class T, class Across>
 Vec3<T> cross_flow_force(const CrossFlow& c, const Flow<T>& f, Across&& across) {
   using std::abs;
@@ -40,7 +41,7 @@ Vec3<T> cross_flow_force(const CrossFlow& c, const Flow<T>& f, Across&& across) 
   return across(norm(U_n)) * U_n + (friction * abs(tau) * tau) * f.direction;
 }
 
-/// (1)–(5) in one lane. `across(s)` is a Resistance.
+/// (1)–(5) in one lane. `across(s)` returns a Resistance.
 template <bool Derivatives, class Across>
 inline void cross_flow_lane(const CrossFlow& c, const netloft_flow& f, std::size_t i, Across&& across) {
   const auto row = [i](const double* a, std::size_t r) { return a[r * kLanes + i]; };
@@ -68,7 +69,8 @@ inline void cross_flow_lane(const CrossFlow& c, const netloft_flow& f, std::size
   }
 }
 
-/// The same in all lanes. Arrays do not overlap, which the compiler has to be told: several lanes at once.
+/// The same for all lanes. The arrays do not overlap; `__restrict` tells the compiler so, which then computes
+/// several lanes at once.
 template <bool Derivatives, class Across>
 void cross_flow_all_lanes(const CrossFlow& c, const netloft_flow& flow, Across&& across) {
   const CrossFlow flows = c;

@@ -7,14 +7,15 @@ using namespace netloft::hydro;
 
 namespace {
 
-constexpr const char* kShielding = "velocity of the water here over that ahead of the gear, 1 in open water";
+constexpr const char* kShielding =
+    "velocity of the water here divided by that ahead of the gear, 1 in open water";
 
 template <class L>
 void add_screen(netloft::Plugin& plugin, const char* name, const char* doc) {
   auto& law = plugin.law<L>(name, doc);
   law.real("shielding", &ScreenParameters::shielding, "1", kShielding, {.lo = 0, .hi = 2, .fallback = 1});
   law.choice("wake", &ScreenParameters::wake,
-             "loland: netting of the same solidity stands upstream and slows the water", {"none", "loland"});
+             "loland: netting of the same solidity is upstream and slows the water", {"none", "loland"});
 }
 
 }  // namespace

@@ -10,12 +10,12 @@ namespace netloft::hydro {
 ///   slow       φ = Re (1.45 + 8.55 Re^−0.9)                             1 < Re < 30      (2)
 ///   fast       φ = Re (1.1 + 4 Re^−½)                                   30 < Re < 10⁵    (3)
 /// Source: Choo and Casarella 1971, Hydrodynamic resistance of towed cables, J. Hydronautics 5(4), 126–131.
-/// Where we deviate: the pieces leave steps of 1.7 % at 1 and 1.1 % at 30; within a factor of 1.25 of each
-/// they are blended (smooth step in ln Re), which makes φ continuously differentiable. Below Re = 0.1 φ is
-/// continued along its tangent: drag there is linear in the velocity. Above 10⁵ (3) is kept: ropes are too
-/// rough for the drag crisis of smooth cylinders to be relied on. Their formula for friction, π μ (0.55 Re^½
-/// + 0.084 Re^⅔), is a force per metre over the velocity along the cable, not a coefficient; it has no place
-/// here.
+/// Deviation from the source: the pieces leave steps of 1.7 % at 1 and 1.1 % at 30; within a factor of 1.25
+/// of each they are blended (smooth step in ln Re), which makes φ continuously differentiable. Below Re = 0.1
+/// φ is continued along its tangent: drag there is linear in the velocity. Above 10⁵ (3) is kept: ropes are
+/// too rough for the drag crisis of smooth cylinders to be relied on. Their formula for friction, π μ (0.55
+/// Re^½ + 0.084 Re^⅔), is a force per metre over the velocity along the cable, not a coefficient; it has no
+/// place here.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
 template <class T>
@@ -25,7 +25,7 @@ T creeping_phi(const T& Re) {
   return (8 * 3.14159265358979323846 / sigma) * (1.0 - 0.87 / (sigma * sigma));  // (1)
 }
 
-/// The step from 0 to 1 within a factor kBlend of `centre`.
+/// The smooth step from 0 to 1 within a factor kBlend of `centre`.
 template <class T>
 T blend(const T& Re, double centre) {
   using std::log;
@@ -50,9 +50,9 @@ T choo_casarella_phi(const T& Re) {
   return fast();
 }
 
-/// A curve through samples over ln x, without overshoot and continuously differentiable: cubic pieces whose
-/// slopes at the samples are harmonic means (Fritsch and Butland 1984, SIAM J. Sci. Stat. Comput. 5(2)), zero
-/// at both ends; held beyond them.
+/// A continuously differentiable curve without overshoot through samples over ln x: cubic pieces whose slopes
+/// at the samples are harmonic means (Fritsch and Butland 1984, SIAM J. Sci. Stat. Comput. 5(2)), zero at
+/// both ends; held beyond them.
 class Curve {
  public:
   explicit Curve(const netloft_table& table) : t_(table) {}

@@ -30,7 +30,7 @@ Shape shape(double c, double S, double Re) {
 
 Vec3<double> row(const double* a, std::size_t i) { return {a[i], a[kLanes + i], a[2 * kLanes + i]}; }
 
-/// One screen in a flow, (1).
+/// The incidence of a flow on a screen, (1).
 struct Incidence {
   Incidence(double r, const Vec3<double>& flow, const Vec3<double>& normal)
       : U(r * flow), sign(dot(U, normal) < 0 ? -1 : 1), n(sign * normal), u(norm(U)) {
@@ -38,7 +38,7 @@ struct Incidence {
     q = dot(U, n), c = dot(e, n);
   }
   Vec3<double> U;
-  double sign;  // of the flow along the normal that was given
+  double sign;  // sign of the flow along the given normal
   Vec3<double> n;
   double u, q = 0, c = 0;
   Vec3<double> e{};

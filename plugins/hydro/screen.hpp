@@ -27,21 +27,21 @@ struct ScreenCoefficients {
   T drag, lift;  // C_D and λ
 };
 
-/// C_D of Løland at normal incidence, as far as his wake needs it.
+/// C_D of Løland at normal incidence, which his wake model needs.
 template <class T>
 T loland_drag(const T& S) {
   return S * (0.33 + S * (6.54 - 4.88 * S));
 }
 
-/// cos θ without its kink at grazing incidence: c² (2ε − c)/ε² below ε, c above.           (7)
-/// It is exact at 90° and below 87°; in between C_D is lower by at most 0.0075 of its range.
+/// cos θ, smoothed at grazing incidence: c² (2ε − c)/ε² below ε, c above.           (7) It is exact at 90°
+/// and below 87°; in between C_D is lower by at most 0.0075 of its range.
 template <class T>
 T rounded(const T& c) {
   constexpr double kGrazing = 0.05;
   return c < T(kGrazing) ? c * c * (2 * kGrazing - c) / (kGrazing * kGrazing) : c;
 }
 
-/// x held between lo and hi, with parabolas of half width d at both ends.                  (8)
+/// x limited to [lo, hi], with parabolas of half width d at both ends.                  (8)
 template <class T>
 T held(const T& x, double lo, double hi, double d) {
   if (x < T(lo - d)) return T(lo);
@@ -51,7 +51,7 @@ T held(const T& x, double lo, double hi, double d) {
   return T(hi);
 }
 
-/// Solidity, held above `hi`: none of the formulas was measured with denser netting.
+/// The solidity, limited to `hi` because none of the formulas was measured with denser netting.
 template <class T>
 T held_solidity(const T& S, double hi) {
   return held(S, -1, hi, 0.02);
@@ -113,8 +113,8 @@ struct ScreenParameters {
   std::int64_t wake = 0;
 };
 
-/// r of (1): the given shielding, times Løland's 1 − 0.46 C_D(S, θ = 0) when netting of the same solidity
-/// stands upstream (the rear of a cage, the lower panel of a trawl).                               (14)
+/// r of (1): the given shielding, times Løland's 1 − 0.46 C_D(S, θ = 0) if netting of the same solidity is
+/// upstream (the rear of a cage, the lower panel of a trawl).                               (14)
 template <class T>
 T flow_left(const ScreenParameters& p, const T& S) {
   if (p.wake == static_cast<std::int64_t>(Wake::none)) return T(p.shielding);
@@ -125,7 +125,7 @@ template <class Model>
 struct Screen {
   static constexpr auto kind = NETLOFT_SCREEN_LAW;
   using Parameters = ScreenParameters;
-  /// (3) for dual numbers: the oracle.
+  /// (3) for dual numbers: the reference implementation for tests.
   template <class T>
   static Vec3<T> force(const Parameters& p, const Flow<T>& f) {
     const Vec3<T> U = flow_left(p, f.solidity) * f.flow;

@@ -5,7 +5,7 @@ namespace netloft::lumped {
 
 void Net::check(const Parameters&, const Data& d) {
   if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no stiffness");
-  if (!(d.parallel > 0)) throw std::invalid_argument("a bar that stands for no twine has no stiffness");
+  if (!(d.parallel > 0)) throw std::invalid_argument("a bar that represents no twine has no stiffness");
 }
 
 void Net::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {

@@ -4,14 +4,13 @@
 
 namespace netloft::lumped {
 
-/// A bar of a lumped-mass net: between two grouped knots, along the twines of diamond netting, it stands for
-/// `parallel` twines side by side that stay straight and share their stretch. Point masses, springs and
-/// dampers; the model is that of bars (1)–(5), plugins/common/bars.hpp, with N = `parallel`.
-/// Where one bar is one twine (a cell of one mesh, N = 1) this is the real net, knot by knot, but for the
-/// resistance of its knots to opening, which is not modelled.
-/// Source: the usual lumped-mass model with meshes in groups: Theret, Etude de l'équilibre de surfaces
-/// réticulées placées dans un courant uniforme (thesis, Nantes 1993); Takagi et al., Fisheries Science 70
-/// (2004). Knots have no drag of their own here.
+/// A bar of a lumped-mass net, between two grouped knots along the twines of diamond netting. It represents
+/// `parallel` twines side by side that stay straight and have the same stretch. Point masses, springs and
+/// dampers; the model is that of bars (1)–(5), plugins/common/bars.hpp, with N = `parallel`. Where one bar is
+/// one twine (a cell of one mesh, N = 1) this is the real net, knot by knot, but for the resistance of its
+/// knots to opening, which is not modelled. Source: the usual lumped-mass model with meshes in groups:
+/// Theret, Etude de l'équilibre de surfaces réticulées placées dans un courant uniforme (thesis, Nantes
+/// 1993); Takagi et al., Fisheries Science 70 (2004). Knots have no drag of their own here.
 struct Net {
   static constexpr auto stencil = NETLOFT_BAR;
 
@@ -27,8 +26,11 @@ struct Net {
 
   static void check(const Parameters&, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
-  /// One of the twines.
+  /// The stretch of one of the twines.
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
+  static std::array<Member, 1> members(const Parameters& p, const Data& d, double) {
+    return {bars::member(p, d.rest_length, d.parallel)};
+  }
 
   struct Elastic {
     static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_elastic(f.lanes(t), t); }

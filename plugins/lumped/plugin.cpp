@@ -16,27 +16,30 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
            {.lo = 0, .hi = 3e4});
   net.real("twine.damping", &Net::Parameters::damping, "N s",
            "damping of stretch: tension per strain rate, EA times a relaxation time",
-           {.lo = 0, .hi = 1e9, .fallback = 0});
+           {.lo = 0, .hi = 1e9, .fallback = 0, .role = netloft::Role::damping});
   net.real("twine.added_mass", &Net::Parameters::added_mass, "1",
            "added mass across a twine over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
   net.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the twines");
   net.data("rest_length", &Net::Data::rest_length, "m", "unstretched length of the bar");
   net.data("parallel", &Net::Data::parallel, "1", "twines side by side that the bar stands for");
-  net.term<Net::Elastic,
-           netloft::conservative | netloft::symmetric | netloft::has_convex | netloft::has_metric>(
+  net.term<Net::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
+                             netloft::has_metric | netloft::of_members>(
       "elastic", "tension of the twines, and their small resistance when slack",
       "twine.EA twine.EA_compression");
   net.term<Net::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
-                            netloft::needs_gravity>("weight", "weight in water of the unstretched twines");
-  net.term<Net::Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow>(
+                            netloft::needs_gravity | netloft::is_weight>(
+      "weight", "weight in water of the unstretched twines");
+  net.term<Net::Drag,
+           netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the unstretched twines, by its law, half per node", "twine.diameter");
   net.term<Net::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
   net.term<Net::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the twines, and added mass across them, half per node");
-  net.output("tension", "N", "tension of one twine",
-             [](auto& p, auto& d, auto& s) { return Net::stretch(p, d, s).T; });
+  net.output(
+      "tension", "N", "tension of one twine",
+      [](auto& p, auto& d, auto& s) { return Net::stretch(p, d, s).T; }, netloft::OutputRole::tension);
   net.output("strain", "1", "elongation over unstretched length",
              [](auto& p, auto& d, auto& s) { return Net::stretch(p, d, s).l / d.rest_length - 1; });
   net.output_lanes("drag", "N", "magnitude of the force of the water on all twines of the bar", Net::drag_of);

@@ -38,7 +38,7 @@ void add_force(const Triangle::Lanes& p, const Meshes& m, const Function& f, std
   }
 }
 
-/// (4) for one direction.
+/// (4) for the twines of one direction.
 void fill_own(const Twines& own, const Twines& other, const Meshes& m, const Function& f, double cu,
               std::uint32_t count, double (&__restrict out)[6][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ void add_square(double weight, const Vec3<double>& U, const Vec3<double>& V, std
   }
 }
 
-/// A unit vector across u, in the plane of u and v if they have one.
+/// A unit vector perpendicular to u, in the plane of u and v if they span one.
 Vec3<double> across(const Vec3<double>& u, const Vec3<double>& v) {
   Vec3<double> p = v - dot(u, v) * u;
   if (norm(p) < 1e-12) {
@@ -98,7 +98,8 @@ void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t co
     const Vec3<double> u{m.u.t[0][i], m.u.t[1][i], m.u.t[2][i]}, v{m.v.t[0][i], m.v.t[1][i], m.v.t[2][i]};
     const Vec3<double> fu = across(u, v), w = cross(u, fu), fv = cross(w, v);
     const double iu = m.u.inverse[i], iv = m.v.inverse[i], lambda = h2 > 0 ? h2 + rho : h1 * h1 / (rho - h2);
-    // (σ, μ) = (λ, −h′): its square is 2λρ, so the unit vector's eigenvalue over that is 1/2ρ.
+    // the unscaled vector (σ, μ) = (λ, −h′) has the square 2λρ, so the unit vector's eigenvalue divided by
+    // that is 1/2ρ
     add_square(0.25 / rho, iu * (-h1 * u - lambda * fu), iv * (-h1 * v + lambda * fv), i, k);
     const double sign = h1 > 0 ? 1 : -1;  // (τ, κ)
     add_square(0.25 * std::abs(h1), iu * (fu + sign * u), iv * (fv - sign * v), i, k);

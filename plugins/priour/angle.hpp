@@ -4,8 +4,8 @@
 
 namespace netloft::priour {
 
-/// An energy E(c) of the angle 2α between the twines of a mesh, as a function of its cosine alone: no normal
-/// of the netting is needed, and what is smooth in c is smooth where meshes close.
+/// An energy E(c) of the angle 2α between the twines of a mesh, as a function of its cosine alone: it needs
+/// no normal of the netting, and a function that is smooth in c remains smooth where meshes close.
 ///   c = Û·V̂ = cos 2α,  s = |Û×V̂| = sin 2α                                                      (1)
 ///   p = V̂ − cÛ,  q = Û − cV̂;  ∂c/∂U = p/‖U‖,  ∂c/∂V = q/‖V‖                                     (2)
 ///   r_p = E′ (a_p p/‖U‖ + b_p q/‖V‖)                                     residual ∂E/∂x_p         (3)
@@ -15,8 +15,8 @@ namespace netloft::priour {
 /// U, V, a, b by triangle (1)–(3).
 ///
 /// Convex part, in closed form. Scaled by ‖U‖ and ‖V‖, the six directions fall into the plane of the twines
-/// (r along a twine, φ across it, counted from Û to V̂) and its normal w. With h′ = −s E′ and
-/// h″ = s²E″ − cE′, the derivatives after 2α, the second differential is
+/// (r along a twine, φ across it, counted from Û to V̂) and its normal w. With h′ = −s E′ and h″ = s²E″ −
+/// cE′, the derivatives after 2α, the second differential is
 ///   h″(φ_v−φ_u)² + 2h′(r_u φ_u − r_v φ_v)                        in the plane                      (7)
 ///   −E′ (c w_u² − 2 w_u w_v + c w_v²)                            out of it                         (8)
 /// (7) is 2h″σ² − 2h′(μσ + κτ) in σ, τ = (φ_v ∓ φ_u)/√2 and μ, κ = (r_v ± r_u)/√2, two 2×2 matrices; (8) has
@@ -26,7 +26,7 @@ namespace netloft::priour {
 /// A metric would have to bound 1/‖U‖²: there is none.
 namespace angle {
 
-/// The meshes of every lane. Throws OutsideDomain where a twine has no direction.
+/// The meshes of every lane. Throws OutsideDomain if a twine has no direction.
 struct Meshes {
   Meshes(const Triangle::Lanes& lanes, netloft_tile& tile);
 
@@ -34,15 +34,15 @@ struct Meshes {
   double c[kLanes], s[kLanes];  // (1)
 };
 
-/// E and its derivatives after c in every lane [J].
+/// E and its derivatives with respect to c in every lane [J].
 struct Function {
   double E[kLanes], E1[kLanes], E2[kLanes];
 };
 
-/// Adds what the tile wants.
+/// Adds the quantities that the tile asks for.
 void add(const Triangle::Lanes& lanes, const Meshes& meshes, const Function& f, netloft_tile& t);
 
-/// cos 2α for dual numbers: the oracle of the kernels.
+/// cos 2α for dual numbers: the reference implementation for tests of the kernels.
 template <class T>
 T cosine(const Triangle::Data& d, const Points<T, 3>& x) {
   const auto h = Triangle::shape(d);

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/priour/bending.hpp"
 
+#include "plugins/priour/triangle.hpp"
+
 namespace netloft::priour {
 
 namespace {
 
 /// |d| of triangle (1) between the edge and corner k.
 double bars_beside(const Bending::Data& d, std::size_t k) {
-  return std::abs((d.u[1] - d.u[0]) * (d.v[k] - d.v[0]) - (d.u[k] - d.u[0]) * (d.v[1] - d.v[0]));
+  return std::abs(Triangle::determinant(d.u, d.v, k));
 }
 
-/// L of (3), (5) and its derivatives after w, from h = 1 − w.
+/// L of (3), (5) and its derivatives with respect to w, from h = 1 − w.
 struct Logarithm {
   explicit Logarithm(double h) {
     const double w = 1 - h, w0 = Bending::kFolded;
@@ -26,7 +28,7 @@ struct Logarithm {
 
 constexpr double kSign[2] = {1, -1};  // σ
 
-/// (1)–(3) and (8) at a state.
+/// The quantities of (1)–(3) and (8) at a state.
 struct Fold {
   Fold(const State<4>& state, const Bending::Flat& flat)
       : e{state.x[1] - state.x[0], state.x[2] - state.x[0], state.x[3] - state.x[0]} {
@@ -75,7 +77,7 @@ double cross_matrix(const Vec3<double>& w, int r, int s) {
 using Square6 = double[6][6];
 using Square9 = double[9][9];
 
-/// ∂(N₁, N₂)/∂(e₀, e₁, e₂): −[e₁]×, [e₀]×, 0 and [e₂]×, 0, −[e₀]×.
+/// The Jacobian ∂(N₁, N₂)/∂(e₀, e₁, e₂): −[e₁]×, [e₀]×, 0 and [e₂]×, 0, −[e₀]×.
 void fill_jacobian(const Fold& f, double (&J)[6][9]) {
   for (int r = 0; r < 3; ++r)
     for (int s = 0; s < 3; ++s) {
@@ -84,7 +86,7 @@ void fill_jacobian(const Fold& f, double (&J)[6][9]) {
     }
 }
 
-/// K = Jᵀ H J + what the second derivatives of N add.
+/// K = Jᵀ H J plus the terms from the second derivatives of N.
 void fill_tangent(const Fold& f, Square9& K) {
   Square6 H;
   double J[6][9], HJ[6][9];
@@ -108,7 +110,7 @@ void fill_tangent(const Fold& f, Square9& K) {
     }
 }
 
-/// From the three edges to the four corners: e_k = x_{k+1} − x_a.
+/// Distributes the matrix of the three edges to the four corners: e_k = x_{k+1} − x_a.
 void spread(const Square9& K, double cu, Local<4>& out) {
   for (int r = 0; r < 9; ++r)
     for (int s = 0; s < 9; ++s) {

@@ -6,7 +6,7 @@
 
 namespace netloft::priour {
 
-/// Resistance of netting to bending across the edge (a, b) that the triangles (a, b, c) and (b, a, d) share.
+/// Resistance of netting to bending across the edge (a, b) between the triangles (a, b, c) and (b, a, d).
 ///   e₀ = x_b − x_a, e₁ = x_c − x_a, e₂ = x_d − x_a;  N₁ = e₀×e₁, N₂ = e₂×e₀                          (1)
 ///   n_i = N_i/s_i,  s_i = √(‖N_i‖² + (δ M_i)²),  M_i the unstretched ‖N_i‖                           (2)
 ///   E = −κ L(w),  w = 1 − ¼‖n₁ − n₂‖²,  L = ln w,  κ = 4 k b/(h₁ + h₂)                               (3)
@@ -18,9 +18,9 @@ namespace netloft::priour {
 ///
 /// The unstretched altitudes h₁, h₂ over the edge play the part of two bars of a rope. b is the unstretched
 /// edge, k [N m] the bending stiffness of a metre of it: over both directions of twines, EI × twines that
-/// cross a metre × cos² of the angle between twine and the normal of the edge in the netting.
-/// A diamond mesh has no unstretched shape of its own. Lengths are those of meshes of half angle β, 45°
-/// unless the part says otherwise; with (Δu, Δv) along the edge and d_i of triangle (1) of both sides:
+/// cross a metre × cos² of the angle between twine and the normal of the edge in the netting. A diamond mesh
+/// has no unstretched shape of its own. Lengths are those of meshes of half angle β, 45° unless the part says
+/// otherwise; with (Δu, Δv) along the edge and d_i of triangle (1) of both sides:
 ///   b_i = l₀ √(Δu² + Δv² + 2 Δu Δv cos 2β),  M_i = |d_i| l₀² sin 2β,  h_i = M_i/b_i                  (6)
 ///   k b = EI (|Δu|³ + |Δv|³) sin² 2β (l₀/b)²                                                         (7)
 /// EI [N m²] of one twine, l₀ [m] bar. For the edge along v of meshes at 45° (7) is EI times the number of u
@@ -30,7 +30,7 @@ namespace netloft::priour {
 ///   G_i = ∂E/∂N_i = A_i g_i                                                                          (8)
 ///   ∂²E/∂N_i∂N_j = σ_i σ_j A_i (½ D₁ I + ¼ D₂ q qᵀ) A_j − δ_ij [n_i p_iᵀ + p_i n_iᵀ + (g_i·n_i)(I − n_i
 ///   n_iᵀ)]/s_i² p_i = g_i − (g_i·n_i) n_i = s_i G_i (9)
-/// Source: the trawl-gear paper, eq. (1) and fig. 5b; (2) and (5) are ours.
+/// Source: the trawl-gear paper, eq. (1) and fig. 5b; (2) and (5) were derived for this program.
 struct Bending {
   static constexpr auto stencil = NETLOFT_TRIANGLE_PAIR;
   static constexpr double kClosed = 1e-3, kFolded = 1e-3;

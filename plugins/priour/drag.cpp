@@ -7,21 +7,21 @@ namespace netloft::priour {
 
 namespace {
 
-/// F of every lane and its derivatives after W and, [corner], after positions without the shear of the
-/// current. What is first sets them.
+/// F of every lane and its derivatives with respect to W and, [corner], to positions without the shear of the
+/// current. The first contribution sets them, later ones add to them.
 struct Force {
   double F[3][kLanes], flow[9][kLanes], x[3][9][kLanes];
 };
 
 enum class Turn { first, later };
 
-/// to ← number, or to ← to + number.
+/// Sets or adds: to ← number, or to ← to + number.
 template <Turn turn>
 void put(double& to, double number) {
   to = turn == Turn::first ? number : to + number;
 }
 
-/// W and the diameter, which both kinds of law want.
+/// Fills in W and the diameter, which both kinds of law need.
 void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f) {
   const double *current = t.current, *v = t.v;
   const std::size_t count = t.count;
@@ -32,7 +32,7 @@ void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f) {
   std::copy_n(p.diameter, count, f.diameter);
 }
 
-/// Adds `factor` times force and flow derivative of a law.
+/// Adds `factor` times the force and the flow derivative of a law.
 template <Turn turn>
 void add_law(const FlowLanes& f, const double* factor, const netloft_tile& t, Force& out) {
   for (std::size_t r = 0; r < 3; ++r)
@@ -42,7 +42,7 @@ void add_law(const FlowLanes& f, const double* factor, const netloft_tile& t, Fo
     for (std::size_t i = 0; i < t.count; ++i) put<turn>(out.flow[k][i], factor[i] * f.d_flow[k][i]);
 }
 
-/// (2), (3) of one direction; `c` is a or b.
+/// (2), (3) for the twines of one direction; `c` is a or b.
 template <Turn turn>
 void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const double (&c)[3][kLanes],
                 const netloft_tile& t, FlowLanes& f, Force& out) {
@@ -71,7 +71,7 @@ Vec3<double> corner(const netloft_tile& t, int q, std::size_t i) {
   return {t.x[at(3 * q, i)], t.x[at(3 * q + 1, i)], t.x[at(3 * q + 2, i)]};
 }
 
-/// (4); f.solidity and f.direction are filled.
+/// (4); fills in f.solidity and f.direction.
 void fill_screen(const Triangle::Lanes& p, const netloft_tile& t, double* area, FlowLanes& f) {
   for (std::size_t i = 0; i < t.count; ++i) {
     const Vec3<double> o = corner(t, 0, i), N = cross(corner(t, 1, i) - o, corner(t, 2, i) - o);
@@ -117,7 +117,7 @@ void compute(const Family<Triangle>& family, const netloft_tile& t, Force& out) 
   add_twines<Turn::later>(law, p, p.b, t, f, out);
 }
 
-/// ⅓ F_W dc/dz of row r and corner q.
+/// Computes ⅓ F_W dc/dz of row r and corner q.
 void find_shear(const Force& F, const netloft_tile& t, int r, int q, double* shear) {
   std::fill_n(shear, t.count, 0.0);
   if (!t.current_dz) return;
@@ -126,7 +126,7 @@ void find_shear(const Force& F, const netloft_tile& t, int r, int q, double* she
       shear[i] += F.flow[3 * r + a][i] * t.current_dz[at(3 * q + a, i)] / 3;
 }
 
-/// All three rows of corners are the same.
+/// The three rows of corners are equal.
 void add_tangent(const Force& F, netloft_tile& t) {
   const double third = -1.0 / 3, cu = t.cu, cv = t.cv;
   const std::size_t count = t.count;
@@ -164,7 +164,7 @@ Status Drag::tile(const Family<Triangle>& family, netloft_tile& t) {
 
 void Drag::output(const Family<Triangle>& family, const netloft_tile& t, double* values) {
   std::fill_n(values, t.count, 0.0);
-  if (!family.law(0).evaluate) return;  // still water: no law was asked for
+  if (!family.law(0).evaluate) return;  // still water: the part has no law
   Force F;
   compute(family, t, F);
   for (std::size_t i = 0; i < t.count; ++i) values[i] = std::hypot(F.F[0][i], F.F[1][i], F.F[2][i]);

@@ -10,7 +10,7 @@ namespace netloft::priour {
 ///   F = n l₀ [f(W, Û) + f(W, V̂)],  n = |d|/2                                                         (2)
 ///   ∂F/∂x_q = n l₀ [a_q f_t(Û)(I − ÛÛᵀ)/‖U‖ + b_q f_t(V̂)(I − V̂V̂ᵀ)/‖V‖] + ⅓ F_W (dc/dz)_q e_zᵀ        (3)
 /// Law of screens, f(W, m, S) [N/m²], on the area that the triangle has:
-///   N = (x₂−x₁)×(x₃−x₁),  A = ½‖N‖,  m = N/‖N‖,  S = |d| t l₀/A  (not capped: that is the law's)     (4)
+///   N = (x₂−x₁)×(x₃−x₁),  A = ½‖N‖,  m = N/‖N‖,  d |d| t l₀/A  (not capped: that is the law's)     (4)
 ///   F = A f                                                                                          (5)
 ///   ∂F/∂N = ½ (f − S f_S) mᵀ + ½ f_m (I − mmᵀ)                                                       (6)
 ///   ∂F/∂x_q = ∂F/∂N [e_q]× + ⅓ F_W (dc/dz)_q e_zᵀ,  e_q = x_{q+2} − x_{q+1} cyclic                   (7)

@@ -11,8 +11,8 @@ namespace netloft::priour {
 ///   E = (|d|/2) K y³,  K = EA a (1 − c_k)                                                               (3)
 /// c = cos 2α by angle (1); a [m] the bar. A mesh under tension T closes with 2 T a sin α per knot against
 /// (12 K/(1 − c_k)) y² sin α cos α: it rests at y = √(T/6EA), about 4 % above 1 − c_k at T = EA/100, and the
-/// ratio of the two only grows as it closes: no tension below 6 EA pushes it through.
-/// Source: ours; the limit (1) is that of Priour's programs.
+/// ratio of the two only grows as it closes: no tension below 6 EA pushes it through. Source: derived for
+/// this program; the limit (1) is that of Priour's programs.
 struct KnotContact {
   /// y of (2): 0 without contact.
   static double depth(const Triangle::Parameters& p, const Triangle::Data& d, const State<3>& s);

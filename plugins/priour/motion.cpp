@@ -7,7 +7,8 @@ namespace {
 
 Vec3<double> unit(const Twines& w, std::size_t i) { return {w.t[0][i], w.t[1][i], w.t[2][i]}; }
 
-/// t (y − (t·y) t)ᵀ + (t·y)(I − t tᵀ): how (t·y) t turns with ‖w‖ t.
+/// t (y − (t·y) t)ᵀ + (t·y)(I − t tᵀ), the derivative of (t·y) t with respect to the direction of t, times
+/// ‖w‖.
 double turning(const Vec3<double>& t, const Vec3<double>& y, double along, int r, int c) {
   return t[r] * (y[c] - along * t[c]) + along * ((r == c ? 1 : 0) - t[r] * t[c]);
 }

@@ -5,7 +5,7 @@ namespace netloft::priour {
 
 namespace {
 
-constexpr int kTerms = 13;  // kSeries/2 to their power is 1e-17
+constexpr int kTerms = 13;  // (kSeries/2)^kTerms is 1e-17
 
 /// A_k of (4) and its products with k and k(k−1).
 struct Series {
@@ -38,7 +38,7 @@ Status Opening::tile(const double* stiffness, const Triangle::Lanes& p, netloft_
       f.E[i] = f.E1[i] = f.E2[i] = 0;
       continue;
     }
-    const double e = s * s / (1 + c);  // 1 − c without cancellation where meshes close
+    const double e = s * s / (1 + c);  // 1 − c without cancellation when meshes close
     if (a0 == 0 && c > 0 && e < kSeries) {
       f.E[i] = H * e * sum(kSeriesOf.A, 1, e), f.E1[i] = -H * sum(kSeriesOf.kA, 1, e);  // (4)
       f.E2[i] = H * sum(kSeriesOf.kkA, 2, e);

@@ -30,7 +30,7 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
          {.lo = 0, .hi = 10, .fallback = 0});
   t.real("twine.damping", &Triangle::Parameters::damping, "N s",
          "damping of stretch: tension per strain rate, EA times a relaxation time",
-         {.lo = 0, .hi = 1e9, .fallback = 0});
+         {.lo = 0, .hi = 1e9, .fallback = 0, .role = netloft::Role::damping});
   t.real("twine.added_mass", &Triangle::Parameters::added_mass, "1",
          "added mass across a twine over the mass of the water it displaces",
          {.lo = 0, .hi = 10, .fallback = 1});
@@ -41,37 +41,44 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
   t.data("v", &Triangle::Data::v, "1", "twine coordinate of the corners along v, in bars");
   t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched bar, from knot to knot");
-  t.term<Triangle::Elastic,
-         netloft::conservative | netloft::symmetric | netloft::has_convex | netloft::has_metric>(
+  t.term<Triangle::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
+                                netloft::has_metric | netloft::of_members>(
       "elastic", "tension of the twines, and their small resistance when slack",
       "twine.EA twine.EA_compression");
   t.term<Triangle::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
-                               netloft::needs_gravity>("weight", "weight in water of the unstretched twines");
+                               netloft::needs_gravity | netloft::is_weight>(
+      "weight", "weight in water of the unstretched twines");
   constexpr auto of_angle = netloft::conservative | netloft::symmetric | netloft::has_convex;
   t.term<OpeningGiven, of_angle>("opening", "resistance of the meshes to opening", "twine.opening_stiffness");
   t.term<OpeningOfTwines, of_angle>(
       "opening-by-EI", "resistance of the meshes to opening, by bending of the twines", "twine.EI");
   t.term<KnotContact, of_angle>("knot-contact", "knots that touch before a mesh is closed",
                                 "twine.knot_size");
-  t.term<Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow>(
+  t.term<Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the netting, by its law, a third per corner", "twine.diameter");
   t.term<Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
   t.term<Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the twines, and added mass across them, a third per corner");
-  t.output("tension", "N", "tension of one twine, the larger of both directions",
-           [](auto& p, auto& d, auto& s) {
-             return std::max(Triangle::stretch(0, p, d, s).T, Triangle::stretch(1, p, d, s).T);
-           });
+  t.output(
+      "tension", "N", "tension of one twine, the larger of both directions",
+      [](auto& p, auto& d, auto& s) {
+        return std::max(Triangle::stretch(0, p, d, s).T, Triangle::stretch(1, p, d, s).T);
+      },
+      netloft::OutputRole::tension);
   t.output(
       "strain", "1", "elongation over unstretched length, the larger of both directions",
       [](auto& p, auto& d, auto& s) {
         return std::max(Triangle::stretch(0, p, d, s).l, Triangle::stretch(1, p, d, s).l) / d.bar_length - 1;
       });
-  t.output("tension_u", "N", "tension of one twine along u",
-           [](auto& p, auto& d, auto& s) { return Triangle::stretch(0, p, d, s).T; });
-  t.output("tension_v", "N", "tension of one twine along v",
-           [](auto& p, auto& d, auto& s) { return Triangle::stretch(1, p, d, s).T; });
+  t.output(
+      "tension_u", "N", "tension of one twine along u",
+      [](auto& p, auto& d, auto& s) { return Triangle::stretch(0, p, d, s).T; },
+      netloft::OutputRole::tension);
+  t.output(
+      "tension_v", "N", "tension of one twine along v",
+      [](auto& p, auto& d, auto& s) { return Triangle::stretch(1, p, d, s).T; },
+      netloft::OutputRole::tension);
   t.output("half_angle", "rad", "half the angle between the twines of a mesh",
            [](auto&, auto& d, auto& s) { return Triangle::half_angle(d, s); });
   t.output("contact", "1", "how far knots that touch are pressed: 0 not at all, 1 until the mesh is closed",

@@ -10,10 +10,6 @@ namespace netloft::priour {
 
 namespace {
 
-double determinant(const Triangle::Data& d) {  // (1)
-  return (d.u[1] - d.u[0]) * (d.v[2] - d.v[0]) - (d.u[2] - d.u[0]) * (d.v[1] - d.v[0]);
-}
-
 /// Σ c = 0.
 Vec3<double> combine(const double (&c)[3], const State<3>& s) {
   return c[1] * s.between(0, 1) + c[2] * s.between(0, 2);
@@ -22,10 +18,10 @@ Vec3<double> combine(const double (&c)[3], const State<3>& s) {
 }  // namespace
 
 Triangle::Shape Triangle::shape(const Data& d) {
-  const double i = 1 / determinant(d);
+  const double twice = determinant(d.u, d.v), i = 1 / twice;
   return {{(d.v[1] - d.v[2]) * i, (d.v[2] - d.v[0]) * i, (d.v[0] - d.v[1]) * i},  // (2)
           {(d.u[2] - d.u[1]) * i, (d.u[0] - d.u[2]) * i, (d.u[1] - d.u[0]) * i},  // (3)
-          std::abs(determinant(d)) / 2};
+          std::abs(twice) / 2};
 }
 
 double Triangle::twine_volume(const Parameters& p, const Data& d) {
@@ -64,7 +60,7 @@ void Triangle::check(const Parameters& p, const Data& d) {
   check_twines(p, d);
   const double across = std::abs(d.u[1] - d.u[0]) + std::abs(d.v[1] - d.v[0]);
   const double along = std::abs(d.u[2] - d.u[0]) + std::abs(d.v[2] - d.v[0]);
-  if (!(std::abs(determinant(d)) > 1e-14 * across * along))
+  if (!(std::abs(determinant(d.u, d.v)) > 1e-14 * across * along))
     throw std::invalid_argument("a triangle whose corners lie on one line of meshes holds no netting");
 }
 
@@ -92,6 +88,14 @@ axial::Bar Triangle::stretch(int direction, const Parameters& p, const Data& d, 
   return axial::stretch(w.x, w.y, w.z, d.bar_length, p.EA, p.EA_compression);
 }
 
+std::array<Member, 2> Triangle::members(const Parameters& p, const Data& d, double) {
+  const Shape h = shape(d);
+  const auto member = [&](const double(&c)[3]) -> Member {
+    return {{c[0], c[1], c[2]}, d.bar_length, p.EA, p.EA_compression, bars(p, d)};
+  };
+  return {member(h.a), member(h.b)};
+}
+
 double Triangle::half_angle(const Data& d, const State<3>& s) {
   const Shape h = shape(d);
   const Vec3<double> U = combine(h.a, s), V = combine(h.b, s);
@@ -111,7 +115,7 @@ struct Stretched {
   double inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
 };
 
-/// Plain loops over lanes, one purpose each: that is what compilers turn into vector code.
+/// Plain loops over lanes with one purpose each, because compilers vectorise those.
 void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], const netloft_tile& t,
                        Stretched& __restrict s) {
   find_spans(t, c, s.w);

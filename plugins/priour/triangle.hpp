@@ -6,7 +6,7 @@
 
 namespace netloft::priour {
 
-/// Place of a degree of freedom or matrix entry of a lane in the arrays of a tile.
+/// Index of a degree of freedom or matrix entry of a lane in the arrays of a tile.
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
 /// Priour's triangle of netting: the twines of both directions stay straight and parallel inside it.
@@ -20,7 +20,7 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 ///   W = |d| (π/4) t² l₀ (ρ − ρ_w) g                       weight in water, a third per corner      (7)
 /// t [m] twine diameter, ρ [kg/m³] twine density. Of N twines side by side (double netting) there are N |d|/2
 /// bars of each direction, in (4)–(7) and in all other terms; U and V stay those of one. d may be negative:
-/// |d| counts, d itself stands in U and V. Source: Priour 1999; A Finite Element Method for Netting (Springer
+/// forces use |d|; U and V use d itself. Source: Priour 1999; A Finite Element Method for Netting (Springer
 /// 2013), as used in the paper's section 2.4.
 struct Triangle {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
@@ -45,18 +45,26 @@ struct Triangle {
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
   };
 
-  /// (1)–(3) of one triangle.
+  /// d of (1), of the first three corners or of the first two and another one.
+  template <std::size_t Corners>
+  static double determinant(const std::array<double, Corners>& u, const std::array<double, Corners>& v,
+                            std::size_t third = 2) {
+    return (u[1] - u[0]) * (v[third] - v[0]) - (u[third] - u[0]) * (v[1] - v[0]);
+  }
+  /// The quantities of (1)–(3) for one triangle.
   struct Shape {
     double a[3], b[3], bars;  // bars: |d|/2
   };
   static Shape shape(const Data& d);
   /// N |d|/2.
   static double bars(const Parameters& p, const Data& d) { return double(p.number) * shape(d).bars; }
-  /// Bars along u (0) or v (1), stretched at state s.
+  /// The bars along u (0) or v (1), stretched at state s.
   static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
-  /// Volume of the unstretched twines inside, that of (7), knots left out [m³].
+  /// The bars of both directions, (2) and (3).
+  static std::array<Member, 2> members(const Parameters& p, const Data& d, double time);
+  /// Volume of the unstretched twines in the triangle, the one in (7), without knots [m³].
   static double twine_volume(const Parameters& p, const Data& d);
-  /// Their area seen from the side, as the trade counts twine area: length times diameter [m²].
+  /// Twine area as the trade defines it: length times diameter [m²].
   static double twine_area(const Parameters& p, const Data& d);
   /// Half the angle between Û and V̂ [rad].
   static double half_angle(const Data& d, const State<3>& s);

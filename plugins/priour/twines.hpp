@@ -4,8 +4,9 @@
 
 namespace netloft::priour {
 
-/// Vector of a twine in every lane of a tile, triangle (2) or (3) with its coefficients c [m]. Where the tile
-/// has the digits that positions round off, differences of positions keep them: Σ c = 0.
+/// The vector of a twine in every lane of a tile, triangle (2) or (3) with its coefficients c [m]. If the
+/// tile has the low-order part of the positions, it is included; because Σ c = 0, only differences of
+/// positions matter.
 inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
                        double (&__restrict w)[3][kLanes]) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -23,8 +24,8 @@ inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
   }
 }
 
-/// The twines of one direction in every lane: unit vector and 1/length of a bar, or, shorter than axial's
-/// kCollapsed l₀, what axial.hpp puts in their place. `c` is a or b of triangle (2), (3).
+/// The twines of one direction in every lane: unit vector and 1/length of a bar. For bars shorter than
+/// kCollapsed l₀ they are the substitutes described in axial.hpp. `c` is a or b of triangle (2), (3).
 struct Twines {
   Twines(const netloft_tile& tile, const double (&c)[3][kLanes], const double (&l0)[kLanes]) {
     find_spans(tile, c, t);
@@ -41,7 +42,7 @@ struct Twines {
   double inverse[kLanes];  // [1/m]
 };
 
-/// Entry of a tile's input that may be missing.
+/// An entry of a tile's input; zero if the input is absent.
 inline double entry(const double* field, int row, std::size_t lane) {
   return field ? field[at(row, lane)] : 0;
 }
@@ -51,7 +52,7 @@ inline double mean_of_corners(const double* field, int axis, std::size_t lane) {
   return field ? (field[at(axis, lane)] + field[at(axis + 3, lane)] + field[at(axis + 6, lane)]) / 3 : 0;
 }
 
-/// Place of (corner p, axis r; corner q, axis c) in a full tangent.
+/// Index of (corner p, axis r; corner q, axis c) in a full tangent.
 constexpr int place(int p, int r, int q, int c) { return 9 * (3 * p + r) + 3 * q + c; }
 
 }  // namespace netloft::priour

@@ -6,7 +6,8 @@ namespace netloft::rope {
 void Bar::check(const Parameters& p, const Data& d) {
   for (std::uint32_t i = 0; i < p.length_share.rows; ++i)
     if (!(p.length_share.values[2 * i + 1] > 0))
-      throw std::invalid_argument("a share of its length that is not above zero leaves no rope");
+      throw std::invalid_argument(
+          "the length of a rope must remain above zero: length_share must be positive");
   if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no stiffness");
 }
 
@@ -45,6 +46,12 @@ axial::Bar Bar::stretch(const Parameters& p, const Data& d, const State<2>& s) {
   auto bar = axial::stretch(w.x, w.y, w.z, rest_length, p.EA, p.EA_compression);
   if (p.constant_tension > 0) bar.T = p.constant_tension;
   return bar;
+}
+
+std::array<Member, 1> Bar::members(const Parameters& p, const Data& d, double time) {
+  Member member = bars::member(p, d.rest_length * share_at(p.length_share, time), 1);  // (2)
+  if (p.constant_tension > 0) member.EA = member.EA_compression = 0;
+  return {member};
 }
 
 Status Bar::Tension::tile(const Family<Bar>& family, netloft_tile& t) {

@@ -5,7 +5,7 @@
 namespace netloft::rope {
 
 /// Straight two-node bar of a rope; the spring of the paper's section 2.3 with a slack branch. The model is
-/// that of bars (1)–(5), plugins/common/bars.hpp, with N = 1; and besides
+/// that of bars (1)–(5), plugins/common/bars.hpp, with N = 1, and in addition
 ///   E = T_c l                      at constant tension, no spring    (1)
 ///   l₀(t) = σ(t) l₀                as rope is paid out or hauled     (2)
 /// T_c [N] tension that a winch or a weight over a pulley holds whatever the length; σ [1] straight between
@@ -30,12 +30,14 @@ struct Bar {
 
   /// σ of (2).
   static double share_at(const netloft_table& table, double time);
-  /// The lanes as they are at a time: themselves, or `room` filled by (2).
+  /// The lanes at a given time: `lanes` itself, or `room` filled in by (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
 
   static void check(const Parameters& p, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
+  /// The spring, which is not there at constant tension.
+  static std::array<Member, 1> members(const Parameters& p, const Data& d, double time);
 
   struct Elastic {
     static Status tile(const Family<Bar>& f, netloft_tile& t) {

@@ -34,7 +34,7 @@ double second(const Turn& q, int a, int b, int r, int s) {
   return product / (q.l[0] * q.l[1]);
 }
 
-/// How the two chords depend on node p: w_k = Σ kChord[k][p] x_p.
+/// The dependence of the two chords on node p: w_k = Σ kChord[k][p] x_p.
 constexpr double kChord[2][3] = {{-1, 1, 0}, {0, -1, 1}};
 
 }  // namespace

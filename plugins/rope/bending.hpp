@@ -14,9 +14,9 @@ namespace netloft::rope {
 ///   ∂²c/∂w₁∂w₁ = −(t₁g₁ᵀ + g₁t₁ᵀ)/l₁ − c (I − t₁t₁ᵀ)/l₁²                                   (5)
 ///   ∂²c/∂w₁∂w₂ = (I − t₁t₁ᵀ)(I − t₂t₂ᵀ)/(l₁ l₂)                                            (6)
 /// EI [N m²] bending stiffness. R is the radius of the circle that touches both bars at their middles when
-/// they are equally long. In terms of c nothing is singular in a straight rope; 1 + c is taken from the chord
-/// t₂ − t₁, which keeps all digits there. A rope folded back upon itself (φ → π) or a bar of no length has no
-/// curvature: outside the domain. Bars that meet at a joint of ropes do not bend each other.
+/// they are equally long. Expressed in c, nothing is singular in a straight rope; 1 + c is computed from the
+/// chord t₂ − t₁, which avoids cancellation there. A rope folded back upon itself (φ → π) or a bar of no
+/// length has no curvature: outside the domain. Bars that meet at a joint of ropes do not bend each other.
 /// Source: the trawl-gear paper, eq. (1).
 struct Bending {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;

@@ -22,7 +22,7 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
       {.lo = 0, .hi = 1e12, .fallback = 0});
   bar.real("rope.damping", &Bar::Parameters::damping, "N s",
            "damping of stretch: tension per strain rate, EA times a relaxation time",
-           {.lo = 0, .hi = 1e15, .fallback = 0});
+           {.lo = 0, .hi = 1e15, .fallback = 0, .role = netloft::Role::damping});
   bar.real("rope.added_mass", &Bar::Parameters::added_mass, "1",
            "added mass across the rope over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
@@ -36,23 +36,25 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the rope");
   bar.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
   bar.term<Bar::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
-                             netloft::has_metric | netloft::reads_time>(
+                             netloft::has_metric | netloft::reads_time | netloft::of_members>(
       "elastic", "tension of the rope, and its small resistance when slack", "rope.EA rope.EA_compression");
   bar.term<Bar::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
-                            netloft::needs_gravity | netloft::reads_time>(
+                            netloft::needs_gravity | netloft::reads_time | netloft::is_weight>(
       "weight", "weight in water of the unstretched rope");
   bar.term<Bar::Tension, netloft::conservative | netloft::symmetric | netloft::has_convex>(
       "tension", "constant tension instead of the spring", "rope.constant_tension");
   bar.term<netloft::rope::Sag, netloft::needs_gravity>(
       "sag", "sag and uneven stretch of the rope within a bar, under its weight", "rope.sag");
-  bar.term<Bar::Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow>(
+  bar.term<Bar::Drag,
+           netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the unstretched rope, by its law, half per node");
   bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "rope.damping");
   bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the rope, and added mass across it, half per node");
-  bar.output("tension", "N", "tension, positive when the rope pulls",
-             [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).T; });
+  bar.output(
+      "tension", "N", "tension, positive when the rope pulls",
+      [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).T; }, netloft::OutputRole::tension);
   bar.output("strain", "1", "elongation over unstretched length",
              [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).l / d.rest_length - 1; });
   bar.output_lanes("drag", "N", "magnitude of the force of the water on the bar", Bar::drag_of);

@@ -6,8 +6,9 @@
 
 namespace netloft::rope {
 
-/// What a rope does within a bar: it sags across the chord and stretches unevenly along it. To leading order
-/// the energy that straight bars with lumped weights miss is that of a string under a uniform load,
+/// The deformation of a rope within a bar: it sags across the chord and stretches unevenly along it. To
+/// leading order, the energy that straight bars with lumped weights neglect is that of a string under a
+/// uniform load,
 ///   E = −w² l₀² l cos²φ / (24 T̃) − w² l₀³ sin²φ / (24 EA),  T̃ = √(T² + (w l₀)²)               (1)
 /// w [N/m] weight in water of the unstretched rope, φ the slope of the chord, T the tension of the straight
 /// bar by axial (2); T̃ keeps (1) finite where the rope is slack. With it a hanging rope converges as h⁴

@@ -10,15 +10,15 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 }  // namespace
 
 void Plane::check(const Parameters&, const Data& d) {
-  if (!(d.length >= 0) || !(d.share >= 0))
-    throw std::invalid_argument("a node cannot carry less than nothing onto the seabed");
+  if (!(d.length >= 0) || !(d.pieces >= 0))
+    throw std::invalid_argument("the length and the number of pieces at a node must not be negative");
 }
 
 void Plane::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
   const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);  // (1)
   lanes.n[0][lane] = -p.slope_x * n_z, lanes.n[1][lane] = -p.slope_y * n_z, lanes.n[2][lane] = n_z;
   lanes.offset[lane] = n_z * p.depth;
-  const double metres = d.length > 0 ? d.length : d.share;
+  const double metres = d.length > 0 ? d.length : d.pieces;
   lanes.K[lane] = p.stiffness * metres, lanes.shear[lane] = p.shear_stiffness * metres;
   lanes.softness[lane] = p.softness, lanes.friction[lane] = p.friction;
 }
@@ -38,7 +38,7 @@ Plane::Depth press_node(const Plane::Lanes& p, const netloft_tile& t, std::size_
   return Plane::press(-(h + p.offset[i]), p.softness[i]);
 }
 
-/// factor n nᵀ on the packed lower triangle.
+/// Adds factor n nᵀ to the packed lower triangle.
 void add_normal_block(const Plane::Lanes& p, double factor, std::size_t i, double* tangent) {
   int entry = 0;
   for (int r = 0; r < 3; ++r)
@@ -50,7 +50,7 @@ void add_normal_block(const Plane::Lanes& p, double factor, std::size_t i, doubl
 double Plane::normal_force(const Parameters& p, const Data& d, const State<1>& s) {
   const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);
   const double h = n_z * (s.x[0].z + p.depth - p.slope_x * s.x[0].x - p.slope_y * s.x[0].y);
-  return p.stiffness * (d.length > 0 ? d.length : d.share) * press(-h, p.softness).f1;
+  return p.stiffness * (d.length > 0 ? d.length : d.pieces) * press(-h, p.softness).f1;
 }
 
 Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
@@ -71,7 +71,7 @@ Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
 
 namespace {
 
-/// One node on the bed: (4)–(7).
+/// The friction of one node on the bed: (4)–(7).
 struct Hold {
   double n[3], unit[3];       // normal, and d̂
   double way, limit, spring;  // |d|, μ N, κ L
@@ -101,8 +101,8 @@ Hold hold_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
 }
 
 void add_tangent(const Hold& b, double cu, std::size_t i, double* tangent) {
-  // While it sticks the spring resists along every direction of the bed; while it slides only a turn of d̂
-  // and a change of N count.
+  // While the node sticks, the spring resists along every direction of the bed. While it slides, only
+  // rotation of d̂ and changes of N contribute.
   const double across = b.slides() ? b.limit / b.way : b.spring, along = b.slides() ? 0 : b.spring;
   const double press = b.slides() ? b.limit_slope : 0;
   for (int r = 0; r < 3; ++r)

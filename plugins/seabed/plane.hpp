@@ -4,12 +4,12 @@
 
 namespace netloft::seabed {
 
-/// A plane seabed under a node that carries L metres of rope or twine: it pushes the node out and holds it
-/// back.
+/// A plane seabed under a node that carries L metres of rope or twine: contact pushes the node out of the
+/// bed, friction resists its motion along the bed.
 ///   n = (−s_x, −s_y, 1)/√(1 + s_x² + s_y²),  h = n·x + n_z D      height over the bed           (1)
 ///   δ = −h,  f(δ) = 0 | δ³/6ε | (δ − ε/2)²/2 + ε²/24  for  δ ≤ 0 | 0 < δ < ε | δ ≥ ε            (2)
 ///   E = k L f,  N = k L f',  r = −N n,  K = k L f'' n nᵀ          contact; f'' is continuous     (3)
-///   d = (I − n nᵀ)(x − a)                                        way from where it sticks        (4)
+///   d = (I − n nᵀ)(x − a)                                        displacement from the anchor        (4)
 ///   r = κ L d                   while κ L |d| ≤ μ N              it sticks to a by a spring      (5)
 ///   r = μ N d̂                   beyond that                      it slides, Coulomb              (6)
 ///   a ← x where N = 0,  a where it sticks,  x − (μ N/κ L) d̂ where it slides                       (7)
@@ -23,14 +23,15 @@ namespace netloft::seabed {
 /// w/k deep if that is more than ε, else √(2 ε w/k).
 struct Plane {
   static constexpr auto stencil = NETLOFT_NODE;
-  static constexpr std::uint32_t kRemembers = 4;  // a, then 1 if there is a past
+  static constexpr std::uint32_t kRemembers = 4;  // a, then 1 if there is a past step
 
   struct Parameters {
     double depth = 0, slope_x = 0, slope_y = 0, stiffness = 0, softness = 0;
     double friction = 0, shear_stiffness = 0;
   };
   struct Data {
-    double length = 0, share = 0;  // [m] that the node carries, pieces
+    double length = 0;  // of rope or twine that the node carries [m]
+    double pieces = 0;  // each counts as a metre if the node carries no length
   };
   struct Lanes {
     double n[3][kLanes], offset[kLanes];     // (1): h = n·x + offset
@@ -62,7 +63,7 @@ template <class T>
 T Plane::Contact::oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 1>& x) {
   const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);
   const T depth = n_z * (p.slope_x * x[0].x + p.slope_y * x[0].y - x[0].z - p.depth);
-  const double K = p.stiffness * (d.length > 0 ? d.length : d.share), e = p.softness;
+  const double K = p.stiffness * (d.length > 0 ? d.length : d.pieces), e = p.softness;
   if (depth <= T(0)) return T(0);
   if (depth < T(e)) return (K / (6 * e)) * depth * depth * depth;
   return K * (0.5 * (depth - 0.5 * e) * (depth - 0.5 * e) + e * e / 24);

@@ -3,7 +3,7 @@
 
 using netloft::seabed::Plane;
 
-NETLOFT_PLUGIN("seabed", "0.1.0", "The ground that gear lies on and is dragged over") {
+NETLOFT_PLUGIN("seabed", "0.1.0", "The ground on which a gear lies and is dragged") {
   auto& e = plugin.element<Plane>("plane", "A plane seabed under nodes, with friction that sticks");
   e.real("seabed.depth", &Plane::Parameters::depth, "m", "depth of the seabed below z = 0, at x = y = 0",
          {.lo = -1e4, .hi = 1e4});
@@ -14,20 +14,21 @@ NETLOFT_PLUGIN("seabed", "0.1.0", "The ground that gear lies on and is dragged o
   e.real("seabed.stiffness", &Plane::Parameters::stiffness, "N/m2",
          "force per metre of rope and metre of depth", {.lo = 0, .hi = 1e9, .fallback = 1e5});
   e.real("seabed.softness", &Plane::Parameters::softness, "m",
-         "depth over which the seabed becomes as stiff as that", {.lo = 1e-9, .hi = 10, .fallback = 1e-3});
+         "depth over which the seabed reaches that stiffness", {.lo = 1e-9, .hi = 10, .fallback = 1e-3});
   e.real("seabed.friction", &Plane::Parameters::friction, "1", "friction force over normal force",
          {.lo = 0, .hi = 10, .fallback = 0});
   e.real("seabed.shear_stiffness", &Plane::Parameters::shear_stiffness, "N/m2",
          "force per metre of rope and metre along the seabed, until it slides",
          {.lo = 1e-3, .hi = 1e9, .fallback = 1, .fallback_of = "seabed.stiffness"});
   e.data("length", &Plane::Data::length, "m", "rope or twine that the node carries");
-  e.data("share", &Plane::Data::share, "1", "pieces at the node, each a metre, if it carries none");
+  e.data("pieces", &Plane::Data::pieces, "1",
+         "number of pieces at the node, each counted as a metre if the node carries no length");
   e.remembers(Plane::kRemembers);
   e.term<Plane::Contact, netloft::conservative | netloft::symmetric | netloft::has_convex |
                              netloft::has_metric | netloft::from_outside>(
-      "contact", "push of the seabed on what lies on it");
+      "contact", "normal force of the seabed on the node");
   e.term<Plane::Friction, netloft::reads_state | netloft::from_outside>(
-      "friction", "resistance of the seabed to being dragged over, up to sliding", "seabed.friction");
+      "friction", "friction of the seabed on the node, elastic up to sliding", "seabed.friction");
   e.output("normal_force", "N", "force of the seabed on the node, along its normal",
            [](auto& p, auto& d, auto& s) { return Plane::normal_force(p, d, s); });
 }

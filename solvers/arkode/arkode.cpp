@@ -30,7 +30,7 @@ constexpr std::array<Method, 3> kMethods = {
 
 const Method& method_of(const Arkode::Parameters& p) { return kMethods[static_cast<std::size_t>(p.method)]; }
 
-/// The motion as ARKODE's callbacks see it, and what happened in them.
+/// The motion as seen by ARKODE's callbacks, and the events in them.
 struct Host {
   explicit Host(Motion& m) : motion(m) {}
 
@@ -48,7 +48,7 @@ void check(int status, const Host& host) {
   if (status != ARK_SUCCESS) throw std::runtime_error("ARKODE: " + host.complaint);
 }
 
-/// y' at the start of the step. Those of stages are (3), which ARKODE deduces by itself.
+/// y' at the start of the step. ARKODE deduces those of the stages, (3), by itself.
 int give_rate(double t, N_Vector, N_Vector rate, void* host) {
   return guarded<Host>(host, [&](Host& h) {
     if (t != h.motion.t()) throw std::runtime_error("ARKODE asks for a rate within its step");
@@ -58,7 +58,7 @@ int give_rate(double t, N_Vector, N_Vector rate, void* host) {
   });
 }
 
-/// A stage as ARKODE hands it out: k = predicted + known.
+/// A stage in ARKODE's form: k = predicted + known.
 struct Stage {
   Stage(void* arkode, const Host& host) {
     N_Vector state = nullptr, rate = nullptr;
@@ -69,7 +69,7 @@ struct Stage {
   N_Vector predicted = nullptr, known = nullptr;
 };
 
-/// (2); `correction` becomes what y is above the predicted.
+/// Solves (2); `correction` becomes the difference of y and the prediction.
 Step find_stage(const Stage& stage, N_Vector correction, Host& host) {
   Motion& m = host.motion;
   const auto predicted_u = host.u(stage.predicted), predicted_v = host.v(stage.predicted);
@@ -116,8 +116,8 @@ StageSolver make_stage_solver(Host& host, SUNContext context) {
   return s;
 }
 
-/// The host chooses the step and judges its error: one step of h, whatever the error, or none. (ARKODE gives
-/// no estimates in its mode of fixed steps.)
+/// The host chooses the step and judges its error, so ARKODE takes one step of h whatever its error. (In its
+/// mode of fixed steps ARKODE gives no estimates.)
 void ask_for_one_step(void* arkode, double h, const Host& host) {
   constexpr double kAnyError = 1e100;
   check(ARKStepSStolerances(arkode, 0, kAnyError), host);
@@ -131,7 +131,7 @@ void keep_error(void* arkode, N_Vector room, Host& host) {
   for (std::size_t i = 0; i < host.motion.size(); ++i) host.motion.error()[i] = std::abs(host.u(room)[i]);
 }
 
-/// (1) to (4): what ARKODE answers, with y where it leads.
+/// (1) to (4); returns ARKODE's status, with the end of the step in y.
 int run(const Method& method, Host& host, std::span<double> y) {
   const double t = host.motion.t(), h = host.motion.h();
   const Context context = make_context();

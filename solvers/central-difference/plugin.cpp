@@ -36,7 +36,6 @@ Step CentralDifference::step(const Parameters&, Motion& m) {
 using netloft::CentralDifference;
 
 NETLOFT_PLUGIN("central-difference", "0.1.0", "Explicit central differences") {
-  plugin
-      .integrator<CentralDifference>("central-difference", "Explicit: short steps, each for next to nothing")
+  plugin.integrator<CentralDifference>("central-difference", "Explicit: short and cheap steps")
       .traits(NETLOFT_EXPLICIT);
 }

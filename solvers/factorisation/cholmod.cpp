@@ -19,7 +19,7 @@ namespace {
 using Indices = std::vector<std::int32_t>;
 
 /// The lower triangle of P A Pᵀ. CHOLMOD would permute A in every factorisation, through two transposes and
-/// with allocations; here the way of each entry is worked out once.
+/// with allocations; here the target of each entry is computed once.
 class PermutedMatrix {
  public:
   void set_up(const SparsePattern& pattern, std::span<const std::int32_t> unknown_at);
@@ -79,7 +79,7 @@ cholmod_sparse PermutedMatrix::view() {
   return view;
 }
 
-/// Only read, and without values.
+/// A read-only view without values.
 cholmod_sparse view_of(const SparsePattern& pattern) {
   cholmod_sparse view{};
   view.nrow = view.ncol = static_cast<std::size_t>(pattern.size);
@@ -134,10 +134,10 @@ class CholmodFactorisation final : public Factorisation {
   double entries_ = 0, flops_ = 0;
 };
 
-/// Neighbouring supernodes become one of n columns if n ≤ 20, or n ≤ 48 with at most a share of 0.8 of zeros,
-/// or n ≤ 96 with 0.2, or with 0.08. Three unknowns per node want larger blocks than CHOLMOD's own 4, 16, 48,
-/// 0.8, 0.1, 0.05: a factorisation of 10⁴ unknowns got 20–27 % faster, one of 10⁵ 7 % (triangles) to 23 %
-/// (squares), one of 3·10⁵ 6–9 %; a solve 10 % slower. Of seven other sets, on tangents of 10³ to 3·10⁵
+/// Neighbouring supernodes become one of n columns if n ≤ 20, or n ≤ 48 with at most a fraction of 0.8 of
+/// zeros, or n ≤ 96 with 0.2, or with 0.08. Three unknowns per node want larger blocks than CHOLMOD's own 4,
+/// 16, 48, 0.8, 0.1, 0.05: a factorisation of 10⁴ unknowns got 20–27 % faster, one of 10⁵ 7 % (triangles) to
+/// 23 % (squares), one of 3·10⁵ 6–9 %; a solve 10 % slower. Of seven other sets, on tangents of 10³ to 3·10⁵
 /// unknowns, none gains more than 5 %.
 void merge_supernodes(cholmod_common& common) {
   constexpr std::size_t kColumns[] = {20, 48, 96};
@@ -205,7 +205,7 @@ void CholmodFactorisation::analyse_unknowns(const SparsePattern& pattern) {
 }
 
 FactorResult CholmodFactorisation::result_of_last_call() const {
-  // The status has to be read now: a solve with half a factor would set it back to 0.
+  // The status must be read now, because a solve with an incomplete factor would reset it to 0.
   switch (common_->status) {
     case CHOLMOD_OK:
       return {};
@@ -245,7 +245,8 @@ void CholmodFactorisation::solve(std::span<const double> rhs, std::span<double> 
   if (factor_ == nullptr) return;
   assert(rhs.size() == factor_->n && x.size() == factor_->n);
   const SingleThreadScope single_thread;
-  // No pool here: the workspace, once made, stays, and would take the place of one that `factorise` returns.
+  // No memory pool here: the workspace is kept once it is made, and would occupy a block that `factorise`
+  // returns.
   cholmod_dense b = view_of(const_cast<double*>(rhs.data()), rhs.size());  // only read
   cholmod_dense result = view_of(x.data(), x.size());
   cholmod_dense* handle = &result;

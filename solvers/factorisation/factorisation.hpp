@@ -6,9 +6,9 @@
 
 namespace netloft {
 
-/// The factorisation to use: CHOLMOD for positive definite matrices, our own multifrontal one for unsymmetric
-/// ones, MUMPS for the others and for what our own hands over, or UMFPACK where there is no MUMPS. Fits
-/// `MakeFactorisation`.
+/// Makes the factorisation for a class of matrices: CHOLMOD for positive definite ones, our own multifrontal
+/// one for unsymmetric ones, MUMPS for all others and as the fallback of our own, or UMFPACK if there is no
+/// MUMPS. Fits `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
 }  // namespace netloft

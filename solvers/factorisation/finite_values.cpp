@@ -13,7 +13,7 @@ std::int32_t find_column_not_finite(const SparsePattern& pattern, std::span<cons
     for (auto e = static_cast<std::size_t>(pattern.column_start[column]);
          e < static_cast<std::size_t>(pattern.column_start[column + 1]); ++e)
       if (is_bad(values[pattern.slot_of(e)])) return static_cast<std::int32_t>(column);
-  return -1;  // only slots that no entry uses
+  return -1;  // only unused slots are not finite
 }
 
 }  // namespace netloft

@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/factorisation/registers.hpp"
+#include "framework/simd/registers.hpp"
 
 namespace netloft {
 namespace {
 
 using wide::Eight, wide::Four, wide::Two;
 
-constexpr double kSuits = 0.1;  // a pivot over the norm of what is below it, that no exchange is looked for
-constexpr std::ptrdiff_t kBlock = 8;  // pivots that are eliminated one by one before the rest is updated
+// a pivot of at least this fraction of the norm of the entries below it is accepted without exchange
+constexpr double kSuits = 0.1;
+// number of pivots that are eliminated one by one before the rest is updated
+constexpr std::ptrdiff_t kBlock = 8;
 
-/// How many columns a tile has so that its sums and a column of A stay in the registers.
+/// The number of columns of a tile, such that its sums and a column of A fit into the registers.
 template <class Register>
 constexpr int kTileColumns = Register::kLanes == 2   ? 3
                              : Register::kLanes == 4 ? 6
@@ -111,12 +113,13 @@ NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, doubl
   }
 }
 
-/// Ones in the middle, zeros around: what begins within the zeros ends in the ones, and the other way round.
+/// Ones between zeros: an offset into the first zeros gives a mask that ends in ones, and the other way
+/// round.
 constexpr double kOnesBetween[3 * kTileRows] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
                                                 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
 
-/// kTileRows factors, one for rows beyond k and before n, the first of them being `row`, and zero for others.
-/// (Comparisons of vectors are compiled number by number.)
+/// kTileRows factors: one for rows beyond k and before n, zero for others; the first of them is `row`.
+/// (Compilers do not vectorise comparisons of vectors.)
 struct OwnRows {
   NETLOFT_INLINE OwnRows(std::ptrdiff_t row, std::ptrdiff_t k, std::ptrdiff_t n)
       : beyond(kOnesBetween + kTileRows - std::clamp<std::ptrdiff_t>(k + 1 - row, 0, kTileRows)),
@@ -129,7 +132,8 @@ struct OwnRows {
   const double *beyond, *before;
 };
 
-/// Whether entry k of a column is a pivot as it is: not small beside the entries from there to row n.
+/// Whether entry k of a column can be the pivot without exchange: it is not small compared with the entries
+/// from there to row n.
 template <class Register>
 NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
   using V = typename Register::V;
@@ -167,10 +171,9 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
   for (std::ptrdiff_t i = 0; i < count; ++i) y[i] -= a * x[i];
 }
 
-/// A column of L below its pivot k, in the rows before n, and the columns after it before `end` less what it
-/// takes from them. All pivots of a block take the same pieces of rows: what has just been written is read as
-/// it was written.
-/// -> one over the pivot
+/// Computes a column of L below its pivot k, in the rows before n, and subtracts its contribution from the
+/// following columns before `end`. All pivots of a block use the same tiles of rows, so that each tile is
+/// read as it was written. Returns one over the pivot.
 template <class Register>
 NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
                                        std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {
@@ -192,8 +195,8 @@ NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std:
   return reciprocal;
 }
 
-/// One pivot of the block that begins at `begin`, among the rows of A₁₁: its row, its column of L, and the
-/// rest of the columns before `end`. -> one over it; zero if it is zero
+/// Eliminates one pivot of the block that begins at `begin`, among the rows of A₁₁: its row, its column of L,
+/// and the rest of the columns before `end`. Returns one over it, or zero if it is zero.
 template <class Register>
 NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
                                       std::ptrdiff_t end, std::int32_t* exchanged) {
@@ -206,7 +209,8 @@ NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin
   return eliminate_column<Register>(f.left, stride, begin, k, n, end);
 }
 
-/// L₂₁ in the columns from `begin` to `end`, S one over their pivots. -> the sum of its squares
+/// Computes L₂₁ in the columns from `begin` to `end`, with S one over their pivots. Returns the sum of its
+/// squares.
 template <class Register>
 NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                   const double* S) {
@@ -217,7 +221,7 @@ NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, st
   return squares;
 }
 
-/// Whether column k of A₂₁ has nothing left when those from `begin` to k have been eliminated.
+/// Whether column k of A₂₁ is zero after the elimination of columns `begin` to k.
 template <class Register>
 NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
                                   const double* S) {
@@ -244,8 +248,9 @@ NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t 
   return {};
 }
 
-/// How many pivots have been eliminated together when those before `end` are done, blocks drawn together in
-/// pairs, pairs in pairs and so on: as many columns are next, and updated by all of these at once.
+/// The number of pivots that are eliminated together once those before `end` are done: blocks are merged in
+/// pairs, pairs of pairs and so on. The same number of columns comes next and is updated by all of these at
+/// once.
 NETLOFT_INLINE std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
 /// C ← L⁻¹ C, L unit lower triangular of kBlock columns, C of `columns` columns of the same stride.
@@ -399,7 +404,7 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   }
 }
 
-/// The same for one set of instructions.
+/// The kernels for one instruction set.
 #define NETLOFT_KERNELS(name, Register, ...)                                                                 \
   struct name {                                                                                              \
     __VA_ARGS__ static Elimination eliminate(const FrontPanels& f, double least, std::int32_t* exchanged) {  \

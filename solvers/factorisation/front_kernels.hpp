@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// What a front of n pivots and u other unknowns leaves in the factors, by columns:
+/// The part of the factors that belongs to a front of n pivots and u other unknowns, by columns:
 ///   left   (n + u) × n   L₁₁\U₁₁ above L₂₁, column stride left_stride(n, u)
 ///   upper  u × n         U₁₂ᵀ, column stride upper_stride(u)
 /// Columns are longer than their contents, so that all loops go in steps of kTileRows.
@@ -23,13 +23,13 @@ constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t other
   return upper_stride(pivots + others + kTileRows - 1);
 }
 
-/// How the elimination of a front ended.
+/// The end of the elimination of a front.
 struct Elimination {
-  std::int32_t stopped_at = -1;  // pivot that is zero, or too small as one up to this; -1: none
-  bool column_is_zero = false;   // and so is all of its column
+  std::int32_t stopped_at = -1;  // first pivot that is zero or too small; -1: none
+  bool column_is_zero = false;   // whether all of its column is zero, too
 };
 
-/// The dense work on a front, for the instructions this processor has:
+/// The dense operations on a front, for the instruction set of this processor:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
 /// P exchanges rows of A₁₁ alone: the largest entry of a column becomes its pivot where the one on the
@@ -40,13 +40,13 @@ struct FrontKernels {
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
   /// (2); the columns of C have the stride of `upper`.
   void (*update)(const FrontPanels& front, double* C);
-  /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) and kTileRows more; P has been done.
+  /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) followed by kTileRows numbers; P has been applied.
   void (*forward)(const FrontPanels& front, double* y);
-  /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); what comes behind y₂ is set to zero.
+  /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); the numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);
 };
 
-/// The best there is, and all that run here, the best last.
+/// The best kernels for this processor, and all that run on it, the best last.
 const FrontKernels& front_kernels();
 std::vector<FrontKernels> front_kernels_here();
 

@@ -26,7 +26,7 @@ class Supernodes {
   std::size_t count() const { return factor_->nsuper; }
   std::span<const int> order() const { return {static_cast<const int*>(factor_->Perm), factor_->n}; }
   int first(std::size_t s) const { return static_cast<const int*>(factor_->super)[s]; }
-  /// Vertices, by place, its own first.
+  /// The vertices of a supernode by their places, its own first.
   std::span<const int> vertices(std::size_t s) const {
     const int *start = static_cast<const int*>(factor_->pi), *vertex = static_cast<const int*>(factor_->s);
     return {vertex + start[s], vertex + start[s + 1]};
@@ -37,9 +37,10 @@ class Supernodes {
   cholmod_factor* factor_ = nullptr;
 };
 
-/// Neighbouring supernodes become one of n vertices if n ≤ 2, or n ≤ 6 with at most a share of 0.8 of zeros,
-/// or n ≤ 16 with 0.1, or with 0.05. Of seven sets between none at all and 6, 16, 32, 0.8, 0.2, 0.08 no other
-/// is better by more than 4 % on tangents of 500 to 10⁵ unknowns; the largest takes 1.5 times as long at 500.
+/// Neighbouring supernodes become one of n vertices if n ≤ 2, or n ≤ 6 with at most a fraction of 0.8 of
+/// zeros, or n ≤ 16 with 0.1, or with 0.05. Of seven sets between none at all and 6, 16, 32, 0.8, 0.2, 0.08
+/// no other is better by more than 4 % on tangents of 500 to 10⁵ unknowns; the largest takes 1.5 times as
+/// long at 500.
 void merge(cholmod_common& common) {
   constexpr std::size_t kVertices[] = {2, 6, 16};
   constexpr double kZeros[] = {0.8, 0.1, 0.05};
@@ -60,7 +61,7 @@ Supernodes::Supernodes(NodeGraph& graph, Indices order) {
   }
 }
 
-/// The vertices in the order of the first of their unknowns.
+/// The vertices in the order of their first unknowns.
 Indices vertex_order(const NodeGraph& graph, std::span<const std::int32_t> unknowns) {
   Indices vertex(graph.unknown.size()), order;
   for (std::int32_t v = 0; v < graph.size; ++v)
@@ -98,19 +99,19 @@ class FrontTreeBuilder {
 
   const SparsePattern& pattern_;
   FrontTree tree_;
-  Indices vertex_start_;  // by place: first unknown of each vertex, and where all end
+  Indices vertex_start_;  // by place: first unknown of each vertex, and the end of the last
   Indices place_;         // unknown -> k
   Indices front_;         // k -> front
-  Indices local_;         // k -> place in the front at hand
-  Indices row_, column_;  // the first of the entries of fronts
-  /// Entries of the matrix: three rows and columns, or one.
+  Indices local_;         // k -> place in the current front
+  Indices row_, column_;  // the first entries of fronts
+  /// A piece of the entries of the matrix: three rows and columns, or one.
   struct Piece {
     std::int32_t row, column;
     std::uint32_t slot;
     std::int32_t size;
   };
-  std::vector<Piece> pieces_;        // by columns
-  std::vector<bool> begins_a_node_;  // unknown -> whether it and the next two are those of one node
+  std::vector<Piece> pieces_;        // by column
+  std::vector<bool> begins_a_node_;  // unknown -> whether it and the next two belong to one node
 };
 
 FrontTree FrontTreeBuilder::build(OrderingMethod method) {
@@ -204,7 +205,7 @@ void FrontTreeBuilder::stack_updates() {
   }
 }
 
-/// Pivots first.
+/// Numbers the unknowns of a front, pivots first.
 void FrontTreeBuilder::number_locally(const Front& front) {
   std::iota(local_.begin() + front.first, local_.begin() + front.first + front.pivots, 0);
   for (std::int32_t i = 0; i < front.others; ++i) local_[tree_.other[front.indices + i]] = front.pivots + i;
@@ -224,7 +225,7 @@ void FrontTreeBuilder::find_places() {
   }
 }
 
-/// Of places that ascend by one, pivots of the parent apart.
+/// Lists runs of consecutive places, with pivots of the parent in runs of their own.
 void FrontTreeBuilder::list_runs() {
   for (Front& front : tree_.fronts) {
     front.runs = tree_.runs.size();
@@ -242,7 +243,7 @@ std::int32_t FrontTreeBuilder::front_of_entry(std::int32_t row, std::int32_t col
   return front_[std::min(place_[row], place_[column])];
 }
 
-/// Whether this unknown and the two after it are those of one node, in the order of elimination, too.
+/// Whether this unknown and the next two belong to one node and are eliminated consecutively.
 bool FrontTreeBuilder::are_a_node(std::int32_t unknown) const {
   if (unknown + 2 >= pattern_.size) return false;
   for (std::int32_t i : {1, 2})
@@ -252,7 +253,7 @@ bool FrontTreeBuilder::are_a_node(std::int32_t unknown) const {
   return true;
 }
 
-/// As the two columns after it.
+/// Whether a column has the same rows as the two columns after it.
 bool FrontTreeBuilder::have_same_rows(std::int32_t column) const {
   const auto rows = [&](std::int32_t c) {
     return std::span(pattern_.row.data() + pattern_.column_start[c],
@@ -262,7 +263,7 @@ bool FrontTreeBuilder::have_same_rows(std::int32_t column) const {
          std::ranges::equal(rows(column), rows(column + 2));
 }
 
-/// Whether an entry of the first of three columns is the first of a block.
+/// Whether an entry of the first of three columns begins a block.
 bool FrontTreeBuilder::are_a_block(std::size_t entry, std::int32_t column) const {
   const std::int32_t count = pattern_.column_start[column + 1] - pattern_.column_start[column];
   if (entry + 2 >= static_cast<std::size_t>(pattern_.column_start[column + 1]) ||
@@ -277,7 +278,7 @@ bool FrontTreeBuilder::are_a_block(std::size_t entry, std::int32_t column) const
   return true;
 }
 
-/// In blocks where there are such.
+/// Lists the entries of the matrix, in blocks if possible.
 void FrontTreeBuilder::list_pieces() {
   begins_a_node_.resize(static_cast<std::size_t>(pattern_.size));
   for (std::int32_t u = 0; u < pattern_.size; ++u) begins_a_node_[u] = are_a_node(u);
@@ -312,7 +313,7 @@ void FrontTreeBuilder::list_blocks() {
   matrix.columns.push_back({pattern_.size, matrix.blocks.size()});
 }
 
-/// By fronts.
+/// Sorts the entries by fronts.
 void FrontTreeBuilder::sort_entries() {
   std::vector<std::size_t> next(tree_.fronts.size() + 1, 0);
   for (const Piece& piece : pieces_) ++next[front_of_entry(piece.row, piece.column) + 1];

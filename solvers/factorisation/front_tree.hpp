@@ -10,7 +10,8 @@
 
 namespace netloft {
 
-/// A dense piece of the elimination: n pivots, and the u other unknowns that they are coupled with by then.
+/// A dense piece of the elimination: n pivots, and the u other unknowns that they are coupled with at that
+/// point.
 struct Front {
   std::int32_t first = 0;    // of its pivots, in the order of elimination
   std::int32_t pivots = 0;   // n
@@ -23,38 +24,38 @@ struct Front {
   std::size_t entries = 0;   // of the matrix, in FrontTree::of_matrix
 };
 
-/// Entries of the matrix that a front begins with: one, or nine of three rows and columns, whose slots are
-/// neighbours row by row, as a pair of nodes has them.
+/// Entries of the matrix that are added to a front at its start: one entry, or the nine of three rows and
+/// columns of a pair of nodes, whose slots are adjacent row by row.
 struct FrontEntries {
   std::uint32_t slot = 0;             // of the first
   std::uint32_t target = 0;           // its place in the panels of its front
-  std::int32_t down = 0, across = 0;  // from there to the next row, and to the next column
+  std::int32_t down = 0, across = 0;  // distance from there to the next row, and to the next column
   std::int32_t size = 1;              // rows and columns
 };
 
-/// How a matrix of symmetric pattern is eliminated front by front (Duff and Reid 1983): every front adds up
-/// its entries of the matrix and what its children leave, eliminates its pivots, and leaves
+/// The elimination of a matrix of symmetric pattern front by front (Duff and Reid 1983). Every front adds up
+/// its entries of the matrix and the updates of its children, eliminates its pivots, and passes the update
 ///   C = Σ C_child − L₂₁ U₁₂                                               (1)
 /// to its parent. Children come before parents. Updates lie on two stacks, by the parity of a front's depth:
 /// children are on top of the one when their parent pushes its own onto the other.
 struct FrontTree {
   std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
-  std::vector<Front> fronts;          // and one more, where all ends
+  std::vector<Front> fronts;          // with one more that marks the end
   std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
-  std::vector<std::int32_t> place;    // of each of them among the unknowns of its parent, pivots first
-  std::vector<UnknownRun> runs;       // of the same, by the front of which they are the others
+  std::vector<std::int32_t> place;    // place of each of them among the unknowns of the parent, pivots first
+  std::vector<UnknownRun> runs;       // the same as runs, for each front
   std::vector<std::int32_t> child_start, child;
   std::vector<std::uint8_t> parity;     // of the depth of each front
-  std::vector<FrontEntries> of_matrix;  // by fronts
+  std::vector<FrontEntries> of_matrix;  // by front
   MatrixBlocks matrix;
   std::size_t panels = 0, stack[2]{};  // doubles
-  std::int32_t most_unknowns = 0;      // of a front
+  std::int32_t most_unknowns = 0;      // of any front
   double entries = 0, flops = 0;       // of the factors
   std::string ordering;
 };
 
-/// Orders `pattern`, draws small fronts together as CHOLMOD does its supernodes, and works out where
-/// everything goes. Throws std::runtime_error when it cannot.
+/// Orders `pattern`, merges small fronts as CHOLMOD merges its supernodes, and computes all indices. Throws
+/// std::runtime_error on failure.
 FrontTree make_front_tree(const SparsePattern& pattern, OrderingMethod method);
 
 }  // namespace netloft

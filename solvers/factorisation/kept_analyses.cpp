@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kLargestKept = 4e6;  // entries of the factor
 
-/// A factorisation with the pattern it knows.
+/// A factorisation with the pattern that it has analysed.
 struct Analysed {
   std::unique_ptr<Factorisation> factorisation;
   SparsePattern pattern = {};
 };
 
-/// Those that nobody uses.
+/// The factorisations that are not in use.
 class Shelf {
  public:
   /// Null if there is none for the pattern.
@@ -59,7 +59,7 @@ class LentFactorisation final : public Factorisation {
     }
     is_analysed_ = true, has_failed_ = false;
   }
-  /// What has failed may have grown, or be of an unknown size: it is not kept.
+  /// A factorisation that has failed is not kept, because it may have grown or have an unknown size.
   FactorResult factorise(std::span<const double> values) override {
     const FactorResult result = inner().factorise(values);
     has_failed_ = result.status != FactorStatus::ok && result.status != FactorStatus::not_positive_definite;

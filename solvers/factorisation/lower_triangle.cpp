@@ -15,7 +15,7 @@ void for_entries(const SparsePattern& pattern, Visit&& visit) {
       visit(pattern.row[e], c, e);
 }
 
-/// The whole of a symmetric pattern, and where the value of each entry comes from.
+/// The full pattern of a symmetric one, and the source of the value of each entry.
 struct WholePattern {
   SparsePattern pattern;
   std::vector<std::size_t> source;
@@ -34,7 +34,7 @@ WholePattern::WholePattern(const SparsePattern& lower) {
     pattern.row[next[column]] = row;
     source[next[column]++] = lower.slot_of(static_cast<std::size_t>(entry));
   };
-  // Upper entries of a column come from earlier columns, in ascending order; so rows come out sorted.
+  // Upper entries of a column come from earlier columns, in increasing order, so rows are sorted.
   for_entries(lower, [&](auto row, auto column, auto entry) {
     if (row != column) put(column, row, entry);
   });

@@ -6,7 +6,8 @@
 
 namespace netloft {
 
-/// Lets `inner`, which wants all entries, factorise symmetric matrices of which the lower triangle is given.
+/// Makes a factorisation of symmetric matrices with given lower triangle out of `inner`, which needs all
+/// entries.
 std::unique_ptr<Factorisation> make_factorisation_of_lower_triangle(std::unique_ptr<Factorisation> inner);
 
 }  // namespace netloft

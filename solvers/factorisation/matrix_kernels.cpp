@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/factorisation/registers.hpp"
+#include "framework/simd/registers.hpp"
 
 namespace netloft {
 namespace {
@@ -26,8 +26,8 @@ NETLOFT_INLINE void add(const double* x, std::ptrdiff_t count, double* y) {
   if (i < count) y[i] += x[i];
 }
 
-/// Columns of the child that are pivots go to the left panel; of the others, rows that are go to the upper
-/// one.
+/// Columns of the child that are pivots are added to the left panel; in the other columns, rows that are
+/// pivots are added to the upper one.
 template <class Register>
 NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {
   const std::ptrdiff_t n = f.pivots, from = upper_stride(child.others), left = left_stride(n, f.others),
@@ -51,11 +51,11 @@ NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, do
     }
 }
 
-/// Not a number as soon as one of them is infinite or none.
+/// NaN as soon as one of the numbers is infinite or NaN.
 template <class Register>
 NETLOFT_INLINE bool take(std::span<const double> from, double* to) {
   using V = typename Register::V;
-  constexpr int kApart = 4;  // none waits for the one before
+  constexpr int kApart = 4;  // independent accumulators
   V sum[kApart] = {};
   std::size_t i = 0;
   for (; i + kApart * Register::kLanes <= from.size(); i += kApart * Register::kLanes)
@@ -103,7 +103,7 @@ NETLOFT_INLINE void multiply(const MatrixBlocks& A, const double* values, std::s
   }
 }
 
-/// The same for one set of instructions.
+/// The kernels for one instruction set.
 #define NETLOFT_KERNELS(name, Register, ...)                                                                 \
   struct name {                                                                                              \
     __VA_ARGS__ static void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {           \

@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// A matrix in blocks of three rows and columns, of which the nine values stand side by side, row by row.
+/// A matrix in blocks of three rows and columns, whose nine values are contiguous, row by row.
 struct MatrixBlocks {
   struct Column {
     std::int32_t column;  // the first of three
@@ -20,37 +20,38 @@ struct MatrixBlocks {
     std::int32_t row, column;
     std::uint32_t slot;
   };
-  std::vector<Column> columns;  // and one more, where all ends
+  std::vector<Column> columns;  // with one more that marks the end
   std::vector<Block> blocks;
-  std::vector<Entry> entries;  // that are in no block
+  std::vector<Entry> entries;  // entries outside blocks
 };
 
-/// Unknowns of a front that are neighbours among those of its parent, too; all or none are pivots there.
+/// Unknowns of a front that are consecutive among those of its parent, too; either all or none of them are
+/// pivots there.
 struct UnknownRun {
   std::int32_t from = 0;   // among the others of the front
   std::int32_t place = 0;  // among the unknowns of the parent
   std::int32_t count = 0;
 };
 
-/// What a child left: its columns, of the stride of its own `upper`, and where they go.
+/// The update of a child: its columns, with the stride of its own `upper`, and their targets.
 struct ChildUpdate {
   const double* C;
   std::int32_t others;
   std::span<const UnknownRun> runs;
 };
 
-/// What is done with numbers of the matrix and of fronts besides, for the instructions this processor has.
+/// Operations on numbers of the matrix and of fronts, for the instruction set of this processor.
 struct MatrixKernels {
-  /// Adds what a child left to the panels, and to C, which has the stride of `upper`.
+  /// Adds the update of a child to the panels, and to C, which has the stride of `upper`.
   void (*add_child)(const ChildUpdate& child, const FrontPanels& front, double* C);
-  /// to ← from. False if some are not finite.
+  /// to ← from. Returns false if some numbers are not finite.
   bool (*take)(std::span<const double> from, double* to);
   /// A x and |A| |x|; row i has its products in three sums at 3 i.
   void (*multiply)(const MatrixBlocks& A, const double* values, std::span<const double> x, double* products,
                    double* sizes);
 };
 
-/// The best there is, and all that run here, the best last.
+/// The best kernels for this processor, and all that run on it, the best last.
 const MatrixKernels& matrix_kernels();
 std::vector<MatrixKernels> matrix_kernels_here();
 

@@ -84,7 +84,7 @@ void* MemoryPool::resize(void* block, std::size_t bytes) {
 void MemoryPool::give_back(void* block) {
   if (block == nullptr) return;
   const std::size_t capacity = capacity_of(block);
-  used_bytes_ -= std::min(used_bytes_, capacity);  // the block may have been made elsewhere
+  used_bytes_ -= std::min(used_bytes_, capacity);  // the block may have been allocated elsewhere
   const bool is_worth_keeping = capacity >= kSmallestBlock && kept_bytes_ + capacity <= 2 * most_used_bytes_;
   if (!is_worth_keeping) return std::free(block);
   FreeBlock*& head = free_[largest_class_within(capacity)];
@@ -99,8 +99,7 @@ void MemoryPool::clear() {
   used_bytes_ = most_used_bytes_ = 0;
 }
 
-// --- what SuiteSparse calls
-// ---------------------------------------------------------------------------------
+// --- functions called by SuiteSparse ---------------------------------------------------------------------
 
 namespace {
 
@@ -146,7 +145,8 @@ void use(const Allocator& allocator) {
 }
 #endif
 
-/// Ours from the first scope to the end of the library: a plugin that is unloaded leaves no pointer behind.
+/// Installed from the first scope to the end of the library, so that a plugin that is unloaded leaves no
+/// pointer behind.
 class InstalledAllocator {
  public:
   InstalledAllocator() {
@@ -170,8 +170,7 @@ MemoryPoolScope::~MemoryPoolScope() { current_pool = outer_; }
 
 }  // namespace netloft
 
-// --- what MUMPS calls, see cmake/FindMumpsSeq.cmake
-// ---------------------------------------------------------------------------------
+// --- functions called by MUMPS, see cmake/FindMumpsSeq.cmake ----------------------------------------------
 
 extern "C" {
 void* netloft_mumps_malloc(std::size_t bytes) { return netloft::pool_malloc(bytes); }
@@ -179,15 +178,14 @@ void* netloft_mumps_calloc(std::size_t count, std::size_t size) { return netloft
 void* netloft_mumps_realloc(void* block, std::size_t bytes) { return netloft::pool_realloc(block, bytes); }
 void netloft_mumps_free(void* block) { netloft::pool_free(block); }
 
-/// Fortran's TRIM, which MUMPS calls in each factorisation: what is left is the caller's to free, if
-/// anything.
+/// Fortran's TRIM, which MUMPS calls in each factorisation; the caller frees the result if it is not empty.
 void netloft_mumps_string_trim(std::size_t* length, char** trimmed, std::size_t source_length,
                                const char* source) {
   static char nothing = '\0';
   *length = source_length;
   while (*length > 0 && source[*length - 1] == ' ') --*length;
   *trimmed = *length > 0 ? static_cast<char*>(netloft_mumps_malloc(*length)) : &nothing;
-  if (*trimmed == nullptr) std::abort();  // as Fortran does
+  if (*trimmed == nullptr) std::abort();  // Fortran aborts, too
   std::memcpy(*trimmed, source, *length);
 }
 }

@@ -8,9 +8,9 @@ namespace netloft {
 /// Keeps the blocks that SuiteSparse and MUMPS free and hands them out again, so that the second and every
 /// later factorisation of one pattern calls no malloc.
 ///
-/// Every block is a plain malloc block and its size is what the C library says of it. So a block may be taken
-/// here and freed by free(), or the other way round, and nobody has to know who made it. The pool never keeps
-/// more than twice what was in use at one time. One owner, one thread: no lock.
+/// Every block is a plain malloc block, and the C library reports its size. So a block from the pool may be
+/// freed by free(), and a block of malloc by the pool, without knowing its origin. The pool never keeps more
+/// than twice what was in use at one time. One owner, one thread: no lock.
 class MemoryPool {
  public:
   MemoryPool() = default;
@@ -20,10 +20,10 @@ class MemoryPool {
 
   void* take(std::size_t bytes);
   void* take_zeroed(std::size_t bytes);
-  void* resize(void* block, std::size_t bytes);  // a block that is large enough stays where it is
+  void* resize(void* block, std::size_t bytes);  // a block that is large enough is not moved
   void give_back(void* block);
 
-  /// Gives all kept blocks back to the C library and starts afresh.
+  /// Returns all kept blocks to the C library.
   void clear();
   std::size_t kept_bytes() const { return kept_bytes_; }
 
@@ -39,8 +39,8 @@ class MemoryPool {
   std::size_t used_bytes_ = 0, most_used_bytes_ = 0;
 };
 
-/// SuiteSparse and MUMPS take their memory from `pool` while this object lives, in this thread only.
-/// Does nothing to SuiteSparse when the program has given it an allocator of its own.
+/// Lets SuiteSparse and MUMPS take their memory from `pool` while this object lives, in this thread only.
+/// Does not affect SuiteSparse if the program has given it an allocator of its own.
 class MemoryPoolScope {
  public:
   explicit MemoryPoolScope(MemoryPool& pool);

@@ -18,11 +18,11 @@
 namespace netloft {
 namespace {
 
-constexpr double kLeastPivot = 1e-8;      // one over the norm of some columns of L
-constexpr double kLargestError = 1e-9;    // (2), or another code has to do it
-constexpr double kErrorToRefine = 1e-12;  // (2), that is left as it is
+constexpr double kLeastPivot = 1e-8;      // relative to the norm of the columns of L
+constexpr double kLargestError = 1e-9;    // (2); a larger error is handed over to another code
+constexpr double kErrorToRefine = 1e-12;  // (2); a smaller error is not refined
 
-/// Doubles, not set to anything, that begin with a cache line.
+/// Uninitialised doubles that begin at a cache line.
 class Room {
  public:
   void resize(std::size_t count) {
@@ -146,7 +146,7 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
   return {};
 }
 
-/// False if some are not finite; what stands between the entries does not count.
+/// Takes the values. Returns false if some are not finite; values of unused slots do not count.
 bool MultifrontalFactorisation::take(std::span<const double> values) {
   return matrix_kernels_.take(values.first(values_.size()), values_.data()) ||
          find_column_not_finite(*pattern_, values) < 0;
@@ -182,7 +182,7 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
   return e;
 }
 
-/// Where they go nothing has been added yet.
+/// Sets the entries of the matrix; nothing has been added at these places yet.
 void MultifrontalFactorisation::set_entries(std::size_t front) {
   double* panels = panels_.at(tree_.fronts[front].panels);
   for (std::size_t k = tree_.fronts[front].entries; k < tree_.fronts[front + 1].entries; ++k) {
@@ -200,13 +200,13 @@ void MultifrontalFactorisation::set_entries(std::size_t front) {
   }
 }
 
-/// What it adds to the sum of (1) of the tree.
+/// The update of a child in the sum (1) of the tree.
 ChildUpdate MultifrontalFactorisation::left_by(std::size_t child) {
   const Front &front = tree_.fronts[child], &next = tree_.fronts[child + 1];
   return {update_of(child), front.others, {tree_.runs.data() + front.runs, next.runs - front.runs}};
 }
 
-/// Lets the spare factorise the same values.
+/// Factorises the same values with the fallback code.
 FactorResult MultifrontalFactorisation::hand_over() {
   if (!spare_) {
     spare_pattern_ = *pattern_;
@@ -262,7 +262,7 @@ void MultifrontalFactorisation::backward(std::size_t front) {
   std::copy_n(y, f.pivots, own);
 }
 
-/// b − A x, and (2).
+/// Computes b − A x, and returns (2).
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
   matrix_kernels_.multiply(tree_.matrix, values_.data(), x, products_.data(), sizes_.data());
   double error = 0;
@@ -284,7 +284,7 @@ void MultifrontalFactorisation::check(std::span<double> x) {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual_[i];
     error = find_residual(x, rhs_);
   }
-  // A spare that cannot either leaves what there is.
+  // If the fallback fails as well, the present result is kept.
   if (!(error <= kLargestError) && hand_over().status == FactorStatus::ok) spare_->solve(rhs_, x);
 }
 

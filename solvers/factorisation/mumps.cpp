@@ -15,7 +15,7 @@
 #include "solvers/factorisation/memory_pool.hpp"
 #include "solvers/factorisation/suitesparse_scope.hpp"
 
-// The one function that MUMPS has here; see cmake/FindMumpsSeq.cmake.
+// The only entry point of MUMPS in this build; see cmake/FindMumpsSeq.cmake.
 extern "C" void netloft_dmumps_c(DMUMPS_STRUC_C*);
 
 namespace netloft {
@@ -36,7 +36,7 @@ class MumpsInstance {
   MUMPS_INT infog(int i) const { return id_.infog[i - 1]; }
   double rinfog(int i) const { return id_.rinfog[i - 1]; }
 
-  /// -> INFOG(1): negative is an error.
+  /// Returns INFOG(1): negative numbers are errors.
   int run(Job job);
 
  private:
@@ -46,12 +46,12 @@ class MumpsInstance {
 MumpsInstance::MumpsInstance(bool symmetric) {
   id_.sym = symmetric ? 2 : 0;
   id_.par = 1;
-  id_.comm_fortran = -987654;  // "the world", of one process
+  id_.comm_fortran = -987654;  // code for MPI_COMM_WORLD, one process
   if (run(kBegin) < 0) throw std::bad_alloc();
   for (const int stream : {1, 2, 3, 4}) icntl(stream) = 0;  // silent
-  icntl(6) = 0;                                             // the pattern alone decides on the order,
-  icntl(7) = 1;                                             // which is ours,
-  icntl(12) = 1;                                            // as it is
+  icntl(6) = 0;                                             // no permutation by values:
+  icntl(7) = 1;                                             // the order is given by us,
+  icntl(12) = 1;                                            // and used unchanged
   icntl(13) = 1;                                            // count all negative pivots
   icntl(24) = 1;                                            // name pivots that are zero
 }
@@ -92,7 +92,7 @@ class MumpsFactorisation final : public Factorisation {
   MemoryPool pool_;
   std::unique_ptr<MumpsInstance> mumps_;  // null for a matrix without unknowns
   const SparsePattern* pattern_ = nullptr;
-  std::vector<MUMPS_INT> row_, column_;  // from one
+  std::vector<MUMPS_INT> row_, column_;  // counted from one
   std::vector<double> value_;            // in the order of the entries
   bool has_factor_ = false;
   std::string ordering_;
@@ -169,10 +169,11 @@ FactorResult MumpsFactorisation::factorise(std::span<const double> values) {
   return {FactorStatus::ok, -1, !symmetric_ ? -1 : mumps_ ? mumps_->infog(12) : 0};
 }
 
-/// (1) or (2). Late pivots need more room than the analysis of the pattern foresaw; how much, nobody knows.
+/// (1) or (2). Delayed pivots need more memory than the analysis of the pattern predicts; the amount is
+/// unknown, so it is increased step by step.
 int MumpsFactorisation::factorise_with_room() {
   constexpr int kNoRoomForIntegers = -8, kNoRoomForReals = -9;
-  constexpr int kMostRoom = 10000;  // [percent] on top of what was foreseen
+  constexpr int kMostRoom = 10000;  // [percent] in addition to the prediction
   for (;;) {
     const int status = mumps_->run(kFactorise);
     MUMPS_INT& room = mumps_->icntl(14);

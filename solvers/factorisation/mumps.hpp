@@ -7,7 +7,7 @@
 
 namespace netloft {
 
-/// Whether MUMPS was found when this was built.
+/// Whether this program was built with MUMPS.
 bool has_mumps();
 
 /// Multifrontal factorisation by MUMPS, with threshold pivoting, of matrices that are not positive definite.

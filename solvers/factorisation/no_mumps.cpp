@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Takes the place of mumps.cpp where MUMPS was not found.
+// Replaces mumps.cpp in builds without MUMPS.
 #include <stdexcept>
 
 #include "solvers/factorisation/mumps.hpp"

@@ -10,10 +10,11 @@ namespace {
 
 using Indices = std::vector<std::int32_t>;
 
-/// Turns counts, held at [i + 1], into starts.
+/// Turns counts, stored at [i + 1], into start indices.
 void accumulate(Indices& start) { std::partial_sum(start.begin(), start.end(), start.begin()); }
 
-/// Numbers the nodes that have unknowns, in the order of nodes. -> vertex of each unknown, and how many.
+/// Numbers the nodes that have unknowns, in the order of nodes. Returns the vertex of each unknown; sets the
+/// number of vertices.
 Indices number_vertices(const SparsePattern& pattern, std::int32_t& vertices) {
   const auto largest = std::max_element(pattern.node.begin(), pattern.node.end());
   Indices vertex_of_node(pattern.node.empty() ? 0 : *largest + 1, -1);
@@ -43,7 +44,7 @@ struct Edge {
   std::int32_t low, high;
 };
 
-/// Edges seen from each vertex, each once per end that sees it.
+/// Edges seen from each vertex; each edge appears once per end that sees it.
 std::vector<Edge> collect_edges(const SparsePattern& pattern, const Indices& vertex, const NodeGraph& graph) {
   std::vector<Edge> edges;
   Indices seen_from(graph.size, -1);
@@ -61,7 +62,7 @@ std::vector<Edge> collect_edges(const SparsePattern& pattern, const Indices& ver
   return edges;
 }
 
-/// Sorts the edges into columns by their low end, then drops those that both ends have seen.
+/// Sorts the edges into columns by their lower end, then removes duplicates that both ends have seen.
 void store_edges(const std::vector<Edge>& edges, NodeGraph& graph) {
   Indices start(graph.size + 1, 0);
   for (const Edge& edge : edges) ++start[edge.low + 1];

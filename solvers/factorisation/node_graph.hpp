@@ -9,12 +9,12 @@
 
 namespace netloft {
 
-/// A sparsity pattern with the unknowns of each node drawn together into one vertex. Orderings find the same
-/// fill here as in the full pattern, in a ninth of the edges.
+/// A sparsity pattern with the unknowns of each node merged into one vertex. Orderings find the same fill
+/// here as in the full pattern, with a ninth of the edges.
 struct NodeGraph {
-  std::int32_t size = 0;  // vertices: nodes that have an unknown
+  std::int32_t size = 0;  // number of vertices: nodes that have an unknown
 
-  // Edges between vertices, each once as row ≥ column, the diagonal included; rows in no order.
+  // Edges between vertices, each once as row ≥ column, the diagonal included; rows are not sorted.
   std::vector<std::int32_t> column_start;
   std::vector<std::int32_t> row;
 
@@ -23,10 +23,10 @@ struct NodeGraph {
   std::vector<std::int32_t> unknown;
 };
 
-/// Takes symmetric patterns and unsymmetric ones, of which it keeps the union with the transpose.
+/// Accepts symmetric patterns and unsymmetric ones; for these it uses the union with the transpose.
 NodeGraph make_node_graph(const SparsePattern& pattern);
 
-/// As CHOLMOD reads it: the lower triangle of a pattern.
+/// The graph in CHOLMOD's form: the lower triangle of a pattern.
 cholmod_sparse view_of(NodeGraph& graph);
 
 }  // namespace netloft

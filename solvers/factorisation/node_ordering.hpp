@@ -20,19 +20,18 @@ struct NodeOrdering {
   double flops = 0;                   // of a Cholesky factorisation of the node graph, one number per node
 };
 
-/// What `best` tries besides AMD, and from how many nodes on. On nets of 100 to 600 nodes METIS made
-/// factorisations of 1.02 to 1.7 times the operations, and took as long as two of them.
+/// The method that `best` tries besides AMD, and the number of nodes from which it does. On nets of 100 to
+/// 600 nodes METIS gave factorisations of 1.02 to 1.7 times the operations, and took as long as two of them.
 struct LargeNets {
   std::int32_t nodes = 700;
   OrderingMethod method = OrderingMethod::metis;
 };
 
-/// Orders the node graph of `pattern`; `best` tries two methods and takes the fewer operations, of nets that
-/// are not large AMD's.
-/// Throws std::runtime_error when the memory runs out.
+/// Orders the node graph of `pattern`; `best` tries two methods and takes the one with fewer operations; for
+/// nets that are not large it uses AMD alone. Throws std::runtime_error when the memory runs out.
 NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method = OrderingMethod::best,
                          LargeNets large = {});
-/// The same of a graph that is there already.
+/// The same for an existing graph.
 NodeOrdering order_nodes(NodeGraph& graph, OrderingMethod method = OrderingMethod::best,
                          LargeNets large = {});
 

@@ -6,8 +6,8 @@
 namespace netloft {
 namespace {
 
-/// The OpenMP runtime that CHOLMOD uses, if any. Looked up and not linked: with -fopenmp this library might
-/// get another runtime than CHOLMOD has.
+/// The OpenMP runtime that CHOLMOD uses, if any. It is looked up and not linked, because with -fopenmp this
+/// library might get another runtime than CHOLMOD has.
 struct OpenMp {
   using GetLevels = int (*)();
   using SetLevels = void (*)(int);

@@ -7,8 +7,9 @@ namespace netloft {
 /// Calls into SuiteSparse stay in the calling thread while this object lives.
 ///
 /// CHOLMOD 3 has four OpenMP threads compiled in and opens a parallel region in each of some 10⁴ supernodes;
-/// OMP_NUM_THREADS does not reach it. On a busy machine the threads spin for each other: up to 70 s for a
-/// factorisation of 1 s. On a quiet one they take 2.5 times the CPU time and gain nothing on nets.
+/// OMP_NUM_THREADS does not reach it. On a busy machine the threads spin while they wait for each other and
+/// slow a factorisation down by up to a factor of 70. On a quiet one they take 2.5 times the CPU time
+/// without any gain on nets.
 class SingleThreadScope {
  public:
   SingleThreadScope();

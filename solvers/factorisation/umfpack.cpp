@@ -41,7 +41,7 @@ class UmfpackFactorisation final : public Factorisation {
   const SparsePattern* pattern_ = nullptr;
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
-  std::vector<double> rhs_;  // a copy, because UMFPACK wants rhs and x apart
+  std::vector<double> rhs_;  // a copy, because UMFPACK needs separate rhs and x
   std::vector<double> workspace_;
   std::vector<double> gathered_;  // values in the order of the entries  // of umfpack_di_wsolve
   std::vector<int> index_workspace_;

@@ -7,7 +7,7 @@ namespace netloft {
 
 /// The generalized-α method of Chung and Hulbert (J. Appl. Mech. 60, 1993): Newmark's, with the equation of
 /// motion taken between the ends of the step, so that ρ, its spectral radius at infinite frequency, can be
-/// chosen: 1 keeps all energy, 0 ends within one step what is too fast for h.
+/// chosen: 1 conserves energy, 0 removes motions that are too fast for h within one step.
 ///   α_m = (2ρ − 1)/(ρ + 1),  α_f = ρ/(ρ + 1),  γ = ½ − α_m + α_f,  β = ¼ (1 − α_m + α_f)²         (1)
 ///   F(t_f, u_f, v_f, a_m) = 0,  t_f = tₙ + (1 − α_f) h                                            (2)
 ///   u_f = (1 − α_f) uₙ₊₁ + α_f uₙ,  v_f alike,  a_m = (1 − α_m) aₙ₊₁ + α_m aₙ                      (3)
@@ -51,9 +51,9 @@ Step GeneralizedAlpha::step(const Parameters& p, Motion& m) {
 using netloft::GeneralizedAlpha;
 
 NETLOFT_PLUGIN("generalized-alpha", "0.1.0", "The generalized-alpha time scheme") {
-  auto& g = plugin.integrator<GeneralizedAlpha>("generalized-alpha",
-                                                "Chung and Hulbert's scheme, with the damping one asks for");
+  auto& g = plugin.integrator<GeneralizedAlpha>(
+      "generalized-alpha", "Chung and Hulbert's scheme, with adjustable numerical damping");
   g.real("spectral_radius", &GeneralizedAlpha::Parameters::spectral_radius, "1",
-         "what is left after a step of motions far too fast for it: 1 all, 0 nothing",
+         "factor per step on motions far too fast for it: 1 keeps them, 0 removes them",
          {.lo = 0, .hi = 1, .fallback = 0});
 }

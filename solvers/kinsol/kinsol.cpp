@@ -16,7 +16,7 @@ namespace {
 
 using namespace sundials;
 
-/// The problem as KINSOL's callbacks see it, and what happened in them: no exception may pass through KINSOL.
+/// The problem as seen by KINSOL's callbacks, and the events in them: no exception may pass through KINSOL.
 struct Host {
   Host(Problem& p, const Kinsol::Parameters& how) : problem(p), parameters(how), residual(p.size()) {}
 
@@ -38,7 +38,7 @@ int compute_residual(N_Vector u, N_Vector r, void* host) {
   });
 }
 
-/// KINSOL asks for the tangent at every point that it has accepted, and at no other: here it is reported.
+/// KINSOL asks for the tangent at every accepted point and at no other, so the point is reported here.
 int compute_tangent(N_Vector u, N_Vector, SUNMatrix, void* host, N_Vector, N_Vector) {
   return guarded<Host>(host, [&](Host& h) {
     if (h.problem.evaluate(h.view(u), h.energy, h.residual, Matrix::exact) != Evaluation::ok) return kStop;
@@ -61,7 +61,7 @@ int solve_with_factor(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b,
   });
 }
 
-// --- owners of what KINSOL makes
+// --- owners of KINSOL's objects
 struct FreeMatrix {
   void operator()(SUNMatrix m) const { SUNMatFreeEmpty(m); }
 };
@@ -81,7 +81,7 @@ Vector make_scale(std::size_t size, double scale, SUNContext context) {
   return v;
 }
 
-/// The host keeps the tangent; KINSOL only wants to know that there is one.
+/// The host keeps the tangent; KINSOL only needs an object that represents it.
 MatrixHandle make_matrix(SUNContext context) {
   MatrixHandle m(checked(SUNMatNewEmpty(context)));
   m->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
@@ -103,7 +103,7 @@ void check(int status, const Host& host) {
   if (status != KIN_SUCCESS) throw std::runtime_error("KINSOL: " + host.complaint);
 }
 
-/// The host alone knows when it is good enough: KINSOL's own limits are set out of reach.
+/// The host alone decides when the residual is small enough; KINSOL's own limits are disabled.
 void set_limits(void* kinsol, const Host& host) {
   const auto& p = host.parameters;
   const double n = static_cast<double>(host.problem.size());
@@ -135,7 +135,7 @@ Outcome outcome_of(int status, const Host& host) {
   }
 }
 
-/// Where KINSOL thinks that it has arrived, it has not asked for a tangent, so the point has not been
+/// If KINSOL considers itself converged, it has not asked for a tangent, so the last point has not been
 /// reported.
 Outcome report_end(Host& host, Outcome outcome) {
   const auto u = host.problem.u();

@@ -17,7 +17,7 @@ struct Kinsol {
     std::int64_t strategy = 0;
     double damping = 0;        // μ
     double longest_step = 0;   // root mean square over the unknowns, in lengths of the largest element
-    double shortest_step = 0;  // largest part of an unknown that the step moves
+    double shortest_step = 0;  // largest component of the step relative to the unknown
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);
 };

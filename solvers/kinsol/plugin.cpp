@@ -10,11 +10,12 @@ NETLOFT_PLUGIN("kinsol", "0.1.0", "Newton's method of SUNDIALS' KINSOL") {
                 "linesearch: shortens steps until the residual falls; none: takes them whole",
                 {"linesearch", "none"});
   kinsol.real("damping", &Kinsol::Parameters::damping, "1",
-              "share of the linear stiffness in the step's matrix", {.lo = 0, .hi = 64, .fallback = 0});
+              "factor on the linear stiffness that is added to the step's matrix",
+              {.lo = 0, .hi = 64, .fallback = 0});
   kinsol.real("longest_step", &Kinsol::Parameters::longest_step, "1",
               "longest step, root mean square over the unknowns, in lengths of the largest element",
               {.lo = 1e-6, .hi = 1e12, .fallback = 1000});
   kinsol.real("shortest_step", &Kinsol::Parameters::shortest_step, "1",
-              "shortest step that is tried, in parts of what moves most",
+              "shortest step that is tried, relative to the unknown that changes most",
               {.lo = 1e-16, .hi = 0.1, .fallback = 1e-12});
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/lbfgs/lbfgs.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 #include <functional>
 #include <limits>
 
-#include "solvers/common/vectors.hpp"
 #include "solvers/lbfgs/line_search.hpp"
 #include "solvers/lbfgs/memory.hpp"
 

@@ -8,7 +8,7 @@ namespace netloft::newmark {
 
 namespace {
 
-constexpr double kOwn = 1;  // χ that goes with the corrector
+constexpr double kOwn = 1;  // χ that belongs to the corrector
 
 struct Scheme {
   double beta, gamma;  // (4)
@@ -20,7 +20,7 @@ Scheme scheme_of(const Newmark::Parameters& p) {
   return {(1 - chi) * (1 - chi) / 4, (1 - 2 * chi) / 2};
 }
 
-/// (2) and (3), with q̈ₙ₊₁ as it stands.
+/// (2) and (3), with the current q̈ₙ₊₁
 void move(const Scheme& s, Motion& m) {
   const double h = m.h();
   for (std::size_t i = 0; i < m.size(); ++i) {
@@ -36,7 +36,7 @@ double largest(std::span<const double> x, std::span<const double> y) {
   return most;
 }
 
-/// Predictor, and as many corrections as it takes.
+/// The predictor, and corrections until they settle.
 Step correct_by_fixed_point(const Newmark::Parameters& p, const Scheme& s, Motion& m) {
   const double h = m.h();
   auto before = m.scratch(0);
@@ -78,8 +78,8 @@ Step correct_by_solving(const Scheme& s, Motion& m) {
 Step Newmark::step(const Parameters& p, Motion& m) {
   const Scheme s = scheme_of(p);
   const Step step = p.corrector == kFixedPoint ? correct_by_fixed_point(p, s, m) : correct_by_solving(s, m);
-  const double share = m.h() * m.h() * (std::abs(s.beta - 1.0 / 6) + std::abs(s.gamma - 0.5));  // (7)
-  for (std::size_t i = 0; i < m.size(); ++i) m.error()[i] = share * (m.next_a()[i] - m.a()[i]);
+  const double factor = m.h() * m.h() * (std::abs(s.beta - 1.0 / 6) + std::abs(s.gamma - 0.5));  // (7)
+  for (std::size_t i = 0; i < m.size(); ++i) m.error()[i] = factor * (m.next_a()[i] - m.a()[i]);
   return step;
 }
 
@@ -97,11 +97,11 @@ NETLOFT_PLUGIN("newmark", "0.1.0", "Newmark's time scheme, as published and impl
            "solve: each step is a problem for the solver; fixed-point: the paper's, without a linear system",
            {"solve", "fixed-point"});
   n.real("chi", &Newmark::Parameters::chi, "1",
-         "damping of the scheme, 0 none; 1 stands for the corrector's own: -0.3 with fixed-point, else 0",
+         "damping of the scheme, 0 none; 1: the default of the corrector, -0.3 with fixed-point, else 0",
          {.lo = -1, .hi = 1, .fallback = 1});
-  n.integer("corrections", &Newmark::Parameters::corrections, "most turns of the fixed point in a step", 1,
+  n.integer("corrections", &Newmark::Parameters::corrections, "most fixed-point iterations in a step", 1,
             1000, 30);
   n.real("settled", &Newmark::Parameters::settled, "1",
-         "change of a turn over the move of the step at which the fixed point counts as found",
+         "change in an iteration, relative to the move of the step, at which the fixed point has converged",
          {.lo = 1e-15, .hi = 1, .fallback = 1e-4});
 }

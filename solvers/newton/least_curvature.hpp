@@ -8,7 +8,7 @@
 
 namespace netloft::newton {
 
-/// Where a tangent K that is hardly indefinite curves least:
+/// Where a tangent K that is nearly definite curves least:
 ///   K v = λ M v, the least λ, M the linear stiffness                                     (1)
 /// from the factor of K + σM, which is positive definite, by at most ten steps of Lanczos for
 ///   (K + σM)⁻¹ M v = θ v, the largest θ; λ = 1/θ − σ                                     (2)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/ptc/methods.hpp"
 
-#include <algorithm>
+#include <netloft/vectors.hpp>
 
-#include "solvers/common/vectors.hpp"
+#include <algorithm>
 
 namespace netloft::ptc {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/relaxation/relaxation.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 #include <array>
-
-#include "solvers/common/vectors.hpp"
 
 namespace netloft::relaxation {
 

@@ -8,6 +8,7 @@ NETLOFT_PLUGIN("snes", "0.1.0", "Newton's methods of PETSc's SNES") {
   snes.choice("strategy", &Snes::Parameters::strategy,
               "linesearch or trust-region: shorten steps until the residual falls; none: takes them whole",
               {"linesearch", "trust-region", "none"});
-  snes.real("damping", &Snes::Parameters::damping, "1", "share of the linear stiffness in the step's matrix",
+  snes.real("damping", &Snes::Parameters::damping, "1",
+            "factor on the linear stiffness that is added to the step's matrix",
             {.lo = 0, .hi = 64, .fallback = 0});
 }

@@ -18,7 +18,7 @@ using namespace petsc;
 using Operator = Owned<Mat, MatDestroy>;
 using Solver = Owned<SNES, SNESDestroy>;
 
-/// The problem as PETSc's callbacks see it, and what happened in them: no exception may pass through PETSc.
+/// The problem as seen by PETSc's callbacks, and the events in them: no exception may pass through PETSc.
 struct Host {
   Host(Problem& p, const Snes::Parameters& how) : problem(p), parameters(how), residual(p.size()) {}
 
@@ -26,7 +26,7 @@ struct Host {
   const Snes::Parameters& parameters;
   std::vector<double> residual;                 // at the accepted point
   std::optional<std::vector<double>> reported;  // that point
-  int rejected = 0;                             // steps in a row that did not leave it
+  int rejected = 0;                             // rejected steps in a row
   bool stopped = false;                         // `progress` said so
   bool refused = false;                         // the tangent could not be factorised
   std::exception_ptr failure;
@@ -40,7 +40,7 @@ PetscErrorCode compute_residual(SNES snes, Vec u, Vec r, void* host) {
   });
 }
 
-/// Makes the tangent of a point that was accepted and reports it.
+/// Computes the tangent of an accepted point and reports the point.
 SNESConvergedReason report(Host& h, std::span<const double> u) {
   h.rejected = 0;
   h.reported.emplace(u.begin(), u.end());
@@ -51,8 +51,8 @@ SNESConvergedReason report(Host& h, std::span<const double> u) {
   return h.stopped ? SNES_CONVERGED_FNORM_ABS : SNES_CONVERGED_ITERATING;
 }
 
-/// SNES asks after every step whether it has arrived; the trust region after steps that were rejected, too,
-/// and from u = 0 for ever.
+/// SNES tests convergence after every step; the trust region also after rejected steps, which would go on for
+/// ever from u = 0.
 PetscErrorCode judge(SNES snes, PetscInt, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason,
                      void* host) {
   constexpr int kMostRejected = 30;
@@ -68,7 +68,7 @@ PetscErrorCode judge(SNES snes, PetscInt, PetscReal, PetscReal, PetscReal, SNESC
   });
 }
 
-/// The host has the tangent of this point already; PETSc must only know that it is another one.
+/// The host has the tangent of this point already; PETSc only needs to know that the tangent has changed.
 PetscErrorCode renew_tangent(SNES, Vec, Mat tangent, Mat, void* host) {
   return guarded<Host>(host, [&](Host&) {
     check(MatAssemblyBegin(tangent, MAT_FINAL_ASSEMBLY));
@@ -105,7 +105,7 @@ void make_tangent(Host& host, Operator& tangent) {
   check(MatShellSetOperation(tangent, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
 }
 
-/// Our factorisation, applied once: KSP has nothing to iterate on.
+/// Our factorisation is applied once per step; KSP has nothing to iterate on.
 void set_linear_solver(SNES snes, Host& host) {
   KSP ksp = nullptr;
   PC preconditioner = nullptr;
@@ -127,7 +127,7 @@ void set_strategy(SNES snes, std::int64_t strategy) {
   check(SNESLineSearchSetType(search, strategy == kLineSearch ? SNESLINESEARCHBT : SNESLINESEARCHBASIC));
 }
 
-/// The host alone knows when to stop.
+/// The host alone decides when to stop.
 void set_limits(SNES snes, Host& host) {
   constexpr PetscInt kNever = std::numeric_limits<PetscInt>::max();
   check(SNESSetConvergenceTest(snes, judge, &host, nullptr));

@@ -8,7 +8,7 @@ namespace netloft::snes {
 /// solvers") on our residuals and factorisations. K is the exact tangent, M the linear stiffness.
 ///   (K(u) + μ M) s = −r(u),   u ← u + λ s                                                (1)
 /// Strategy "none": λ = 1. "linesearch" (newtonls, bt): λ by a cubic until ½‖r‖² falls enough. "trust-region"
-/// (newtontr): s is cut to a radius that grows and shrinks with how well (1) foretells ‖r‖.
+/// (newtontr): s is limited to a radius that is adapted to the accuracy with which (1) predicts ‖r‖.
 struct Snes {
   struct Parameters {
     std::int64_t strategy = 0;

@@ -16,7 +16,7 @@ namespace {
 using namespace petsc;
 using Integration = Owned<TS, TSDestroy>;
 
-/// The steps that are asked of TS, in turn.
+/// The steps that TS is asked to take, one after another.
 enum class Task { stay_at_rest, take_over_acceleration, move };
 
 /// (1)
@@ -24,13 +24,13 @@ struct Constants {
   double alpha_m = 0, alpha_f = 0, gamma = 0, beta = 0;
 };
 
-/// (3) as TS has it, for the last uₙ₊₁ that it was asked about.
+/// (3) in the form of TS, for the last uₙ₊₁ at which it evaluated F.
 struct Stage {
   double t = 0;
   Vec u = nullptr, v = nullptr, a = nullptr;
 };
 
-/// The motion as PETSc's callbacks see it, and what happened in them.
+/// The motion as seen by PETSc's callbacks, and the events in them.
 struct Host {
   explicit Host(Motion& m) : motion(m) {}
 
@@ -42,19 +42,19 @@ struct Host {
   std::exception_ptr failure;
 };
 
-/// Here TS would have F. It only has to say where it would.
+/// TS would evaluate F here. This only stores the point at which it would.
 PetscErrorCode keep_stage(TS, PetscReal t, Vec u, Vec v, Vec a, Vec, void* host) {
   return guarded<Host>(host, [&](Host& h) { h.stage = {t, u, v, a}; });
 }
 
-/// Stage, velocity and acceleration of TS become those of uₙ₊₁.
+/// Copies stage, velocity and acceleration of TS for uₙ₊₁.
 void update_stage(SNES snes, Vec next_u) {
   Vec residual = nullptr;
   check(SNESGetFunction(snes, &residual, nullptr, nullptr));
   check(SNESComputeFunction(snes, next_u, residual));
 }
 
-/// (2) and (5): uₙ₊₁, from uₙ, to which the stage belongs.
+/// (2) and (5): finds uₙ₊₁ from uₙ, to which the stage belongs.
 void find_next_u(Host& host, std::span<double> next_u) {
   Motion& m = host.motion;
   const auto& [alpha_m, alpha_f, gamma, beta] = host.constants;
@@ -89,7 +89,7 @@ void do_task(Host& host, SNES snes, Vec next_u) {
   }
 }
 
-/// What TS takes for its nonlinear solver.
+/// The function that TS uses as its nonlinear solver.
 PetscErrorCode solve_stage(SNES snes, Vec next_u) {
   Host* host = nullptr;
   SNESShellGetContext(snes, &host);
@@ -108,7 +108,7 @@ void set_stage_solver(TS ts, Host& host) {
   check(SNESShellSetSolve(snes, solve_stage));
 }
 
-/// The host chooses the steps and judges them.
+/// The host chooses the steps and judges their errors.
 void leave_steps_to_host(TS ts) {
   constexpr PetscInt kNeverReached = 10;
   TSAdapt adapt = nullptr;

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/analysis/case.hpp"
+#include "io/case/case.hpp"
 #include "io/toml/diagnostics.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 
@@ -37,7 +37,7 @@ Registry& plugins() {
 std::string scene_file(const char* name) { return std::string(NETLOFT_SOURCE_DIR) + "/" + name; }
 
 io::CaseSource source(const char* file, Overrides overrides, int threads = 1) {
-  overrides.push_back("analysis.solver=auto");
+  overrides.push_back("analysis.strategy=auto");
   return {scene_file(file), std::move(overrides), threads};
 }
 
@@ -82,11 +82,11 @@ struct Row {
 };
 
 Row print_row(io::Case& scene, const Solution& s, double cpu) {
-  const Books& finest = s.legs.empty() ? s.books : s.legs.back().books;
+  const Statistics& finest = s.stages.empty() ? s.statistics : s.stages.back().statistics;
   const double unit = factorisation_time(scene, s.x);
-  std::printf("  %8zu %5d %5d %6d %6d %7.1f %9.3f %7.1f %8.2f   %s\n", s.u.size(), s.books.iterations,
-              finest.iterations, finest.factorisations, s.books.factorisations,
-              s.books.factorisation_seconds / unit, cpu, cpu / unit, gibibytes(), name_of(s.status));
+  std::printf("  %8zu %5d %5d %6d %6d %7.1f %9.3f %7.1f %8.2f   %s\n", s.u.size(), s.statistics.iterations,
+              finest.iterations, finest.factorisations, s.statistics.factorisations,
+              s.statistics.factorisation_seconds / unit, cpu, cpu / unit, gibibytes(), name_of(s.status));
   std::fflush(stdout);
   return {static_cast<double>(s.u.size()), cpu};
 }
@@ -146,7 +146,7 @@ void trawl(Overrides overrides) {
   const Solution s = first.solve();
   print_row(first, s, cpu_seconds() - begun);
   overrides.back() = "water.current=[1.5075,0,0]";
-  overrides.push_back("analysis.continuation=off");
+  overrides.push_back("analysis.strategy=direct");
   io::Case next(source(kTrawl, overrides), plugins());
   const std::vector<double> at_rest = first.positions(s.x);
   open(next, [&](io::LoadedScene& loaded) {

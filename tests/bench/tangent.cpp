@@ -25,8 +25,8 @@ void run(int cells, double speed, TangentChoice tangent, const char* name, Regis
   limits.tolerance = 1e-8, limits.iterations = 500;
   const Solution s = solve_static(scene, assembler, newton, parameters.data(), limits, make_factorisation);
   std::printf("%6.1f  %8zu  %-10s %10d %15d %9.3f  %s, residual %.1e N of %.3g N\n", speed, plan.unknowns,
-              name, s.books.iterations, s.books.factorisations, s.books.total_cpu_seconds, name_of(s.status),
-              s.balance.residual, s.balance.scale);
+              name, s.statistics.iterations, s.statistics.factorisations, s.statistics.total_cpu_seconds,
+              name_of(s.status), s.balance.residual, s.balance.scale);
 }
 
 }  // namespace

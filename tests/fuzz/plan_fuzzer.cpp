@@ -27,7 +27,7 @@ void use(std::size_t size) {
   sink = size;
 }
 
-void try_gear(const Plan& plan, Extent extent) {
+void try_gear(const NetPlan& plan, Extent extent) {
   const Gear gear = make_gear(plan, extent);
   use(gear.panels.size());
   for (const auto& panel : gear.panels)
@@ -39,7 +39,7 @@ void try_gear(const Plan& plan, Extent extent) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Diagnostics diagnostics;
-  Plan plan =
+  NetPlan plan =
       read_plan_text({reinterpret_cast<const char*>(data), size}, "plan.toml", catalogue(), diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
   use(diagnostics.render(false).size());

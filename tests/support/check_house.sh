@@ -1,21 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Does the tree keep its floor plan? Says every breach, one a line as file:line, and exits 1 if there is any.
+# Does the repository keep its rules: folders, includes, names, links, lengths, words? Says every breach, one a line as
+# file:line, and exits 1 if there is any. Checks that are named on the command line are run beside those of the list.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 rooms=(framework plugins solvers io)
 breaches=0
 
+checks=(check_top_level check_arrows check_readmes check_first_lines check_documents check_component_names
+        check_linear_algebra check_function_lengths check_words)
+
 main() {
+  local check
   mapfile -d '' -t files < <(list_files)
   ((${#files[@]})) || breach 'no files found: the check looks in the wrong place'
-  check_top_level
-  check_arrows
-  check_readmes
-  check_first_lines
-  ((breaches == 0)) || { echo "$breaches breaches of the floor plan" && exit 1; }
-  echo "${#files[@]} files keep to the floor plan"
+  for check in "${checks[@]}" "$@"; do "$check"; done
+  ((breaches == 0)) || { echo "$breaches breaches of the rules" && exit 1; }
+  echo "${#files[@]} files keep the rules"
 }
 
 # Git knows what is ours; an unpacked archive has no git, and then only build output has to be left out.
@@ -49,13 +51,17 @@ forbid_includes() { forbid_headers "$1" "(\.\./|netloft/)*($2)/" "$3"; }
 
 # forbid_headers ROOM PATTERN REASON: no C or C++ file of the room includes a header that begins so.
 forbid_headers() {
-  local file hit
+  breach_lines "$3" < <(grep_in "$1/" '\.(hpp|cpp|h|c)$' -E "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)")
+}
+
+# grep_in FOLDER ENDING WORDS…: greps in the files whose name begins and ends so; file:line:text.
+grep_in() {
+  local folder=$1 ending=$2 file chosen=()
+  shift 2
   for file in "${files[@]}"; do
-    [[ $file == "$1"/* && -f $file && $file =~ \.(hpp|cpp|h|c)$ ]] || continue
-    while IFS= read -r hit; do
-      breach "$file:${hit%%:*}: $3: ${hit#*:}"
-    done < <(grep -nE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)" "$file")
+    [[ $file == "$folder"* && $file =~ $ending && -f $file ]] && chosen+=("$file")
   done
+  ((${#chosen[@]} == 0)) || grep -Hn "$@" "${chosen[@]}"
 }
 
 # The rooms and the folders in them; include/netloft counts as one folder.
@@ -79,8 +85,152 @@ check_first_lines() {
     [[ -f $file && $file =~ \.(hpp|cpp|h)$ ]] || continue
     IFS= read -r first <"$file" || true
     [[ $first == *'SPDX-License-Identifier: BSD-3-Clause'* ]] || breach "$file:1: does not start with the SPDX tag"
-    [[ $file != *.hpp ]] || grep -qx '#pragma once' "$file" || breach "$file:1: has no #pragma once"
   done
+  while IFS= read -r file; do
+    breach "$file:1: has no #pragma once"
+  done < <(for file in "${files[@]}"; do [[ $file != *.hpp || ! -f $file ]] || echo "$file"; done | xargs -r grep -Lx '#pragma once')
+}
+
+# Lines of code of a room as file:line:text, without comments.
+code_of() {
+  local file chosen=()
+  for file in "${files[@]}"; do
+    [[ $file == "$1"/* && -f $file && $file =~ \.(hpp|cpp|h|c)$ ]] && chosen+=("$file")
+  done
+  ((${#chosen[@]} == 0)) || awk '{
+    gsub(/\/\*.*\*\//, "")
+    if (sub(/\/\*.*/, "")) { print FILENAME ":" FNR ":" $0; inside = 1; next }
+    if (inside) { if (sub(/.*\*\//, "")) inside = 0; else next }
+    sub(/\/\/.*/, "")
+    print FILENAME ":" FNR ":" $0
+  }' "${chosen[@]}"
+}
+
+# breach_lines REASON: every line of standard input is a breach, file:line:text.
+breach_lines() {
+  local hit rest
+  while IFS= read -r hit; do
+    rest=${hit#*:}
+    breach "${hit%%:*}:${rest%%:*}: $1: ${rest#*:}"
+  done
+}
+
+# The framework serves components and knows none of them by name. Names are those of the folders that hold plugins.
+check_component_names() {
+  local file folder solvers=() elements=()
+  while read -r folder; do
+    case $folder in
+      plugins/*) elements+=("${folder#plugins/}") ;;
+      solvers/*) solvers+=("${folder##*/}") ;;
+    esac
+  done < <(for file in "${files[@]}"; do [[ $file != */plugin.cpp ]] || echo "${file%/plugin.cpp}"; done)
+  ((${#solvers[@]} && ${#elements[@]})) || breach 'no plugins found: the check looks in the wrong place'
+  breach_lines 'the framework names a component' < <(
+    code_of framework | grep -E "\"($(IFS='|' && echo "${solvers[*]}"))[\":/]|\"($(IFS='|' && echo "${elements[*]}"))/"
+  )
+}
+
+# Numerics belong to solvers and the framework; io hands problems on. Exempt, with the reason:
+numerics_of_io=(
+  io/gear/node_graph.cpp      # least squares for the initial shape of a net: geometry, before there is a problem
+  io/compare/polish.cpp       # brings a reference to the round-off floor, through the boundary that solvers have
+  io/cli/templates/solver/my_solver.cpp io/cli/templates/solver/my_solver_test.cpp  # a solver to begin with
+)
+
+check_linear_algebra() {
+  local exempt
+  printf -v exempt '^%s:|' "${numerics_of_io[@]}"
+  breach_lines 'linear algebra in io' < <(
+    code_of io | grep -vE "${exempt%|}" |
+      grep -E 'factorise\(|[Cc]holesky|\b(cholmod|umfpack)_|__m(128|256|512)|\b_mm(256|512)?_|[<"]Eigen/|factorisation/registers'
+  )
+}
+
+# Relative links of every page, and files that a README names in backticks (with a folder, or sources by themselves).
+check_documents() {
+  local hit file rest name
+  while IFS= read -r hit; do
+    file=${hit%%:*} rest=${hit#*:}
+    name=${rest#*:](} name=${name%)} name=${name%%#*}
+    [[ -z $name || $name == *:* ]] || exists_beside "$file" "$name" || breach "$file:${rest%%:*}: links to $name, which does not exist"
+  done < <(grep_in '' '\.md$' -oE '\]\([^) ]+\)')
+  while IFS= read -r hit; do
+    file=${hit%%:*} rest=${hit#*:} name=${hit##*:} name=${name//\`/}
+    [[ $file == */templates/* ]] || exists_beside "$file" "$name" || breach "$file:${rest%%:*}: names $name, which does not exist"
+  done < <(grep_in '' '(README|CONTRIBUTING)\.md$' -oE '`([A-Za-z0-9_.-]+/)+[A-Za-z0-9_-]+\.(hpp|cpp|h|md|toml|py|sh|txt|svg)`|`[A-Za-z0-9_-]+\.(hpp|cpp|h)`')
+}
+
+# A name on a page is relative to its folder, to the top, to the headers that plugins include, or to the scenes.
+exists_beside() {
+  local folder=.
+  [[ $1 != */* ]] || folder=${1%/*}
+  [[ -e $folder/$2 || -e $2 || -e framework/include/$2 || -e $folder/netloft/$2 || -e gear-library/scenes/$2 ]]
+}
+
+# A function that is longer than 40 lines does more than one thing, unless it is a table.
+check_function_lengths() {
+  if ! ctags --version 2>/dev/null | grep -q Universal; then
+    echo 'lengths of functions are not checked: universal-ctags is not installed'
+    return
+  fi
+  local file chosen=()
+  for file in "${files[@]}"; do
+    [[ -f $file && $file =~ ^(framework|plugins|solvers|io)/.*\.(hpp|cpp)$ ]] && chosen+=("$file")
+  done
+  breach_lines 'longer than 40 lines' < <(
+    ctags -f - --languages=C++ --c++-kinds=f --fields=+ne "${chosen[@]}" | awk -F '\t' -v tables="${tables_of_rows[*]}" '
+      { line = end = 0
+        for (i = 4; i <= NF; ++i) {
+          if ($i ~ /^line:/) line = substr($i, 6)
+          if ($i ~ /^end:/) end = substr($i, 5)
+        }
+        if (end - line >= 40 && index(" " tables " ", " " $2 ":" $1 " ") == 0)
+          print $2 ":" line ":" $1 "(), " end - line + 1 " lines"
+      }'
+  )
+}
+
+# Functions that are a table of checks or of parameters and nothing else, a few lines a row: file:function.
+tables_of_rows=(
+  framework/conformance/conformance.cpp:table
+  framework/conformance/law_conformance.cpp:law_table
+  framework/conformance/solver_conformance.cpp:solver_table
+  framework/conformance/integrator_conformance.cpp:integrator_table
+  framework/conformance/strategy_conformance.cpp:strategy_table
+  solvers/tension/strategies.cpp:describe
+)
+
+# Words that were ours alone, and what the field calls them. Only forms that are no plain English are looked for.
+private_words=(
+  '[Jj]ourney|a strategy, a study'
+  '[Dd]etour|a fallback, an attempt'
+  'const Leg&|<Leg>|[.]legs\b|\blegs_|a stage'
+  '\b[Ss]haken\b|perturbed'
+  '[Rr]estless|does not settle'
+  '\b[Oo]wn[_ -]start|OwnStart|an initial guess'
+  '\b[Pp]atien(ce|t)\b|a budget of work'
+  '(\bbent|Bent)[_ ]?step|\b(is|was)_bent|a curved step'
+  '\blooks_|--looks\b|"looks"|[.`]looks\b|restarts'
+  '\b[Cc]ompany\b|Company|a family group'
+  '\b[Ss]oftly\b|_softly|fallback at round-off'
+  '\b[Bb]lindly\b|_blindly|accepted on the residual'
+  '[Hh]ardly[_ ](indefinite|convex)|_hardly|nearly definite'
+  '[Tt]ension_?[Cc]ones|\b(in|from|over) cones\b|the interior-point method'
+  '\b([Kk]eeps?|kept|the) books\b|\bbooks?\(|\bbooked\b|statistics, counts'
+  '\bto tell of\b|\btold of\b|reports'
+  '\bstands? otherwise\b|has another equilibrium'
+)
+
+check_words() {
+  local entry any hit text
+  printf -v any '%s|' "${private_words[@]%|*}"
+  while IFS= read -r hit; do
+    [[ $hit != *tests/support/check_house.sh:* ]] || continue
+    text=${hit#*:*:}
+    for entry in "${private_words[@]}"; do
+      [[ ! $text =~ ${entry%|*} ]] || breach_lines "say: ${entry##*|}" <<<"$hit"
+    done
+  done < <(grep_in '' '\.(hpp|cpp|h|c|md|py|sh|cmake|txt|toml|in)$' -E "${any%|}")
 }
 
 main "$@"

@@ -16,7 +16,7 @@ namespace {
 
 SolvedFile solve_trawl(const std::string& model) {
   SolvedFile s = solve_file("validation/small-trawl/" + model + ".toml");
-  const Books& b = s.solved.solution.books;
+  const Statistics& b = s.solved.solution.statistics;
   EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
   std::printf("%s: %zu unknowns, %d iterations, %d factorisations, %.3f s\n", model.c_str(),
               s.solved.plan.unknowns, b.iterations, b.factorisations, b.total_cpu_seconds);
@@ -58,7 +58,7 @@ TEST(SmallTrawl, IsTheSameAsAHalfBesideAMirror) {
   }
 }
 
-// Shaken by 10 cm, each coordinate that is free.
+// Perturbed by 10 cm, each coordinate that is free.
 TEST(SmallTrawl, StandsTheSameFromAnotherStart) {
   const SolvedFile half = solve_trawl("half");
   std::mt19937_64 random(1);

@@ -13,8 +13,9 @@
 namespace netloft::test {
 namespace {
 
-/// End of a cantilever of length 1, clamped level, under P down at its end: Bisshopp and Drucker 1945, Large
-/// deflection of cantilever beams, Quart. Appl. Math. 3, 272-275. With a = sqrt(P/EI), sin φ₁ = 1/(k sqrt 2):
+/// The end of a horizontally clamped cantilever of length 1 under a downward force P at its end: Bisshopp and
+/// Drucker 1945, Large deflection of cantilever beams, Quart. Appl. Math. 3, 272-275. With a = sqrt(P/EI),
+/// sin φ₁ = 1/(k sqrt 2):
 ///   K(k) − F(φ₁, k) = a,  down = 1 − (2/a)[E(k) − E(φ₁, k)],  along = (2/a) sqrt(k² − 1/2)
 struct Elastica {
   explicit Elastica(double load) : a(std::sqrt(load)) {
@@ -37,7 +38,7 @@ TEST(Elastica, HasThePublishedDeflections) {
   EXPECT_NEAR(1 - Elastica(10).along(), 0.55500, 5e-6);
 }
 
-/// x and z of the end, from the clamp, of n bars.
+/// x and z of the end of n bars, measured from the clamp.
 std::array<double, 2> bend(int n) {
   const double h = 1 / (n - 0.5);
   const auto text = [](double v) {

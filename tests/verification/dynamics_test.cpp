@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Time schemes on scenes of the gear library: orders by halving the step, energies, equilibria by dynamics.
-#include "io/analysis/case.hpp"
+#include "io/case/case.hpp"
 #include "tests/verification/solving.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
   return a;
 }
 
-/// Where a scene is at its end.
+/// Positions of a scene at the end of its motion.
 std::vector<double> end_of(const std::string& scene, const std::vector<std::string>& overrides,
                            const MarchWatch& watch = {}) {
   io::Case c({kScenes + scene, overrides, 1}, test::shipped_plugins());
@@ -48,7 +48,7 @@ struct Motion {
   double h;  // coarsest [s]
 };
 
-// Bars as stiff in compression as in tension, so that there is no corner for an order to stumble over.
+// Bars are as stiff in compression as in tension, so that a kink in the force does not reduce the order.
 const Motion kPendulum{"Pendulum",
                        "dynamics/elastic-pendulum.toml",
                        {"parts.rope.cells=4", "parts.rope.rope.EA=2000",
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Order,
                                   std::get<1>(tested.param).name;
                          });
 
-/// Accounts of the last output.
+/// The energy budget at the last output.
 std::map<std::string, double> budget_of(const Motion& motion, const std::vector<std::string>& overrides) {
   std::map<std::string, double> last;
   MarchWatch watch;
@@ -161,7 +161,7 @@ TEST(Settling, FindsItByGeneralizedAlphaToo) {
   EXPECT_LT(distance(newton.u, settled.u), 1e-3 * std::sqrt(double(newton.u.size())));
 }
 
-/// The trapezoidal rule lets stiff twines ring on.
+/// The trapezoidal rule does not damp the vibrations of stiff twines.
 TEST(Settling, NamesSchemesThatComeToRestWhereOneDoesNot) {
   const Solution s = equilibrium_by("newmark", {"analysis.duration=20", "analysis.mass_damping=0.01"});
   EXPECT_EQ(s.status, SolveStatus::not_converged);

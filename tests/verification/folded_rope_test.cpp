@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "io/analysis/case.hpp"
+#include "io/case/case.hpp"
 #include "io/report/run_result.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -17,8 +17,8 @@ namespace {
 
 using Real = long double;
 
-/// n bars between two points at one height, `span` [m] apart: with the horizontal tension H and the lift V of
-/// the first point, bar k carries
+/// The exact equilibrium of n bars between two points at one height, `span` [m] apart: with the horizontal
+/// tension H and the lift V of the first point, bar k carries
 ///   T_k = (H, V − w l₀ (k + ½)),  x_(k+1) = x_k + l₀ (1 + |T_k|/EA) (H, −V_k)/|T_k|                     (1)
 /// half the weight of a bar at each of its ends. V is half of all weight; H is found by bisection.
 struct HungBars {
@@ -46,15 +46,16 @@ struct HungBars {
   }
 };
 
-/// Largest error of a node [m], of a tension [N], and what is told of that of the result `tension`, if asked.
+/// Largest errors of a node [m] and of a tension [N], and the reported error of the result `tension` if the
+/// scene has it.
 struct Off {
-  double furthest = 0, tension = 0, told = std::numeric_limits<double>::quiet_NaN();
+  double furthest = 0, tension = 0, reported = std::numeric_limits<double>::quiet_NaN();
 };
 
 Off off(const std::vector<std::string>& overrides, HungBars bars) {
   io::CaseSource source{NETLOFT_SOURCE_DIR "/tests/stability/scenes/rope.toml", overrides, 1};
   source.overrides.push_back("parts.rope.cells=" + std::to_string(bars.n));
-  source.overrides.insert(source.overrides.begin(), "analysis.solver=auto");
+  source.overrides.insert(source.overrides.begin(), "analysis.strategy=auto");
   io::Case rope(source, shipped_plugins());
   EXPECT_EQ(rope.open(), io::Case::State::ready);
   const Solution s = rope.solve({});
@@ -66,14 +67,14 @@ Off off(const std::vector<std::string>& overrides, HungBars bars) {
     off.furthest =
         std::max(off.furthest, std::hypot(x[3 * k] - static_cast<double>(bars.x[k][0]), x[3 * k + 1],
                                           x[3 * k + 2] - static_cast<double>(bars.x[k][1])));
-  io::RunResult told;
-  told.solution = s;
-  io::collect(rope.loaded(), rope.assembler(), told);
+  io::RunResult result;
+  result.solution = s;
+  io::collect(rope.loaded(), rope.assembler(), result);
   for (std::size_t k = 0; k < bars.T.size(); ++k)
-    off.tension = std::max(off.tension, std::abs(told.outputs[0][0][k] - static_cast<double>(bars.T[k])));
-  if (const auto* tension = io::find_scalar(told.scalars, "tension")) off.told = tension->solver_error;
-  std::printf("%d bars: furthest %.1e m, tension off by %.1e N, told %.1e N\n", bars.n, off.furthest,
-              off.tension, off.told);
+    off.tension = std::max(off.tension, std::abs(result.outputs[0][0][k] - static_cast<double>(bars.T[k])));
+  if (const auto* tension = io::find_scalar(result.scalars, "tension")) off.reported = tension->solver_error;
+  std::printf("%d bars: furthest %.1e m, tension off by %.1e N, reported %.1e N\n", bars.n, off.furthest,
+              off.tension, off.reported);
   return off;
 }
 
@@ -83,25 +84,26 @@ double furthest(const std::vector<std::string>& overrides, const HungBars& bars)
 
 constexpr Real kWeight = (3000.0L - 1025.0L) * 9.81L * std::numbers::pi_v<Real> * 0.01L * 0.01L;  // [N/m]
 
-// Odd numbers would leave a bar in the middle that is longer than the ends are apart.
+// An odd number would leave a middle bar that is longer than the distance between the ends.
 const std::vector<std::string> kFolded = {"parts.rope.sketch=[[0,0,0],[0.001,0,0]]"};
 
 HungBars folded(int bars) { return {bars, 100, 0.001L, kWeight, 1e6L, {}, {}}; }
 
-// Of 4000 bars a residual at the round-off of the positions, 1e-6 N, would let the fold slide by 3e-7 m.
+// With 4000 bars a residual at the round-off of the positions, 1e-6 N, would allow the fold to slide by 3e-7
+// m.
 TEST(FoldedRope, HangsWhereItsTensionIsNearlyNothing) {
   for (const int n : {66, 266, 4000}) EXPECT_LT(furthest(kFolded, folded(n)), 1e-10);
 }
 
-// From the straight sketch: energies have no digits left there, slopes have.
+// From the straight sketch, near the solution, differences in energy are below round-off; slopes are not.
 TEST(FoldedRope, HangsToTheLastDigitsByNewtonAlone) {
   std::vector<std::string> alone = kFolded;
-  alone.insert(alone.end(), {"analysis.solver=newton", "analysis.continuation=off"});
+  alone.insert(alone.end(), {"analysis.solver=newton"});
   EXPECT_LT(furthest(alone, folded(4000)), 1e-10);
 }
 
-// A hundred and ten thousand times as stiff as that; rounding of positions is worth up to 0.06 and 6 N, which
-// no solver gets below without their digits.
+// The rope is 110 000 times as stiff. Rounding of positions then changes forces by 0.06 and 6 N, which no
+// solver can go below without the low-order part of the positions.
 TEST(FoldedRope, StiffItIsNoFurtherOff) {
   for (const Real EA : {1e10L, 1e12L})
     for (const int n : {67, 4000})
@@ -110,12 +112,12 @@ TEST(FoldedRope, StiffItIsNoFurtherOff) {
                 1e-11);
 }
 
-// Tensions out of rounded positions of the longer bars would be off by a newton.
+// Computed from rounded positions, tensions of the longer bars would be wrong by a newton.
 TEST(FoldedRope, StiffItTellsItsTensionsAsWell) {
   const Off stiff = off({"parts.rope.rope.EA=1e12", "results.tension={of=\"rope\",take=\"max tension\"}"},
                         {4000, 100, 80, kWeight, 1e12L, {}, {}});
   EXPECT_LT(stiff.tension, 1e-3);
-  EXPECT_LT(stiff.told, 1e-3);
+  EXPECT_LT(stiff.reported, 1e-3);
 }
 
 TEST(FoldedRope, UnfoldedItDoesTheSame) {

@@ -16,7 +16,7 @@
 namespace netloft::test {
 namespace {
 
-// The independent program; energy from z = 0.
+// Results of the independent program; energy is relative to z = 0.
 constexpr double kLowestZ = -42.67468699107;     // [m]
 constexpr double kMidWidth = 15.0040926972;      // [m]
 constexpr double kEnergy = -58151.570400698;     // [J]
@@ -24,7 +24,7 @@ constexpr double kTopReaction = 2884.660640009;  // [N]
 constexpr double kCentreZ = -18.62402966876;     // of the panel [m]
 constexpr double kBottomZ = -42.65782882554;     // of the middle of the lower edge [m]
 
-/// The scene of the library with one word switched.
+/// The scene of the library with another element type.
 SolvedFile hang(const std::string& type, int cells) {
   const std::string n = std::to_string(cells);
   return solve_file("dead-weight-panel.toml",
@@ -33,7 +33,7 @@ SolvedFile hang(const std::string& type, int cells) {
 
 double relative(double value, double exact) { return std::abs(value - exact) / std::abs(exact); }
 
-/// From the middle of the left edge to that of the right.
+/// Distance from the middle of the left edge to that of the right.
 double mid_width(const SolvedFile& s) {
   const auto& net = s.part("net");
   const auto middle = [&](const char* edge) {
@@ -96,7 +96,7 @@ TEST(LumpedNet, AndTrianglesAreTwoSidesOfOnePanel) {  // the difference falls wi
     EXPECT_LT(difference, before);
     before = difference;
   }
-  EXPECT_LT(before, 0.023);  // what triangles are off the net twine by twine at 32 cells
+  EXPECT_LT(before, 0.023);  // the error of triangles against the net twine by twine with 32 cells
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Errors compare(const Solved& s, const Level& level) {
 void print(const char* what, const Solved& s, const Errors& e) {
   std::printf(
       "%-22s %4d iterations  node %.1e m  lowest z %.1e m  energy %.1e  elastic %.1e  reaction %.1e  %s\n",
-      what, s.solution.books.iterations, e.worst_node, e.lowest_z, e.energy, e.elastic, e.top,
+      what, s.solution.statistics.iterations, e.worst_node, e.lowest_z, e.energy, e.elastic, e.top,
       name_of(s.solution.stability));
 }
 
@@ -99,7 +99,7 @@ TEST_P(HangingPanelLevels, HangsDeeperInAir) {
   EXPECT_LT(e.top, kRelativeTolerance);
 }
 
-// The energy is convex: its minimum is one number, but slack netting may lie in many ways at it.
+// The energy is convex, so its minimum has one value, but slack netting may have many shapes there.
 TEST_P(HangingPanelLevels, HasOneEnergyWithoutStiffnessInCompression) {
   const int n = GetParam();
   Scene scene = sample::hanging_panel(n, 34);
@@ -122,8 +122,8 @@ double observed_order(double coarse, double middle, double fine) {
   return std::log2(std::abs((coarse - middle) / (middle - fine)));
 }
 
-// Not second order: the lower edge ends closed and the top corners are singular. The independent program
-// finds 1.09 for the lowest z at 32, 64, 128 cells, and orders that drift from level to level.
+// The order is below two because the lower edge ends closed and the top corners are singular. The independent
+// program finds 1.09 for the lowest z at 32, 64, 128 cells, and orders that drift from level to level.
 TEST(HangingPanelOrder, IsAboutOne) {
   std::vector<double> lowest, energy;
   std::printf("cells     lowest z [m]    order       energy [J]    order\n");
@@ -161,7 +161,7 @@ TEST(ClassicNewton, IsReportedForWhatItFindsOnTheHangingPanel) {
       const Solved s = solve_as_published(sample::hanging_panel(n, height));
       const Solution& found = s.solution;
       std::printf("%2d cells, %5.2f m: %s, %d iterations; %s\n", n, height, name_of(found.status),
-                  found.books.iterations, found.reason.c_str());
+                  found.statistics.iterations, found.reason.c_str());
       if (found.status == SolveStatus::converged) {
         const Errors e = compare(s, read_level("hanging-panel.txt", n));
         EXPECT_EQ(found.stability, Stability::stable);

@@ -10,7 +10,7 @@
 namespace netloft::test {
 
 /// Answers of an independent program at one refinement: the numbers of a `level` line and the `node` lines
-/// below it. What they mean stands at the top of the file.
+/// below it. Their meaning is described at the top of the file.
 struct Level {
   int n = 0;
   std::vector<double> values;

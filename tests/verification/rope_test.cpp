@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ropes of straight bars: bar by bar against an independent program, and against the elastic catenary they
-// tend to as bars get shorter.
+// Ropes of straight bars: bar by bar against an independent program, and against the elastic catenary, the
+// limit for short bars.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ TEST_P(RopeInBars, LiesAsTheIndependentProgramSays) {
                force = std::hypot(start[0] - want.values[1], start[2] - want.values[2]) /
                        std::hypot(want.values[1], want.values[2]);
   std::printf("%4d bars: %3d iterations, node %.1e m, energy %.1e, reaction %.1e\n", want.n,
-              s.solution.books.iterations, worst, energy, force);
+              s.solution.statistics.iterations, worst, energy, force);
   EXPECT_LT(worst, 1e-9);
   EXPECT_LT(energy, 1e-12);
   EXPECT_LT(force, 1e-10);
@@ -64,14 +64,14 @@ struct Catenary {
   double T_end() const { return std::hypot(H(), w * L0 / 2); }  // (3)
 };
 
-/// A scene file and what must come out: the closed form, and its digits as published.
+/// A scene file and its expected results: the closed form, and the published digits.
 struct Case {
   const char *name, *file;
   std::vector<std::string> overrides;
   const char* part;
   Catenary rope;
-  double H, sag, T_end;  // published; 0: not
-  double digits;         // half a unit of the last of them, relative
+  double H, sag, T_end;  // published; 0: not published
+  double digits;         // half a unit of their last digit, relative
 };
 
 const double kWireWeight = 2844.23 * 2.2783e-4 * 9.81;  // [N/m]
@@ -97,7 +97,7 @@ const Case kCases[] = {
      8.195452,
      0,
      5e-7},
-    // closed form (1) to (3), evaluated elsewhere to nine digits
+    // closed form (1) to (3), evaluated by another program to nine digits
     {"EA100",
      "hanging-rope.toml",
      {},
@@ -165,9 +165,9 @@ TEST_P(ElasticCatenary, IsApproachedWithTheSquareOfTheBarLength) {
   }
 }
 
-// Straight bars cannot do better than a share of (1/200)^2 = 2.5e-5: a rope sags within each bar, too, and
-// what the chord is short of the arc is of that order. That error is so regular that 100 and 200 bars
-// together leave 1e-9.
+// The error of straight bars is of the order of (1/200)^2 = 2.5e-5, because a rope also sags within each bar
+// and a chord is shorter than its arc. This error is so regular that extrapolation from 100 and 200 bars
+// leaves 1e-9.
 TEST_P(ElasticCatenary, IsKnownToAMillionthFromTwoHundredBars) {
   const Values3 want = exact(GetParam()), half = solve_in_bars(GetParam(), 100),
                 full = solve_in_bars(GetParam(), 200);
@@ -181,9 +181,9 @@ TEST_P(ElasticCatenary, IsKnownToAMillionthFromTwoHundredBars) {
   }
 }
 
-// The same with `rope.sag = 1`: what a rope does within a bar counts, and the error is of fourth order. That
-// wants bars whose weight is small beside their tension; with few and long ones other shapes are in balance,
-// too.
+// The same with `rope.sag = 1`: the deformation within a bar is included, and the error is of fourth order.
+// This requires bars whose weight is small compared with their tension; with few long bars there are other
+// equilibria, too.
 TEST_P(ElasticCatenary, IsApproachedWithTheFourthPowerOfTheBarLengthIfBarsSag) {
   const Values3 want = exact(GetParam());
   Values3 before{};
@@ -226,7 +226,8 @@ TEST(BracedSquare, LeavesOneDiagonalSlack) {
     throw std::invalid_argument(part);
   };
   for (const auto& part : s.loaded.parts) std::printf("%-14s %16.9f N\n", part.name.c_str(), of(part.name));
-  // The square gives way by 1e-6 of its side: so much the forces may differ from those of the undeformed one.
+  // The square deforms by 1e-6 of its side, and the forces may differ by as much from those of the undeformed
+  // one.
   EXPECT_NEAR(of("falling-cable"), 1000 * std::sqrt(2), 1e-5 * 1414);
   EXPECT_NEAR(of("lower"), -1000, 1e-5 * 1000);
   EXPECT_EQ(of("rising-cable"), 0);

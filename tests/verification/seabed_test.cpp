@@ -22,7 +22,7 @@ double pull_at(const SolvedFile& s, const std::string& part, const std::string& 
 const double kWeight = (3 - 1025 * std::acos(-1.0) / 4 * 0.028 * 0.028) * 9.80665;  // [N/m] in water
 constexpr double kEA = 3e7;
 
-/// Where the root of a rising function lies.
+/// The root of an increasing function.
 template <class F>
 double root(double low, double high, F&& f) {
   for (int i = 0; i < 200; ++i) {
@@ -32,8 +32,8 @@ double root(double low, double high, F&& f) {
   return low;
 }
 
-/// Top tension of 480 m of it, 400 m away and 190 m above a rigid bed: s metres hang, H is the tension on the
-/// bed.
+/// The tension at the top of 480 m of this wire, 400 m away from its end and 190 m above a rigid bed. s
+/// metres hang; H is the tension on the bed.
 ///   190 = w s²/(2 EA) + (H/w)(√(1 + (w s/H)²) − 1)                       (1)
 ///   400 = H s/EA + (H/w) asinh(w s/H) + (480 − s)(1 + H/EA)              (2)
 double top_tension_on_rigid_bed() {
@@ -61,8 +61,8 @@ TEST(CatenaryOnSeabed, PullsAsOnARigidBed) {
   EXPECT_LT(relative(pull_at(s, "wire", "start"), 8655.4), 3e-5);
 }
 
-// The way that a soft bed gives is √(2 ε w/k) or ε/2 + w/k deep: the error falls with the stiffness until
-// that of straight bars, here 3e-6, is all that is left.
+// A soft bed is indented by √(2 ε w/k) or ε/2 + w/k: the error decreases with the stiffness until only that
+// of straight bars remains, here 3e-6.
 TEST(CatenaryOnSeabed, ApproachesTheRigidBedAsItsStiffnessGrows) {
   const double exact = top_tension_on_rigid_bed();
   double before = 1;
@@ -73,7 +73,7 @@ TEST(CatenaryOnSeabed, ApproachesTheRigidBedAsItsStiffnessGrows) {
     ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
     const double error = relative(pull_at(s, "wire", "start"), exact);
     std::printf("stiffness %.0e N/m2: %3d iterations, top tension %.3f N, error %.2e\n", k,
-                s.solved.solution.books.iterations, pull_at(s, "wire", "start"), error);
+                s.solved.solution.statistics.iterations, pull_at(s, "wire", "start"), error);
     EXPECT_LT(error, before);
     before = k < 1e5 ? error / 4 : 3e-6;
   }
@@ -87,10 +87,10 @@ TEST(RopeOverSeabed, IsHeldByTheFrictionOfWhatSlidesAndNoMore) {
     const SolvedFile s = solve_file("verification/rope-dragged-over-seabed.toml",
                                     {"parts.rope.cells=" + std::to_string(bars)});
     ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
-    // The end was sketched where it is held, so its half bar is not dragged; the rest of the rope is.
+    // The end was sketched at its held position, so its half bar is not dragged; the rest of the rope is.
     const double pull = -s.solved.reaction(s.node("rope", "start"))[0] + friction * 0.5 * 80 / bars;
     std::printf("%3d bars: %2d iterations, pull %.4f N, error %.2e\n", bars,
-                s.solved.solution.books.iterations, pull, relative(pull, exact));
+                s.solved.solution.statistics.iterations, pull, relative(pull, exact));
     EXPECT_LT(relative(pull, exact), 1e-4);
     const auto end = s.solved.position(s.node("rope", "end"));
     EXPECT_NEAR(end[0], 80, 1e-12) << "40 m away it sticks to where it was laid";
@@ -103,8 +103,8 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
   return largest;
 }
 
-// While it is solved the rope is held to where it was sketched, after that to where it has slid to: the
-// forces of the equilibrium stay, those of the sketch are no longer nothing.
+// During the solution the anchors of friction are at the sketch, afterwards at the positions to which the
+// rope has slid. The forces of the equilibrium remain; those at the sketch are no longer zero.
 TEST(RopeOverSeabed, SticksToWhereItWasFoundInEquilibrium) {
   const SolvedFile s = solve_file("verification/rope-dragged-over-seabed.toml");
   ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;

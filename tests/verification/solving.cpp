@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/verification/solving.hpp"
 
+#include "framework/study/study.hpp"
+#include "solvers/factorisation/kept_analyses.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -22,6 +25,20 @@ Registry& shipped_plugins() {
   return registry;
 }
 
+namespace {
+
+Solution find_by_strategy(const Solved& s, const Solving& how) {
+  Registry& registry = shipped_plugins();
+  StudyOptions options;
+  options.solver = {&registry.solver(how.solver), how.solver_parameters};
+  options.limits = how.limits, options.work = how.work;
+  return find_equilibrium({&s.scene, s.assembler.get(), &registry, nullptr, keep_analyses(how.make),
+                           TangentChoice::exact, how.threads},
+                          options, {&registry.strategy(how.strategy), how.strategy_parameters});
+}
+
+}  // namespace
+
 Solved solve(Scene scene, const Solving& how) {
   const SolverType& solver = shipped_plugins().solver(how.solver);
   std::vector<std::string> faults;
@@ -31,7 +48,10 @@ Solved solve(Scene scene, const Solving& how) {
   Solved s{std::move(scene), {}, nullptr, {}};
   s.plan = make_plan(s.scene, shipped_plugins());
   s.assembler = std::make_unique<Assembler>(s.scene, s.plan, how.threads);
-  s.solution = solve_static(s.scene, *s.assembler, solver, parameters.data(), how.limits, how.make);
+  if (how.strategy.empty())
+    s.solution = solve_static(s.scene, *s.assembler, solver, parameters.data(), how.limits, how.make);
+  else
+    s.solution = find_by_strategy(s, how);
   return s;
 }
 

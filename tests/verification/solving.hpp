@@ -11,16 +11,19 @@ namespace netloft::test {
 /// The shipped plugins of this build.
 Registry& shipped_plugins();
 
-/// How a test wants its scene solved; what is not said is what a user gets by default.
+/// How a test solves its scene; the defaults are those of a user.
 struct Solving {
-  Values solver_parameters;
-  Limits limits;
+  Values solver_parameters = {};
+  Limits limits = {};
   int threads = 1;
   std::string solver = "newton";
+  std::string strategy = "";  // empty: the solver alone, in one solve
+  Values strategy_parameters = {};
+  double work = 5000;  // budget of the strategy
   MakeFactorisation make = make_factorisation;
 };
 
-/// A scene with its assembler and what the solver made of it.
+/// A scene with its assembler and the result of the solver.
 struct Solved {
   Scene scene;
   Plan plan;
@@ -28,12 +31,12 @@ struct Solved {
   Solution solution;
 
   std::array<double, 3> position(std::uint32_t node) const { return vector_at(solution.x, node); }
-  /// Force of the support on what is held, as far as the node is held [N].
+  /// Force of the support on a node along its held axes [N].
   std::array<double, 3> reaction(std::uint32_t node) const { return vector_at(solution.residual, node); }
   /// Sum of reaction(n) over all nodes.
   std::array<double, 3> total_reaction() const;
   double lowest_z() const;
-  /// First output of the only family that is called so, by element.
+  /// The first output of the only family with that output, by element.
   std::vector<double> output(const std::string& name) const;
 
  private:
@@ -42,7 +45,7 @@ struct Solved {
 
 Solved solve(Scene scene, const Solving& how = {});
 
-/// Energy of the same positions without gravity: what is stored in the stretched netting [J].
+/// Energy at the same positions without gravity: the energy stored in the stretched netting [J].
 double elastic_energy(const Solved& solved);
 
 }  // namespace netloft::test

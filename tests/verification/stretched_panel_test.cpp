@@ -29,7 +29,7 @@ struct Case {
   double opening_stiffness;  // [N m/rad]
 };
 
-// The other convention of the couple has half of it: half our H.
+// Another convention defines the couple by half of it, which is half our H.
 const Case kCases[] = {
     {"AsPublished", "stretched-panel.txt", 0.001},
     {"WithHalfTheCouple", "stretched-panel-half-couple.txt", 0.0005},
@@ -65,7 +65,7 @@ Solved solve_panel(const Case& c, int n) {
   return solve_loaded(loaded, loaded.scene);
 }
 
-/// Kept in its plane, and from the shape that it has with resistance to opening.
+/// The panel without opening stiffness, kept in its plane and started from the shape with opening stiffness.
 Solved solve_without_opening(int n) {
   const Solved open = solve_panel(kCases[0], n);
   const io::LoadedScene loaded = load_panel(0, n);
@@ -91,7 +91,7 @@ double top_reaction(const Solved& s, int n, std::size_t axis, int end) {
 
 double relative(double value, double reference) { return std::abs(value - reference) / std::abs(reference); }
 
-/// Of the nodes of the reference; the energy with its sign.
+/// Errors at the nodes of the reference; the error of the energy has a sign.
 struct Errors {
   double worst_node = 0, width = 0, energy = 0, top = 0, top_left = 0;
 };
@@ -114,7 +114,7 @@ Errors compare(const Solved& s, const Level& level) {
 void print(const char* what, int n, const Solved& s, const Errors& e) {
   std::printf(
       "%-17s %2d cells %3d iterations  node %.1e m  width %.1e m  energy %+.1e  top %.1e  left half %.1e\n",
-      what, n, s.solution.books.iterations, e.worst_node, e.width, e.energy, e.top, e.top_left);
+      what, n, s.solution.statistics.iterations, e.worst_node, e.width, e.energy, e.top, e.top_left);
 }
 
 class StretchedPanel : public testing::TestWithParam<std::tuple<Case, int>> {};
@@ -142,10 +142,10 @@ INSTANTIATE_TEST_SUITE_P(AllCells, StretchedPanel,
 
 class StretchedPanelWithoutOpening : public testing::TestWithParam<int> {};
 
-// Twines that push make many equilibria: the free edges end in closed meshes, which may lie either way round.
-// From the rectangle, 16 and more cells find others, all stable, 1e-6 apart in energy. From the shape with
-// opening stiffness, 64 cells still end in a neighbour of the independent program's, 1.5e-12 lower in energy,
-// and so may 32, depending on the steps of the solver.
+// Stiffness in compression makes many equilibria: the free edges end in closed meshes, which may be folded
+// either way. From the rectangle, 16 and more cells find others, all stable, 1e-6 apart in energy. From the
+// shape with opening stiffness, 64 cells still end in a neighbour of the independent program's, 1.5e-12 lower
+// in energy, and so may 32, depending on the steps of the solver.
 TEST_P(StretchedPanelWithoutOpening, TakesAShapeOfNoMoreEnergy) {
   const int n = GetParam();
   const Solved s = solve_without_opening(n);
@@ -159,8 +159,8 @@ TEST_P(StretchedPanelWithoutOpening, TakesAShapeOfNoMoreEnergy) {
   EXPECT_LT(e.top, n < 32 ? kRelativeTolerance : 1e-6);
 }
 
-/// Positions as the start of a scene without opening stiffness, in its plane; `held` nodes do not move at
-/// all.
+/// A scene without opening stiffness, kept in its plane, with these initial positions; nodes in `held` are
+/// fixed.
 Scene scene_at(int n, const Solved& shape, const Level* held = nullptr) {
   Scene scene = load_panel(0, n).scene;
   for (std::uint32_t node = 0; node < scene.node_count(); ++node) {
@@ -177,7 +177,7 @@ Scene scene_at(int n, const Solved& shape, const Level* held = nullptr) {
   return scene;
 }
 
-/// Largest force that is needed to hold the nodes of the reference which nothing holds in the panel [N].
+/// Largest force that holds those nodes of the reference which are free in the panel [N].
 double force_to_hold(const Solved& s, const Level& level) {
   double most = 0;
   for (const auto& given : level.nodes) {
@@ -188,7 +188,7 @@ double force_to_hold(const Solved& s, const Level& level) {
   return most;
 }
 
-/// The reference's equilibrium: its nodes, and all others in balance between them.
+/// The equilibrium of the reference: its nodes are held, and all others are in balance between them.
 Solved reference_shape(int n, const Level& level) {
   return solve_loaded(load_panel(0, n), scene_at(n, solve_without_opening(n), &level));
 }
@@ -207,7 +207,7 @@ TEST_P(StretchedPanelWithoutOpening, HasTheEquilibriumOfTheIndependentProgram) {
   EXPECT_LT(std::abs(e.energy), n < 64 ? 1e-12 : 1e-11);
 }
 
-/// And a stable one: every node moved in the plane by up to a tenth of a millimetre, it comes back.
+/// The equilibrium is stable: every node is moved in the plane by up to a tenth of a millimetre and returns.
 TEST_P(StretchedPanelWithoutOpening, ReturnsToTheEquilibriumOfTheIndependentProgram) {
   const int n = GetParam();
   const Level level = read_level("stretched-panel-no-opening.txt", n);

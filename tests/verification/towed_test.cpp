@@ -24,8 +24,8 @@ SolvedFile solve_in_bars(const std::string& name, const std::string& part, int b
   return s;
 }
 
-// No solver in between: the positions of the independent program are put into the assembler. They are stored
-// to 15 digits, 5e-13 m beyond 100 m, of which EA/l0 = 5e4 N/m makes 2.5e-8 N in each bar.
+// This test uses no solver: the positions of the independent program are put into the assembler. They are
+// stored to 15 digits, 5e-13 m beyond 100 m, of which EA/l0 = 5e4 N/m makes 2.5e-8 N in each bar.
 TEST(TowedRope, IsInBalanceWhereTheIndependentProgramHasIt) {
   const Level want = read_level("towed-cable-in-bars.txt", 10);
   const SolvedFile s = solve_in_bars("towed-rope.toml", "rope", 10);
@@ -63,7 +63,7 @@ TEST_P(TowedRopeInBars, LiesAsTheIndependentProgramSays) {
   const auto top = s.solved.reaction(s.node("rope", "start"));
   const double force = std::hypot(top[0] - want.values[0], top[2] - want.values[1]);
   std::printf("%4d bars: %3d iterations, node %.1e m, reaction %.1e N\n", want.n,
-              s.solved.solution.books.iterations, worst, force);
+              s.solved.solution.statistics.iterations, worst, force);
   EXPECT_LT(worst, 1e-7);
   EXPECT_LT(force, 1e-7);
 }
@@ -90,7 +90,7 @@ struct ContinuousWire {
   static State add(const State& y, double h, const State& d) {
     return {y[0] + h * d[0], y[1] + h * d[1], y[2] + h * d[2], y[3] + h * d[3]};
   }
-  /// At the top, with the end at the origin; 4th order Runge-Kutta.
+  /// Integrates to the top, with the end at the origin; Runge-Kutta of 4th order.
   static State top() {
     State y = {0, 0, -0.5 * rho * V * V, (1500 - 0.2 * rho) * g};  // the sinker's drag and weight
     constexpr int steps = 30000;

@@ -6,8 +6,8 @@
 namespace netloft {
 
 /// A number with its gradient and, of second order, its Hessian with respect to N variables (forward mode).
-/// Slow and sure: it makes force and tangent of an element out of nothing but its energy, and is the
-/// oracle that faster kernels are tested against.
+/// It is slow but simple: it derives force and tangent of an element from its energy alone, and serves as the
+/// reference implementation in tests of faster kernels.
 template <int N, int Order = 2>
 struct Dual {
   double value = 0;

@@ -13,6 +13,13 @@
 // of every element of the part in turn; `evaluate` is handed it after the data. One whose part shares numbers
 // that are solved for, too (the front of a catch), says how many: `static constexpr int globals = 1`. They
 // are coordinates of one more node, the last: N is one more.
+//
+// One that bears tension along straight lines declares these members, and solvers may take the tensions for
+// unknowns:
+//
+//   static std::array<Member, N> members(const Parameters&, const Data&, double time);
+//
+// The term that is the force of the members, no more and no less, has the trait `of_members`.
 #pragma once
 #include <netloft/element_calls.hpp>
 #include <netloft/parameters.hpp>
@@ -41,6 +48,15 @@ enum Trait : std::uint32_t {
   has_convex = NETLOFT_HAS_CONVEX,
   has_metric = NETLOFT_HAS_METRIC,
   from_outside = NETLOFT_FROM_OUTSIDE,
+  of_members = NETLOFT_OF_MEMBERS,
+  is_weight = NETLOFT_IS_WEIGHT,
+  is_drag = NETLOFT_IS_DRAG,
+};
+
+/// What an output means to reports that compare parts of different types.
+enum class OutputRole : std::uint32_t {
+  plain = NETLOFT_OUTPUT_PLAIN,
+  tension = NETLOFT_OUTPUT_TENSION,  // in a rope or in one twine [N], negative in compression
 };
 
 /// Describes one element to the host: parameters, data, terms, outputs.
@@ -77,15 +93,17 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     t.size = sizeof t, t.traits = traits, t.name = name, t.doc = doc, t.needs = needs;
     t.evaluate = &detail::evaluate_term<E, T, (traits & NETLOFT_SYMMETRIC) != 0>;
     terms_.push_back(t);
+    if constexpr ((traits & NETLOFT_OF_MEMBERS) != 0) declare_members();
   }
 
   /// A number reported per element, in physical sign.
-  void output(const char* name, const char* unit, const char* doc, Output function) {
-    add_output(name, unit, doc, {function, nullptr});
+  void output(const char* name, const char* unit, const char* doc, Output function,
+              OutputRole role = OutputRole::plain) {
+    add_output(name, unit, doc, {function, nullptr}, role);
   }
   /// The same for 64 elements at once, with the family at hand: what comes out of a law.
   void output_lanes(const char* name, const char* unit, const char* doc, LanesOutput function) {
-    add_output(name, unit, doc, {nullptr, function});
+    add_output(name, unit, doc, {nullptr, function}, OutputRole::plain);
   }
 
   /// A law that users choose by name under this key; `accepts` is a sum of netloft_law_kind.
@@ -120,6 +138,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     e.rides_on = rides_on_, e.state_width = state_width_;
     e.globals = globals_.data(), e.global_count = static_cast<std::uint32_t>(globals_.size());
     e.create = &create, e.destroy = &destroy, e.output = &evaluate_outputs;
+    e.member_count = member_count_, e.members = members_;
     return e;
   }
 
@@ -135,9 +154,17 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     Output one;
     LanesOutput lanes;
   };
-  void add_output(const char* name, const char* unit, const char* doc, OutputFunction function) {
+  /// An element has members only with the term that is their force.
+  void declare_members() {
+    static_assert(detail::HasMembers<E>,
+                  "A term of members needs a static function of the element, `std::array<Member, N> "
+                  "members(const Parameters&, const Data&, double time)`.");
+    member_count_ = detail::count_members<E>(), members_ = &detail::write_members<E>;
+  }
+  void add_output(const char* name, const char* unit, const char* doc, OutputFunction function,
+                  OutputRole role) {
     netloft_output o{};
-    o.size = sizeof o, o.name = name, o.unit = unit, o.doc = doc;
+    o.size = sizeof o, o.role = static_cast<std::uint32_t>(role), o.name = name, o.unit = unit, o.doc = doc;
     outputs_.push_back(o);
     functions_.push_back(function);
   }
@@ -182,7 +209,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   }
 
   const char *name_, *doc_, *rides_on_ = nullptr;
-  std::uint32_t state_width_ = 0;
+  std::uint32_t state_width_ = 0, member_count_ = 0;
+  int (*members_)(const void*, double, std::uint32_t, std::uint32_t, netloft_member*) = nullptr;
   std::vector<netloft_law_slot> laws_;
   std::vector<netloft_term> terms_;
   std::vector<netloft_output> outputs_;

@@ -6,9 +6,12 @@
 #include <netloft/dual.hpp>
 #include <netloft/state.hpp>
 
+#include <array>
+#include <concepts>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <utility>
 
 namespace netloft {
 
@@ -43,6 +46,17 @@ concept HasEnergy = requires(const typename E::Parameters& p, const typename E::
                              const Points<Dual<3 * nodes_of<E>>, nodes_of<E>>& x) {
   T::energy(p, d, w, x);
 };
+
+template <class E>
+concept HasMembers = requires(const typename E::Parameters& p, const typename E::Data& d) {
+  { E::members(p, d, 0.0)[0] } -> std::convertible_to<const Member&>;
+};
+template <class E>
+consteval std::uint32_t count_members() {
+  using Members = decltype(E::members(std::declval<const typename E::Parameters&>(),
+                                      std::declval<const typename E::Data&>(), 0.0));
+  return static_cast<std::uint32_t>(std::tuple_size_v<Members>);
+}
 
 inline int say(char* message, std::uint32_t size, const char* text, int status) {
   if (message && size) std::snprintf(message, size, "%s", text);
@@ -156,6 +170,19 @@ int evaluate_term(const void* self, netloft_tile* t) {
       return NETLOFT_OK;
     }
   });
+}
+
+template <class E>
+int write_members(const void* self, double time, std::uint32_t first, std::uint32_t count,
+                  netloft_member* out) noexcept {
+  const auto& family = *static_cast<const Family<E>*>(self);
+  try {
+    for (std::size_t e = first; e < std::size_t{first} + count; ++e)
+      for (const Member& member : E::members(family.parameters(e), family.data(e), time)) *out++ = member;
+    return NETLOFT_OK;
+  } catch (...) {
+    return NETLOFT_ERROR;
+  }
 }
 
 template <class E>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the author of a time scheme includes. An integrator is a struct with `Parameters` and
+// The header for authors of time schemes. An integrator is a struct with `Parameters` and
 //
 //   static Step step(const Parameters&, Motion&);            // fills next_u, next_v, next_a
 //   static double order(const Parameters&);                  // of the error that it puts into `error`
 //   static double stable_step(const Parameters&, double w);  // longest, at the highest frequency w; 0: any
 //
-// It sees F(t, u, v, a) = 0 and makes of one step whatever it likes: a sum of accelerations, or an algebraic
-// problem that the solver of the analysis gets. The host controls the step and keeps the books.
+// It solves F(t, u, v, a) = 0 over one step in any way: by a sum of accelerations, or by an algebraic problem
+// that the solver of the analysis solves. The host controls the length of the step and counts the work.
 #pragma once
 #include <netloft/plugin.h>
 #include <netloft/parameters.hpp>
@@ -19,10 +19,10 @@
 
 namespace netloft {
 
-/// How a step ended: `shorter` if it may be found when h is smaller.
+/// The end of a step; `shorter` if a solution may exist for a smaller h.
 enum class Step { found = NETLOFT_OK, shorter = NETLOFT_OUTSIDE_DOMAIN };
 
-/// F(t, u, v, a) = 0 as an integrator sees it, at the start of a step of length h.
+/// The equation F(t, u, v, a) = 0 as seen by an integrator, at the start of a step of length h.
 class Motion {
  public:
   explicit Motion(netloft_motion& m) : m_(m) {}
@@ -37,7 +37,7 @@ class Motion {
   std::span<double> next_v() { return {m_.v_new, size()}; }
   std::span<double> next_a() { return {m_.a_new, size()}; }
   std::span<double> error() { return {m_.error, size()}; }
-  /// A vector of the integrator's own.
+  /// A vector for the integrator's own use.
   std::span<double> scratch(std::uint32_t index) { return {m_.scratch(m_.host, index), size()}; }
 
   /// F [N].
@@ -45,11 +45,11 @@ class Motion {
                 std::span<double> r) {
     return checked(m_.residual(m_.host, t, u.data(), v.data(), a.data(), r.data()));
   }
-  /// The a with which F vanishes.
+  /// Finds the a for which F vanishes.
   Step accelerate(double t, std::span<const double> u, std::span<const double> v, std::span<double> a) {
     return checked(m_.accelerate(m_.host, t, u.data(), v.data(), a.data()));
   }
-  /// The u with which F(t, u, v0 + cv u, a0 + ca u) vanishes, from the u given.
+  /// Finds the u for which F(t, u, v0 + cv u, a0 + ca u) vanishes, starting from the given u.
   Step solve(double t, std::span<const double> v0, double cv, std::span<const double> a0, double ca,
              std::span<double> u) {
     return checked(m_.solve(m_.host, t, v0.data(), cv, a0.data(), ca, u.data()));
@@ -57,7 +57,7 @@ class Motion {
 
  private:
   static Step checked(int status) {
-    if (status < 0) throw std::runtime_error("");  // the host knows what went wrong
+    if (status < 0) throw std::runtime_error("");  // the host knows the reason
     return static_cast<Step>(status);
   }
   netloft_motion& m_;

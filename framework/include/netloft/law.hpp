@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the author of a hydrodynamic law includes. A law is a struct with `Parameters`, what it speaks of
-// (`kind`), and one function, from the quickest to write to the fastest to run:
+// The header for authors of hydrodynamic laws. A law is a struct with `Parameters`, the kind of body that it
+// applies to
+// (`kind`), and one of two functions, the first quicker to write, the second faster to run:
 //
 //   template <class T> static Vec3<T> force(const Parameters&, const Flow<T>&);
 //   static void lanes(const Parameters&, const netloft_flow&);
 //
-// `force` is differentiated; `lanes` fills 64 at a time, derivatives too when they are wanted.
+// `force` is differentiated; `lanes` fills 64 at a time, with derivatives if these are requested.
 #pragma once
 #include <netloft/element.hpp>
 
 namespace netloft {
 
-/// One twine, or one piece of netting as a screen, in the water.
+/// The flow at one twine, or at one piece of netting taken as a screen.
 template <class T>
 struct Flow {
   Vec3<T> flow;                       // velocity of the water relative to it [m/s]
@@ -22,7 +23,7 @@ struct Flow {
   double density = 0, viscosity = 0;  // of the water [kg/m3], [m2/s]
 };
 
-/// Arrays for 64 calls of a law, as an element needs them.
+/// Arrays for 64 calls of a law, in the layout of elements.
 struct FlowLanes {
   double flow[3][kLanes], direction[3][kLanes], diameter[kLanes], solidity[kLanes];
   double force[3][kLanes], d_flow[9][kLanes], d_direction[9][kLanes], d_solidity[3][kLanes];

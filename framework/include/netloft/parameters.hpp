@@ -11,15 +11,15 @@
 
 namespace netloft {
 
-/// What a real means to a host that leads a solver to a hard answer over easier ones.
+/// The meaning of a real parameter for strategies that make a scene easier.
 enum class Role : std::uint32_t {
   plain = 0,
   stiffness = NETLOFT_STIFFNESS,      // elastic forces grow in proportion to it
-  compression = NETLOFT_COMPRESSION,  // stiffness of what is slack
+  compression = NETLOFT_COMPRESSION,  // stiffness of slack twines and ropes
   damping = NETLOFT_DAMPING,          // tension per strain rate
 };
 
-/// Where a value may lie and what it is when the user does not say. Without a default it must be given.
+/// Range and default of a real parameter. Without a default the user must give a value.
 struct Real {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
@@ -28,8 +28,8 @@ struct Real {
   Role role = Role::plain;
 };
 
-/// The parameter table of one element or solver: binds names in a scene to members of the struct P.
-/// Name, unit, range, default and sentence stand here and nowhere else.
+/// The parameter table of one element or solver: binds names in a scene to members of the struct P. Name,
+/// unit, range, default and description are given here and nowhere else.
 template <class P>
 class ParameterTable {
  public:
@@ -48,7 +48,7 @@ class ParameterTable {
   void boolean(const char* name, bool P::*member, const char* doc, bool fallback) {
     set_fallback(add(NETLOFT_BOOLEAN, name, offset(member), "1", doc), fallback ? 1 : 0, false);
   }
-  /// One of several words; the member holds its place in the list. The first word is the default.
+  /// One of several words; the member is its index in the list. The first word is the default.
   void choice(const char* name, std::int64_t P::*member, const char* doc,
               std::initializer_list<const char*> words) {
     auto& p = add(NETLOFT_CHOICE, name, offset(member), "1", doc);
@@ -63,7 +63,7 @@ class ParameterTable {
     if (!fallback) p.flags |= NETLOFT_REQUIRED;
   }
 
-  /// A sampled curve with named columns, the first ascending; empty when not given.
+  /// A sampled curve with named columns, the first increasing; empty if not given.
   void table(const char* name, netloft_table P::*member, const char* doc,
              std::initializer_list<std::pair<const char*, const char*>> columns, bool required = false) {
     auto& p = add(NETLOFT_TABLE, name, offset(member), "1", doc);

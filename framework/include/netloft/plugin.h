@@ -348,7 +348,8 @@ typedef struct netloft_problem {
   int (*solve)(void* host, const double* rhs, double* x);
   /* y = (matrix + shift x metric) x, of the last evaluation. */
   int (*multiply)(void* host, int matrix, double shift, const double* x, double* y);
-  /* Books one iteration at an accepted point u whose residual is given; says whether to go on. */
+  /* Statistics one iteration at an accepted point u whose residual is given; says whether to go on. What was
+   * evaluated before does not matter. */
   int (*progress)(void* host, const double* u, double energy, const double* residual, const char* note);
   /* Largest move of a node over the largest element length, of a step du: a pure number. */
   double (*step_length)(void* host, const double* du);
@@ -381,7 +382,7 @@ typedef struct netloft_solver {
 /* What an integrator sees of a scene that moves: F(t, u, v, a) = 0, in which one step leads from t to t + h.
  * u are displacements of the unknowns from the start [m], v and a their rates. F is the residual: inertia and
  * all other forces, +dE/dx. The host chooses h, accepts or rejects what a step has found, and keeps the
- * books. */
+ * statistics. */
 typedef struct netloft_motion {
   uint32_t size;
   uint32_t unknowns;
@@ -532,12 +533,12 @@ typedef struct netloft_members {
 } netloft_members;
 
 /* What a strategy sees: a scene and its easier variants, solved stage by stage within a budget of work. The
- * host counts, judges and keeps the books; a strategy never says of itself that it has converged. Functions
- * take `host` first and return NETLOFT_OK, or NETLOFT_ERROR with a sentence in `message`. */
+ * host counts, judges and keeps the statistics; a strategy never says of itself that it has converged.
+ * Functions take `host` first and return NETLOFT_OK, or NETLOFT_ERROR with a sentence in `message`. */
 typedef struct netloft_study {
   uint32_t size;
   uint32_t unknowns;
-  uint32_t levels; /* meshes there are, at least one */
+  uint32_t levels; /* meshes there may be, at least one; `size_of` says which there are */
   uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC, netloft_study_trait */
   void* host;
   const double* start; /* displacements to start from, `unknowns` long; null: from the sketch */
@@ -550,7 +551,7 @@ typedef struct netloft_study {
   uint32_t message_size;
   char* message;
 
-  /* Unknowns of a level. */
+  /* Unknowns of a level; zero where there is no such level. */
   uint32_t (*size_of)(void* host, uint32_t level);
   int (*solve)(void* host, netloft_stage* stage);
   /* The same by another strategy: the variant is its scene, stage.work its budget. */
@@ -564,7 +565,7 @@ typedef struct netloft_study {
   int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
   /* Likewise, where the study has NETLOFT_STUDY_MEMBERS. */
   int (*members)(void* host, netloft_stage* stage, netloft_members* members);
-  /* Budget that is left; never negative. Zero: return. */
+  /* Budget that is left; never negative. Zero, also where the user interrupts: return. */
   double (*work_left)(void* host);
   /* An equilibrium of the scene itself. May be called again, for another shape; the host judges each and
    * chooses: converged before anything else, then the least energy where forces have one, then the first. */

@@ -18,7 +18,7 @@ class IntegratorTable;
 template <class S>
 class StrategyTable;
 
-/// Collects the tables of a plugin and turns them into what crosses the boundary.
+/// Collects the tables of a plugin and turns them into the C tables of the boundary.
 class Plugin {
  public:
   template <class E>
@@ -70,7 +70,7 @@ class Plugin {
     return table;
   }
 
-  /// A table that is complete only when the author's function has returned.
+  /// A table that is complete only after the author's function has returned.
   struct Pending {
     virtual ~Pending() = default;
     virtual void describe(Plugin& plugin) const = 0;
@@ -97,7 +97,7 @@ class Plugin {
 };
 
 namespace detail {
-/// Describes the plugin at the first call; a plugin that cannot describe itself is a null pointer.
+/// Describes the plugin at the first call; null if the description fails.
 template <void (*Describe)(Plugin&)>
 const netloft_plugin* describe_once(const char* name, const char* version, const char* doc) noexcept {
   try {
@@ -111,7 +111,7 @@ const netloft_plugin* describe_once(const char* name, const char* version, const
 }  // namespace detail
 }  // namespace netloft
 
-/// The one exported symbol of a plugin. What follows in braces registers its elements and solvers on
+/// Defines the one exported symbol of a plugin. The code in braces registers its elements and solvers on
 /// `plugin`.
 #define NETLOFT_PLUGIN(name, version, doc)                                        \
   static void netloft_describe(netloft::Plugin& plugin);                          \

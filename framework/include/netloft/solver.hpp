@@ -100,7 +100,7 @@ class Problem {
   }
   /// Negative eigenvalues of the last matrix given to `factorise_indefinite`; -1 if not known.
   int negative_pivots() { return p_.negative_pivots(p_.host); }
-  /// Books an accepted point. True: go on. False: return Outcome::stopped.
+  /// Statistics an accepted point. True: go on. False: return Outcome::stopped.
   bool progress(std::span<const double> u, double energy, std::span<const double> residual,
                 const char* note = "") {
     return p_.progress(p_.host, u.data(), energy, residual.data(), note) == NETLOFT_GO_ON;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What elements see and fill, for the author of an element. Included by element.hpp.
+// The inputs and outputs of elements, for authors of elements. Included by element.hpp.
 #pragma once
 #include <netloft/plugin.h>
 #include <netloft/vec3.hpp>
@@ -16,10 +16,13 @@ inline constexpr int kLanes = NETLOFT_LANES;
 
 enum class Status { ok = NETLOFT_OK, outside_domain = NETLOFT_OUTSIDE_DOMAIN };
 
-/// Thrown where a state has no force (a bar of no length): the solver shortens its step.
+/// Thrown for a state without a force (a bar of no length); the solver then shortens its step.
 struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// What bears tension along one line in an element; see netloft_member for its fields and its force.
+using Member = netloft_member;
 
 struct Water {
   double density;        // [kg/m3]
@@ -27,23 +30,24 @@ struct Water {
   double viscosity = 0;  // kinematic [m2/s]
 };
 
-/// One element's view of the world in `evaluate`. Arrays the term did not ask for are zero.
+/// One element's inputs in `evaluate`. Arrays that the term did not ask for are zero.
 template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
-  Points<double, Nodes> x_low{};  // digits that x has no room for [m]; mostly zero: not known
+  Points<double, Nodes> x_low{};  // low-order part of x [m]; zero if it is not known
   Water water{};
   double time = 0;
   double cu = 1, cv = 0, ca = 0;  // factors of dforce/dx, dforce/dv, dforce/da in the tangent
   bool wants_tangent = false;
 
-  /// From one node to another [m], with the digits that their positions round off where those are known.
+  /// The vector from one node to another [m], including the low-order parts of their positions if these are
+  /// known.
   Vec3<double> between(std::size_t from, std::size_t to) const {
     return (x[to] - x[from]) + (x_low[to] - x_low[from]);
   }
 };
 
-/// What `evaluate` fills: energy [J], force = +dE/dx [N], tangent = dforce/dx [N/m]. All zero to begin with.
+/// The results of `evaluate`: energy [J], force = +dE/dx [N], tangent = dforce/dx [N/m]. Initially zero.
 template <int Nodes>
 struct Local {
   static constexpr int dofs = 3 * Nodes;
@@ -52,7 +56,7 @@ struct Local {
   double tangent[dofs][dofs] = {};
 };
 
-/// All elements of one type in a scene. Elements of several parts stand side by side.
+/// All elements of one type in a scene, of several parts one after another.
 template <class E>
 class Family {
  public:
@@ -62,7 +66,7 @@ class Family {
   const Parameters& parameters(std::size_t element) const { return *parameters_[part_[element]]; }
   const Data& data(std::size_t element) const { return data_[element]; }
   const auto& whole(std::size_t element) const { return wholes_[part_[element]]; }
-  /// What E::pack made of 64 elements, for terms written as `tile`.
+  /// The result of E::pack for 64 elements, for terms written as `tile`.
   const auto& lanes(const netloft_tile& tile) const { return lanes_[tile.first / NETLOFT_LANES]; }
   std::size_t size() const { return data_.size(); }
 

@@ -18,6 +18,7 @@
 #include <netloft/solver.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <span>
@@ -28,6 +29,17 @@
 namespace netloft {
 
 using Displacements = std::vector<double>;  // of the unknowns of a level [m]
+
+/// Every unknown moved by up to `amplitude` [m], by fractions of multiples of the golden ratio, which no
+/// symmetry survives; the same on every machine, another one for every `turn`.
+inline Displacements perturbed(Displacements u, double amplitude, int turn = 0) {
+  constexpr double kGolden = 0.61803398874989485, kSilver = 0.41421356237309505;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const double multiple = kGolden * static_cast<double>(i + 1) + kSilver * turn;
+    u[i] += amplitude * (2 * (multiple - std::floor(multiple)) - 1);
+  }
+  return u;
+}
 
 /// How a scene is made easier; as it is written by default.
 struct Variant {
@@ -153,7 +165,11 @@ class Study {
 
   double work_left() { return s_.work_left(s_.host); }
   /// An equilibrium of the scene itself; may be called again, for another shape.
-  void answer(const Displacements& u) { check(s_.answer(s_.host, u.data())); }
+  void answer(const Displacements& u) {
+    if (u.size() != s_.unknowns)
+      throw std::invalid_argument("an answer has one number for each unknown of the scene");
+    check(s_.answer(s_.host, u.data()));
+  }
 
  private:
   netloft_stage stage_of(const Ask& ask, Displacements& u) const {

@@ -55,6 +55,10 @@ class Guides(WithInstallation):
         self.follow("solver.md")
         self.assertLessEqual(len(code_lines(self.folder / "descent.cpp")), 30)
 
+    def test_strategy(self):
+        self.follow("strategy.md")
+        self.assertLessEqual(len(code_lines(self.folder / "tide.cpp")), 60)
+
     def test_integrator(self):
         self.follow("integrator.md")
 

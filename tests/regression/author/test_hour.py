@@ -7,7 +7,7 @@ import unittest
 from installed import WithInstallation, code_lines
 
 CLOSED_FORMS = {"element": ("end_z", -3.0, 1e-6), "law": ("end_x", 5.0, 1e-3), "solver": ("horizontal_tension", 2.99708988, 5e-4),
-                "integrator": ("lowest", -10.196133, 2e-5)}
+                "integrator": ("lowest", -10.196133, 2e-5), "strategy": ("horizontal_tension", 2.99708988, 5e-4)}
 
 
 def seconds_of_children():
@@ -51,7 +51,7 @@ class Hour(WithInstallation):
                          ["CMakeLists.txt", "README.md", "otter.cpp", "otter.toml", "otter_test.cpp"])
 
     def test_nothing_is_left_of_the_template(self):
-        for kind, mine in (("solver", "MySolver"), ("integrator", "MyIntegrator")):
+        for kind, mine in (("solver", "MySolver"), ("integrator", "MyIntegrator"), ("strategy", "MyStrategy")):
             self.sh(f"netloft new {kind} steepest_{kind}")
             for file in (self.folder / f"steepest_{kind}").iterdir():
                 for left in (f"my_{kind}", mine, "SPDX", "/work", "~~~"):

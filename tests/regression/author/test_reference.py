@@ -57,6 +57,17 @@ class Reference(WithInstallation):
         self.sh("netloft reference pages --plugins .")
         self.assertIn("stiffness at rest", (self.folder / "pages" / "otter-otter.md").read_text())
 
+    def test_a_strategy_of_ones_own_is_listed_described_and_completed(self):
+        self.sh("netloft new strategy otter && c++ $(netloft --cflags) otter/otter.cpp -o otter.so")
+        listed = json.loads(self.sh("netloft list --json --plugins .").out)["components"]
+        self.assertIn(("otter/otter", "strategy"), [(c["type"], c["kind"]) for c in listed])
+        described = json.loads(self.sh("netloft describe otter/otter --json --plugins .").out)
+        self.assertEqual([p["name"] for p in described["parameters"]], ["softest", "factor"])
+        table = json.loads(self.sh("netloft schema --plugins .").out)["properties"]["analysis"]["properties"]["otter"]
+        self.assertEqual(sorted(table["properties"]), ["factor", "softest"])
+        self.sh("netloft reference pages --plugins .")
+        self.assertIn("| `softest` |", (self.folder / "pages" / "otter-otter.md").read_text())
+
     def test_a_file_in_the_way(self):
         self.write("pages", "")
         self.assertIn("is no folder", self.sh("netloft reference pages", expect=2).err)

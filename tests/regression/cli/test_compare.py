@@ -82,7 +82,7 @@ class Comparisons(InFreshFolder):
         self.assertIsNone(method["trials"][0]["error"])
         spoken = self.compare("standing.toml", "--solver", "newton:method=classic", "--reference", "newton",
                               "--tolerance", "1e-10")
-        self.assertIn("other equilibrium than that of newton", spoken.out)
+        self.assertIn("found another equilibrium than newton", spoken.out)
 
     def test_discretisation_errors_of_a_rope(self):
         report = self.report(ROPE, *BARS, "--solver", "newton", "--tolerance", "1e-10", "--cells", "80,20,40")
@@ -146,7 +146,7 @@ class Comparisons(InFreshFolder):
     def test_refining_says_what_did_not_converge_and_refuses_wrong_meshes(self):
         ended = self.netloft("refine", PANEL, "--cells", "2,4", "--set", "analysis.max_iterations=1")
         self.assertEqual(ended.code, 3)
-        self.assertIn("missing: with 2 cells of net it was not converged", ended.out)
+        self.assertIn("missing: with 2 cells of net the result was not converged", ended.out)
         for words, sentence in ((["--nodes", "500,2000"], "no net plan"), (["--cells", "8"], "--cells 8"),
                                 (["--nodes", "x"], "--nodes")):
             wrong = self.netloft("refine", PANEL, *words)
@@ -170,7 +170,7 @@ class Comparisons(InFreshFolder):
         for word in ("8", "8,8", "8,x", "8,1.5", "0,8", "8,16,"):
             self.assertIn("--cells " + word, self.refused(ROPE, *newton, "--cells", word), word)
         self.assertIn("divided are rope", self.refused(ROPE, *newton, "--cells", "net=8,16"))
-        self.assertIn("no whole number of cells", self.refused(str(SCENES / "dead-weight-panel.toml"), "--set",
+        self.assertIn("not a whole number of cells", self.refused(str(SCENES / "dead-weight-panel.toml"), "--set",
                                                                "parts.net.cells=[32,18]", *newton, "--cells", "8,16,32"))
         self.assertIn(".svg or .html", self.refused(ROPE, *newton, "--plot", "a.png"))
         self.assertIn("no folder", self.refused(ROPE, *newton, "--csv", "nowhere/a.csv"))

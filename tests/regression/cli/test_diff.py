@@ -92,7 +92,7 @@ class Differences(InFreshFolder):
             f["numbers"] = [1, 2]
         self.assertIn("cannot read nowhere.hdf: there is no such file", self.refused(a, "nowhere.hdf"))
         self.assertIn("cannot read text.hdf: it is not an HDF5 file", self.refused("text.hdf", a))
-        self.assertIn("other.hdf is no result of netloft", self.refused(a, "other.hdf"))
+        self.assertIn("other.hdf is not a result of netloft", self.refused(a, "other.hdf"))
         self.assertIn("it is a folder", self.refused(a, "."))
         self.assertIn("AFTER is required", self.refused(a))
         failed = self.diff(a, "nowhere.hdf", "--json", code=2).json()

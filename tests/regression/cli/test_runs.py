@@ -26,6 +26,14 @@ def points(file):
         return f["VTKHDF/Points"][: f["VTKHDF/NumberOfPoints"][0]]
 
 
+def meshes_of_netting(file):
+    """Area of all triangles in panel coordinates [meshes across times meshes along]."""
+    with h5py.File(file) as f:
+        U, V = (f["VTKHDF/CellData/panel_corners"][:, i::2] for i in (0, 1))
+    areas = np.abs((U[:, 1] - U[:, 0]) * (V[:, 2] - V[:, 0]) - (U[:, 2] - U[:, 0]) * (V[:, 1] - V[:, 0])) / 2
+    return areas[np.isfinite(areas)].sum()
+
+
 def outcome(file):
     with h5py.File(file) as f:
         return dict(f["netloft/status"].attrs)
@@ -43,6 +51,14 @@ class Runs(InFreshFolder):
         self.assertIn("dead-weight-panel: converged, stable equilibrium", ended.out)
         self.assertIn("written to dead-weight-panel.hdf", ended.out)
         self.assertEqual(outcome(self.folder / "dead-weight-panel.hdf")["outcome"], "converged")
+
+    def test_corners_of_triangles_say_where_on_their_panel_they_are(self):
+        self.assertEqual(self.run_panel().code, 0)
+        self.assertAlmostEqual(meshes_of_netting(self.folder / "dead-weight-panel.hdf"), 40 * 40)
+        # A tube, whose left edge and right edge are one: 100 meshes round and 100 along. In the last of its 48 rows
+        # every second triangle has two corners in the one node that closes the cod-end.
+        self.netloft("run", str(CODEND), "--set", "analysis.max_iterations=1", "--solver", "newton", "-o", "tube.hdf")
+        self.assertAlmostEqual(meshes_of_netting(self.folder / "tube.hdf"), 100 * 100 * (1 - 1 / 48 / 2))
 
     def test_json_says_what_a_script_needs(self):
         ended = self.run_panel("--json")

@@ -69,7 +69,7 @@ class WrongPath(InFreshFolder):
 
     def test_directory_instead_of_a_file(self):
         (self.folder / "gear").mkdir()
-        self.check(["gear"], "gear is a directory; a TOML file is wanted")
+        self.check(["gear"], "gear is a directory; a TOML file is expected")
 
     def test_no_file_named(self):
         self.check([], "SCENE is required")

@@ -50,22 +50,22 @@ KEYS = [
     edit("misspelt table", "[water]", "[watre]", "1:2", 'unknown key "watre"', 'did you mean "water"?'),
     edit("wrong type", "gravity = 9.81", "gravity = true", "3:11", "water.gravity is the boolean true; an acceleration in m/s2",
          "a text such as"),
-    edit("text for integers", "cells = [4, 4]", 'cells = "many"', "8:9", "an array of integers is wanted"),
+    edit("text for integers", "cells = [4, 4]", 'cells = "many"', "8:9", "an array of integers is expected"),
     edit("real for an integer", "cells = 4", "cells = 4.5", "15:9", "parts.rope.cells is the number 4.5; an integer"),
-    edit("number for a text", 'type = "rope/bar"', "type = 3", "13:8", "parts.rope.type is the integer 3; a text is wanted"),
+    edit("number for a text", 'type = "rope/bar"', "type = 3", "13:8", "parts.rope.type is the integer 3; a text is expected"),
     edit("hold is no array of tables", "[[hold]]", "[hold]", "22:1", "hold is a table; an array of tables", "[[hold]]"),
     edit("part is no table", "[parts.net]", "[parts]\nfloat = 3\n[parts.net]", "6:9", "parts.float: a part is a table"),
     edit("result is no table", '{ of = "net", take = "min z" }', '"min z"', "30:12", "results.lowest_z is the text"),
-    Wrong("parts is no table", "scene.toml:1:9", "parts is an array of 1; a table is wanted", content="parts = [1]\n"),
+    Wrong("parts is no table", "scene.toml:1:9", "parts is an array of 1; a table is expected", content="parts = [1]\n"),
     Wrong("no parts", "scene.toml:1:1", 'missing key "parts"', content="[water]\n"),
     Wrong("parts without a part", "scene.toml:1:1", "there are no parts", content="[parts]\n"),
     edit("duplicate key", "gravity = 9.81", "gravity = 9.81\ngravity = 9.8", "4:11", "cannot redefine existing"),
 ]
 
 UNITS = [
-    edit("wrong unit", '"0.6 m"', '"0.6 kg"', "7:40", "is a mass (kg); a length (m) is wanted"),
+    edit("wrong unit", '"0.6 m"', '"0.6 kg"', "7:40", "is a mass (kg); a length (m) is expected"),
     edit("unknown unit", '"0.6 m"', '"0.6 smoots"', "7:40", 'unit "smoots" in "0.6 smoots" is not known'),
-    edit("wrong dimension", '"10 kN"', '"10 kN/m"', "10:36", "is a stiffness (N/m); a force (N) is wanted"),
+    edit("wrong dimension", '"10 kN"', '"10 kN/m"', "10:36", "is a stiffness (N/m); a force (N) is expected"),
     edit("unit without quotes", '"0.6 m"', "0.6 m", "7:44", "cannot read the inline table", "in quotes"),
 ]
 
@@ -80,7 +80,7 @@ RANGES = [
     Wrong("cells that bars along the twines do not fit", "scene.toml:8:9", "makes cells of 1 x 2 meshes", "cells = [3, 3]",
           change=[('"priour/triangle"', '"lumped/net"'), ("cells = [4, 4]", "cells = [4, 2]")]),
     edit("a rope of no bars", "cells = 4\n", "cells = 0\n", "15:9", "parts.rope.cells = 0 is outside"),
-    edit("three cells", "cells = [4, 4]", "cells = [4, 4, 4]", "8:9", "has 3 values; 2 are wanted"),
+    edit("three cells", "cells = [4, 4]", "cells = [4, 4, 4]", "8:9", "has 3 values; 2 are expected"),
     edit("tolerance of zero", "tolerance = 1e-10", "tolerance = 0", "27:13", "analysis.tolerance = 0 is outside"),
     edit("analysis nobody offers", "tolerance", 'kind = "modal"\ntolerance', "27:8", 'is not one of "static"'),
     edit("absurd cells", "cells = [4, 4]", "cells = [1000000000, 4]", "8:10", "is outside [1, 100000]"),
@@ -123,11 +123,11 @@ HOLDS = [
     edit("along nothing", HOLD, HOLD + "\nalong = [0, 0, 0]", "24:9", "has no direction"),
     edit("axes: no axis", HOLD, HOLD + '\naxes = "w"', "24:8", '"w" is not made of the letters x, y and z'),
     edit("axes: none", HOLD, HOLD + '\naxes = ""', "24:8", "hold[0].axes: holds nothing", "leave the key out"),
-    edit("axes: a number", HOLD, HOLD + "\naxes = 3", "24:8", "hold[0].axes is the integer 3; a text is wanted"),
+    edit("axes: a number", HOLD, HOLD + "\naxes = 3", "24:8", "hold[0].axes is the integer 3; a text is expected"),
     edit("at: many nodes in a point", HOLD, HOLD + "\nat = [0, 0, 0]", "24:6", "5 nodes cannot be held in one point", "two or more"),
     edit("at: many nodes on a line of no length", HOLD, HOLD + "\nat = [[1, 0, 0], [1, 0, 0]]", "24:6", "5 nodes cannot be held in one"),
     edit("at: a word", HOLD, HOLD + '\nat = "sketh"', "24:6", 'is not one of "sketch"', 'did you mean "sketch"?'),
-    edit("at: two coordinates", HOLD, HOLD + "\nat = [1, 2]", "24:6", "hold[0].at has 2 values; 3 are wanted"),
+    edit("at: two coordinates", HOLD, HOLD + "\nat = [1, 2]", "24:6", "hold[0].at has 2 values; 3 are expected"),
     edit("at: no points", HOLD, HOLD + "\nat = []", "24:6", "hold[0].at has 0 rows; at least 1"),
     edit("at: NaN", HOLD, HOLD + "\nat = [[0, 0, nan], [1, 1, 1]]", "24:14", "is not a finite number"),
     edit("a corner held at two places", HOLD,
@@ -138,7 +138,7 @@ HOLDS = [
 JOINS = [
     edit("join: many to one", JOIN, 'points = ["net.aft", "rope.start"]', "20:10",
          '"net.aft" has 5 nodes, "rope.start" has 1', "the same cells"),
-    edit("join: one alone", JOIN, 'points = ["net.aft"]', "20:10", "has 1 value; at least 2 are wanted"),
+    edit("join: one alone", JOIN, 'points = ["net.aft"]', "20:10", "has 1 value; at least 2 are expected"),
     edit("join: a point to itself", JOIN, JOIN + '\n[[join]]\npoints = ["rope.start", "rope.start"]', "22:10",
          '"rope.start" is joined to itself'),
     edit("join: both ends of a bar", "[[join]]\n" + JOIN, '[[join]]\npoints = ["rope.start", "net.aft-left"]\n'
@@ -239,7 +239,7 @@ OWN = '"more" stands on other parts and has no nodes of its own'
 RIDERS = [
     rider("on: no such part", 'on = "rope"', 'on = "rpoe"', "21:6", 'there is no part "rpoe"', 'did you mean "rope"?'),
     rider("on: a number", 'on = "rope"', "on = 3", "21:6", "parts.more.on is the integer 3"),
-    rider("on: nothing", 'on = "rope"', "on = []", "21:6", "has 0 values; at least 1 is wanted"),
+    rider("on: nothing", 'on = "rope"', "on = []", "21:6", "has 0 values; at least 1 is expected"),
     rider("on: another kind of part", 'on = "rope"', 'on = "net"', "21:6", '"net" is no whole part that rope/bar can stand on'),
     rider("on: an end of a rope", 'on = "rope"', 'on = "rope.end"', "21:6", '"rope.end" is no whole part that rope/bar'),
     rider("on: a part twice", 'on = "rope"', 'on = ["rope", "rope"]', "21:15", '"rope" is named twice'),
@@ -253,12 +253,12 @@ RIDERS = [
 CURRENTS = [
     edit("current: " + name, "gravity = 9.81", f"current = {current}", place, says)
     for name, current, place, says in (
-        ("a number", "1.5", "3:11", "an array of values in m/s is wanted"),
-        ("two components", "[1, 0]", "3:11", "water.current has 2 values; 3 are wanted"),
-        ("a mass", '["1 kg", 0, 0]', "3:12", "is a mass (kg); a speed (m/s) is wanted"),
+        ("a number", "1.5", "3:11", "an array of values in m/s is expected"),
+        ("two components", "[1, 0]", "3:11", "water.current has 2 values; 3 are expected"),
+        ("a mass", '["1 kg", 0, 0]', "3:12", "is a mass (kg); a speed (m/s) is expected"),
         ("NaN", "[nan, 0, 0]", "3:12", "is not a finite number"),
         ("no heights", "{ x = [1] }", "3:11", 'missing key "z" in water.current'),
-        ("a column too short", "{ z = [0, -5], x = [1] }", "3:30", "water.current.x has 1 value; 2 are wanted"),
+        ("a column too short", "{ z = [0, -5], x = [1] }", "3:30", "water.current.x has 1 value; 2 are expected"),
         ("a height twice", "{ z = [0, 0], x = [1, 2] }", "3:17", "has the same height twice"),
         ("times that go back", "{ t = [1, 0], x = [1, 2] }", "3:17", "does not ascend"),
     )
@@ -267,7 +267,7 @@ CURRENTS = [
 GUIDES = [
     edit("velocity: times that go back", HOLD, HOLD + "\nvelocity = { t = [1, 0], x = [1, 2] }", "24:18", "does not ascend"),
     edit("velocity: a column too short", HOLD, HOLD + "\nvelocity = { t = [0, 1], x = [1] }", "24:30",
-         "has 1 value; 2 are wanted"),
+         "has 1 value; 2 are expected"),
     edit("velocity and displacement", HOLD, HOLD + "\nvelocity = { t = [0] }\ndisplacement = { t = [0] }", "24:12",
          "is one way to say how it moves"),
 ]

@@ -44,7 +44,7 @@ struct Square {
   }
 };
 
-/// Newton's method, as it stands in books.
+/// Newton's method, as it stands in statistics.
 struct Newton {
   struct Parameters {
     std::int64_t most = 0;

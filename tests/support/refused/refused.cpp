@@ -27,6 +27,7 @@ enum Flaw {
   FLAW_null,
   FLAW_no_terms,
   FLAW_needs_unknown,
+  FLAW_no_members,
   FLAW_nameless_parameter,
   FLAW_no_unit,
   FLAW_bad_choice,
@@ -36,7 +37,10 @@ enum Flaw {
   FLAW_older,
   FLAW_longer_and_newer,
   FLAW_crashes,
-  FLAW_exits
+  FLAW_exits,
+  FLAW_two_strategies,
+  FLAW_no_run,
+  FLAW_strategy_outside
 };
 
 #define JOIN(a, b) a##b
@@ -70,6 +74,7 @@ int evaluate(const void*, netloft_tile* t) {
   for (std::uint32_t i = 0; t->force && i < t->count; ++i) t->force[i] += 1;
   return NETLOFT_OK;
 }
+int run(const void*, netloft_study*) { return NETLOFT_OK; }
 int create(netloft_create*, void** self) {
   static int family;
   *self = &family;
@@ -125,6 +130,7 @@ const netloft_term* terms() {
   one.name = "one", two.name = "two", one.doc = two.doc = "a term";
   one.evaluate = two.evaluate = evaluate;
   two.needs = has(FLAW_needs_unknown) ? "strength" : "stiffness";
+  if (has(FLAW_no_members)) one.traits = NETLOFT_OF_MEMBERS | NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC;
   static const Array<netloft_term, 2, step_of(sizeof one, sizeof one)> rows({one, two});
   return rows.data();
 }
@@ -144,22 +150,38 @@ const netloft_element* elements() {
   return rows.data();
 }
 
+netloft_strategy strategy(const char* name) {
+  netloft_strategy s{};
+  s.name = name, s.doc = "a strategy", s.run = has(FLAW_no_run) ? nullptr : run;
+  s.parameter_bytes = has(FLAW_strategy_outside) ? sizeof(double) : sizeof(Parameters);
+  s.parameter_count = 2, s.parameters = parameters();
+  return s;
+}
+
+const netloft_strategy* strategies() {
+  static const Array<netloft_strategy, 2, step_of(sizeof(netloft_strategy), sizeof(netloft_strategy))> rows(
+      {strategy(TEXT_OF(FLAW)), strategy(has(FLAW_two_strategies) ? TEXT_OF(FLAW) : "second")});
+  return rows.data();
+}
+
 netloft_plugin plugin() {
   netloft_plugin p{};
   p.abi_major = NETLOFT_ABI_MAJOR + (has(FLAW_other_major) ? 1 : 0);
-  p.abi_minor = NETLOFT_ABI_MINOR + (has(FLAW_newer_minor) || has(FLAW_longer_and_newer) ? 1 : 0);
+  p.abi_minor =
+      has(FLAW_older) ? 0 : NETLOFT_ABI_MINOR + (has(FLAW_newer_minor) || has(FLAW_longer_and_newer) ? 1 : 0);
   p.flags = NETLOFT_BUILD_FLAGS;
   p.name = has(FLAW_wrong_name) ? "other" : TEXT_OF(FLAW);
   p.version = "1", p.doc = "a plugin", p.compiler = "";
   p.elements = elements(), p.element_count = 2;
+  p.strategies = strategies(), p.strategy_count = 2;  // minor version 0 ends before them
   return p;
 }
 
 const netloft_plugin* describe() {
   if (has(FLAW_throws)) throw 1;
   if (has(FLAW_null)) return nullptr;
-  static const Array<netloft_plugin, 1, step_of(sizeof(netloft_plugin), sizeof(netloft_plugin))> row(
-      {plugin()});
+  static const Array<netloft_plugin, 1, step_of(sizeof(netloft_plugin), offsetof(netloft_plugin, strategies))>
+      row({plugin()});
   return row.data();
 }
 

@@ -313,6 +313,16 @@ struct NeverMade {
 };
 struct BadDefault : NeverMade {};
 
+/// A spring that pushes as hard as it pulls, which its member does not say.
+struct ForgetsCompression : NeverMade {
+  static constexpr auto stencil = NETLOFT_BAR;
+  using Parameters = wrong::Parameters;
+  using Data = wrong::Data;
+  static std::array<Member, 1> members(const Parameters& p, const Data& d, double) {
+    return {{{{-1, 1, 0}, d.rest_length, p.EA, 0, 1}}};
+  }
+};
+
 }  // namespace
 
 NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
@@ -356,4 +366,6 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   bar<RefusesAll>(plugin, "refuses_all", "makes-elements").term<NeverMade, kPotential>("elastic", "unused");
   bar<On<BadDefault>>(plugin, "bad_default", "defaults-are-allowed", {.lo = 1, .hi = 1e6, .fallback = 0})
       .term<BadDefault, kPotential>("elastic", "right");
+  bar<ForgetsCompression>(plugin, "forgets_compression", "members-make-their-term")
+      .term<NeverMade, kPotential | of_members>("elastic", "right");
 }

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "framework/conformance/practice_motion.hpp"
-#include "io/analysis/case.hpp"
+#include "io/case/case.hpp"
 #include "tests/unit/framework/problem/oscillator.hpp"
 
 namespace netloft::test {

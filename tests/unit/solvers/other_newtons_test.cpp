@@ -25,9 +25,9 @@ TEST_P(OtherNewton, FindsThePanelThatOursFinds) {
 
 TEST_P(OtherNewton, ReportsEveryAcceptedPoint) {
   const Solution s = solve_by_it(rope_near_its_shape()).solution;
-  ASSERT_EQ(s.history.size(), static_cast<std::size_t>(s.books.iterations) + 1);
+  ASSERT_EQ(s.history.size(), static_cast<std::size_t>(s.statistics.iterations) + 1);
   for (std::size_t i = 0; i < s.history.size(); ++i) EXPECT_EQ(s.history[i].iteration, static_cast<int>(i));
-  EXPECT_GE(s.books.factorisations, s.books.iterations);
+  EXPECT_GE(s.statistics.factorisations, s.statistics.iterations);
 }
 
 TEST_P(OtherNewton, StopsWhenItIsTold) {
@@ -51,7 +51,7 @@ TEST_P(OtherNewton, SaysThatNoStepBringsASlackRopeCloser) {
 TEST_P(OtherNewton, HasNothingToDoWhereAllIsHeld) {
   const Solution s = solve_by_it(sample::hanging_rope(1)).solution;
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
-  EXPECT_EQ(s.books.factorisations, 0);
+  EXPECT_EQ(s.statistics.factorisations, 0);
 }
 
 TEST_P(OtherNewton, RefusesAStrategyThatItDoesNotHave) {

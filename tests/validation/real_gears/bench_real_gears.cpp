@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // bench_real_gears FOLDER: solves the gears of the folder and prints a table: what it took, and how far from
-// FEMNET's answer it ended. --help names what can be changed.
+// FEMNET's answer it ended. With --perturbed 30 also how often the default strategy converges from so many
+// perturbed drawings. --help names what can be changed.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
-#include "tests/validation/real_gears/solving.hpp"
+#include "tests/validation/real_gears/perturbed.hpp"
 
 namespace {
 
@@ -21,7 +22,8 @@ struct Wish {
   Start start;
   test::Solving how{{}, {.tolerance = 1e-9}};
   std::vector<std::string> settings;
-  bool history = false, staged = false;
+  bool history = false;
+  PerturbedDrawings drawings{.count = 0};
   int repeats = 1;
 };
 
@@ -59,7 +61,10 @@ void describe(CLI::App& app, Wish& wish) {
                "start from FEMNET's answer, not from the drawing");
   app.add_option("--noise", wish.start.noise, "shake the start by so much [m]");
   app.add_option("--seed", wish.start.seed, "of the noise");
-  app.add_flag("--stages", wish.staged, "from soft to stiff with tensions as unknowns, then the solver");
+  app.add_option("--strategy", wish.how.strategy, "auto, tension/stages, …; else the solver alone");
+  app.add_option("--perturbed", wish.drawings.count,
+                 "instead: the default strategy from the drawing and so many, perturbed by 1 mm to 0.3 m")
+      ->check(CLI::PositiveNumber);
   app.add_option("--repeat", wish.repeats, "solve so often and show the time of the fastest")
       ->check(CLI::PositiveNumber);
   app.add_flag("--history", wish.history, "print every iteration");
@@ -75,15 +80,15 @@ void print_history(const Solution& solution) {
 void print_row(const NeutralCase& gear, const SolvedGear& s) {
   const Solution& n = s.solved.solution;
   std::printf("%-18s %5zu %8zu %5d %7d %8.5f %7.1fx %9.2e %9.2e  %s\n", gear.name.c_str(), gear.nodes.size(),
-              s.solved.plan.unknowns, n.books.iterations, n.books.factorisations, s.cpu_seconds,
+              s.solved.plan.unknowns, n.statistics.iterations, n.statistics.factorisations, s.cpu_seconds,
               gear.femnet.cpu_seconds / s.cpu_seconds, s.furthest.distance, s.residual_over_tension(),
               name_of(n.status));
 }
 
 void print_stages(const SolvedGear& s) {
-  for (const Leg& leg : s.stages)
-    std::printf("    %-34s %3d factorisations, %.4f s, %s\n", leg.name.c_str(), leg.books.factorisations,
-                leg.books.total_cpu_seconds, name_of(leg.status));
+  for (const StageRecord& stage : s.solved.solution.stages)
+    std::printf("    %-34s %3d factorisations, %.4f s, %s\n", stage.name.c_str(),
+                stage.statistics.factorisations, stage.statistics.total_cpu_seconds, name_of(stage.status));
 }
 
 /// Nodes that ended elsewhere than the reference has them, the ten furthest.
@@ -117,22 +122,37 @@ void print_ending(const NeutralCase& gear, const SolvedGear& s) {
 
 /// The same answer every time; the one that took the least.
 SolvedGear solve_repeatedly(const NeutralCase& gear, const Wish& wish) {
-  const bool staged = wish.staged && !gear.triangles.empty();
-  const auto solve_once = [&] {
-    return (staged ? solve_in_stages : solve)(gear, wish.modelling, wish.start, wish.how);
-  };
+  const auto solve_once = [&] { return solve(gear, wish.modelling, wish.start, wish.how); };
   SolvedGear fastest = solve_once();
   for (int i = 1; i < wish.repeats; ++i)
     if (SolvedGear s = solve_once(); s.cpu_seconds < fastest.cpu_seconds) fastest = std::move(s);
   return fastest;
 }
 
+std::vector<NeutralCase> wanted_gears(const Wish& wish) {
+  std::vector<NeutralCase> gears;
+  for (const auto& file : neutral_files(wish.folder))
+    if (NeutralCase gear = read_neutral_case(file); gear.name.find(wish.gear) != std::string::npos)
+      gears.push_back(std::move(gear));
+  return gears;
+}
+
+int run_perturbed(const Wish& wish) {
+  PerturbedDrawings drawings = wish.drawings;
+  drawings.seed = wish.start.seed;
+  std::printf("gear               converged  factorisations: median  95 %%\n");
+  for (const NeutralCase& gear : wanted_gears(wish)) {
+    const Reliability r = solve_perturbed(gear, wish.modelling, drawings, wish.how);
+    std::printf("%-18s %3zu of %-3zu %22d %5d\n", gear.name.c_str(), r.converged, r.runs, r.median,
+                r.most_of_them);
+  }
+  return 0;
+}
+
 int run(const Wish& wish) {
   std::printf(
       "gear               nodes unknowns iters factors    CPU s  FEMNET  distance m res/tens  outcome\n");
-  for (const auto& file : neutral_files(wish.folder)) {
-    const NeutralCase gear = read_neutral_case(file);
-    if (gear.name.find(wish.gear) == std::string::npos) continue;
+  for (const NeutralCase& gear : wanted_gears(wish)) {
     const SolvedGear s = solve_repeatedly(gear, wish);
     print_row(gear, s);
     print_stages(s);
@@ -154,7 +174,7 @@ int main(int count, char** arguments) {
   try {
     for (const auto& setting : wish.settings)
       set(wish.how.solver_parameters, plugins().solver(wish.how.solver), setting);
-    return run(wish);
+    return wish.drawings.count > 0 ? run_perturbed(wish) : run(wish);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_real_gears: %s\n", error.what());
     return 2;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/validation/real_gears/solving.hpp"
 
-#include "io/analysis/tension_stages.hpp"
-#include "solvers/factorisation/kept_analyses.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -69,28 +66,17 @@ SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Star
   plugins();
   Scene scene = scene_of(gear, modelling, start);
   const double begun = cpu_seconds();
-  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}, {}};
+  SolvedGear s{test::solve(std::move(scene), how), {}, {}, {}, {}};
   s.cpu_seconds = cpu_seconds() - begun;
   compare(s, gear);
   return s;
 }
 
-SolvedGear solve_in_stages(const NeutralCase& gear, const Modelling& modelling, const Start& start,
-                           const test::Solving& how) {
-  plugins();
-  Scene scene = scene_of(gear, modelling, start);
-  const double begun = cpu_seconds();
-  test::Solving once = how;
-  once.make = keep_analyses(how.make);
-  const io::StagedSolution staged =
-      io::solve_in_stages(scene, plugins(), once.make, how.threads, {.tolerance = how.limits.tolerance});
-  scene.positions = staged.positions;
-  SolvedGear s{test::solve(std::move(scene), once), {}, {}, {}, {}, {}};
-  s.cpu_seconds = cpu_seconds() - begun;
-  s.stages = staged.legs;
-  for (const Leg& leg : staged.legs) s.solved.solution.books.add(leg.books);
-  compare(s, gear);
-  return s;
+SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                             const test::Solving& how) {
+  test::Solving by_strategy = how;
+  by_strategy.strategy = "auto";
+  return solve(gear, modelling, start, by_strategy);
 }
 
 }  // namespace netloft::real_gears

@@ -16,7 +16,6 @@ struct SolvedGear {
   OutOfBalance out_of_balance;
   Furthest furthest;
   Branches branches;
-  std::vector<Leg> stages;     // before the solver, if any
   double largest_tension = 0;  // [N]
   double cpu_seconds = 0;      // plan, assembler and solve
   double energy_above_reference =
@@ -35,9 +34,8 @@ struct Start {
 SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                  const test::Solving& how);
 
-/// The same from soft to stiff with tensions as unknowns (io/analysis/tension_stages.hpp); the solver then
-/// has nothing left to do but to say so. Books are the sum over all stages.
-SolvedGear solve_in_stages(const NeutralCase& gear, const Modelling& modelling, const Start& start,
-                           const test::Solving& how);
+/// By the program's default strategy, from wherever the gear starts.
+SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                             const test::Solving& how);
 
 }  // namespace netloft::real_gears

@@ -47,6 +47,33 @@ TEST(Assembler, ScattersTheTangentOfSeveralFamiliesToItsPlaces) {
   EXPECT_LT(largest_difference(K, reference), 1e-7 * largest(K));
 }
 
+TEST(Assembler, LeavesOutTermsWithATrait) {
+  Assembled a(net_with_ropes().scene);
+  const auto x = a.moved(0.2);
+  std::vector<double> loads(x.size()), weights(x.size(), 0.0), values(a.assembler.value_slots());
+  double energy = 0, weight_energy = 0;
+  ASSERT_TRUE(a.assembler.evaluate(x, {.energy = &energy,
+                                       .without = NETLOFT_OF_MEMBERS,
+                                       .residual = loads.data(),
+                                       .matrix = MatrixKind::exact,
+                                       .values = values.data()}));
+  for (std::size_t f = 0; f < a.assembler.families().size(); ++f) {
+    const auto& terms = a.assembler.families()[f]->active_terms();
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      if (terms[t].traits & NETLOFT_OF_MEMBERS) continue;
+      std::vector<double> one(x.size());
+      double of_one = 0;
+      ASSERT_TRUE(a.assembler.evaluate_term(x, f, t, one) && a.assembler.term_energy(x, f, t, of_one));
+      for (std::size_t i = 0; i < x.size(); ++i) weights[i] += one[i];
+      weight_energy += of_one;
+    }
+  }
+  EXPECT_GT(largest(weights), 0);
+  EXPECT_LT(largest_difference(loads, weights), 1e-12 * largest(weights));
+  EXPECT_NEAR(energy, weight_energy, 1e-12 * std::abs(weight_energy));
+  EXPECT_EQ(largest(values), 0) << "weight has no tangent";
+}
+
 TEST(Assembler, ScattersAnUnsymmetricTangentToItsPlaces) {
   Sketch s = net_with_ropes();
   s.part("push", "test/follower", {{"k", 40.0}}, {5, 6, 10, 6, 8, 4}).data["rest_length"] = {1, 1, 1};
@@ -104,7 +131,7 @@ void expect_ordered(Assembled& a, const std::vector<double>& x) {
   }
 }
 
-// Moved by metres, so that twines are slack and taut, and springs pressed.
+// Moved by metres, so that some twines are slack and some taut, and springs are in compression.
 TEST(Assembler, HasAConvexPartBetweenNothingAndTheMetricOfNetting) {
   Assembled a(net_with_ropes().scene);
   expect_ordered(a, a.moved(8));

@@ -117,7 +117,7 @@ TEST(SymmetryPlane, MakesHalfAPanelHangLikeTheWhole) {
         EXPECT_NEAR(half.position(j * (n / 2 + 1) + i)[axis], whole.position(j * (n + 1) + i)[axis], 1e-8);
 }
 
-// Positions and what they round off together are the sum in twice the digits, turned nodes included.
+// Positions and their low-order parts together are the sum in twice the precision, for rotated nodes, too.
 TEST(Frames, KeepWhatPositionsRoundOff) {
   const Scene scene = bead_on_a_line();
   Assembler assembler(scene, make_plan(scene, test::shipped_plugins()), 1);

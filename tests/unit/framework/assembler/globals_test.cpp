@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Numbers that all elements of a part share, solved for with the positions.
+// Unknowns that all elements of a part have in common, solved for together with the positions.
 #include <gtest/gtest.h>
 
 #include "tests/unit/framework/assembler/sketch.hpp"

@@ -38,6 +38,15 @@ TEST(Numbering, FindsNodeAndAxisOfEveryPlace) {
     }
 }
 
+TEST(NodePositions, AreThoseOfTheSceneAgain) {
+  Sketch s;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0.5, 0, kAxisY), c = s.node(2, 0, -3);
+  s.rope("rope", {a, b, c}, 1);
+  const Assembled scene(s.scene);
+  EXPECT_EQ(scene.assembler.node_positions(scene.assembler.start()), s.scene.positions);
+  EXPECT_EQ(scene.assembler.node_position(c, scene.assembler.start()), (std::array<double, 3>{2, 0, -3}));
+}
+
 TEST(Pattern, HoldsTheLowerTriangleOfNeighbours) {
   Sketch s;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0), c = s.node(2, 0, 0), d = s.node(3, 0, 0);

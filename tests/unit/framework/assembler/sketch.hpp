@@ -11,8 +11,8 @@ namespace netloft::test {
 ///   test/spring     bar; quartic spring known by its energy alone: the host makes convex part and metric
 ///   test/picky      bar; has no force when longer than its limit
 ///   test/leash      node; pulls back along x to where it was remembered
-///   test/alike      bar; wants to be as long as all bars of its part, which is an unknown if `free` is set
-///   test/load       node; a constant force
+///   test/alike      bar; its rest length is that of all bars of its part, which is an unknown if `free` is
+///   set test/load       node; a constant force
 Registry& plugins();
 
 /// A scene to which tests add nodes and parts one by one.

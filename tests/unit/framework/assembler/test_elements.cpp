@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// On its own because authors and hosts have different things of one name (Water, Family).
+// A file of its own, because headers for authors and for the host have different types of the same name
+// (Water, Family).
 #include <netloft/element.hpp>
 
 #include <cmath>
@@ -111,7 +112,7 @@ struct Load {
   };
 };
 
-/// f = k (x - a) along x, a where it was when it was last told to remember; has no force beyond x = 1000.
+/// f = k (x - a) along x, a its position when it last remembered a step; has no force beyond x = 1000.
 struct Leash {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {

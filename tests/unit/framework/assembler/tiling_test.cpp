@@ -75,18 +75,18 @@ TEST(Tiling, LeavesTheLastTilePartlyEmpty) {
   expect_no_shared_nodes(t);
 }
 
-TEST(Companies, AreFamiliesOnTheSameNodes) {
+TEST(FamilyGroups, AreFamiliesOnTheSameNodes) {
   const Tiled rope(sample::hanging_rope(130)), shorter(sample::hanging_rope(129));
   std::vector<std::unique_ptr<ElementFamily>> families;
   for (const Tiled* of : {&rope, &shorter, &rope})
     families.push_back(std::make_unique<ElementFamily>(of->scene, of->plan.families[0], 0));
-  const std::vector<Company> companies = find_companies(families);
-  ASSERT_EQ(companies.size(), 2u);
-  EXPECT_EQ(companies[0].families, (std::vector<std::size_t>{0, 2}));
-  EXPECT_EQ(companies[1].families, std::vector<std::size_t>{1});
+  const std::vector<FamilyGroup> groups = find_family_groups(families);
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].families, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(groups[1].families, std::vector<std::size_t>{1});
 }
 
-TEST(Companies, AreNotKeptWithElementsOfMoreNodes) {
+TEST(FamilyGroups, DoNotJoinFamiliesWhoseElementsHaveMoreNodes) {
   const Tiled rope(sample::hanging_rope(130));
   EXPECT_FALSE(have_same_nodes(rope.family, Tiled(sample::hanging_panel(4, 4)).family));
 }

@@ -30,7 +30,7 @@ std::vector<std::string> shipped() {
     if (entry.path().extension() != ".so" || starts_threads(entry.path().stem())) continue;
     const auto content = netloft::open_library(entry.path());
     if (!content.elements.empty() || !content.laws.empty() || !content.solvers.empty() ||
-        !content.integrators.empty())
+        !content.integrators.empty() || !content.strategies.empty())
       names.push_back(entry.path().stem());
   }
   std::sort(names.begin(), names.end());
@@ -52,6 +52,7 @@ void expect_conformance(const fs::path& file) {
   for (const auto& type : content.laws) expect_conformance(netloft::check_law(type), file);
   for (const auto& type : content.solvers) expect_conformance(netloft::check_solver(type), file);
   for (const auto& type : content.integrators) expect_conformance(netloft::check_integrator(type), file);
+  for (const auto& type : content.strategies) expect_conformance(netloft::check_strategy(type), file);
 }
 
 TEST_P(Shipped, KeepsItsPromises) { expect_conformance(kFolder / (GetParam() + ".so")); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of deliberately wrong elements, laws and solvers share: each says in its doc which check
-// must find it, and "nothing" if none may.
+// What the tests of deliberately wrong elements, laws, solvers, integrators and strategies share: each says
+// in its doc which check must find it, and "nothing" if none may.
 #pragma once
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/registry.hpp"

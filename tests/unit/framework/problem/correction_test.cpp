@@ -34,7 +34,7 @@ Scene standing_bar(double load, double height) {
 /// that.
 TEST(Correction, IsTheWayToTheEquilibriumWhereForcesAreLinear) {
   const Solved s = solve_sketch(standing_bar(100, 1.005), 1);
-  EXPECT_EQ(s.solution.books.iterations, 0);
+  EXPECT_EQ(s.solution.statistics.iterations, 0);
   EXPECT_NEAR(s.solution.correction, 0.005, 1e-14);
   const auto z = static_cast<std::size_t>(s.assembler->numbering().index(1, 2));
   EXPECT_NEAR(s.solution.corrected[z], 1.01, 1e-14);

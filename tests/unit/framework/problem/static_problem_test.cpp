@@ -106,13 +106,13 @@ TEST(StaticProblem, SolvesWithAsMuchOfTheConvexPartAsIsWanted) {
   ASSERT_EQ(c.evaluate(NETLOFT_WANT_CONVEX), NETLOFT_OK);
   const auto x = random_numbers(c.p.unknowns, 3);
   ASSERT_GT(largest_difference(between(c, 0.2, 10, x), between(c, 0.7, 10, x)), 1);
-  const int before = c.problem.books().factorisations;
+  const int before = c.problem.statistics().factorisations;
   for (const double share : {0.2, 0.7, 1.0}) {
     ASSERT_EQ(c.p.factorise_between(c.p.host, share, 10), NETLOFT_FACTOR_OK);
     EXPECT_LT(largest_difference(c.solve(between(c, share, 10, x)), x), 1e-10);
   }
   EXPECT_EQ(c.p.factorise_between(c.p.host, 0, 0), NETLOFT_NOT_POSITIVE);
-  EXPECT_EQ(c.problem.books().factorisations, before + 4);
+  EXPECT_EQ(c.problem.statistics().factorisations, before + 4);
 }
 
 TEST(StaticProblem, SolvesAnUnsymmetricProblem) {
@@ -129,7 +129,7 @@ TEST(StaticProblem, RefusesAnIndefiniteTangentUnlessAskedForAny) {
   Called c(pressed_chain());
   ASSERT_EQ(c.evaluate(NETLOFT_WANT_TANGENT), NETLOFT_OK);
   EXPECT_EQ(c.p.factorise(c.p.host, NETLOFT_EXACT, 0), NETLOFT_NOT_POSITIVE);
-  EXPECT_EQ(c.problem.books().refused_factorisations, 1);
+  EXPECT_EQ(c.problem.statistics().refused_factorisations, 1);
   expect_solve_undoes_multiply(c, NETLOFT_EXACT, NETLOFT_INDEFINITE, 0);
 }
 
@@ -174,7 +174,7 @@ TEST(StaticProblem, CountsInItsBooksWhatIsAskedFor) {
   c.p.factorise(c.p.host, NETLOFT_EXACT, 0);
   c.solve(c.residual);
   c.progress();
-  const Books& b = c.problem.books();
+  const Statistics& b = c.problem.statistics();
   EXPECT_EQ(b.energies, 2);
   EXPECT_EQ(b.residuals, 1);
   EXPECT_EQ(b.matrices, 1);
@@ -204,7 +204,20 @@ TEST(StaticProblem, GoesOnUntilALimit) {
   EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
   EXPECT_EQ(c.progress(), NETLOFT_GIVE_UP);
   EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::iterations);
-  EXPECT_EQ(c.problem.books().iterations, 2);
+  EXPECT_EQ(c.problem.statistics().iterations, 2);
+}
+
+// A residual is worth 2 units here, and a matrix 3.
+TEST(StaticProblem, StopsWhenItsBudgetOfWorkIsUsedUp) {
+  const WorkModel model{.matrix = 30, .residual = 20, .unit = 10};
+  Limits limits;
+  limits.model = &model, limits.work = 7;
+  Called c(hanging_chain().scene, limits);
+  c.evaluate(NETLOFT_WANT_TANGENT);
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  c.evaluate(0);
+  EXPECT_EQ(c.progress(), NETLOFT_GIVE_UP);
+  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::work);
 }
 
 TEST(StaticProblem, StopsWhenTimeIsUpOrSomeoneInterrupts) {
@@ -250,6 +263,26 @@ TEST(StaticProblem, ArrivesWhenTheLargestNodalResidualIsSmall) {
   EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::arrived);
   EXPECT_NEAR(c.problem.history().back().residual, 4e-5, 1e-10);
   EXPECT_NEAR(c.problem.history().back().scale, 50, 1e-3);
+}
+
+// The bar is held by 50 N in balance, and by a hundred times as much where it is stretched to 51 m: of that,
+// 4e-5 N are within 1e-6, and 4e-3 N too.
+TEST(StaticProblem, JudgesAPointByItsOwnLoadsWhateverWasTriedInBetween) {
+  Limits limits;
+  limits.tolerance = 1e-6;
+  Called c(pulled_bar(0).scene, limits);
+  c.p.u[2] = -4e-5;
+  c.evaluate(0);
+  const auto there = c.residual;
+  c.p.u[2] = -49.5;
+  c.evaluate(0);
+  c.p.u[2] = -4e-5, c.residual = there;
+  const int evaluations = c.problem.statistics().residuals;
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  EXPECT_NEAR(c.problem.history().back().scale, 50, 1e-2);
+  EXPECT_EQ(c.problem.statistics().residuals, evaluations + 1) << "which is counted";
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  EXPECT_EQ(c.problem.statistics().residuals, evaluations + 1) << "and done once";
 }
 
 // Positions of 1e6 m are good to 1e-10 m: with 100 N/m no residual below about 1e-8 N means anything.

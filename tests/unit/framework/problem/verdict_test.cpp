@@ -123,25 +123,123 @@ TEST(Verdict, CallsSlackRopeNeutral) {
   EXPECT_TRUE(contains(solved.solution.reason, "slack")) << solved.solution.reason;
 }
 
-TEST(Verdict, KnowsNoStabilityWithoutAnEnergy) {
+Scene bar_with_a_follower() {
   Sketch s;
   s.scene.water.gravity = 0;
   const auto top = s.node(0, 0, 0, kAllAxes), end = s.node(0, 0, -1.5);
   s.rope("bar", {top, end}, 1, 100);
   s.part("load", "test/load", {{"z", -50.0}}, {end});
   s.part("push", "test/follower", {{"k", 1.0}}, {top, end}).data["rest_length"] = {1};
-  const Solved solved = solve_sketch(s.scene);
-  EXPECT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
-  EXPECT_EQ(solved.solution.stability, Stability::unknown);
+  return s.scene;
 }
 
-TEST(Verdict, TellsWhatGrowsWhereForcesHaveNoEnergy) {
-  Limits limits;
-  limits.ask_growth = true;
-  const Solved s = solve_with("newton", toppling_bar(0), {}, limits);
+TEST(Verdict, CallsStableWhereNothingGrowsWithoutAnEnergy) {
+  const Solution s = solve_sketch(bar_with_a_follower()).solution;
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_EQ(s.stability, Stability::stable);
+  EXPECT_GT(s.judging.factorisations, 0) << "what judging takes is counted";
+}
+
+TEST(Verdict, KnowsNoStabilityWithoutAnEnergyIfItMustNotAsk) {
+  Solving how;
+  how.limits.ask_growth = false;
+  const Solution s = solve_sketch(bar_with_a_follower(), how).solution;
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_EQ(s.stability, Stability::unknown);
+}
+
+TEST(Verdict, NamesWhatGrowsWhereForcesHaveNoEnergy) {
+  const Solved s = solve_with("newton", toppling_bar(0), {}, {});
   ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
   ASSERT_EQ(s.solution.growing.size(), 3u);
   EXPECT_NEAR(s.solution.growing[2], 0, 1e-6) << "it topples, and does not shorten";
+}
+
+TEST(Verdict, JudgesAPointThatNoSolverIsBehind) {
+  Assembled a(standing_bar(100));
+  std::vector<double> u(a.plan.unknowns, 0.0);
+  EXPECT_EQ(assess_static(a.scene, a.assembler, u, {}, make_factorisation).status,
+            SolveStatus::not_converged);
+  u.back() = 0.01;
+  const Assessment found = assess_static(a.scene, a.assembler, u, {}, make_factorisation);
+  EXPECT_EQ(found.status, SolveStatus::converged) << found.reason;
+  EXPECT_EQ(found.stability, Stability::stable);
+}
+
+/// A solver that wants an energy, and must not be called without.
+bool was_called = false;
+SolverType wants_an_energy() {
+  SolverType type;
+  type.type = "choosy/choosy";
+  type.solver.needs = NETLOFT_CONSERVATIVE;
+  type.solver.solve = [](const void*, netloft_problem*) -> int {
+    was_called = true;
+    return NETLOFT_STOPPED;
+  };
+  return type;
+}
+
+TEST(Verdict, SaysWhyASolverIsUnfit) {
+  EXPECT_FALSE(why_unfit(wants_an_energy(), NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC));
+  const auto why = why_unfit(wants_an_energy(), NETLOFT_SYMMETRIC);
+  ASSERT_TRUE(why);
+  EXPECT_TRUE(contains(*why, "choosy/choosy needs a problem that is conservative")) << *why;
+}
+
+TEST(Verdict, DoesNotStartASolverThatIsUnfit) {
+  was_called = false;
+  Assembled a(bar_with_a_follower());
+  const Solution s = solve_static(a.scene, a.assembler, wants_an_energy(), nullptr, {}, make_factorisation);
+  EXPECT_FALSE(was_called);
+  EXPECT_EQ(s.status, SolveStatus::not_converged);
+  EXPECT_TRUE(contains(s.reason, "conservative")) << s.reason;
+  EXPECT_EQ(s.statistics.residuals + s.judging.residuals, 0) << "nothing is computed";
+  EXPECT_EQ(s.x, a.assembler.start());
+}
+
+/// A bar of 1 m hung far from the origin with 3 N at its end.
+Scene far_bar(double EA, double distance) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto top = s.node(distance, distance, distance, kAllAxes),
+             end = s.node(distance, distance, distance - 1 - 3 / EA);
+  s.rope("bar", {top, end}, 1, EA);
+  s.part("load", "test/load", {{"z", -3.0}}, {end});
+  return s.scene;
+}
+
+// Over ten decades of stiffness and ten of distance, with every offset of the end that may pass for rounding:
+// whatever is called converged is in balance to a thousandth of its load.
+TEST(Verdict, NeverTakesAResidualThatMattersForBalance) {
+  int converged = 0, refused = 0;
+  for (int stiffness = 5; stiffness <= 15; ++stiffness)
+    for (int distance = 0; distance <= 10; ++distance)
+      for (const double offset : {0.0, 1.0, -3.0, 20.0}) {
+        Assembled a(far_bar(std::pow(10, stiffness), std::pow(10, distance)));
+        const std::vector<double> u{0, 0, offset * 1e-16 * std::pow(10, distance)};
+        const Assessment s = assess_static(a.scene, a.assembler, u, {}, make_factorisation);
+        if (s.status == SolveStatus::not_converged) {
+          ++refused;
+          continue;
+        }
+        ++converged;
+        EXPECT_LE(s.balance.residual, 1e-3 * 3) << s.reason;
+        EXPECT_LE(s.balance.floor, 1e-3 * s.balance.scale) << s.reason;
+      }
+  EXPECT_GT(converged, 50) << "soft and near ones do converge";
+  EXPECT_GT(refused, 50) << "stiff and far ones do not";
+}
+
+// A rope in line with its load: 1e15 N/m times the rounding of 6 m are several newtons.
+TEST(Verdict, DoesNotCallARopeConvergedThatIsTooStiffForItsLoad) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto top = s.node(0, 0, 0, kAllAxes), middle = s.node(0, 0, -3), end = s.node(0, 0, -6, kAllAxes);
+  s.rope("rope", {top, middle, end}, 3, 1e15);
+  s.part("load", "test/load", {{"z", -3.0}}, {middle});
+  const Solution found = solve_sketch(s.scene).solution;
+  EXPECT_EQ(found.status, SolveStatus::not_converged) << found.reason;
+  EXPECT_TRUE(contains(found.reason, "stiffness is too high")) << found.reason;
 }
 
 TEST(Verdict, HasNothingToFindWhereAllIsHeld) {
@@ -162,7 +260,7 @@ TEST(Verdict, NamesTheLimitThatWasReached) {
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
   EXPECT_TRUE(contains(s.solution.reason, "limit of 3 iterations")) << s.solution.reason;
   EXPECT_TRUE(contains(s.solution.at_fault, "net node")) << s.solution.at_fault;
-  EXPECT_EQ(s.solution.books.iterations, 3);
+  EXPECT_EQ(s.solution.statistics.iterations, 3);
   EXPECT_EQ(s.solution.history.size(), 4u);
 
   how.limits = {};
@@ -245,7 +343,7 @@ TEST(Verdict, KeepsTheResidualOfThePlaceItReports) {
   ASSERT_TRUE(s.assembler->evaluate(s.solution.x, {.energy = &energy, .residual = residual.data()}));
   EXPECT_EQ(s.solution.residual, residual);
   EXPECT_EQ(s.solution.energy, energy);
-  EXPECT_EQ(s.solution.history.size(), static_cast<std::size_t>(s.solution.books.iterations) + 1);
+  EXPECT_EQ(s.solution.history.size(), static_cast<std::size_t>(s.solution.statistics.iterations) + 1);
 }
 
 TEST(Verdict, FindsTheSameBitsWithOneTwoAndThreeThreads) {
@@ -259,7 +357,7 @@ TEST(Verdict, FindsTheSameBitsWithOneTwoAndThreeThreads) {
     EXPECT_EQ(one.solution.x, more.solution.x);
     EXPECT_EQ(one.solution.residual, more.solution.residual);
     EXPECT_EQ(one.solution.energy, more.solution.energy);
-    EXPECT_EQ(one.solution.books.iterations, more.solution.books.iterations);
+    EXPECT_EQ(one.solution.statistics.iterations, more.solution.statistics.iterations);
   }
 }
 

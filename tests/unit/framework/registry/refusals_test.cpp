@@ -79,9 +79,15 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"null", "the plugin could not describe itself"},
         Case{"throws", "the plugin could not describe itself"}, Case{"no_terms", "no_terms/bar has no term"},
         Case{"needs_unknown", "needs the parameter \"strength\", which the element does not have"},
+        Case{"no_members", "no_members/bar has a term of members but declares none"},
         Case{"nameless_parameter", "a parameter has no name"},
         Case{"no_unit", "has no unit (\"1\" is the unit of a pure number)"},
         Case{"bad_choice", "parameter \"rate\" has a default that is none of its words"},
+        Case{"two_strategies", "two strategies are called \"two_strategies\"; names must be unique"},
+        Case{"no_run", "no_run/no_run has no run"},
+        Case{"strategy_outside",
+             "strategy_outside/second: parameter \"rate\" lies at bytes 8 to 16, outside its struct of 8 "
+             "bytes"},
         Case{"many", "many/rod has no term"}),
     [](const testing::TestParamInfo<Case>& c) { return std::string(c.param.flaw); });
 
@@ -150,6 +156,20 @@ void expect_same_description(const std::string& name) {
     EXPECT_EQ(e.element.output, nullptr);
   }
   EXPECT_EQ(content.elements[1].type, name + "/rod");
+}
+
+TEST(Loader, ReadsTheStrategiesOfAPlugin) {
+  const auto content = netloft::open_library(plugin("longer"));
+  ASSERT_EQ(content.strategies.size(), 2u);
+  EXPECT_EQ(content.strategies[1].type, "longer/second");
+  EXPECT_NE(content.strategies[1].strategy.run, nullptr);
+  EXPECT_EQ(content.strategies[1].strategy.explain, nullptr);
+  ASSERT_EQ(content.strategies[1].parameters.size(), 2u);
+  EXPECT_STREQ(content.strategies[1].parameters[1].name, "rate");
+}
+
+TEST(Loader, FindsNoStrategiesInAPluginBuiltBeforeThereWereAny) {
+  EXPECT_TRUE(netloft::open_library(plugin("older")).strategies.empty());
 }
 
 TEST(Loader, TakesLongerStructsOfANewerHeader) { expect_same_description("longer"); }

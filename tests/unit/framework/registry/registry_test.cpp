@@ -61,6 +61,22 @@ TEST(Registry, AsksForPluginAndElementInAType) {
     EXPECT_NE(complaint([&] { registry.element(type); }).find("plugin/element"), std::string::npos) << type;
 }
 
+TEST(Registry, FindsAStrategyByTheNameOfItsPluginAlone) {
+  Registry registry;
+  registry.add_folder(kFolder);
+  EXPECT_EQ(registry.strategy("none").type, "none/none");
+  EXPECT_EQ(registry.strategy("none/second").type, "none/second");
+  EXPECT_EQ(registry.strategy("none").origin->name, "none");
+}
+
+TEST(Registry, NamesTheNearestStrategy) {
+  Registry registry;
+  registry.add_folder(kFolder);
+  const std::string text = complaint([&] { registry.strategy("none/secnd"); });
+  EXPECT_NE(text.find("has no strategy \"none/secnd\"; did you mean \"none/second\"?"), std::string::npos)
+      << text;
+}
+
 TEST(Registry, TakesTheFirstOfSeveralFolders) {
   Registry registry;
   registry.add_folder("/nowhere");

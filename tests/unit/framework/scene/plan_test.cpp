@@ -30,7 +30,7 @@ TEST(Plan, CountsWhatThereIsToSolve) {
   EXPECT_TRUE(plan.conservative);
 }
 
-// A rope may bear when pulled, when pressed, or not at all.
+// A rope may have stiffness in tension, in compression, or none.
 TEST(Plan, EvaluatesATermIfOneOfTheParametersThatItNeedsIsSet) {
   const auto elastic = [](double EA, double EA_compression) {
     Sketch s;
@@ -63,7 +63,7 @@ TEST(Plan, SwitchesWeightOffWithoutGravityAndSaysWhy) {
   scene.water.gravity = 0;
   const Plan plan = make_plan(scene, plugins());
   EXPECT_FALSE(term(plan, "rope/bar", "weight").on);
-  EXPECT_EQ(term(plan, "rope/bar", "weight").reason, "no gravity in the scene");
+  EXPECT_EQ(term(plan, "rope/bar", "weight").reason, "the scene has no gravity");
   EXPECT_TRUE(term(plan, "rope/bar", "elastic").on);
 }
 
@@ -104,7 +104,7 @@ TEST(Plan, WritesTraitsAsWords) {
   EXPECT_EQ(describe_traits(NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC), "conservative, symmetric");
 }
 
-/// What is wrong with a scene whose only fault is in one of its parts.
+/// The message about a scene whose only fault is in one of its parts.
 std::string fault_of(const Scene& scene) {
   try {
     const Assembled a(scene);
@@ -125,13 +125,13 @@ TEST(Family, NamesThePartWhoseParametersAreWrong) {
 TEST(Family, NamesThePartThatLacksADatum) {
   Scene scene = sample::hanging_rope(4);
   scene.parts[0].data.clear();
-  EXPECT_NE(fault_of(scene).find("rope: rope/bar wants \"rest_length\""), std::string::npos);
+  EXPECT_NE(fault_of(scene).find("rope: rope/bar needs \"rest_length\""), std::string::npos);
 }
 
 TEST(Family, NamesThePartWithTooFewNumbers) {
   Scene scene = sample::hanging_rope(4);
   scene.parts[0].data["rest_length"].pop_back();
-  EXPECT_NE(fault_of(scene).find("\"rest_length\" has 3 numbers, 4 are wanted"), std::string::npos);
+  EXPECT_NE(fault_of(scene).find("\"rest_length\" has 3 numbers, 4 are expected"), std::string::npos);
 }
 
 TEST(Family, NamesTheElementThatThePluginRefuses) {

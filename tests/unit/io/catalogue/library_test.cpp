@@ -53,11 +53,11 @@ TEST(GearLibrary, SolidFillsPartOfTheRound) {
   for (const auto& part : library().parts()) {
     const auto& n = part.numbers;
     if (!n.contains("material_density") || !n.contains("EA")) continue;
-    const double share =
+    const double fraction =
         n.at("mass") / n.at("material_density") / (0.785398 * n.at("diameter") * n.at("diameter"));
     const bool is_chain = part.kind->name == std::string("chain");
-    EXPECT_GT(share, is_chain ? 3 : 0.45) << part.name;
-    EXPECT_LT(share, is_chain ? 4 : 0.95) << part.name;
+    EXPECT_GT(fraction, is_chain ? 3 : 0.45) << part.name;
+    EXPECT_LT(fraction, is_chain ? 4 : 0.95) << part.name;
   }
 }
 

@@ -65,7 +65,7 @@ TEST(Places, AreAsFarApartAsTheirFarthestNode) {
   EXPECT_DOUBLE_EQ(largest_distance(places(rope(4, flat)), places(rope(8, bump))), 0.3);
 }
 
-/// Nodes that are h² sin πs off the place they tend to.
+/// A mesh whose nodes are h² sin πs away from their limit.
 double second_order(double s, double h) { return std::sin(3 * s) + h * h * std::sin(M_PI * s); }
 
 Discretisation judged(const std::vector<int>& cells, double (*f)(double, double)) {

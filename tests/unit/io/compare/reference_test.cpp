@@ -9,7 +9,7 @@ namespace {
 std::vector<std::string> asked(const std::string& method, const std::vector<std::string>& available,
                                const std::string& wanted = "") {
   std::vector<std::string> words;
-  for (const auto& m : reference_methods({method}, available, wanted)) words.push_back(m.word);
+  for (const auto& m : reference_methods({method}, available, wanted)) words.push_back(m.specification);
   return words;
 }
 
@@ -20,7 +20,7 @@ TEST(Reference, ComesFromAnotherSolver) {
   EXPECT_EQ(asked("lbfgs:memory=20", kAll).front(), "newton");
   EXPECT_EQ(asked("newton", kAll).front(), "ptc");
   EXPECT_EQ(asked("newton/newton:method=classic", kAll).front(), "ptc");
-  EXPECT_EQ(asked("auto", kAll).front(), "ptc");  // newton at work, over easier scenes
+  EXPECT_EQ(asked("strategy auto", kAll).front(), "ptc") << "its stages are solved by newton";
 }
 
 TEST(Reference, ComesFromTheOwnPluginOnlyWhenThereIsNoOther) {

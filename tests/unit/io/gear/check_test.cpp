@@ -32,7 +32,8 @@ TEST(EasternTrawl, TheHeadropeIsAFootShort) {
 TEST(EasternTrawl, TheSlipOfThePrintedPlanIsFoundAndNamed) {
   const auto checked = check_text(with_the_slip());
   EXPECT_EQ(checked.diagnostics.errors(), 1) << checked.said();
-  EXPECT_TRUE(says(checked, "top-wing.breast-cut: cutting \"381M\" is no rate; 3B1M, 43 M over 25.8 M, fits"))
+  EXPECT_TRUE(
+      says(checked, "top-wing.breast-cut: cutting \"381M\" is not a rate; 3B1M, 43 M over 25.8 M, fits"))
       << checked.said();
   EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, the plan says 127.5, +1.7 %"))
       << checked.said();

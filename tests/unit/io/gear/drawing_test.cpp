@@ -11,7 +11,7 @@ const PlacedPanel& placed(const std::vector<PlacedPanel>& panels, const std::str
                           bool mirrored = false) {
   for (const auto& p : panels)
     if (p.panel->name == name && p.is_mirrored == mirrored) return p;
-  ADD_FAILURE() << name << " stands nowhere";
+  ADD_FAILURE() << name << " is not on the drawing";
   return panels.front();
 }
 

@@ -128,7 +128,7 @@ TEST(GearMesh, SewnEdgesHaveTheSameNodes) {
   });
 }
 
-/// 60 meshes on 56: every node stands at the same share of both edges.
+/// 60 meshes on 56: every node is at the same fraction of both edges.
 TEST(GearMesh, TakeUpIsSpreadEvenlyOverTheSeam) {
   const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(2000));
   const auto &body = all.panel("top-body"), &bag = all.panel("top-intermediate");
@@ -150,7 +150,7 @@ TEST(GearMesh, RestLengthsAddUpToTheRopes) {
   });
 }
 
-/// Where an edge hangs the rope has its nodes, in a row, and as much length as the hanging says.
+/// Along a hung edge, the rope has the nodes of the edge in a row and the length that the hanging says.
 TEST(GearMesh, RopesRunAlongTheNodesOfTheirEdges) {
   const auto all = divided(library_text("four-panel.toml"), Extent::whole, by_nodes(500));
   EXPECT_EQ(all.rope("headline").nodes, all.nodes("top", "fore"));
@@ -159,7 +159,7 @@ TEST(GearMesh, RopesRunAlongTheNodesOfTheirEdges) {
   EXPECT_EQ(all.rope("starboard-breast-line").nodes, breast);
 }
 
-/// Wings take 36 of 83.9 ft and the bosom 11.9; what the rope is short of is shared among them.
+/// Wings take 36 of 83.9 ft and the bosom 11.9; the missing length of rope is distributed among them.
 TEST(GearMesh, RopesTakeTheSharesOfTheirEdges) {
   const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(2000));
   const auto& rope = all.rope("headrope");

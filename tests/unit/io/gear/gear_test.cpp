@@ -261,7 +261,8 @@ TEST(Gear, TheWholeHasTwiceTheAreaOfTheHalf) {
   EXPECT_GT(area(Extent::half), 0);
 }
 
-/// Of a middle panel "fore" is all that lies there: the stretch across the middle and those to either side.
+/// The name "fore" of a middle panel denotes all stretches there: the one across the middle and those to
+/// either side.
 TEST(Gear, ANameForSeveralStretchesHoldsThoseToPort) {
   const auto checked = check_text(R"(
 [panels.square]

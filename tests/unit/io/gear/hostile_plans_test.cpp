@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense gets an answer. Findings of tests/fuzz come here.
+// Nonsensical plans get a message and do not crash. Findings of tests/fuzz are added here.
 #include "io/gear/drawing.hpp"
 #include "io/gear/gear.hpp"
 #include "tests/unit/io/gear/plans.hpp"
@@ -76,7 +76,7 @@ TEST(HostilePlans, AsManyPiecesAsNobodyHasAreRefused) {
   }
 }
 
-/// A thousand seams of one edge: each but the first is told, and it takes no time to speak of.
+/// A thousand seams of one edge: each but the first is reported, in a short time.
 TEST(HostilePlans, AFloodOfSeamsIsAnswered) {
   std::string text = kGoodPlan;
   for (int i = 0; i < 1000; ++i) text += "[[join]]\nedges = [\"bag.sides\", \"bag.sides\"]\nselvedge = 1\n";

@@ -111,7 +111,7 @@ TEST(Selvedge, IsAStripOfItsTwines) {
   EXPECT_DOUBLE_EQ(number("diameter"), std::sqrt(12.0) * 0.002);
 }
 
-/// What the bag has on its fore edge no longer fits the body's, and that is told: 14 meshes on 20.
+/// The fore edge of the bag no longer fits the body's edge, and that is reported: 14 meshes on 20.
 TEST(Selvedge, ChangesWhatIsSewnBesideIt) {
   const auto checked = check_text(laced_plan());
   EXPECT_NE(checked.said().find("body.aft has 20 meshes, bag.fore has 14 meshes"), std::string::npos)
@@ -147,8 +147,8 @@ TEST(Outline, SquareNettingIsHalfAsLongWhenStretched) {
   EXPECT_DOUBLE_EQ(edge(turned("orientation = \"square\"\n"), "fore").stretched, 5);
 }
 
-/// By twine_coordinates.hpp (3) and by hand: 1N2B goes 5 across in 10 deep, 5 cycles of 2 bars and a point,
-/// two bars long: 10 stretched meshes.
+/// Expected by twine_coordinates.hpp (3) and by hand: 1N2B goes 5 across in 10 deep, 5 cycles of 2 bars and a
+/// point, two bars long: 10 stretched meshes.
 TEST(Outline, TwinesAlongACutAreThoseOfItsBarsAndPoints) {
   EXPECT_DOUBLE_EQ(edge(turned(""), "outer").stretched, 5 * (2 * 0.5 + 1));
 }

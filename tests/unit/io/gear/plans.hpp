@@ -81,7 +81,7 @@ inline std::string changed_plan(const std::string& old, const std::string& now) 
 }
 
 struct CheckedPlan {
-  Plan plan;
+  NetPlan plan;
   Diagnostics diagnostics;
   std::string said() const { return diagnostics.render(false); }
 };

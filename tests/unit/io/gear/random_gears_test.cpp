@@ -13,10 +13,10 @@ class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}
 
-  Plan plan() {
+  NetPlan plan() {
     const Standing stands = std::array{Standing::middle, Standing::pair, Standing::alone}[whole(0, 2)];
     const double depth = real(2, 120);
-    Plan plan;
+    NetPlan plan;
     plan.panels = {panel("upper", stands, depth), panel("lower", stands, depth),
                    panel("behind", stands, real(2, 60))};
     plan.joins.push_back({{{{"upper.outer"}, {"lower.outer"}}}, 0, {}, {}, {}});
@@ -77,21 +77,22 @@ class Draw {
     for (const auto* at : {&panel.outer, &panel.inner}) {
       double y = 0;
       for (const auto& cut : *at)
-        for (const double share : {0.0, 1.0})
+        for (const double fraction : {0.0, 1.0})
           least = std::min(least, panel.count(panel.fore) +
-                                      sides * gain(panel.outer, y + share * cut.deep, share) +
-                                      gain(panel.inner, y + share * cut.deep, share)),
-          y += share * cut.deep;
+                                      sides * gain(panel.outer, y + fraction * cut.deep, fraction) +
+                                      gain(panel.inner, y + fraction * cut.deep, fraction)),
+          y += fraction * cut.deep;
     }
     return least;
   }
 
-  /// What a side has gained so far aft, across-only cuts there left out or taken in.
+  /// The meshes that a side gains up to y; cuts that only go across at y are left out (taken = 0) or included
+  /// (1).
   static double gain(const std::vector<Cut>& side, double y, double taken) {
     double sum = 0;
     for (const auto& cut : side) {
-      const double share = cut.deep > 0 ? std::clamp(y / cut.deep, 0.0, 1.0) : y < 0 ? 0 : taken;
-      sum += cut.goes * cut.across * share;
+      const double fraction = cut.deep > 0 ? std::clamp(y / cut.deep, 0.0, 1.0) : y < 0 ? 0 : taken;
+      sum += cut.goes * cut.across * fraction;
       y -= cut.deep;
     }
     return sum;
@@ -111,7 +112,7 @@ TEST(RandomGears, AreFilledOnceAndSewnWithoutHoles) {
   for (unsigned seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     Draw draw(seed);
-    const Plan plan = draw.plan();
+    const NetPlan plan = draw.plan();
     const Gear gear = make_gear(plan, draw.extent());
     Fineness fineness;
     fineness.nodes = draw.nodes();

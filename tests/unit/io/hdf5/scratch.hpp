@@ -98,7 +98,7 @@ inline void restart_hdf5_with_locking(const char* setting) {
   H5open();
 }
 
-/// What the FileError out of `action` says; empty when there is none.
+/// The message of the FileError that `action` throws; empty if there is none.
 template <class Action>
 std::string error_of(Action&& action) {
   try {

@@ -91,7 +91,7 @@ inline void begin(ResultFile& file, const Sheet& sheet) {
   file.begin(sheet.mesh(), {height_spec(), velocity_spec(), strain_spec()}, {part_field(sheet)});
 }
 
-/// The velocity is the position, so that readers can tell the components apart.
+/// The velocity is the position, so that readers can distinguish the components.
 inline void write_state(ResultFile& file, const Sheet& sheet, double time) {
   const std::vector<double> x = sheet.points(time);
   file.write_state(time, x, {sheet.heights(time), x, sheet.strains(time)});

@@ -19,7 +19,7 @@ using test::says;
 
 class LifeCycle : public test::InScratchFolder {
  protected:
-  /// A finished result that can be told from others by its mark.
+  /// A finished result that is identified by its mark.
   void write_result(const std::string& name, std::int64_t mark) const {
     ResultFile file(in(name));
     file.tree().write_int("/netloft/mark", mark, "1");

@@ -151,7 +151,7 @@ TEST(GearGround, IsTouchedByAShareOfTheFootrope) {
       "[parts.bed]\ntype = \"seabed/plane\"\non = \"footrope\"\n"
       "seabed = { depth = 14, slope_y = -0.01, stiffness = 1e4, softness = 1e-6 }\n";
   const auto gear = HandMade(written(mouth("-3", "6", "", bed)), kRopes).at_start();
-  EXPECT_NEAR(value(gear, "ground/footrope_share"), 0.5, kExact);
+  EXPECT_NEAR(value(gear, "ground/footrope_fraction"), 0.5, kExact);
   // Nodes at y = -3 and -1 carry 1 m and 2 m and are 3 cm and 1 cm deep, less half of what is soft.
   const double n_z = 1 / std::hypot(1, 0.01), depths = (0.03 + 2 * 0.01) * n_z - 3 * 0.5e-6;
   EXPECT_NEAR(value(gear, "ground/force"), 1e4 * depths, 1e-8);
@@ -182,14 +182,15 @@ HandMade small_trawl(const std::string& model) {
   return {NETLOFT_SOURCE_DIR "/gear-library/scenes/validation/small-trawl/" + model + ".toml", parts};
 }
 
-/// Of both alike: sums over the port bridles, which the half has not, and forces across the gear are not.
+/// Whether a figure is the same for both models. Sums over the port bridles, which the half model lacks, and
+/// forces across the gear are not.
 bool is_comparable(const std::string& name) {
   for (const char* other : {"bridle", "/y", "others", "headline/tension_start", "footrope/tension_start"})
     if (name.find(other) != std::string::npos) return false;
   return name.find("drag/") == std::string::npos && name.find("weight_in_water/") == std::string::npos;
 }
 
-// One is the mirror image of the other, so that only the solver's tolerance lies between both.
+// The half model mirrored is the whole model, so the figures differ by the solver's tolerance alone.
 TEST(GearFigures, OfAHalfAreThoseOfTheWhole) {
   const auto half = small_trawl("half").solved().gear, whole = small_trawl("whole").solved().gear;
   int compared = 0;

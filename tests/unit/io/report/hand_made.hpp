@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/analysis/case.hpp"
+#include "io/case/case.hpp"
 #include "io/report/run_result.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -32,12 +32,12 @@ class HandMade {
 
   const LoadedScene& loaded() { return case_.loaded(); }
 
-  /// As it stands in its sketch.
+  /// Figures at the positions of the sketch.
   std::vector<NamedScalar> at_start() {
     Assembler& assembler = case_.assembler();
     return collect_gear(loaded(), assembler, ask_elements(loaded().scene, assembler, assembler.start()));
   }
-  /// In equilibrium.
+  /// The result in equilibrium.
   RunResult solved() {
     RunResult result;
     result.solution = case_.solve();

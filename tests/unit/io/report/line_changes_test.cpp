@@ -6,8 +6,8 @@
 namespace netloft::io {
 namespace {
 
-/// "-2 b, +2 x"
-std::string told(const std::string& before, const std::string& after) {
+/// The changes as a text such as "-2 b, +2 x".
+std::string changes(const std::string& before, const std::string& after) {
   std::string text;
   for (const auto& change : find_line_changes(before, after))
     text += (text.empty() ? "" : ", ") + std::string(change.is_new ? "+" : "-") +
@@ -16,20 +16,20 @@ std::string told(const std::string& before, const std::string& after) {
 }
 
 TEST(LineChanges, AreNoneOfEqualTexts) {
-  EXPECT_EQ(told("a\nb\n", "a\nb\n"), "");
-  EXPECT_EQ(told("", ""), "");
-  EXPECT_EQ(told("a", "a\n"), "");
+  EXPECT_EQ(changes("a\nb\n", "a\nb\n"), "");
+  EXPECT_EQ(changes("", ""), "");
+  EXPECT_EQ(changes("a", "a\n"), "");
 }
 
 TEST(LineChanges, AreTheFewestThereAre) {
-  EXPECT_EQ(told("a\nb\nc\n", "a\nx\nc\n"), "-2 b, +2 x");
-  EXPECT_EQ(told("a\nb\nc\nd\n", "b\nc\ne\nd\n"), "-1 a, +3 e");
-  EXPECT_EQ(told("a\na\nb\n", "a\nb\n"), "-2 a");
+  EXPECT_EQ(changes("a\nb\nc\n", "a\nx\nc\n"), "-2 b, +2 x");
+  EXPECT_EQ(changes("a\nb\nc\nd\n", "b\nc\ne\nd\n"), "-1 a, +3 e");
+  EXPECT_EQ(changes("a\na\nb\n", "a\nb\n"), "-2 a");
 }
 
 TEST(LineChanges, ReachBothEnds) {
-  EXPECT_EQ(told("", "a\nb\n"), "+1 a, +2 b");
-  EXPECT_EQ(told("a\nb\n", ""), "-1 a, -2 b");
+  EXPECT_EQ(changes("", "a\nb\n"), "+1 a, +2 b");
+  EXPECT_EQ(changes("a\nb\n", ""), "-1 a, -2 b");
 }
 
 TEST(LineChanges, OfVeryLongTextsStillTellAllThatDiffers) {

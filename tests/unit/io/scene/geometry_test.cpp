@@ -429,7 +429,7 @@ TEST(PointPart, IsOneNode) {
   const Geometry g = read_point(in.reader);
   EXPECT_EQ(g.positions, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(g.names.sets.at("point"), Nodes{0});
-  EXPECT_EQ(g.data.at("share"), std::vector<double>{1});
+  EXPECT_EQ(g.data.at("pieces"), std::vector<double>{1});
 }
 
 TEST(AlongLine, WalksByLengthAndStaysOnTheLine) {

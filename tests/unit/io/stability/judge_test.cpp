@@ -9,7 +9,7 @@ namespace {
 /// A gear of three nodes in a box of 3 x 4 x 12 m: 13 m across. Its best answer has -100 J.
 Ended ended_at(double energy, double aside = 0) {
   Ended e;
-  e.solution.status = SolveStatus::converged, e.solution.stability = Stability::stable;
+  e.solution.status = SolveStatus::converged, e.stability = Stability::stable;
   e.solution.energy = energy, e.solution.balance.scale = 5;
   e.positions = {0, 0, 0, 3, 4, 0, 0 + aside, 0, 12};
   e.unknowns = 9;
@@ -35,7 +35,7 @@ TEST(Judge, AUniqueAnswerIsWantedWithinOneInAHundredMillionOfTheSize) {
   EXPECT_EQ(where(ended_at(-100, 1.2e-7), Expected::unique), Where::reference);
   EXPECT_EQ(where(ended_at(-100, 1.4e-7), Expected::unique), Where::near);
   EXPECT_EQ(where(ended_at(-100, 1.4e-4), Expected::unique), Where::wrong);
-  EXPECT_FALSE(is_right(Where::near) || is_lie(Where::near));
+  EXPECT_FALSE(is_right(Where::near) || is_claimed_wrong(Where::near));
 }
 
 TEST(Judge, OtherwiseTheSameShapeIsEnough) {
@@ -75,43 +75,69 @@ TEST(Judge, WithoutAnEnergyOnlyThePlaceCounts) {
   EXPECT_EQ(where(e, Expected::unique), Where::reference);
 }
 
-TEST(Judge, SuccessAtAnUnstablePlaceIsALie) {
+TEST(Judge, SuccessAtAnUnstablePlaceIsClaimedWrong) {
   Ended e = ended_at(-100);
-  e.solution.stability = Stability::unstable;
+  e.stability = Stability::unstable;
   EXPECT_EQ(where(e), Where::wrong);
-  e = ended_at(-100), e.grows = true;
+  EXPECT_TRUE(is_claimed_wrong(Where::wrong) && !is_right(Where::wrong));
+}
+
+// What the solver's host has said of stability does not count where the suite knows better.
+TEST(Judge, TheSuitesOwnFindingDecidesWhetherAnAnswerIsStable) {
+  Ended e = ended_at(-100);
+  e.solution.stability = Stability::stable, e.stability = Stability::unstable;
   EXPECT_EQ(where(e), Where::wrong);
+  e.solution.stability = Stability::unknown, e.stability = Stability::stable;
+  EXPECT_EQ(where(e), Where::reference);
+}
+
+TEST(Judge, SuccessThatNobodyCanProveStableIsNeitherRightNorClaimedWrong) {
+  Ended e = ended_at(-100);
+  e.stability = Stability::unknown;
+  EXPECT_EQ(where(e), Where::unproven);
+  EXPECT_FALSE(is_right(Where::unproven) || is_claimed_wrong(Where::unproven));
+  e.stability = Stability::neutral;
+  EXPECT_EQ(where(e), Where::reference);
+}
+
+// Stable, but another solver knows a better one: no lie, and not right.
+TEST(Judge, AStableShapeOfMoreEnergyThanAnotherSolversIsNotRight) {
+  const Where at = where(ended_at(-99, 1));
+  EXPECT_EQ(at, Where::higher);
+  EXPECT_FALSE(is_right(at) || is_claimed_wrong(at));
+  EXPECT_TRUE(is_right(where(ended_at(-101, 1))) && is_right(where(ended_at(-100, 1))));
 }
 
 TEST(Judge, AnUnstablePlaceThatIsCalledSoIsNoLieAndNoArrival) {
   Ended e = ended_at(-100);
-  e.solution.status = SolveStatus::unstable, e.solution.stability = Stability::unstable;
+  e.solution.status = SolveStatus::unstable, e.stability = Stability::unstable;
   EXPECT_EQ(where(e), Where::unstable);
-  EXPECT_FALSE(is_right(Where::unstable) || is_lie(Where::unstable));
+  EXPECT_FALSE(is_right(Where::unstable) || is_claimed_wrong(Where::unstable));
 }
 
 // What only grows will come to rest elsewhere.
 TEST(Judge, ToSwingOnIsRightOnlyWhereNobodyKnowsAPlaceToRest) {
   Ended e = ended_at(-100);
-  e.solution.status = SolveStatus::unstable, e.solution.stability = Stability::unstable;
+  e.solution.status = SolveStatus::unstable, e.stability = Stability::unstable;
   const StabilityCase c;
   EXPECT_EQ(judge(c, std::nullopt, e).where, Where::unstable);
   e.solution.growth_frequency = 0.2;
   EXPECT_EQ(judge(c, std::nullopt, e).where, Where::flutters);
   EXPECT_EQ(where(e), Where::unstable);
-  EXPECT_TRUE(is_right(Where::flutters) && !is_arrival(Where::flutters) && !is_lie(Where::flutters));
+  EXPECT_TRUE(is_right(Where::flutters) && !is_answer(Where::flutters) && !is_claimed_wrong(Where::flutters));
 }
 
 TEST(Judge, ToGoOnAndOnIsRightOnlyWhereNobodyKnowsAPlaceToRest) {
   for (const auto status : {SolveStatus::unstable, SolveStatus::not_converged}) {
     Ended e = ended_at(-100);
-    e.solution.status = status, e.solution.is_restless = true;
-    EXPECT_EQ(judge(StabilityCase{}, std::nullopt, e).where, Where::restless);
+    e.solution.status = status, e.solution.does_not_settle = true;
+    EXPECT_EQ(judge(StabilityCase{}, std::nullopt, e).where, Where::unsettled);
     EXPECT_FALSE(is_right(where(e)));
-    e.out_of_time = true;
+    e.out_of_budget = true;
     EXPECT_FALSE(is_right(judge(StabilityCase{}, std::nullopt, e).where));
   }
-  EXPECT_TRUE(is_right(Where::restless) && !is_arrival(Where::restless) && !is_lie(Where::restless));
+  EXPECT_TRUE(is_right(Where::unsettled) && !is_answer(Where::unsettled) &&
+              !is_claimed_wrong(Where::unsettled));
 }
 
 TEST(Judge, FailureIsRightOnlyWhereThereIsNoEquilibriumAndInTime) {
@@ -119,11 +145,12 @@ TEST(Judge, FailureIsRightOnlyWhereThereIsNoEquilibriumAndInTime) {
   e.solution.status = SolveStatus::not_converged;
   EXPECT_EQ(where(e), Where::failed);
   EXPECT_EQ(where(e, Expected::none), Where::honest);
-  e.out_of_time = true;
+  e.out_of_budget = true;
   EXPECT_EQ(where(e, Expected::none), Where::late);
   EXPECT_EQ(where(ended_at(-100), Expected::none), Where::lied);
   EXPECT_TRUE(is_right(Where::honest) && !is_right(Where::failed) && !is_right(Where::late));
-  EXPECT_TRUE(is_lie(Where::lied) && is_lie(Where::wrong) && !is_lie(Where::failed));
+  EXPECT_TRUE(is_claimed_wrong(Where::lied) && is_claimed_wrong(Where::wrong) &&
+              !is_claimed_wrong(Where::failed));
 }
 
 TEST(Judge, WhereNothingIsStoredRoundingIsTheSameEnergy) {

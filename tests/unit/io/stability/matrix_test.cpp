@@ -10,7 +10,7 @@
 namespace netloft::io {
 namespace {
 
-/// Two cases, of which one has no equilibrium, and two solvers, of which the second lies about that one.
+/// Two cases, of which one has no equilibrium, and two solvers, of which the second claims to have found one.
 class Matrix : public ::testing::Test {
  protected:
   Matrix() {
@@ -26,30 +26,47 @@ class Matrix : public ::testing::Test {
     Cell cell;
     cell.name = c.name, cell.size = "small", cell.solver = solver, cell.expected = c.expected;
     cell.verdict.where = where, cell.unknowns = 216, cell.iterations = 12, cell.factorisations = 13;
-    cell.cpu_seconds = 0.25, cell.reason = "1 < 2", cell.energy = -5;
+    cell.confirmed = where != Where::reference, cell.cpu_seconds = 0.25, cell.reason = "1 < 2",
+    cell.energy = -5;
     return cell;
   }
   StabilityCase panel, none;
   std::vector<Row> rows;
 };
 
-TEST_F(Matrix, CountsWhatIsRightAndWhatIsALie) {
+TEST_F(Matrix, CountsWhatIsRightAndWhatIsClaimedWrong) {
   const auto all = tally(rows);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].cases, 2u);
   EXPECT_EQ(all[0].right, 2u);
-  EXPECT_EQ(all[0].lies, 0u);
+  EXPECT_EQ(all[0].claimed_wrong, 0u);
+  EXPECT_EQ(all[0].unconfirmed, 1u);
+  EXPECT_EQ(all[0].factorisations, 26u);
   EXPECT_EQ(all[1].cases, 1u);  // unfit is no case of its
   EXPECT_EQ(all[1].right, 0u);
-  EXPECT_EQ(all[1].lies, 1u);
+  EXPECT_EQ(all[1].claimed_wrong, 1u);
 }
 
-TEST_F(Matrix, TheTableNamesCasesAndMarksLies) {
+TEST_F(Matrix, CountsEachKindByItself) {
+  const auto kinds = tally_by_kind(rows);
+  ASSERT_EQ(kinds.size(), 2u);
+  EXPECT_EQ(kinds[0].kind, "panel");
+  EXPECT_EQ(kinds[1].kind, "rope");
+  EXPECT_EQ(kinds[0].columns.at(0).cases, 1u);
+  EXPECT_EQ(kinds[0].columns.at(1).cases, 0u);
+  EXPECT_EQ(kinds[1].columns.at(1).claimed_wrong, 1u);
+  const std::string text = matrix_text({"suite", 3}, rows);
+  EXPECT_NE(text.find("0/1 !!1"), std::string::npos) << text;
+}
+
+TEST_F(Matrix, TheTableNamesCasesAndMarksWhatIsClaimedWrong) {
   const std::string text = matrix_text({"suite", 3}, rows);
   EXPECT_NE(text.find("draw 3"), std::string::npos);
   EXPECT_NE(text.find("reference 12/13/0.25"), std::string::npos);
   EXPECT_NE(text.find("rope/loose * (none)"), std::string::npos);
   EXPECT_NE(text.find("!! lied 12/13/0.25"), std::string::npos);
+  EXPECT_NE(text.find("right 2 of 2 (1 that no other solver found), claimed wrong 0"), std::string::npos)
+      << text;
 }
 
 TEST_F(Matrix, JsonHasEveryCaseWithItsFigures) {
@@ -60,7 +77,8 @@ TEST_F(Matrix, JsonHasEveryCaseWithItsFigures) {
   EXPECT_EQ(c["name"], "rope/loose");
   EXPECT_EQ(c["solver"], "lbfgs");
   EXPECT_EQ(c["unknowns"], 216);
-  EXPECT_EQ(c["arrived"], false);
+  EXPECT_EQ(c["right"], false);
+  EXPECT_EQ(c["claimed_wrong"], true);
   EXPECT_EQ(c["where"], "lied");
   EXPECT_EQ(c["expected"], "none");
   EXPECT_EQ(c["iterations"], 12);
@@ -75,7 +93,13 @@ TEST_F(Matrix, JsonHasEveryCaseWithItsFigures) {
   EXPECT_EQ(c["start"][1]["turn"], 0.5);
   EXPECT_EQ(c["start"][1]["axis"], "z");
   EXPECT_TRUE(json["cases"][0]["start"].empty());
-  EXPECT_EQ(json["cases"][0]["arrived"], true);
+  EXPECT_EQ(json["cases"][0]["right"], true);
+  EXPECT_EQ(json["cases"][0]["confirmed"], false);
+  EXPECT_EQ(json["solvers"][1]["claimed_wrong"], 1);
+  ASSERT_EQ(json["kinds"].size(), 4u);
+  EXPECT_EQ(json["kinds"][2]["kind"], "rope");
+  EXPECT_EQ(json["kinds"][2]["solver"], "auto");
+  EXPECT_EQ(json["kinds"][2]["right"], 1);
   EXPECT_TRUE(json["cases"][0]["energy"].is_null());
 }
 
@@ -84,7 +108,7 @@ TEST_F(Matrix, ThePageStandsAloneAndEscapesWhatItQuotes) {
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_NE(page.find("panel/&lt;slack&gt;"), std::string::npos);
   EXPECT_NE(page.find("slack &amp; &quot;cold&quot;"), std::string::npos);
-  EXPECT_NE(page.find("class=\"lie\" title=\"1 &lt; 2\""), std::string::npos);
+  EXPECT_NE(page.find("class=\"claimed-wrong\" title=\"1 &lt; 2\""), std::string::npos);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ class Book : public testing::Scratch {};
 TEST_F(Book, KeepsEveryBitOfAnAnswer) {
   const auto file = folder_ / "references.json";
   const Reference kept{816, -58006.493614954, 0.1 + 0.2, 763, 1e-17, {{5, {1.0 / 3, -2e-300, 7}}}, "newton"};
-  References book(file);
-  EXPECT_FALSE(book.find("panel", "small"));
-  book.keep("panel", "small", kept);
-  book.save();
+  References answers(file);
+  EXPECT_FALSE(answers.find("panel", "small"));
+  answers.keep("panel", "small", kept);
+  answers.save();
   const auto read = References(file).find("panel", "small");
   ASSERT_TRUE(read);
   EXPECT_EQ(read->unknowns, kept.unknowns);
@@ -33,7 +33,7 @@ TEST_F(Book, KeepsEveryBitOfAnAnswer) {
 TEST_F(Book, SaysWhichFileCannotBeRead) {
   const auto file = write("references.json", "{ \"panel\": 3 }");
   try {
-    References book(file);
+    References answers(file);
     FAIL();
   } catch (const std::runtime_error& e) {
     EXPECT_NE(std::string(e.what()).find("references.json"), std::string::npos);
@@ -43,9 +43,9 @@ TEST_F(Book, SaysWhichFileCannotBeRead) {
 // Energies of the two panels of the paper, from a program of its own (residuals in 80 bits, to 1e-13 N), on
 // the same meshes; the other tests of these panels (tests/verification) have their positions from there.
 TEST(TheBook, AgreesWithAnIndependentProgramAboutThePanelsOfThePaper) {
-  const References book(NETLOFT_SOURCE_DIR "/tests/stability/references.json");
+  const References answers(NETLOFT_SOURCE_DIR "/tests/stability/references.json");
   const auto expect = [&](const std::string& name, const std::string& size, double energy) {
-    const auto known = book.find(name, size);
+    const auto known = answers.find(name, size);
     ASSERT_TRUE(known) << name;
     EXPECT_NEAR(known->energy, energy, 1e-12 * std::abs(energy)) << name << " " << size;
   };

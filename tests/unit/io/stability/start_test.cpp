@@ -112,7 +112,7 @@ TEST(StartText, AStepIsOneThing) {
   for (const std::string text : {"start = [{ noise = 1, scale = 2 }]", "start = [{ seed = 1 }]"}) {
     Input input(text);
     read_start(input.reader, 1);
-    EXPECT_EQ(input.error(), "1:10: start[0]: one of noise, scale, turn, shift and shuffle is wanted");
+    EXPECT_EQ(input.error(), "1:10: start[0]: one of noise, scale, turn, shift and shuffle is expected");
   }
 }
 

@@ -32,14 +32,14 @@ TEST_F(SuiteFolder, ACaseTakesWhatItsFileSaysAndAddsItsOwn) {
   EXPECT_EQ(c.sizes.at("small"), std::vector<std::string>{"n=2"});
   EXPECT_EQ(c.scene, folder_ / "rope.toml");
   EXPECT_TRUE(c.expected == Expected::unique && c.neutral && !c.drawn);
-  EXPECT_EQ(suite.columns[0].word, "newton");
+  EXPECT_EQ(suite.columns[0].solver, "newton");
 }
 
 TEST_F(SuiteFolder, AColumnHasATitleAndSizesOfItsOwnOrThoseOfAll) {
   write("rope.toml", std::string(kHead) + "[[case]]\nname = \"slack\"\nexpected = \"unique\"\n");
   write("solvers.toml",
         "[[solver]]\nuse = \"auto\"\n[[solver]]\nuse = \"auto\"\ntitle = \"auto, 4 looks\"\n"
-        "sizes = [\"small\"]\nset = [\"analysis.looks=4\"]\n");
+        "sizes = [\"small\"]\nset = [\"analysis.auto.restarts=4\"]\n");
   const auto columns = read_suite(folder_, 1, diagnostics_).columns;
   ASSERT_EQ(errors(), "");
   ASSERT_EQ(columns.size(), 2u);
@@ -47,6 +47,21 @@ TEST_F(SuiteFolder, AColumnHasATitleAndSizesOfItsOwnOrThoseOfAll) {
   EXPECT_TRUE(columns[0].sizes.empty());
   EXPECT_EQ(columns[1].head(), "auto, 4 looks");
   EXPECT_EQ(columns[1].sizes, std::vector<std::string>{"small"});
+}
+
+TEST_F(SuiteFolder, AColumnIsAStrategyOrASolverOrBoth) {
+  write("rope.toml", std::string(kHead) + "[[case]]\nname = \"slack\"\nexpected = \"unique\"\n");
+  write("solvers.toml",
+        "[[solver]]\nstrategy = \"auto\"\n[[solver]]\nuse = \"newton\"\n"
+        "[[solver]]\nstrategy = \"load-steps\"\nuse = \"ptc\"\n[[solver]]\ntitle = \"neither\"\n");
+  const auto columns = read_suite(folder_, 1, diagnostics_).columns;
+  EXPECT_NE(errors().find("use: is missing"), std::string::npos) << errors();
+  ASSERT_EQ(columns.size(), 4u);
+  EXPECT_EQ(columns[0].strategy, "auto");
+  EXPECT_EQ(columns[0].solver, "");
+  EXPECT_EQ(columns[1].strategy, "");
+  EXPECT_EQ(columns[2].strategy, "load-steps");
+  EXPECT_EQ(columns[2].solver, "ptc");
 }
 
 TEST_F(SuiteFolder, ADrawnCaseIsManyAndAnotherNumberChangesAllOfThem) {

@@ -76,7 +76,8 @@ TEST_F(DocumentTest, KeepsThePlaceOfAnIncludedValue) {
   write("a.toml", "include = [\"b.toml\"]\n[water]\n");
   const Document document = load("a.toml");
   TableReader(document.root(), diagnostics_).table("water").text("density", {});
-  EXPECT_TRUE(errors().starts_with("b.toml:2:11: error: water.density is the integer 1000; a text is wanted"))
+  EXPECT_TRUE(
+      errors().starts_with("b.toml:2:11: error: water.density is the integer 1000; a text is expected"))
       << errors();
 }
 
@@ -183,19 +184,19 @@ TEST_F(DocumentTest, SaysThatTheRootIsMissing) {
 TEST_F(DocumentTest, RefusesAFolder) {
   std::filesystem::create_directories(folder_ / "a.toml");
   load("a.toml");
-  EXPECT_EQ(errors(), "error: a.toml is a directory; a TOML file is wanted\n");
+  EXPECT_EQ(errors(), "error: a.toml is a directory; a TOML file is expected\n");
 }
 
 TEST_F(DocumentTest, RefusesABinaryFile) {
   write("a.toml", std::string("a = 1\n\0\1", 8));
   load("a.toml");
-  EXPECT_EQ(errors(), "error: a.toml is a binary file; a TOML file is wanted\n");
+  EXPECT_EQ(errors(), "error: a.toml is a binary file; a TOML file is expected\n");
 }
 
 TEST_F(DocumentTest, RefusesTextThatIsNotUtf8) {
   write("a.toml", "a = 1\nb = \"caf\xe9\"\n");
   load("a.toml");
-  EXPECT_EQ(errors(), "error: a.toml is not UTF-8 text: line 2 has a byte that does not belong\n");
+  EXPECT_EQ(errors(), "error: a.toml is not UTF-8 text: line 2 has an invalid byte\n");
 }
 
 TEST_F(DocumentTest, RefusesAnEmptyFile) {

@@ -36,7 +36,7 @@ TEST(TableReader, AcceptsTheEndsOfARange) {
 TEST(TableReader, NamesAWrongDimension) {
   Input in("d = \"10 kg\"");
   in.reader.real("d", {.unit = "m", .doc = "diameter"});
-  EXPECT_EQ(in.error(), "1:5: d: \"10 kg\" is a mass (kg); a length (m) is wanted (diameter)");
+  EXPECT_EQ(in.error(), "1:5: d: \"10 kg\" is a mass (kg); a length (m) is expected (diameter)");
 }
 TEST(TableReader, PassesOnWhichUnitWasMeant) {
   Input in("d = \"10 metr\"");
@@ -46,7 +46,7 @@ TEST(TableReader, PassesOnWhichUnitWasMeant) {
 TEST(TableReader, SaysWhatItGotInsteadOfAQuantity) {
   Input in("d = true");
   in.reader.real("d", {.unit = "m", .doc = "diameter"});
-  EXPECT_EQ(in.error(), "1:5: d is the boolean true; a length in m is wanted (diameter)");
+  EXPECT_EQ(in.error(), "1:5: d is the boolean true; a length in m is expected (diameter)");
   EXPECT_EQ(in.hint(), "write an SI number or a text such as \"1 m\"");
 }
 
@@ -101,7 +101,7 @@ TEST(TableReader, ReadsAnInteger) { EXPECT_EQ(Input("n = 32").reader.integer("n"
 TEST(TableReader, DoesNotRoundToAnInteger) {
   Input in("n = 32.5");
   in.reader.integer("n", {.doc = "meshes"});
-  EXPECT_EQ(in.error(), "1:5: n is the number 32.5; an integer is wanted (meshes)");
+  EXPECT_EQ(in.error(), "1:5: n is the number 32.5; an integer is expected (meshes)");
 }
 TEST(TableReader, ChecksTheRangeOfAnInteger) {
   Input in("n = 0");
@@ -112,13 +112,13 @@ TEST(TableReader, ReadsABoolean) { EXPECT_TRUE(Input("b = true").reader.boolean(
 TEST(TableReader, DoesNotTakeANumberForABoolean) {
   Input in("b = 1");
   in.reader.boolean("b", {});
-  EXPECT_EQ(in.error(), "1:5: b is the integer 1; true or false is wanted");
+  EXPECT_EQ(in.error(), "1:5: b is the integer 1; true or false is expected");
 }
 TEST(TableReader, ReadsAText) { EXPECT_EQ(Input("t = \"x\"").reader.text("t", {}), "x"); }
 TEST(TableReader, NamesADate) {
   Input in("t = 2020-01-02");
   in.reader.text("t", {});
-  EXPECT_EQ(in.error(), "1:5: t is the date 2020-01-02; a text is wanted");
+  EXPECT_EQ(in.error(), "1:5: t is the date 2020-01-02; a text is expected");
 }
 
 const ChoiceSpec kKinds{.allowed = {"static", "dynamic"}, .doc = "kind of analysis"};
@@ -136,17 +136,17 @@ TEST(TableReader, ReadsAnArrayOfQuantities) {
 TEST(TableReader, ChecksTheLengthOfAnArray) {
   Input in("z = [0]");
   EXPECT_EQ(in.reader.reals("z", {.doc = "depths", .count = exactly(2)}).size(), 2u);
-  EXPECT_EQ(in.error(), "1:5: z has 1 value; 2 are wanted (depths)");
+  EXPECT_EQ(in.error(), "1:5: z has 1 value; 2 are expected (depths)");
 }
 TEST(TableReader, NamesABadItemByItsIndex) {
   Input in("z = [0, \"3 s\"]");
   in.reader.reals("z", {.unit = "m"});
-  EXPECT_EQ(in.error(), "1:9: z[1]: \"3 s\" is a time (s); a length (m) is wanted");
+  EXPECT_EQ(in.error(), "1:9: z[1]: \"3 s\" is a time (s); a length (m) is expected");
 }
 TEST(TableReader, WantsAnArrayWhereOneIsDue) {
   Input in("z = 3");
   in.reader.reals("z", {.unit = "m"});
-  EXPECT_EQ(in.error(), "1:5: z is the integer 3; an array of values in m is wanted");
+  EXPECT_EQ(in.error(), "1:5: z is the integer 3; an array of values in m is expected");
 }
 TEST(TableReader, ReadsRows) {
   Input in("sketch = [[-16, 0, 0], [\"16 m\", 0, -34]]");
@@ -156,7 +156,7 @@ TEST(TableReader, ReadsRows) {
 TEST(TableReader, ChecksTheLengthOfARow) {
   Input in("sketch = [[-16, 0, 0], [16, 0]]");
   in.reader.rows("sketch", {.unit = "m", .columns = exactly(3)});
-  EXPECT_EQ(in.error(), "1:24: sketch[1] has 2 values; 3 are wanted");
+  EXPECT_EQ(in.error(), "1:24: sketch[1] has 2 values; 3 are expected");
 }
 TEST(TableReader, ReadsIntegers) {
   EXPECT_EQ(Input("cells = [32, 16]").reader.integers("cells", {}), (std::vector<std::int64_t>{32, 16}));
@@ -184,7 +184,7 @@ TEST(TableReader, MissesARequiredKeyOfAnAbsentOptionalTable) {
 TEST(TableReader, WantsATableWhereOneIsDue) {
   Input in("water = 3");
   in.reader.table("water").real("density", {});
-  EXPECT_EQ(in.error(), "1:9: water is the integer 3; a table is wanted");
+  EXPECT_EQ(in.error(), "1:9: water is the integer 3; a table is expected");
   EXPECT_EQ(in.diagnostics.errors(), 1);
 }
 TEST(TableReader, NamesTablesOfAnArrayByTheirIndex) {

@@ -76,31 +76,31 @@ TEST(Units, ReadEveryMillimetreAsItsDecimalInMetres) {
 }
 
 TEST(Units, SayWhatIsThereAndWhatIsWanted) {
-  expect_refused("10 kg", "m", "\"10 kg\" is a mass (kg); a length (m) is wanted");
+  expect_refused("10 kg", "m", "\"10 kg\" is a mass (kg); a length (m) is expected");
 }
 TEST(Units, TellHowToWriteAWeight) {
-  expect_refused("10 kg", "N", "\"10 kg\" is a mass (kg); a force (N) is wanted",
+  expect_refused("10 kg", "N", "\"10 kg\" is a mass (kg); a force (N) is expected",
                  "the weight of a mass is written with kgf, tonf or lbf");
 }
 TEST(Units, TellAKnotFromAKilonewton) {
-  expect_refused("2 kn", "N", "\"2 kn\" is a speed (m/s); a force (N) is wanted",
+  expect_refused("2 kn", "N", "\"2 kn\" is a speed (m/s); a force (N) is expected",
                  "kn is the knot; the kilonewton is kN");
 }
 TEST(Units, DoNotTakeAKilonewtonForAKnot) {
-  expect_refused("2 kN", "m/s", "\"2 kN\" is a force (N); a speed (m/s) is wanted");
+  expect_refused("2 kN", "m/s", "\"2 kN\" is a force (N); a speed (m/s) is expected");
 }
 TEST(Units, DoNotTakeAnAngleForAPureNumber) {
-  expect_refused("45 deg", "1", "\"45 deg\" is an angle (rad); a pure number (1) is wanted");
+  expect_refused("45 deg", "1", "\"45 deg\" is an angle (rad); a pure number (1) is expected");
 }
 TEST(Units, DoNotTakeAMomentForAMomentPerAngle) {
-  expect_refused("1 N.m", "N.m/rad", "\"1 N.m\" is a moment (N.m); a moment per angle (N.m/rad) is wanted");
+  expect_refused("1 N.m", "N.m/rad", "\"1 N.m\" is a moment (N.m); a moment per angle (N.m/rad) is expected");
 }
 TEST(Units, AskForTheUnitOfABareText) {
-  expect_refused("10", "m", "\"10\" is a pure number (1); a length (m) is wanted",
-                 "add a unit, or leave the quotes away for an SI number");
+  expect_refused("10", "m", "\"10\" is a pure number (1); a length (m) is expected",
+                 "add a unit, or omit the quotes for an SI number");
 }
 TEST(Units, SpellADimensionWithoutAName) {
-  expect_refused("1 kg.m/K", "m", "\"1 kg.m/K\" is a quantity (K-1.kg.m); a length (m) is wanted");
+  expect_refused("1 kg.m/K", "m", "\"1 kg.m/K\" is a quantity (K-1.kg.m); a length (m) is expected");
 }
 TEST(Units, NameTheNearestKnownUnit) {
   expect_refused("10 kgs", "kg", "unit \"kgs\" in \"10 kgs\" is not known", "did you mean \"kg\"?");

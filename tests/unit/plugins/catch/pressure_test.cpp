@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// catch/pressure by hand, against the volume that it presses out, and its tangent against dual numbers and
-// differences.
+// catch/pressure by hand, against the gradient of the enclosed volume, and its tangent against dual numbers
+// and differences.
 #include "plugins/catch/pressure.hpp"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ State<4> somewhere(double front = 1e6) {
   return s;
 }
 
-double share(const std::array<double, 3>& to_aft, double meshes) {
-  return Pressure::share_behind_front(to_aft, meshes).value();
+double fraction(const std::array<double, 3>& to_aft, double meshes) {
+  return Pressure::fraction_behind_front(to_aft, meshes).value();
 }
 
 TEST(CatchPressure, PushesATriangleTowardsTheSideThatSeesItCounterClockwise) {
@@ -64,15 +64,15 @@ TEST(CatchPressure, IsThatOfTheFlowTheCatchStops) {
 
 TEST(CatchPressure, CountsThePartOfATriangleBehindTheFront) {
   const std::array<double, 3> s{2, 4, 1};  // corners in any order
-  EXPECT_EQ(share(s, 1), 0);
-  EXPECT_DOUBLE_EQ(share(s, 4), 1);
-  EXPECT_NEAR(share(s, 2), 1.0 / 3, 1e-15);      // (2-1)² / ((2-1)(4-1))
-  EXPECT_NEAR(share(s, 1.5), 0.25 / 3, 1e-15);   // a quarter of that
-  EXPECT_NEAR(share(s, 3), 1 - 1.0 / 6, 1e-15);  // 1 - (4-3)² / ((4-2)(4-1))
-  EXPECT_EQ(share({3, 3, 3}, 2.9), 0);
-  EXPECT_DOUBLE_EQ(share({3, 3, 3}, 3), 1);
-  EXPECT_NEAR(share({0, 0, 2}, 1), 0.75, 1e-15);
-  EXPECT_NEAR(share({0, 2, 2}, 1), 0.25, 1e-15);
+  EXPECT_EQ(fraction(s, 1), 0);
+  EXPECT_DOUBLE_EQ(fraction(s, 4), 1);
+  EXPECT_NEAR(fraction(s, 2), 1.0 / 3, 1e-15);      // (2-1)² / ((2-1)(4-1))
+  EXPECT_NEAR(fraction(s, 1.5), 0.25 / 3, 1e-15);   // a quarter of that
+  EXPECT_NEAR(fraction(s, 3), 1 - 1.0 / 6, 1e-15);  // 1 - (4-3)² / ((4-2)(4-1))
+  EXPECT_EQ(fraction({3, 3, 3}, 2.9), 0);
+  EXPECT_DOUBLE_EQ(fraction({3, 3, 3}, 3), 1);
+  EXPECT_NEAR(fraction({0, 0, 2}, 1), 0.75, 1e-15);
+  EXPECT_NEAR(fraction({0, 2, 2}, 1), 0.25, 1e-15);
 }
 
 // (2-1)/(2-1) and (2-1)/(4-1) of two sides are behind the front: a triangle whose middle is that of its
@@ -83,11 +83,11 @@ TEST(CatchPressure, ActsInTheMiddleOfThePartBehindTheFront) {
   const auto& x = state.x;
   const Vec3<double> corner = x[2], first = x[0], second = x[2] + (1.0 / 3) * (x[1] - x[2]);
   const Vec3<double> middle = (1.0 / 3) * (corner + first + second);
-  const auto at = Pressure::share_behind_front(s, 2).at;
+  const auto at = Pressure::fraction_behind_front(s, 2).at;
   const Vec3<double> acts = at[0] * x[0] + at[1] * x[1] + at[2] * x[2];
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(acts[axis], middle[axis] / 3, 1e-15);
-  // Ahead of the corner that is furthest from the aft edge, the part that is not pressed is one.
-  const auto rest = Pressure::share_behind_front(s, 3).at;  // (4-3)/(4-2) and (4-3)/(4-1) of two sides
+  // Ahead of the corner that is furthest from the aft edge, the part without pressure is a triangle.
+  const auto rest = Pressure::fraction_behind_front(s, 3).at;  // (4-3)/(4-2) and (4-3)/(4-1) of two sides
   const Vec3<double> bare = (1.0 / 3) * (x[1] + 0.5 * (x[1] + x[0]) + x[1] + (1.0 / 3) * (x[2] - x[1]));
   const Vec3<double> all = (1.0 / 3) * (x[0] + x[1] + x[2]);
   const Vec3<double> pressed = rest[0] * x[0] + rest[1] * x[1] + rest[2] * x[2];
@@ -174,7 +174,7 @@ TEST(CatchPressure, RefusesACatchThatIsGivenTwiceOrNotAtAll) {
   EXPECT_NO_THROW(Pressure::check(slippery, {}));
 }
 
-/// An octahedron, faces counter-clockwise seen from outside, pressed out of shape.
+/// An octahedron, faces counter-clockwise seen from outside, deformed.
 struct Closed {
   std::vector<Vec3<double>> x{{1, 0, 0},  {-1.2, 0.1, 0}, {0, 0.9, 0.2},
                               {0, -1, 0}, {0.1, 0, 1.1},  {0, 0, -1}};

@@ -96,7 +96,7 @@ TEST(Loland, HoldsTheForceOfNettingDenserThanAnyMeasured) {
   EXPECT_GT(coefficients<Loland>(30, 0.38), coefficients<Loland>(30, 0.34));
 }
 
-// By hand from the published polynomials, S = 0.2.
+// Expected values: computed by hand from the published polynomials, S = 0.2.
 TEST(Loland, HasThePublishedCoefficients) {
   EXPECT_NEAR(coefficients<Loland>(0, 0.2).first, 0.28856, 1e-12);
   EXPECT_NEAR(coefficients<Loland>(60, 0.2).first, 0.04 + 0.24856 * 0.5, 1e-12);

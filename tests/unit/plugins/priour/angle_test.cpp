@@ -57,7 +57,7 @@ void place_corners(TestTile<3>& tile, const std::vector<Triangle::Data>& data, H
   }
 }
 
-/// From `lo` to `hi`, lane by lane.
+/// Values from `lo` to `hi`, one per lane.
 auto spread(double lo, double hi) {
   return [lo, hi](std::size_t lane) { return lo + (hi - lo) * double(lane) / (kLanes - 1); };
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What water and motion do to netting, against the formulas differentiated by dual numbers, and by hand.
+// Forces of water and motion on netting, against the formulas differentiated by dual numbers, and by hand.
 #include <netloft/law.hpp>
 
 #include "plugins/priour/drag.hpp"

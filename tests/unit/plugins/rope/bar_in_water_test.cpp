@@ -27,7 +27,7 @@ const Bar::Parameters kRope = make_rope();
 template <class T>
 using Ends = Points<T, 2>;
 
-/// What one bar sees: everything a term may read. The current is linear in z.
+/// The state of one bar, with everything that a term may read. The current is linear in z.
 template <class T>
 struct Sight {
   Ends<T> x, v, a, current;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What every factorisation answers, whoever wrote it. What only one of them does stands in its own file.
+// Tests that every factorisation must pass. Tests of a single one are in files of their own.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -110,7 +110,7 @@ TEST_F(Multifrontal, SolvesAPatternThatIsNotSymmetric) {
   EXPECT_LT(error_of_solving(*make(), matrix), kRoundOff);
 }
 
-/// The same with other stiffness of each node by itself.
+/// The matrix with its diagonal blocks, the stiffness of each node by itself, multiplied by a factor.
 TestMatrix with_own_blocks(TestMatrix matrix, double factor) {
   for (std::int32_t c = 0; c < matrix.pattern.size; ++c)
     for (std::int32_t e = matrix.pattern.column_start[c]; e < matrix.pattern.column_start[c + 1]; ++e)

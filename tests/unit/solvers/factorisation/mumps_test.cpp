@@ -43,7 +43,7 @@ class Mumps : public testing::TestWithParam<MatrixClass> {
   }
 };
 
-// With nothing on the diagonal, every pivot that the analysis foresaw has to wait for another.
+// With zeros on the diagonal, every pivot that the analysis foresaw must be delayed.
 TEST_P(Mumps, FindsRoomForPivotsThatComeLate) {
   TestMatrix net = make_net({.rings = 40, .nodes_per_ring = 40});
   for (std::int32_t c = 0; c < net.pattern.size; ++c)

@@ -36,7 +36,7 @@ struct NetOptions {
 
 TestMatrix make_net_matrix(const NetOptions& options);
 
-/// From full rows, for matrices small enough to write down. Every unknown is a node.
+/// Makes a matrix from full rows, small enough to write down. Every unknown is a node.
 TestMatrix make_dense_matrix(const std::vector<std::vector<double>>& rows, bool symmetric);
 
 }  // namespace netloft

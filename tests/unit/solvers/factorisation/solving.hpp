@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of factorisations share: a right-hand side, and how well it is solved for.
+// Helpers for tests of factorisations: a right-hand side, and the error of its solution.
 #pragma once
 #include <gtest/gtest.h>
 

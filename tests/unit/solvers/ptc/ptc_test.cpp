@@ -46,7 +46,8 @@ TEST(PseudoTransient, UsesTheConvexPartWhereTheTangentIsIndefinite) {
 // From steps that never grow, (1) does not become Newton's method.
 TEST(PseudoTransient, EndsAsNewtonsMethodBecauseStepsGrow) {
   const auto iterations = [](double growth) {
-    return solve_with("ptc", two_bar_truss(), {{"step", 10.0}, {"growth", growth}}).solution.books.iterations;
+    return solve_with("ptc", two_bar_truss(), {{"step", 10.0}, {"growth", growth}})
+        .solution.statistics.iterations;
   };
   EXPECT_LT(2 * iterations(10), iterations(1));
 }
@@ -70,17 +71,17 @@ TEST(ImplicitSteps, FindACodEndWithALongNarrowNeck) {
        "parts.codend.panel.along=108", "parts.codend.cells=[14,20]", "parts.codend.tube.radius=0.2072",
        "parts.codend.twine.EA=39694.6", "parts.catch.catch.meshes=20", "parts.catch.catch.pressure=413.2"});
   EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
-  EXPECT_LT(s.solved.solution.books.iterations, 60);
+  EXPECT_LT(s.solved.solution.statistics.iterations, 60);
 }
 
 TEST(ImplicitSteps, GiveUpWhatGoesRoundForEver) {
   Limits limits;
-  limits.way = 10;
+  limits.path = 10;
   EXPECT_EQ(solve_with("ptc", pushed_bar(5), kImplicit, limits).solution.status, SolveStatus::converged);
   const Solved s = solve_with("ptc", whirling_bar(), kImplicit, limits);
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
   EXPECT_TRUE(says(s, "does not come to rest")) << s.solution.reason;
-  EXPECT_LT(s.solution.books.iterations, 200);
+  EXPECT_LT(s.solution.statistics.iterations, 200);
 }
 
 }  // namespace

@@ -52,8 +52,8 @@ TEST_P(TsRadius, IsAsAskedFarAboveTheStep) {
               -rho * rho * rho, 1e-6);
 }
 
-// The same recurrence, written by others: from where one step begins, the ends differ by rounding alone, of
-// u, of u/h and of u/h².
+// The same recurrence in another implementation: after one step from the same state the ends differ by
+// rounding alone, of u, of u/h and of u/h².
 TEST_P(TsRadius, TakesTheStepsOfOurOwnGeneralizedAlpha) {
   const Chosen generalized_alpha = with_radius("generalized-alpha", GetParam());
   const auto step = [](PracticeMotion& m, const Chosen& scheme, double h) {

@@ -8,7 +8,7 @@ using namespace netloft::femnet;
 
 namespace {
 
-constexpr std::uint32_t kDragBySurface = reads_current | reads_velocity | needs_flow | from_outside;
+constexpr std::uint32_t kDragBySurface = reads_current | reads_velocity | needs_flow | from_outside | is_drag;
 
 void add_dry_netting(Plugin& plugin) {
   using priour::Triangle;
@@ -28,7 +28,7 @@ void add_dry_bar(Plugin& plugin) {
   e.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the rope below the surface");
   e.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
   e.term<DryBarDrag, kDragBySurface>("drag", "drag that a dry rope has not");
-  e.term<DryBarBuoyancy, conservative | symmetric | needs_gravity | from_outside>(
+  e.term<DryBarBuoyancy, conservative | symmetric | needs_gravity | from_outside | is_weight>(
       "buoyancy", "buoyancy that a dry rope has not");
 }
 
@@ -45,7 +45,7 @@ void add_node(Plugin& plugin) {
   e.data("mass", &Node::Data::mass, "kg", "mass, of which the weight acts");
   e.data("share", &Node::Data::share, "1", "share of the node in this model");
   e.term<Node::Load, conservative | symmetric | constant | from_outside>("load", "constant force and weight");
-  e.term<Node::Buoyancy, conservative | symmetric | needs_gravity | from_outside>(
+  e.term<Node::Buoyancy, conservative | symmetric | needs_gravity | from_outside | is_weight>(
       "buoyancy", "buoyancy of the box below the surface");
   e.term<Node::Limit, conservative | symmetric | has_convex | has_metric | from_outside>(
       "limit", "push back within the limits", "limit.stiffness");

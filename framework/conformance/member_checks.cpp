@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Do the members that an element declares make up its term of members?
+#include "framework/conformance/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::conformance {
+
+namespace {
+
+/// What the members of a lane give together, and the same of the element's term.
+struct Pull {
+  double energy = 0;
+  std::vector<double> force;  // by degree of freedom
+};
+
+/// Adds a member at a state of its element; false where it has no length and so no direction.
+///   l = ‖w‖, w = Σ c x,  E = ½ number T (l − l₀),  f_i = number c_i T w/l     (netloft_member)
+bool add_member(const netloft_member& m, const States& s, std::size_t lane, Pull& sum) {
+  double w[3] = {};
+  const std::size_t nodes = std::min<std::size_t>(3, sum.force.size() / 3);
+  for (std::size_t node = 0; node < nodes; ++node)
+    for (std::size_t axis = 0; axis < 3; ++axis) w[axis] += m.c[node] * s.x[at(3 * node + axis, lane)];
+  const double l = std::hypot(w[0], w[1], w[2]), strain = l / m.rest_length - 1;
+  if (!(l > 0)) return false;
+  const double T = (strain > 0 ? m.EA : m.EA_compression) * strain;
+  sum.energy += 0.5 * m.number * T * (l - m.rest_length);
+  for (std::size_t node = 0; node < nodes; ++node)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum.force[3 * node + axis] += m.number * m.c[node] * T * w[axis] / l;
+  return true;
+}
+
+/// The terms of members of all lanes; empty arrays: one of them has no force here.
+Answer answer_of_terms(const Bench& b, const States& s) {
+  Answer sum;
+  sum.energy.assign(kLanes, 0.0), sum.force.assign(b.dofs() * kLanes, 0.0);
+  for (const auto& term : b.type.terms)
+    if (term.traits & NETLOFT_OF_MEMBERS)
+      b.specimen->evaluate(term, s, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE, {}, sum);
+  return sum;
+}
+
+const netloft_term& term_of_members(const ElementType& type) {
+  return *std::find_if(type.terms.begin(), type.terms.end(),
+                       [](const netloft_term& t) { return (t.traits & NETLOFT_OF_MEMBERS) != 0; });
+}
+
+/// How far the members are from their term: of the force, or of the energy over the element's size.
+double difference(const Answer& term, const Pull& members, std::size_t lane, double size) {
+  double off = std::abs(term.energy[lane] - members.energy) / size;
+  for (std::size_t d = 0; d < members.force.size(); ++d)
+    off = std::max(off, std::abs(term.force[at(d, lane)] - members.force[d]));
+  return off;
+}
+
+void compare(Bench& b, const States& s, Worst& worst) {
+  const netloft_term& term = term_of_members(b.type);
+  const Answer sum = answer_of_terms(b, s);
+  const auto declared = b.specimen->members(s.first, s.count);
+  const auto scale = b.force_scale(term, s);
+  const std::size_t count = b.type.element.member_count;
+  for (std::size_t lane = 0; lane < s.count; ++lane) {
+    Pull members{0, std::vector<double>(b.dofs(), 0.0)};
+    bool has_direction = declared.size() == count * s.count;
+    for (std::size_t i = 0; i < count && has_direction; ++i)
+      has_direction = add_member(declared[lane * count + i], s, lane, members);
+    const double off = has_direction ? difference(sum, members, lane, b.size(s, lane)) : std::nan("");
+    worst.note(ratio(off, scale[lane]), [&] { return b.place(term, s, lane); });
+  }
+}
+
+}  // namespace
+
+/// Rounding of positions of 10 m in an element of 1 mm leaves 1e-12 of the strain; laws have more digits than
+/// the limit asks for.
+Finding members_make_their_term(Bench& b) {
+  if (b.type.element.member_count == 0) return nothing_to_ask("the element declares no members");
+  Worst worst(1e-6);
+  for (const auto& s : b.tiles) compare(b, s, worst);
+  return judged(worst, "no state");
+}
+
+}  // namespace netloft::conformance

@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a strategy promises: it finds an equilibrium where one solve does, hands over what it has found and
+// nothing else, asks only for what there is, and ends when the work is used up or the user interrupts.
+#include "framework/conformance/checklist.hpp"
+#include "framework/conformance/method_bench.hpp"
+#include "framework/conformance/practice_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace netloft {
+
+namespace conformance {
+namespace {
+
+struct StrategyBench : MethodBench {
+  StrategyBench(const StrategyType& t, const ConformanceOptions& o)
+      : MethodBench(t.parameters, t.strategy.parameter_bytes, o), type(t), seed(o.seed) {}
+
+  int run(PracticeStudy& study) { return run(study, parameters.data()); }
+  int run(PracticeStudy& study, const void* with) {
+    return guarded("run", NETLOFT_ERROR, [&] { return type.strategy.run(with, &study.interface()); });
+  }
+  int explain(PracticeStudy& study, char* text, std::uint32_t size) {
+    return guarded("explain", NETLOFT_ERROR,
+                   [&] { return type.strategy.explain(parameters.data(), &study.interface(), text, size); });
+  }
+  bool takes(const PracticeStudy& study) const { return (type.strategy.needs & ~study.traits()) == 0; }
+
+  const StrategyType& type;
+  std::uint64_t seed;
+};
+
+using Bench = StrategyBench;
+
+/// What a scene may be said to have without having it: nothing in the study depends on these.
+constexpr std::uint32_t kMayBeClaimed =
+    NETLOFT_STUDY_REMEMBERS | NETLOFT_STUDY_FLOWS | NETLOFT_STUDY_COMPRESSION;
+
+const char* const kNoScene = "it needs traits that no practice study has";
+
+struct Named {
+  const char* name;
+  PracticeScene scene;
+};
+
+const PracticeScene kLinear{};
+// Newton's method diverges from the sketch and converges over caps on stiffness, each ten times the last.
+const PracticeScene kGripped{.like = {.grip = 1e4}};
+const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
+const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};
+const PracticeScene kBucklingUnseen{.like = {.buckling = 10, .unknowns = 13}, .knows_growth = false};
+// k² < 4 n f²/l²: no equilibrium of the first mass under the loads of all n, hence none of the chain.
+const PracticeScene kRunaway{.like = {.runaway = 0.05}};
+const PracticeScene kFlowing{.like = {.swirl = 5}};
+
+const std::vector<Named>& scenes() {
+  static const std::vector<Named> all = {
+      {"a linear chain", kLinear},
+      {"a chain that Newton's method does not solve at once", kGripped},
+      {"a chain with two meshes", kTwoMeshes},
+      {"a column that buckles", kBuckling},
+      {"a column of which the host does not know how it buckles", kBucklingUnseen},
+      {"a chain without an equilibrium", kRunaway},
+      {"a chain in a current", kFlowing}};
+  return all;
+}
+
+// Twelve masses are few for coarser meshes to be worth their while.
+const PracticeScene kLong{.like = {.stiffness = 45500, .unknowns = 256}, .levels = 2};
+
+/// One solve of each is enough.
+const std::vector<Named>& easy_scenes() {
+  static const std::vector<Named> all = {{"a linear chain", kLinear},
+                                         {"a chain in a current", kFlowing},
+                                         {"a long chain with two meshes", kLong}};
+  return all;
+}
+
+/// Scenes, and the same ones with little work and with a user who interrupts.
+std::vector<Named> all_scenes() {
+  std::vector<Named> all = scenes();
+  for (const auto& [name, scene] : scenes()) {
+    for (const double budget : {1.0, 3.0, 10.0, 40.0})
+      all.push_back({name, scene}), all.back().scene.budget = budget;
+    for (const int stage : {0, 1, 2}) all.push_back({name, scene}), all.back().scene.interrupted_at = stage;
+  }
+  return all;
+}
+
+/// Runs the strategy on every scene that it takes; `fault_of(study, status)` says what was wrong.
+Finding over(Bench& b, const std::vector<Named>& scenes,
+             const std::function<std::string(const PracticeStudy&, int)>& fault_of) {
+  bool any = false;
+  for (auto [name, scene] : scenes) {
+    scene.claims = b.type.strategy.needs & kMayBeClaimed;
+    PracticeStudy study(scene);
+    if (!b.takes(study)) continue;
+    any = true;
+    const int status = b.run(study);
+    if (const std::string fault = fault_of(study, status); !fault.empty())
+      return failed(fault + ", on " + name);
+  }
+  return any ? Finding{} : nothing_to_ask(kNoScene);
+}
+
+Finding never(Bench& b, Slip slip) {
+  return over(b, all_scenes(), [slip](const PracticeStudy& study, int) { return study.slip(slip); });
+}
+
+Finding strategy_lets_no_exception_escape(Bench& b) {
+  auto all = all_scenes();
+  for (const auto& [name, scene] : scenes()) all.push_back({name, scene}), all.back().scene.breaks = true;
+  return over(b, all, [&b](const PracticeStudy&, int) { return b.thrown; });
+}
+
+// ---------------------------------------------------------------- answers
+
+constexpr double kBalanced = 1e-7;  // ten times the tolerance of the study
+
+/// Skipped where the strategy asks for nothing: it has no use of a scene without a current, or so small.
+Finding is_answered(Bench& b, PracticeScene scene) {
+  scene.claims = b.type.strategy.needs & kMayBeClaimed;
+  PracticeStudy study(scene);
+  if (!b.takes(study)) return nothing_to_ask(kNoScene);
+  const int status = b.run(study);
+  if (status == NETLOFT_OK && study.stages == 0 && study.answers().empty())
+    return nothing_to_ask("it asks for no stage of such a scene");
+  Finding f;
+  f.figure = study.imbalance(), f.limit = kBalanced, f.passed = f.figure <= f.limit;
+  f.detail = "imbalance of the best of " + std::to_string(study.answers().size()) + " answers after " +
+             std::to_string(study.stages) + " stages; `run` returned " + std::to_string(status);
+  return f;
+}
+
+/// A strategy may have no use for some of these scenes, but must have one for at least one.
+Finding answers_easy_studies(Bench& b) {
+  Finding worst = nothing_to_ask(kNoScene);
+  bool takes_any = false;
+  for (const auto& [name, scene] : easy_scenes()) {
+    Finding f = is_answered(b, scene);
+    takes_any = takes_any || f.detail != kNoScene;
+    f.detail += std::string(", on ") + name;
+    if (!f.passed) return f;
+    if (!f.skipped && f.figure >= worst.figure) worst = std::move(f);
+  }
+  return worst.skipped && takes_any ? failed("asks for no stage of any easy scene, and answers none") : worst;
+}
+
+/// The equilibrium of a chain with a grip, by stages with ten times the stiffness each, and 1e-4 away.
+std::vector<double> near_the_answer(const PracticeScene& scene) {
+  PracticeStudy study(scene);
+  std::vector<double> u(scene.like.unknowns, 0.0);
+  netloft_stage stage{};
+  stage.size = sizeof stage, stage.variant = {sizeof(netloft_variant), 0, 0, 1, 1}, stage.u = u.data();
+  for (const double cap : {10.0, 100.0, 1000.0, 0.0}) {
+    stage.variant.stiffness_cap = cap;
+    study.interface().solve(&study, &stage);
+  }
+  for (double& displacement : u) displacement *= 1 + 1e-4;
+  return u;
+}
+
+/// Where whole steps of Newton's method converge, and from the sketch do not.
+Finding answers_from_a_start(Bench& b) {
+  PracticeScene scene = kGripped;
+  scene.start = near_the_answer(kGripped);
+  return is_answered(b, scene);
+}
+
+Finding answers_with_numbers(Bench& b) { return never(b, Slip::answer_no_number); }
+Finding answers_the_scene_itself(Bench& b) { return never(b, Slip::answer_of_variant); }
+
+Finding hands_back_what_it_found(Bench& b) {
+  return over(b, scenes(), [](const PracticeStudy& study, int) -> std::string {
+    return study.has_kept_an_equilibrium() ? "met a better equilibrium than any of its answers" : "";
+  });
+}
+
+Finding answers_nothing(Bench& b) {
+  const Named nothing{"a scene without unknowns", {.like = {.unknowns = 0}}};
+  return over(b, {nothing}, [](const PracticeStudy&, int status) -> std::string {
+    return status == NETLOFT_OK ? "" : "returned " + std::to_string(status);
+  });
+}
+
+// ---------------------------------------------------------------- failures
+
+Finding no_equilibrium_is_no_error(Bench& b) {
+  return over(b, {{"a chain without an equilibrium", kRunaway}},
+              [](const PracticeStudy&, int status) -> std::string {
+                return status == NETLOFT_OK ? "" : "returned " + std::to_string(status);
+              });
+}
+
+/// Also where what it calls finds nothing to do, and costs nothing.
+Finding comes_to_an_end(Bench& b) {
+  Named idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
+  idle.scene.others_decline = true;
+  auto all = all_scenes();
+  all.push_back(idle);
+  return over(b, all, [](const PracticeStudy& study, int) -> std::string {
+    return study.stages < PracticeStudy::kMostStages ? ""
+                                                     : "asks for stage after stage without using any work";
+  });
+}
+
+Finding stops_at_an_error(Bench& b) {
+  auto broken = easy_scenes();
+  for (Named& one : broken) one.scene.breaks = true;
+  return over(b, broken, [](const PracticeStudy& study, int status) -> std::string {
+    return study.stages == 0 || status == NETLOFT_ERROR
+               ? ""
+               : "returned " + std::to_string(status) + " after an error of the host";
+  });
+}
+
+Finding stops_when_interrupted(Bench& b) { return never(b, Slip::after_interrupt); }
+Finding stops_when_work_is_used_up(Bench& b) { return never(b, Slip::after_budget); }
+
+// ---------------------------------------------------------------- what is asked
+
+Finding names_its_stages(Bench& b) { return never(b, Slip::stage_without_name); }
+Finding fills_its_stages(Bench& b) { return never(b, Slip::stage_not_filled); }
+Finding asks_for_what_there_is(Bench& b) { return never(b, Slip::out_of_range); }
+Finding keeps_within_its_work(Bench& b) { return never(b, Slip::over_budget); }
+Finding starts_from_numbers(Bench& b) { return never(b, Slip::start_no_number); }
+
+Finding leaves_the_study_alone(Bench& b) {
+  auto all = all_scenes();
+  all.push_back({"a chain with a start", kLinear}), all.back().scene.start.assign(kLinear.like.unknowns, 0.1);
+  return over(b, all, [](const PracticeStudy& study, int) -> std::string {
+    return study.is_left_alone()
+               ? ""
+               : "the start, the struct of the study or what lies behind the message has changed";
+  });
+}
+
+Finding strategy_has_no_hidden_state(Bench& b) {
+  return over(b, all_scenes(), [&b](const PracticeStudy& first, int) -> std::string {
+    PracticeStudy other(kTwoMeshes), again(first.scene());
+    if (b.takes(other)) b.run(other);
+    b.run(again);
+    return first.trace() == again.trace() ? "" : "the same study twice, stages or answers differ";
+  });
+}
+
+// ---------------------------------------------------------------- parameters
+
+using Setting = std::pair<std::string, Value>;
+
+/// Both ends of every range that has ends, and every word and truth value.
+std::vector<Setting> bounds_of(const std::vector<netloft_parameter>& table) {
+  std::vector<Setting> all;
+  for (const auto& p : table)
+    for (const double end : {p.lo, p.hi}) {
+      if (p.kind == NETLOFT_REAL && std::isfinite(end)) all.emplace_back(p.name, end);
+      if (p.kind == NETLOFT_INTEGER && std::isfinite(end))
+        all.emplace_back(p.name, static_cast<std::int64_t>(end));
+      if (p.kind == NETLOFT_BOOLEAN) all.emplace_back(p.name, end == p.hi);
+    }
+  for (const auto& p : table)
+    for (auto word = p.choices; p.kind == NETLOFT_CHOICE && word && *word; ++word)
+      all.emplace_back(p.name, std::string(*word));
+  return all;
+}
+
+std::string fault_at(Bench& b, const Setting& setting) {
+  Values values = required_of(b.type.parameters, ParameterSampler(b.type.parameters, b.seed).parameters(0));
+  values[setting.first] = setting.second;
+  std::vector<std::string> faults;
+  const ParameterBlock block(b.type.parameters, b.type.strategy.parameter_bytes, values, faults);
+  for (PracticeScene scene : {kLinear, kGripped, kTwoMeshes, kBuckling}) {
+    scene.claims = b.type.strategy.needs & kMayBeClaimed, scene.budget = 200;
+    PracticeStudy study(scene);
+    if (!faults.empty() || !b.takes(study)) continue;
+    if (b.run(study, block.data()) != NETLOFT_OK) return "`run` ends in an error";
+    if (!study.any_slip().empty()) return study.any_slip();
+  }
+  return "";
+}
+
+Finding survives_its_bounds(Bench& b) {
+  const auto bounds = bounds_of(b.type.parameters);
+  for (const auto& setting : bounds)
+    if (const std::string fault = fault_at(b, setting); !fault.empty())
+      return failed(fault + ", with " + setting.first + " at an end of its range");
+  return bounds.empty() ? nothing_to_ask("none of its parameters has a range with ends") : Finding{};
+}
+
+// ---------------------------------------------------------------- explain
+
+constexpr std::size_t kExplainGuard = 64;
+constexpr char kUntouched = 0x5a;
+
+/// Calls `explain` with so much room; what is wrong with where it wrote, or with what it asked for.
+std::string fault_of_explaining(Bench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
+  PracticeScene scene = like;
+  scene.claims = b.type.strategy.needs & kMayBeClaimed;
+  PracticeStudy study(scene);
+  if (!b.takes(study)) return "";
+  std::vector<char> text(room + kExplainGuard, kUntouched);
+  const int status = b.explain(study, text.data(), room);
+  if (asks) return study.stages == 0 && study.answers().empty() ? "" : "asks for a stage, or answers";
+  if (status != NETLOFT_OK) return "returned " + std::to_string(status);
+  const bool is_guard_whole =
+      std::all_of(text.begin() + room, text.end(), [](char c) { return c == kUntouched; });
+  const bool ends = room == 0 || std::find(text.begin(), text.begin() + room, '\0') != text.begin() + room;
+  return is_guard_whole && ends
+             ? ""
+             : "writes past the room of " + std::to_string(room) + " bytes, or no end of the text";
+}
+
+Finding explains(Bench& b, bool asks) {
+  if (!b.type.strategy.explain) return nothing_to_ask("it has no explain");
+  for (const auto& [name, scene] : scenes())
+    for (const std::uint32_t room : {8192u, 16u, 1u})
+      if (const std::string fault = fault_of_explaining(b, scene, room, asks); !fault.empty())
+        return failed(fault + ", on " + name);
+  return {};
+}
+
+Finding explains_within_its_room(Bench& b) { return explains(b, false); }
+Finding explains_without_solving(Bench& b) { return explains(b, true); }
+
+// Order matters: a check stands below those that it leans on.
+const std::vector<Check<Bench>>& strategy_table() {
+  static const std::vector<Check<Bench>> checks = {
+      {"defaults-are-allowed",
+       method_defaults_are_allowed,
+       {},
+       "a default must lie in the range that its own parameter allows"},
+      {"no-exception-escapes",
+       strategy_lets_no_exception_escape,
+       {"defaults-are-allowed"},
+       "catch everything before it crosses the boundary; the layer of strategy.hpp does"},
+      {"fills-its-stages",
+       fills_its_stages,
+       {"no-exception-escapes"},
+       "a stage and its variant begin with their own sizes, and bring displacements of their level"},
+      {"answers-easy-studies",
+       answers_easy_studies,
+       {"no-exception-escapes"},
+       "one stage of the scene itself solves each; hand where it ended to `answer`"},
+      {"answers-from-a-start",
+       answers_from_a_start,
+       {"answers-easy-studies"},
+       "begin at `study.start()`: the user may have given displacements that are nearly right"},
+      {"answers-with-numbers",
+       answers_with_numbers,
+       {"no-exception-escapes"},
+       "where a stage has not converged, look at what it left before you hand it on"},
+      {"answers-the-scene-itself",
+       answers_the_scene_itself,
+       {"answers-easy-studies"},
+       "the equilibrium of an easier variant is a start for the scene, not an answer"},
+      {"hands-back-what-it-found",
+       hands_back_what_it_found,
+       {"answers-easy-studies"},
+       "hand every equilibrium of the scene to `answer` as soon as you have it, also before you return "
+       "early"},
+      {"no-equilibrium-is-no-error",
+       no_equilibrium_is_no_error,
+       {"no-exception-escapes"},
+       "return as usual when nothing converged; an error is for what the host or the user must repair"},
+      {"comes-to-an-end",
+       comes_to_an_end,
+       {"no-exception-escapes"},
+       "does a loop wait for work to be used up? A stage or a strategy that declines uses none"},
+      {"stops-at-an-error",
+       stops_at_an_error,
+       {"no-exception-escapes"},
+       "an error of the host ends the strategy with an error; no other attempt will do"},
+      {"stops-when-interrupted",
+       stops_when_interrupted,
+       {"no-exception-escapes"},
+       "return when a stage ends with Ending::interrupted, or ask `work_left` before every stage: it is zero "
+       "then"},
+      {"stops-when-work-is-used-up",
+       stops_when_work_is_used_up,
+       {"no-exception-escapes"},
+       "ask `work_left` before every stage, and return when it is zero"},
+      {"names-its-stages",
+       names_its_stages,
+       {"no-exception-escapes"},
+       "say in `name` what a stage is for: the report has a line for each"},
+      {"asks-for-what-there-is",
+       asks_for_what_there_is,
+       {"no-exception-escapes"},
+       "levels end below `levels()`, factors lie in [0, 1], a cap of zero means as written"},
+      {"keeps-within-its-work",
+       keeps_within_its_work,
+       {"no-exception-escapes"},
+       "offer a stage at most `work_left()`, or zero for all of it"},
+      {"starts-from-numbers",
+       starts_from_numbers,
+       {"no-exception-escapes"},
+       "is a stage's `growing` still valid? The next call of the study ends it. Did you divide by zero?"},
+      {"leaves-the-study-alone",
+       leaves_the_study_alone,
+       {"no-exception-escapes"},
+       "the start and the study are the host's; copy the start, and write no more than `message_size`"},
+      {"no-hidden-state",
+       strategy_has_no_hidden_state,
+       {"no-exception-escapes"},
+       "no static or mutable variables, no clock: the same study has the same stages, bit for bit"},
+      {"answers-nothing", answers_nothing, {"no-exception-escapes"}, "a scene may have no unknowns at all"},
+      {"survives-its-bounds",
+       survives_its_bounds,
+       {"no-equilibrium-is-no-error", "comes-to-an-end", "stops-when-work-is-used-up", "fills-its-stages",
+        "asks-for-what-there-is", "keeps-within-its-work", "starts-from-numbers", "answers-with-numbers",
+        "answers-the-scene-itself", "names-its-stages"},
+       "both ends of a range are allowed values: what do they divide, count or multiply?"},
+      {"explains-without-solving",
+       explains_without_solving,
+       {"no-exception-escapes"},
+       "`explain` says what would be tried; only `run` asks for stages"},
+      {"explains-within-its-room",
+       explains_within_its_room,
+       {"explains-without-solving"},
+       "write at most `text_size` bytes, a zero at the end among them; the layer of strategy.hpp does"},
+      {"starts-no-threads",
+       method_starts_no_threads,
+       {},
+       "the host divides the work; a plugin that starts threads takes the processor from it"},
+  };
+  return checks;
+}
+
+}  // namespace
+}  // namespace conformance
+
+ConformanceReport check_strategy(const StrategyType& type, const ConformanceOptions& options) {
+  using namespace conformance;
+  ConformanceReport report;
+  report.type = type.type;
+  StrategyBench bench(type, options);
+  Doubtful doubtful;
+  report.checks = run_all(strategy_table(), bench, doubtful);
+  return report;
+}
+
+std::vector<std::string> strategy_checks() { return conformance::names_of(conformance::strategy_table()); }
+
+}  // namespace netloft

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Sums over vectors of unknowns, for authors of solvers and strategies. Every sum is taken in one fixed
+// order, so that results are the same on every machine.
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace netloft {
+
+/// Σ aᵢ bᵢ in four partial sums, so that no addition waits for the one before it.
+inline double dot(std::span<const double> a, std::span<const double> b) {
+  double sum[4] = {};
+  std::size_t i = 0;
+  for (; i + 4 <= a.size(); i += 4)
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += a[i + k] * b[i + k];
+  for (; i < a.size(); ++i) sum[0] += a[i] * b[i];
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/// ‖a‖₂
+inline double norm(std::span<const double> a) { return std::sqrt(dot(a, a)); }
+
+/// y ← y + a x
+inline void axpy(double a, std::span<const double> x, std::span<double> y) {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += a * x[i];
+}
+
+/// x ← a x
+inline void scale(double a, std::span<double> x) {
+  for (double& v : x) v *= a;
+}
+
+/// z = x + a y
+inline void add_scaled(std::span<const double> x, double a, std::span<const double> y, std::span<double> z) {
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = x[i] + a * y[i];
+}
+
+/// Fills x with numbers in [−1, 1) that have a component in every direction one meets, without a random
+/// generator: xᵢ = 2 frac((i + 1) φ) − 1, where φ is the golden ratio, whose multiples spread most evenly
+/// (H. Weyl, Math. Ann. 77, 1916).
+inline void scatter(std::span<double> x) {
+  constexpr double kGolden = 0.61803398874989485;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double multiple = kGolden * static_cast<double>(i + 1);
+    x[i] = 2 * (multiple - std::floor(multiple)) - 1;
+  }
+}
+
+}  // namespace netloft

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/assessment.hpp"
+
+#include "framework/problem/correction.hpp"
+#include "framework/problem/growth.hpp"
+#include "framework/problem/reasons.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace netloft {
+
+namespace {
+
+// A direction is neutral when the linear stiffness times this much makes it stable.
+constexpr double kNeutral = 1e-9;
+
+Stability find_stability(StaticProblem& problem, std::span<const double> u) {
+  if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
+  const netloft_factor shifted = problem.factorise_at(u, kNeutral);
+  if (shifted == NETLOFT_FACTOR_OK) return Stability::neutral;
+  return shifted == NETLOFT_NOT_POSITIVE ? Stability::unstable : Stability::unknown;
+}
+
+bool is_convex_at(StaticProblem& problem, std::span<const double> u) {
+  const Stability stability = find_stability(problem, u);
+  return stability == Stability::stable || stability == Stability::neutral;
+}
+
+/// Where the solver finds no way on, at a convex place, and the host none either: its own step of Newton's
+/// leads away from balance, for what is slack here is taut there, and what it would gain,
+///   g = ½ r·K⁻¹ r,                                                                        (1)
+/// is next to nothing (convergence.hpp).
+bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<double> u) {
+  if (!problem.conservative() || !has_nothing_to_gain(problem.imbalance_of(a.balance), 0, 1) ||
+      !is_convex_at(problem, u))
+    return false;
+  std::vector<double> step(u.size()), x, residual;
+  if (!solve_for_correction(problem, a.residual, step)) return false;
+  const double gain = -0.5 * std::inner_product(step.begin(), step.end(), a.residual.begin(), 0.0);
+  if (!has_nothing_to_gain(problem.imbalance_of(a.balance), gain, problem.gear_size())) return false;
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
+  double energy = 0;
+  return !problem.recompute(u, x, residual, energy) ||
+         problem.balance(x, residual).residual > a.balance.residual;
+}
+
+/// Estimates how far u is from the equilibrium; the factor that its stability was found by is used again.
+void find_correction(Assessment& a, StaticProblem& problem, const Assembler& assembler, const Scene& scene,
+                     std::vector<double> u) {
+  std::vector<double> step(u.size());
+  const bool has_factor =
+      problem.conservative() && (a.stability == Stability::stable || a.stability == Stability::neutral);
+  if (!(has_factor ? solve_for_correction(problem, a.residual, step)
+                   : find_correction(problem, u, a.residual, step)))
+    return;
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
+  a.corrected = problem.positions(u), a.corrected_low = problem.low_digits();
+  std::vector<double> way(a.x.size());
+  for (std::size_t i = 0; i < way.size(); ++i) way[i] = a.corrected[i] - a.x[i];
+  if (!a.x_low.empty())
+    for (std::size_t i = 0; i < way.size(); ++i) way[i] += a.corrected_low[i] - a.x_low[i];
+  a.correction = largest_node_distance(scene, assembler.numbering(), std::vector<double>(way.size()), way);
+}
+
+Stability stability_of(GrowthVerdict verdict) {
+  switch (verdict) {
+    case GrowthVerdict::none:
+      return Stability::stable;
+    case GrowthVerdict::marginal:
+      return Stability::marginal;
+    case GrowthVerdict::grows:
+      return Stability::unstable;
+    default:
+      return Stability::unknown;
+  }
+}
+
+/// Where forces have no energy. What is left of imbalance changes the stiffness by that over a length.
+void find_what_grows(Assessment& a, const StaticProblem& problem, Assembler& assembler,
+                     const MakeFactorisation& make) {
+  Growth growth = find_growth(assembler, a.x, make, a.x_low, a.balance.residual / problem.element_size());
+  a.stability = stability_of(growth.verdict);
+  a.judging.add(growth.cost);
+  if (!growth.grows()) return;
+  a.growing = std::move(growth.mode);
+  a.growth_rate = growth.rate, a.growth_frequency = growth.frequency;
+}
+
+/// Where the solver ended there are no forces, or none that are numbers.
+void judge_without_forces(Assessment& a, const StaticProblem& problem, const Assembler& assembler,
+                          const Scene& scene) {
+  if (!problem.met_bad_numbers()) {
+    a.at_fault = assembler.fault_place(scene);
+    a.reason = "the solver ended at a state without forces: " + assembler.fault_sentence(scene);
+    return;
+  }
+  std::size_t first = 0;
+  while (first + 1 < a.residual.size() && std::isfinite(a.residual[first])) ++first;
+  a.at_fault = assembler.node_name(scene, assembler.numbering().node(static_cast<std::int32_t>(first)));
+  a.reason = "the solver ended at a state where forces overflowed, such as at " + a.at_fault;
+}
+
+SolveStatus status_of(const Assessment& a, const StaticProblem& problem) {
+  if (a.balance.balanced)
+    return a.stability == Stability::unstable ? SolveStatus::unstable : SolveStatus::converged;
+  return problem.stop() == StaticProblem::Stop::interrupted ? SolveStatus::interrupted
+                                                            : SolveStatus::not_converged;
+}
+
+/// Where the tangent was first found not to be positive definite, of an energy's.
+std::string first_not_convex(const StaticProblem& problem, const Assembler& assembler, const Scene& scene) {
+  if (!problem.conservative()) return "";
+  return assembler.node_name(scene, assembler.numbering().node(std::max(0, problem.last_factor().column)));
+}
+
+/// Counts of `now` that `before` had not.
+Statistics since(const Statistics& before, const Statistics& now) {
+  Statistics b;
+  b.energies = now.energies - before.energies, b.residuals = now.residuals - before.residuals;
+  b.matrices = now.matrices - before.matrices, b.solves = now.solves - before.solves;
+  b.factorisations = now.factorisations - before.factorisations;
+  b.refused_factorisations = now.refused_factorisations - before.refused_factorisations;
+  return b;
+}
+
+}  // namespace
+
+Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembler,
+                  const MakeFactorisation& make, bool ask_growth, std::span<const double> u,
+                  netloft_outcome outcome) {
+  const Statistics before = problem.statistics();
+  const std::string ending = why_it_ended(outcome, problem, assembler, scene);
+  Assessment a;
+  const bool evaluated = problem.recompute(u, a.x, a.residual, a.energy);
+  a.x_low = problem.low_digits();
+  if (!evaluated) {
+    judge_without_forces(a, problem, assembler, scene);
+    a.judging = since(before, problem.statistics());
+    return a;
+  }
+  a.balance = problem.balance(a.x, a.residual);
+  if (outcome == NETLOFT_STEP_TOO_SHORT && !a.balance.balanced)
+    a.balance.balanced = a.balance.at_round_off = no_step_helps(a, problem, {u.begin(), u.end()});
+  std::string place;
+  if (a.balance.balanced && problem.conservative())
+    a.stability = find_stability(problem, u), place = first_not_convex(problem, assembler, scene);
+  else if (a.balance.balanced && ask_growth)
+    find_what_grows(a, problem, assembler, make);
+  if (a.balance.balanced) find_correction(a, problem, assembler, scene, {u.begin(), u.end()});
+  a.status = status_of(a, problem);
+  a.at_fault = assembler.node_name(scene, a.balance.worst);
+  a.reason = reason_of(a, ending, a.at_fault, place);
+  a.judging.add(since(before, problem.statistics()));
+  return a;
+}
+
+Assessment assess_static(const Scene& scene, Assembler& assembler, std::span<const double> u,
+                         const Limits& limits, const MakeFactorisation& make) {
+  StaticProblem problem(assembler, make, limits);
+  return assess(problem, scene, assembler, make, limits.ask_growth, u, NETLOFT_STOPPED);
+}
+
+const char* name_of(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::converged:
+      return "converged";
+    case SolveStatus::unstable:
+      return "unstable";
+    case SolveStatus::interrupted:
+      return "interrupted";
+    default:
+      return "not converged";
+  }
+}
+
+const char* name_of(Stability stability) {
+  switch (stability) {
+    case Stability::stable:
+      return "stable";
+    case Stability::neutral:
+      return "neutral";
+    case Stability::marginal:
+      return "marginal";
+    case Stability::unstable:
+      return "unstable";
+    default:
+      return "unknown";
+  }
+}
+
+}  // namespace netloft

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/static_problem.hpp"
+
+namespace netloft {
+
+enum class SolveStatus { converged, unstable, not_converged, interrupted };
+
+/// Whether a small disturbance of an equilibrium decays. Where forces have an energy, its tangent tells;
+/// where they have none, growth.hpp, and then `stable` means that nothing was found that grows.
+enum class Stability { stable, neutral, marginal, unstable, unknown };
+
+/// What the host makes of a point, whoever found it.
+struct Assessment {
+  SolveStatus status = SolveStatus::not_converged;
+  Stability stability = Stability::unknown;
+  std::string reason;               // a sentence
+  std::string at_fault;             // the part that is furthest from balance or could not be evaluated
+  std::vector<double> x, residual;  // over all dofs [m], [N]
+  std::vector<double> x_low;        // what x rounds off [m]; empty: not known
+  double energy = 0;                // [J]
+  Balance balance;
+  std::vector<double> growing;  // a disturbance of u that grows, where forces have no energy; length 1
+  double growth_rate = 0;       // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
+  double growth_frequency = 0;
+  std::vector<double> corrected;      // x after the Newton step that is left, over all dofs; empty: not known
+  std::vector<double> corrected_low;  // what that rounds off
+  double correction = std::numeric_limits<double>::quiet_NaN();  // its largest nodal move [m]
+  Statistics judging;                                            // counts of what this took
+};
+
+/// Forces balance there, whether or not it is stable.
+inline bool is_stationary(const Assessment& a) {
+  return a.status == SolveStatus::converged || a.status == SolveStatus::unstable;
+}
+
+/// Where a disturbance swings faster than it grows: its motion goes round and comes to rest nowhere near.
+inline bool flutters(const Assessment& a) { return a.growth_frequency > a.growth_rate; }
+
+/// Judges displacements u of the unknowns, at which a solver ended with `outcome`: recomputes the residual,
+/// holds it against convergence.hpp, asks of what is balanced whether it is stable, and estimates how far it
+/// is from the equilibrium. NETLOFT_STOPPED for a point that no solver is behind.
+Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembler,
+                  const MakeFactorisation& make, bool ask_growth, std::span<const double> u,
+                  netloft_outcome outcome);
+
+/// The same of a point of the scene, within limits.tolerance.
+Assessment assess_static(const Scene& scene, Assembler& assembler, std::span<const double> u,
+                         const Limits& limits, const MakeFactorisation& make);
+
+const char* name_of(SolveStatus status);
+const char* name_of(Stability stability);
+
+}  // namespace netloft

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace netloft {
+
+enum class Convergence { none, at_round_off, within_tolerance };
+
+/// What convergence is judged by: norms of a node's force, the largest of all nodes [N].
+struct Imbalance {
+  double residual = 0;      // r
+  double load = 0;          // F, of forces that do not depend on the state and of reactions
+  double rounding = 0;      // b, what rounding of the positions can make of the residual at most
+  bool is_driven = true;    // some force acts that is not the elements' own: weight, drag, pressure
+  bool is_in_time = false;  // a step in time, whose inertia rounds, too
+};
+
+/// Whether forces balance, to a tolerance ε of the load. This page alone says what that means.
+///   within tolerance:  r ≤ ε F                                                            (1)
+///   at round-off:      r ≤ min(b, β F)                                                    (2)
+/// At rest neither counts unless
+///   b ≤ β F,   β = 1e-3:                                                                  (3)
+/// where stiffness times the rounding of positions is not small against the load, tensions are not known, and
+/// a small residual is luck. β is the least imbalance that matters: drag and stiffness of netting are known
+/// to a hundredth at best. Rounding in a step in time passes with the step, so that (3) is not asked of it.
+/// A gear that nothing loads but its own rounding rests where
+///   F ≤ b and r ≤ b, nothing driving it                                                   (4)
+/// An infinite load excuses nothing.
+Convergence convergence_of(const Imbalance& i, double tolerance);
+
+/// At round-off, what still falls by half from one point to the next is not all rounding: that of stiff parts
+/// hides how far soft ones are from balance, and an iteration had better go on.
+bool may_stop(Convergence c, double residual, double residual_before);
+
+/// Twines that flicker between slack and taut can leave a residual that no step reduces. It is as good as
+/// round-off if (3) holds, r ≤ β F, and the energy g that a Newton step would gain is next to nothing:
+///   g ≤ 1e-10 F L                                                                         (5)
+/// with L the size of the gear: by g ≈ ½ r δ, with r no more than β F, it is about 1e-7 L off at most for the
+/// largest of such residuals.
+bool has_nothing_to_gain(const Imbalance& i, double gain, double size);
+
+}  // namespace netloft

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/reasons.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace netloft {
+
+namespace {
+
+std::string newtons(double force) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g N", force);
+  return text;
+}
+
+std::string seconds(double time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g s", time);
+  return text;
+}
+
+/// "a small disturbance grows tenfold in 2.3 s, swinging with a period of 5.9 s"
+std::string what_grows(const Assessment& a) {
+  std::string text = "a small disturbance grows";
+  if (a.growth_rate > 0) text += " tenfold in " + seconds(std::log(10) / a.growth_rate);
+  if (a.growth_frequency > 0)
+    text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growth_frequency);
+  return text;
+}
+
+std::string what_rounds(const Assessment& a) { return a.x_low.empty() ? "positions" : "elements' lengths"; }
+
+std::string why_not_balanced(const Assessment& a) {
+  if (a.balance.residual > a.balance.floor) return "";
+  return "; rounding of the " + what_rounds(a) + " alone is worth " + newtons(a.balance.floor) +
+         ": its stiffness is too high for what it carries";
+}
+
+std::string why_round_off(const Assessment& a) {
+  if (!a.balance.at_round_off) return "";
+  if (a.balance.residual <= a.balance.floor)
+    return "; at the round-off of the " + what_rounds(a) + ", which the tolerance is below";
+  return "; no step brings it closer, and what one could gain is below the rounding of the energy";
+}
+
+std::string what_of_stability(const Assessment& a) {
+  if (a.stability == Stability::neutral)
+    return "; something in it can move without any force (slack netting or rope)";
+  if (a.stability == Stability::marginal)
+    return "; it is close to where small disturbances begin to grow: whether they do is not certain";
+  return "";
+}
+
+std::string why_it_stopped(const StaticProblem& problem) {
+  switch (problem.stop()) {
+    case StaticProblem::Stop::iterations:
+      return "the limit of " + std::to_string(problem.statistics().iterations) + " iterations was reached";
+    case StaticProblem::Stop::time:
+      return "the time limit was reached";
+    case StaticProblem::Stop::work:
+      return "its budget of work was used up";
+    case StaticProblem::Stop::interrupted:
+      return "interrupted";
+    case StaticProblem::Stop::ran_away:
+      return "it runs away: nothing holds what drives it";
+    case StaticProblem::Stop::unsettled:
+      return "it goes on moving and does not come to rest";
+    default:
+      return "the solver stopped by itself";
+  }
+}
+
+}  // namespace
+
+std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
+                         const Scene& scene) {
+  switch (outcome) {
+    case NETLOFT_STOPPED:
+      return why_it_stopped(problem);
+    case NETLOFT_STEP_TOO_SHORT:
+      return "no step brings it closer to balance" +
+             (assembler.fault().status == NETLOFT_OUTSIDE_DOMAIN
+                  ? ", and some led to a state without forces: " + assembler.fault_sentence(scene)
+                  : std::string());
+    case NETLOFT_LINEAR_SOLVE: {
+      const auto column = problem.last_factor().column;
+      return "the tangent stiffness is singular" +
+             (column >= 0 ? ", first met at " + assembler.node_name(scene, assembler.numbering().node(column))
+                          : std::string());
+    }
+    case NETLOFT_LEFT_DOMAIN:
+      return problem.met_bad_numbers() ? "forces overflowed"
+                                       : "a state without forces was met: " + assembler.fault_sentence(scene);
+    case NETLOFT_NOT_FINITE:
+      return "forces overflowed";
+    default:
+      if (problem.met_error()) return "an element failed: " + assembler.fault_sentence(scene);
+      return std::string("the solver failed") +
+             (problem.solver_message()[0] ? std::string(": ") + problem.solver_message() : "");
+  }
+}
+
+std::string balance_text(const Balance& balance, const std::string& worst) {
+  return "largest residual " + newtons(balance.residual) + " at " + worst + ", largest load " +
+         newtons(balance.scale);
+}
+
+std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
+                      const std::string& place) {
+  const std::string balance = balance_text(a.balance, worst);
+  if (!a.balance.balanced) return ending + "; " + balance + why_not_balanced(a);
+  const std::string balanced = balance + why_round_off(a) + what_of_stability(a);
+  if (a.stability != Stability::unstable) return balanced;
+  const std::string why =
+      place.empty() ? what_grows(a) : "its tangent is not positive definite, first met at " + place;
+  return "a stationary point, but not a stable one: " + why + "; " + balanced;
+}
+
+}  // namespace netloft

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/assessment.hpp"
+
+namespace netloft {
+
+/// Why a solver returned, as a sentence: "the limit of 300 iterations was reached".
+std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
+                         const Scene& scene);
+
+/// The sentence on an assessment whose status and stability are known. `ending` is why the solver returned,
+/// `place` the first node at which the tangent is not positive definite.
+std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
+                      const std::string& place);
+
+/// "largest residual 3.2e-05 N at net node 4, largest load 120 N"
+std::string balance_text(const Balance& balance, const std::string& worst);
+
+}  // namespace netloft

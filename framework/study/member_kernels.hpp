@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/simd/registers.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace netloft {
+
+/// Nodes that members stand on, one member or two one after the other (both directions of a triangle):
+/// places of their coordinates in vectors over all degrees of freedom, 3 each, and of the blocks of their
+/// pairs among the values of the matrix, row by row; -1: none.
+struct MemberSite {
+  std::uint32_t first = 0, members = 1, nodes = 2;
+  std::array<std::int32_t, 9> dof{}, block{};
+};
+
+/// What a member makes of its nodes: c, and number c of netloft_member.
+struct MemberWeights {
+  std::array<double, 3> c, number_c;
+};
+
+/// Members as their sites have them.
+struct MemberTable {
+  std::span<const MemberSite> sites;
+  std::span<const MemberWeights> weights;
+};
+
+/// Calls visit(site, nodes, members) for all sites, both known at compile time so that loops over them
+/// unroll.
+template <class Visit>
+NETLOFT_INLINE void for_sites(const MemberTable& table, const Visit& visit) {
+  constexpr std::integral_constant<std::uint32_t, 1> one;
+  constexpr std::integral_constant<std::uint32_t, 2> two;
+  constexpr std::integral_constant<std::uint32_t, 3> three;
+  for (const MemberSite& site : table.sites)
+    if (site.nodes == 2)
+      site.members == 1 ? visit(site, two, one) : visit(site, two, two);
+    else
+      site.members == 1 ? visit(site, three, one) : visit(site, three, two);
+}
+
+/// Loops over members for the instructions this processor has. K are 9 numbers a member, row by row and
+/// symmetric; lines are 6, (t, f, a, b) of netloft_members.
+struct MemberKernels {
+  /// values ← values + Σ number c cᵀ K.
+  void (*add_blocks)(const MemberTable& table, const double* K, double* values);
+  /// The same with K = a t tᵀ + b I, and forces ← forces + Σ number c f t.
+  void (*add_lines)(const MemberTable& table, const double* lines, double* forces, double* values);
+};
+
+/// The best there is, and all that run here, the best last.
+const MemberKernels& member_kernels();
+std::vector<MemberKernels> member_kernels_here();
+
+}  // namespace netloft

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/member_problem.hpp"
+
+#include "framework/assembler/pattern.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace netloft {
+
+namespace {
+
+/// Its members bear something in this scene.
+bool has_members(const ElementFamily& family) {
+  return family.type().element.member_count > 0 && family.reads(NETLOFT_OF_MEMBERS);
+}
+
+std::vector<netloft_member> members_of(const ElementFamily& family) {
+  const netloft_element& element = family.type().element;
+  std::vector<netloft_member> told(family.size() * element.member_count);
+  const auto count = static_cast<std::uint32_t>(family.size());
+  if (element.members(family.self(), 0, 0, count, told.data()) != NETLOFT_OK)
+    throw std::runtime_error(family.type().type + " could not tell its members");
+  return told;
+}
+
+bool bears(const netloft_member& member) { return member.EA != 0 || member.EA_compression != 0; }
+
+double largest_of(std::span<const double> v) {
+  double largest = 0;
+  for (const double a : v) largest = std::max(largest, std::abs(a));
+  return largest;
+}
+
+bool all_finite(std::span<const double> v) {
+  double sum = 0;
+  for (const double a : v) sum += a - a;  // zero unless something is infinite or no number
+  return sum == 0;
+}
+
+}  // namespace
+
+/// A C function that forwards to a member of the problem behind `host`; no exception passes.
+template <class... Args, int (MemberProblem::*Method)(Args...)>
+struct MemberProblem::Callback<Method> {
+  static int call(void* host, Args... args) noexcept {
+    try {
+      return (static_cast<MemberProblem*>(host)->*Method)(args...);
+    } catch (...) {
+      return NETLOFT_ERROR;
+    }
+  }
+};
+
+MemberProblem::MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
+                             std::function<void(const IterationRecord&)> on_iteration)
+    : assembler_(assembler),
+      make_(std::move(make)),
+      limits_(limits),
+      on_iteration_(std::move(on_iteration)),
+      begun_(wall_seconds()),
+      begun_cpu_(cpu_seconds()),
+      x_(assembler.start()),
+      step_(x_.size(), 0.0),
+      tangent_(assembler.value_slots()),
+      values_(assembler.value_slots()) {
+  list_members();
+  fill_interface();
+}
+
+bool MemberProblem::serves(const Scene& scene, const Assembler& assembler) {
+  if (!scene.bodies.empty() || !scene.frames.empty()) return false;
+  return std::any_of(assembler.families().begin(), assembler.families().end(), [](const auto& family) {
+    if (!has_members(*family)) return false;
+    const auto told = members_of(*family);
+    return std::any_of(told.begin(), told.end(), bears);
+  });
+}
+
+void MemberProblem::list_members() {
+  for (const auto& family : assembler_.families())
+    if (has_members(*family)) list_members(*family);
+}
+
+void MemberProblem::list_members(const ElementFamily& family) {
+  const auto told = members_of(family);
+  const std::size_t count = family.type().element.member_count;
+  for (std::size_t e = 0; e < family.size(); ++e) add_site(family, e, {&told[e * count], count});
+}
+
+/// Kernels take two members at a time.
+void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
+                             std::span<const netloft_member> told) {
+  MemberSite site;
+  site.nodes = static_cast<std::uint32_t>(family.nodes_per_element());
+  site.members = 0;
+  for (std::uint32_t i = 0; i < 3 * site.nodes; ++i)
+    site.dof[i] =
+        assembler_.numbering().index(family.node(element, static_cast<int>(i / 3)), static_cast<int>(i % 3));
+  for (std::uint32_t p = 0; p < site.nodes; ++p)
+    for (std::uint32_t q = 0; q < site.nodes; ++q) site.block[3 * p + q] = find_block(site, p, q);
+  for (const netloft_member& m : told) {
+    if (!bears(m)) continue;
+    if (site.members == 0) site.first = static_cast<std::uint32_t>(members_.size());
+    members_.push_back(m), part_.push_back(family.part(element));
+    weights_.push_back({{m.c[0], m.c[1], m.c[2]}, {m.number * m.c[0], m.number * m.c[1], m.number * m.c[2]}});
+    if (++site.members == 2) sites_.push_back(site), site.members = 0;
+  }
+  if (site.members > 0) sites_.push_back(site);
+}
+
+/// By any of its entries that is kept.
+std::int32_t MemberProblem::find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const {
+  const SparsePattern& pattern = assembler_.pattern();
+  for (std::uint32_t entry = 0; entry < 9; ++entry) {
+    const std::int32_t i = site.dof[3 * p + entry / 3], j = site.dof[3 * q + entry % 3];
+    if (i < pattern.size && j < pattern.size && (!pattern.symmetric || i >= j))
+      return static_cast<std::int32_t>(find_slot(pattern, i, j)) - static_cast<std::int32_t>(entry);
+  }
+  return -1;
+}
+
+void MemberProblem::fill_interface() {
+  interface_.size = sizeof interface_, interface_.host = this;
+  interface_.count = static_cast<std::uint32_t>(members_.size());
+  interface_.unknowns = static_cast<std::uint32_t>(assembler_.pattern().size);
+  interface_.dofs = static_cast<std::uint32_t>(x_.size());
+  for (const auto& family : assembler_.families())
+    for (const std::uint32_t part : family->parts()) interface_.parts = std::max(interface_.parts, part + 1);
+  interface_.traits = assembler_.pattern().symmetric ? std::uint32_t{NETLOFT_SYMMETRIC} : 0u;
+  interface_.member = members_.data(), interface_.part = part_.data();
+  interface_.largest_coordinate = largest_of(x_);
+  interface_.chords = Callback<&MemberProblem::chords>::call;
+  interface_.changes = Callback<&MemberProblem::changes>::call;
+  interface_.evaluate = Callback<&MemberProblem::evaluate>::call;
+  interface_.add_forces = Callback<&MemberProblem::add_forces>::call;
+  interface_.set_matrix = Callback<&MemberProblem::set_matrix>::call;
+  interface_.set_matrix_along = Callback<&MemberProblem::set_matrix_along>::call;
+  interface_.factorise = Callback<&MemberProblem::factorise>::call;
+  interface_.solve = Callback<&MemberProblem::solve>::call;
+  interface_.progress = Callback<&MemberProblem::progress>::call;
+}
+
+/// w = Σ c v of all members, v over all degrees of freedom.
+void MemberProblem::combine(const double* v, double* w) const {
+  for_sites(table(), [&](const MemberSite& site, auto nodes, auto members) {
+    std::array<double, 3 * nodes> at;
+    for (std::uint32_t i = 0; i < 3 * nodes; ++i) at[i] = v[site.dof[i]];
+    for (std::size_t e = site.first; e < std::size_t{site.first} + members; ++e)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double sum = 0;
+        for (std::size_t k = 0; k < nodes; ++k) sum += weights_[e].c[k] * at[3 * k + axis];
+        w[3 * e + axis] = sum;
+      }
+  });
+}
+
+int MemberProblem::chords(const double* u, double* w) {
+  assembler_.place({u, interface_.unknowns}, x_);
+  combine(x_.data(), w);
+  return NETLOFT_OK;
+}
+
+int MemberProblem::changes(const double* step, double* w) {
+  std::copy_n(step, interface_.unknowns, step_.begin());  // what is held stays
+  combine(step_.data(), w);
+  return NETLOFT_OK;
+}
+
+int MemberProblem::evaluate(const double* u, double* residual) {
+  Timed timed(statistics_.assembly_seconds);
+  ++statistics_.residuals, ++statistics_.matrices;
+  assembler_.place({u, interface_.unknowns}, x_);
+  const Request request{.without = NETLOFT_OF_MEMBERS,
+                        .residual = residual,
+                        .matrix = MatrixKind::exact,
+                        .values = tangent_.data()};
+  if (!assembler_.evaluate(x_, request)) return assembler_.fault().status;
+  load_ = largest_of({residual, x_.size()});
+  return all_finite({residual, x_.size()}) ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
+}
+
+int MemberProblem::add_forces(const double* f, double* residual) {
+  Timed timed(statistics_.assembly_seconds);
+  for_sites(table(), [&](const MemberSite& site, auto nodes, auto members) {
+    const MemberWeights* weights = &weights_[site.first];
+    const double* forces = f + 3 * std::size_t{site.first};
+    for (std::size_t k = 0; k < nodes; ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double sum = 0;
+        for (std::size_t i = 0; i < members; ++i) sum += weights[i].number_c[k] * forces[3 * i + axis];
+        residual[site.dof[3 * k + axis]] += sum;
+      }
+  });
+  return NETLOFT_OK;
+}
+
+int MemberProblem::set_matrix(const double* K) {
+  Timed timed(statistics_.assembly_seconds);
+  values_ = tangent_;
+  member_kernels().add_blocks(table(), K, values_.data());
+  return NETLOFT_OK;
+}
+
+int MemberProblem::set_matrix_along(const double* lines, double* residual) {
+  Timed timed(statistics_.assembly_seconds);
+  values_ = tangent_;
+  member_kernels().add_lines(table(), lines, residual, values_.data());
+  return NETLOFT_OK;
+}
+
+int MemberProblem::factorise(int how) {
+  const SparsePattern& pattern = assembler_.pattern();
+  const MatrixClass kind = !pattern.symmetric         ? MatrixClass::unsymmetric
+                           : how & NETLOFT_INDEFINITE ? MatrixClass::symmetric
+                                                      : MatrixClass::positive_definite;
+  auto& factorisation = factorisations_[static_cast<std::size_t>(kind)];
+  if (!factorisation) {
+    Timed timed(statistics_.analysis_seconds);
+    auto fresh = make_(kind);
+    fresh->analyse(pattern);
+    factorisation = std::move(fresh);
+  }
+  Timed timed(statistics_.factorisation_seconds);
+  const netloft_factor code =
+      factor_code(factorisation->factorise({values_.data(), pattern.value_slots()}).status);
+  last_ = code == NETLOFT_FACTOR_OK ? factorisation.get() : nullptr;
+  ++statistics_.factorisations;
+  statistics_.refused_factorisations += code != NETLOFT_FACTOR_OK;
+  return code;
+}
+
+int MemberProblem::solve(const double* rhs, double* x) {
+  if (!last_) return NETLOFT_ERROR;
+  Timed timed(statistics_.solve_seconds);
+  ++statistics_.solves;
+  last_->solve({rhs, interface_.unknowns}, {x, interface_.unknowns});
+  return NETLOFT_OK;
+}
+
+int MemberProblem::progress(double residual, const char* note) {
+  IterationRecord record{statistics_.iterations,  residual, load_, 0, statistics_.factorisations,
+                         wall_seconds() - begun_, ""};
+  std::snprintf(record.note, sizeof record.note, "%s", note ? note : "");
+  if (on_iteration_) on_iteration_(record);
+  statistics_.total_seconds = record.seconds;
+  statistics_.total_cpu_seconds = statistics_.solver_cpu_seconds = cpu_seconds() - begun_cpu_;
+  stop_ = limit_reached(record.seconds);
+  if (stop_ != Stop::none) return NETLOFT_GIVE_UP;
+  ++statistics_.iterations;
+  return NETLOFT_GO_ON;
+}
+
+MemberProblem::Stop MemberProblem::limit_reached(double seconds) const {
+  if (limits_.interrupt && limits_.interrupt->load()) return Stop::interrupted;
+  if (statistics_.iterations >= limits_.iterations) return Stop::iterations;
+  if (seconds >= limits_.seconds) return Stop::time;
+  if (limits_.model && limits_.model->of(statistics_) >= limits_.work) return Stop::work;
+  return Stop::none;
+}
+
+}  // namespace netloft

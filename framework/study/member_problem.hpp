@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/static_problem.hpp"
+#include "framework/study/member_kernels.hpp"
+
+namespace netloft {
+
+/// A static scene as members and all its other forces apart (netloft_members): what methods see that treat
+/// the tension of a member as an unknown of its own.
+///   r(u) + Σ n c T t = 0                                                                    (1)
+/// r are the terms without NETLOFT_OF_MEMBERS, n, c, T and t those of netloft_member. Counts and times every
+/// call as StaticProblem does, on the same assembler. Everything is at rest, at time zero.
+class MemberProblem {
+ public:
+  /// Why `progress` told a method to give up.
+  enum class Stop { none, iterations, time, work, interrupted };
+
+  /// Members are those of elements that tell them and whose term of members acts; those without any
+  /// stiffness (a rope at constant tension) are left out.
+  MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
+                std::function<void(const IterationRecord&)> on_iteration = {});
+
+  /// Whether a scene has members on nodes that move along the axes of the world: no bodies, no frames.
+  static bool serves(const Scene& scene, const Assembler& assembler);
+
+  netloft_members& interface() { return interface_; }
+  const Statistics& statistics() const { return statistics_; }
+  Stop stop() const { return stop_; }
+
+ private:
+  template <auto Method>
+  struct Callback;
+
+  void list_members();
+  void list_members(const ElementFamily& family);
+  void add_site(const ElementFamily& family, std::size_t element, std::span<const netloft_member> told);
+  std::int32_t find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const;
+  void fill_interface();
+  MemberTable table() const { return {sites_, weights_}; }
+  void combine(const double* v, double* w) const;
+  Stop limit_reached(double seconds) const;
+
+  int chords(const double* u, double* w);
+  int changes(const double* step, double* w);
+  int evaluate(const double* u, double* residual);
+  int add_forces(const double* f, double* residual);
+  int set_matrix(const double* K);
+  int set_matrix_along(const double* lines, double* residual);
+  int factorise(int how);
+  int solve(const double* rhs, double* x);
+  int progress(double residual, const char* note);
+
+  Assembler& assembler_;
+  MakeFactorisation make_;
+  Limits limits_;
+  std::function<void(const IterationRecord&)> on_iteration_;
+  netloft_members interface_{};
+  Statistics statistics_;
+  Stop stop_ = Stop::none;
+  double begun_ = 0, begun_cpu_ = 0, load_ = 0;  // [s], [s]; largest of r in the last evaluation [N]
+
+  std::vector<netloft_member> members_;
+  std::vector<std::uint32_t> part_;
+  std::vector<MemberSite> sites_;
+  std::vector<MemberWeights> weights_;                            // by member
+  std::vector<double> x_, step_;                                  // over all degrees of freedom
+  std::vector<double> tangent_, values_;                          // of r; of (1)
+  std::array<std::unique_ptr<Factorisation>, 3> factorisations_;  // by MatrixClass, made when wanted
+  Factorisation* last_ = nullptr;                                 // null: no good factor
+};
+
+}  // namespace netloft

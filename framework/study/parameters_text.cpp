@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/study.hpp"
+
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+namespace netloft {
+
+namespace {
+
+double number_of(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0') throw std::invalid_argument("\"" + text + "\" is no number");
+  return number;
+}
+
+bool truth_of(const std::string& text) {
+  if (text != "true" && text != "false")
+    throw std::invalid_argument("\"" + text + "\" is neither true nor false");
+  return text == "true";
+}
+
+Value value_of(const netloft_parameter& parameter, const std::string& text) {
+  switch (parameter.kind) {
+    case NETLOFT_REAL:
+      return number_of(text);
+    case NETLOFT_INTEGER:
+      return static_cast<std::int64_t>(number_of(text));
+    case NETLOFT_BOOLEAN:
+      return truth_of(text);
+    case NETLOFT_TABLE:
+      throw std::invalid_argument(std::string(parameter.name) + " is a table, which has no short form");
+    default:
+      return text;
+  }
+}
+
+const netloft_parameter& find_parameter(std::span<const netloft_parameter> table, const std::string& name) {
+  for (const auto& parameter : table)
+    if (name == parameter.name) return parameter;
+  throw std::invalid_argument("there is no parameter " + name);
+}
+
+}  // namespace
+
+Values parse_parameters(std::span<const netloft_parameter> table, const std::string& text) {
+  Values values;
+  std::istringstream pairs(text);
+  for (std::string pair; std::getline(pairs, pair, ',');) {
+    const auto equals = pair.find('=');
+    if (equals == std::string::npos) throw std::invalid_argument("\"" + pair + "\" is not key=value");
+    const netloft_parameter& parameter = find_parameter(table, pair.substr(0, equals));
+    values[parameter.name] = value_of(parameter, pair.substr(equals + 1));
+    if (const auto fault = fault_of(parameter, values[parameter.name])) throw std::invalid_argument(*fault);
+  }
+  return values;
+}
+
+}  // namespace netloft

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/study_host.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace netloft {
+
+namespace {
+
+template <class Result, class... Args>
+struct Callback {
+  /// A C function that forwards to a member of the RunningStudy behind `host`; no exception passes.
+  template <auto Member>
+  static Result call(void* host, Args... args) noexcept {
+    auto& study = *static_cast<RunningStudy*>(host);
+    try {
+      return (study.*Member)(args...);
+    } catch (const std::exception& e) {
+      study.keep_message(e.what());
+    } catch (...) {
+      study.keep_message("an exception without a sentence");
+    }
+    return static_cast<Result>(NETLOFT_ERROR);
+  }
+};
+
+netloft_ending ending_of(const Solution& s) {
+  switch (s.status) {
+    case SolveStatus::converged:
+      return NETLOFT_ENDED_CONVERGED;
+    case SolveStatus::unstable:
+      return NETLOFT_ENDED_UNSTABLE;
+    case SolveStatus::interrupted:
+      return NETLOFT_ENDED_INTERRUPTED;
+    default:
+      break;
+  }
+  switch (s.stop) {
+    case StaticProblem::Stop::time:
+    case StaticProblem::Stop::interrupted:
+      return NETLOFT_ENDED_INTERRUPTED;
+    case StaticProblem::Stop::work:
+    case StaticProblem::Stop::iterations:
+      return NETLOFT_ENDED_OUT_OF_WORK;
+    case StaticProblem::Stop::unsettled:
+    case StaticProblem::Stop::ran_away:
+      return NETLOFT_ENDED_UNSETTLED;
+    default:
+      return NETLOFT_ENDED_NOT_CONVERGED;
+  }
+}
+
+std::uint32_t stability_of(const Solution& s) {
+  switch (s.stability) {
+    case Stability::stable:
+      return NETLOFT_STABLE;
+    case Stability::neutral:
+      return NETLOFT_NEUTRAL;
+    case Stability::marginal:
+      return NETLOFT_MARGINAL;
+    case Stability::unstable:
+      return NETLOFT_UNSTABLE;
+    default:
+      return NETLOFT_STABILITY_UNKNOWN;
+  }
+}
+
+/// "conservative, members"
+std::string traits_of_study(std::uint32_t traits) {
+  std::string text = describe_traits(traits & (NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC));
+  const std::pair<std::uint32_t, const char*> all[] = {{NETLOFT_STUDY_REMEMBERS, "elements that remember"},
+                                                       {NETLOFT_STUDY_FLOWS, "a current"},
+                                                       {NETLOFT_STUDY_COMPRESSION, "stiffness when slack"},
+                                                       {NETLOFT_STUDY_MEMBERS, "members that bear tension"}};
+  for (const auto& [trait, name] : all)
+    if (traits & trait) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+std::size_t count_members(const Assembler& assembler) {
+  std::size_t count = 0;
+  for (const auto& family : assembler.families())
+    if (family->reads(NETLOFT_OF_MEMBERS)) count += family->size() * family->type().element.member_count;
+  return count;
+}
+
+double imbalance(const Solution& s) {
+  const double ratio = s.balance.residual / s.balance.scale;
+  return std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+RunningStudy::RunningStudy(StudyHost& host, const netloft_variant& scene, double tolerance, double work,
+                           const double* start)
+    : host_(host),
+      scene_(scene),
+      site_(host.sites().at(scene)),
+      tolerance_(tolerance),
+      budget_(work),
+      begun_(host.spent()),
+      equilibria_(*site_->scene, *site_->assembler,
+                  StaticProblem(*site_->assembler, host.sites().source().make, {}).gear_size(),
+                  StaticProblem(*site_->assembler, host.sites().source().make, {}).conservative()) {
+  fill_interface(start);
+}
+
+void RunningStudy::fill_interface(const double* start) {
+  StaticProblem problem(*site_->assembler, host_.sites().source().make, {});
+  Registry& registry = *host_.sites().source().registry;
+  netloft_study& s = interface_;
+  s.size = sizeof s, s.host = this, s.start = start;
+  s.unknowns = problem.interface().unknowns;
+  s.levels = std::max(1u, host_.sites().most_levels() - std::min(scene_.level, host_.sites().most_levels()));
+  s.traits = problem.interface().traits;
+  if (!site_->assembler->memory().empty()) s.traits |= NETLOFT_STUDY_REMEMBERS;
+  if (site_->scene->current.flows()) s.traits |= NETLOFT_STUDY_FLOWS;
+  if (resists_compression(*site_->scene, registry)) s.traits |= NETLOFT_STUDY_COMPRESSION;
+  if (MemberProblem::serves(*site_->scene, *site_->assembler)) s.traits |= NETLOFT_STUDY_MEMBERS;
+  s.member_count = static_cast<std::uint32_t>(count_members(*site_->assembler));
+  s.gear_size = problem.gear_size(), s.element_size = problem.element_size();
+  const auto load = problem.driving_load();
+  s.load = load.sum, s.largest_load = load.largest;
+  s.stiffness = largest_stiffness(*site_->scene, registry);
+  s.message = message_, s.message_size = sizeof message_;
+
+  s.size_of = Callback<std::uint32_t, std::uint32_t>::call<&RunningStudy::size_of>;
+  s.solve = Callback<int, netloft_stage*>::call<&RunningStudy::solve>;
+  s.call = Callback<int, const char*, const char*, netloft_stage*>::call<&RunningStudy::call>;
+  s.transfer =
+      Callback<int, std::uint32_t, const double*, std::uint32_t, double*>::call<&RunningStudy::transfer>;
+  s.assess = Callback<int, netloft_stage*>::call<&RunningStudy::assess>;
+  s.problem = Callback<int, netloft_stage*, netloft_problem*>::call<&RunningStudy::problem>;
+  s.members = Callback<int, netloft_stage*, netloft_members*>::call<&RunningStudy::members>;
+  s.work_left = [](void* study) { return static_cast<RunningStudy*>(study)->work_left(); };
+  s.answer = Callback<int, const double*>::call<&RunningStudy::answer>;
+}
+
+void RunningStudy::keep_message(const char* text) { std::snprintf(message_, sizeof message_, "%s", text); }
+
+void RunningStudy::run(const StrategyType& type, const void* parameters) {
+  const std::uint32_t lacking = type.strategy.needs & ~interface_.traits;
+  if (lacking)
+    throw std::invalid_argument("the strategy " + type.type +
+                                " wants what this scene has not: " + traits_of_study(lacking));
+  const int status = type.strategy.run(parameters, &interface_);
+  close();
+  if (status != NETLOFT_OK && !has_any())
+    throw std::runtime_error("the strategy " + type.type + " failed" +
+                             (message_[0] ? std::string(": ") + message_ : ""));
+}
+
+Solution RunningStudy::best() const {
+  if (equilibria_.has_any()) return equilibria_.best();
+  Solution s = closest_ ? *closest_ : Solution{};
+  if (!closest_) s.reason = "the strategy solved no stage of the scene itself";
+  s.does_not_settle = unsettled_ > 0 && !(interface_.traits & NETLOFT_CONSERVATIVE);
+  if (s.does_not_settle) s.reason += "; followed in time it did not come to rest";
+  if (work_left() == 0 && !host_.is_interrupted()) s.reason += "; the budget of work is used up";
+  return s;
+}
+
+std::uint32_t RunningStudy::size_of(std::uint32_t level) {
+  const auto site = host_.sites().find_level(scene_.level + level);
+  return site ? static_cast<std::uint32_t>(site->assembler->pattern().size) : 0;
+}
+
+double RunningStudy::work_left() const {
+  return host_.is_interrupted() ? 0 : std::max(0.0, budget_ - (host_.spent() - begun_));
+}
+
+/// The stage with what it leaves open, checked. Its variant is that of the scene as it is written.
+netloft_stage RunningStudy::seen_from_host(const netloft_stage& stage) {
+  const netloft_variant& v = stage.variant;
+  const bool is_fraction = v.compression >= 0 && v.compression <= 1 && v.current >= 0 && v.current <= 1;
+  if (!is_fraction || !(v.stiffness_cap >= 0))
+    throw std::invalid_argument("a variant wants factors in [0, 1] and a cap that is not negative");
+  if (size_of(v.level) == 0) throw std::invalid_argument("there is no level " + std::to_string(v.level));
+  netloft_stage seen = stage;
+  seen.variant = combined(scene_, v);
+  seen.tolerance = std::max(stage.tolerance, tolerance_);
+  seen.work = stage.work > 0 ? std::min(stage.work, work_left()) : work_left();
+  if (!seen.name) seen.name = "";
+  return seen;
+}
+
+/// To the tolerance that an answer must have.
+bool RunningStudy::is_scene_itself(const netloft_stage& stage) const {
+  return is_as_written(stage.variant) && stage.tolerance <= tolerance_;
+}
+
+int RunningStudy::solve(netloft_stage* stage) {
+  close();
+  const double before = host_.spent();
+  const Solution s = host_.solve(seen_from_host(*stage), host_.solver_of(*stage));
+  if (is_scene_itself(*stage)) keep(*stage, s);
+  fill(*stage, s, host_.spent() - before);
+  return NETLOFT_OK;
+}
+
+int RunningStudy::assess(netloft_stage* stage) {
+  close();
+  const double before = host_.spent();
+  const Solution s = host_.assess(seen_from_host(*stage));
+  if (is_scene_itself(*stage)) keep(*stage, s);
+  fill(*stage, s, host_.spent() - before);
+  return NETLOFT_OK;
+}
+
+int RunningStudy::call(const char* strategy, const char* parameters, netloft_stage* stage) {
+  close();
+  const netloft_stage seen = seen_from_host(*stage);
+  const StrategyType& type = host_.sites().source().registry->strategy(strategy);
+  const Values values = parse_parameters(type.parameters, parameters ? parameters : "");
+  std::vector<std::string> faults;
+  const ParameterBlock block(type.parameters, type.strategy.parameter_bytes, values, faults);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  const double before = host_.spent();
+  RunningStudy inner(host_, seen.variant, seen.tolerance, seen.work, stage->u);
+  inner.run(type, block.data());
+  const Solution s = inner.best();
+  unsettled_ += inner.unsettled_;
+  if (inner.has_any() && is_scene_itself(*stage)) keep(*stage, s);
+  fill(*stage, s, host_.spent() - before);
+  if (!inner.has_any())
+    stage->ending = host_.is_interrupted() ? NETLOFT_ENDED_INTERRUPTED : NETLOFT_ENDED_OUT_OF_WORK;
+  return NETLOFT_OK;
+}
+
+int RunningStudy::transfer(std::uint32_t from, const double* u, std::uint32_t to, double* out) {
+  close();
+  const auto moved = host_.sites().transfer(scene_.level + from, {u, size_of(from)}, scene_.level + to);
+  if (moved.empty()) throw std::invalid_argument("the meshes of these levels do not divide the same parts");
+  std::copy(moved.begin(), moved.end(), out);
+  return NETLOFT_OK;
+}
+
+int RunningStudy::problem(netloft_stage* stage, netloft_problem* problem) {
+  close();
+  open_stage_ = seen_from_host(*stage), open_site_ = host_.sites().at(open_stage_.variant);
+  open_problem_ = std::make_unique<StaticProblem>(*open_site_->assembler, host_.sites().source().make,
+                                                  host_.limits_of(open_stage_, *open_site_),
+                                                  host_.options().on_iteration);
+  *problem = open_problem_->interface();
+  problem->u = stage->u;
+  return NETLOFT_OK;
+}
+
+int RunningStudy::members(netloft_stage* stage, netloft_members* members) {
+  close();
+  if (!(interface_.traits & NETLOFT_STUDY_MEMBERS))
+    throw std::invalid_argument("this study has no members (NETLOFT_STUDY_MEMBERS)");
+  open_stage_ = seen_from_host(*stage), open_site_ = host_.sites().at(open_stage_.variant);
+  open_members_ = std::make_unique<MemberProblem>(*open_site_->assembler, host_.sites().source().make,
+                                                  host_.limits_of(open_stage_, *open_site_),
+                                                  host_.options().on_iteration);
+  *members = open_members_->interface();
+  return NETLOFT_OK;
+}
+
+/// Keeps the record of a method of the strategy's own, which ends here.
+void RunningStudy::close() {
+  if (!open_problem_ && !open_members_) return;
+  const Statistics statistics = open_problem_ ? open_problem_->statistics() : open_members_->statistics();
+  const auto size = static_cast<std::size_t>(open_site_->assembler->pattern().size);
+  host_.record({open_stage_.name ? open_stage_.name : "", open_members_ ? "members" : "own", size,
+                SolveStatus::not_converged, "", statistics, open_stage_.variant},
+               *open_site_);
+  open_problem_.reset(), open_members_.reset(), open_site_.reset();
+}
+
+int RunningStudy::answer(const double* u) {
+  close();
+  const std::span<const double> answered(u, interface_.unknowns);
+  const auto known = std::find_if(stationary_.begin(), stationary_.end(), [&](const Solution& s) {
+    return std::equal(s.u.begin(), s.u.end(), answered.begin(), answered.end());
+  });
+  if (known != stationary_.end()) {
+    equilibria_.add(std::move(*known));
+    stationary_.erase(known);
+    return NETLOFT_OK;
+  }
+  std::vector<double> own(answered.begin(), answered.end());
+  netloft_stage stage{};
+  stage.size = sizeof stage, stage.variant = as_written(), stage.name = "answer", stage.u = own.data();
+  Solution s = host_.assess(seen_from_host(stage));
+  if (is_stationary(s))
+    equilibria_.add(std::move(s));
+  else
+    keep(stage, s);
+  return NETLOFT_OK;
+}
+
+/// An equilibrium of the scene itself for an answer, or of the rest the one that came closest.
+void RunningStudy::keep(const netloft_stage& stage, const Solution& s) {
+  constexpr std::size_t kMostKept = 8;  // answers follow soon after the stage that found them
+  if (is_stationary(s)) {
+    if (stationary_.size() == kMostKept) stationary_.erase(stationary_.begin());
+    stationary_.push_back(s);
+  }
+  unsettled_ += stage.path > 0 && ending_of(s) == NETLOFT_ENDED_UNSETTLED;
+  const bool is_closer =
+      !closest_ || (is_stationary(s) && !is_stationary(*closest_)) ||
+      (is_stationary(s) == is_stationary(*closest_) && imbalance(s) < imbalance(*closest_));
+  if (is_closer || s.status == SolveStatus::interrupted) closest_ = s;
+}
+
+void RunningStudy::fill(netloft_stage& stage, const Solution& s, double spent) {
+  if (!s.u.empty()) std::copy(s.u.begin(), s.u.end(), stage.u);
+  growing_ = s.growing;
+  stage.ending = ending_of(s), stage.stability = stability_of(s);
+  stage.residual = s.balance.residual, stage.load = s.balance.scale, stage.energy = s.energy;
+  stage.rounding = s.balance.floor, stage.spent = spent;
+  stage.iterations_done = static_cast<std::uint32_t>(s.statistics.iterations);
+  stage.factorisations = static_cast<std::uint32_t>(s.statistics.factorisations);
+  stage.growing = growing_.empty() ? nullptr : growing_.data();
+  stage.growth_rate = s.growth_rate, stage.growth_frequency = s.growth_frequency;
+}
+
+}  // namespace netloft

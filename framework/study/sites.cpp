@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/sites.hpp"
+
+#include <cassert>
+#include <utility>
+
+namespace netloft {
+
+namespace {
+
+bool is_same(const netloft_variant& a, const netloft_variant& b) {
+  return a.level == b.level && a.stiffness_cap == b.stiffness_cap && a.compression == b.compression &&
+         a.current == b.current;
+}
+
+}  // namespace
+
+Sites::Sites(SiteSource source) : source_(std::move(source)) {
+  auto own = std::make_shared<Site>();
+  own->scene = source_.scene, own->assembler = source_.assembler;
+  own->model = make_work_model(*own->assembler, source_.make);
+  unit_ = own->model.unit = own->model.of_iteration();
+  levels_.emplace(0u, std::move(own));
+}
+
+std::shared_ptr<Site> Sites::find_level(unsigned level) {
+  if (const auto known = levels_.find(level); known != levels_.end()) return known->second;
+  const Scene* scene = source_.levels ? source_.levels->scene(level) : nullptr;
+  return levels_.emplace(level, scene ? make_site(*scene) : nullptr).first->second;
+}
+
+std::shared_ptr<Site> Sites::at(const netloft_variant& variant) {
+  const auto level = find_level(variant.level);
+  assert(level && "the level of a variant exists");
+  netloft_variant of_level = as_written();
+  of_level.level = variant.level;
+  if (is_same(variant, of_level)) return level;
+  if (last_ && is_same(variant, last_variant_)) return last_;
+  last_.reset();  // its memory is used again
+  auto easier = std::make_unique<Scene>(made_easier(*level->scene, *source_.registry, variant));
+  last_ = make_site(*easier);
+  last_->own_scene = std::move(easier);
+  last_variant_ = variant;
+  return last_;
+}
+
+std::shared_ptr<Site> Sites::make_site(const Scene& scene) const {
+  auto site = std::make_shared<Site>();
+  site->scene = &scene;
+  site->own_plan = std::make_unique<Plan>(make_plan(scene, *source_.registry, source_.tangent));
+  site->own_assembler = std::make_unique<Assembler>(scene, *site->own_plan, source_.threads);
+  site->assembler = site->own_assembler.get();
+  site->model = make_work_model(*site->assembler, source_.make);
+  site->model.unit = unit_;
+  return site;
+}
+
+std::vector<double> Sites::transfer(unsigned from, std::span<const double> u, unsigned to) {
+  const auto source = find_level(from), target = find_level(to);
+  if (!source || !target) return {};
+  std::vector<double> x(source->assembler->start());
+  source->assembler->place(u, x);
+  const auto positions = source->assembler->node_positions(x);
+  if (from == to) return target->assembler->displacements(positions);
+  const auto carried = source_.levels->carry(from, positions, to);
+  return carried.empty() ? std::vector<double>{} : target->assembler->displacements(carried);
+}
+
+}  // namespace netloft

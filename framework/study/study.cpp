@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/study.hpp"
+
+#include "framework/study/study_host.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace netloft {
+
+namespace {
+
+ParameterBlock block_of(const StrategyUse& use) {
+  std::vector<std::string> faults;
+  ParameterBlock block(use.type->parameters, use.type->strategy.parameter_bytes, use.parameters, faults);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  return block;
+}
+
+}  // namespace
+
+Solution find_equilibrium(const SiteSource& source, const StudyOptions& options, const StrategyUse& strategy,
+                          const std::vector<double>& start) {
+  StudyHost host(source, options);
+  const ParameterBlock parameters = block_of(strategy);
+  RunningStudy study(host, as_written(), options.limits.tolerance, options.work,
+                     start.empty() ? nullptr : start.data());
+  study.run(*strategy.type, parameters.data());
+  return host.finish(study.best());
+}
+
+std::string explain_strategy(const SiteSource& source, const StudyOptions& options,
+                             const StrategyUse& strategy) {
+  if (!strategy.type->strategy.explain) return "";
+  StudyHost host(source, options);
+  const ParameterBlock parameters = block_of(strategy);
+  RunningStudy study(host, as_written(), options.limits.tolerance, options.work, nullptr);
+  std::string text(4096, '\0');
+  const int status = strategy.type->strategy.explain(parameters.data(), &study.interface(), text.data(),
+                                                     static_cast<std::uint32_t>(text.size()));
+  text.resize(status == NETLOFT_OK ? text.find('\0') : 0);
+  return text;
+}
+
+}  // namespace netloft

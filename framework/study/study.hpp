@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/verdict.hpp"
+#include "framework/study/levels.hpp"
+#include "framework/study/sites.hpp"
+
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace netloft {
+
+/// A solver and the values of its parameters.
+struct SolverUse {
+  const SolverType* type = nullptr;
+  Values parameters;
+};
+
+/// A strategy and the values of its parameters.
+struct StrategyUse {
+  const StrategyType* type = nullptr;
+  Values parameters;
+};
+
+/// What a study may use and spend.
+struct StudyOptions {
+  SolverUse solver;  // of stages that name no other
+  Limits limits;     // of the scene itself; `seconds` and `interrupt` hold for the whole study
+  double work = std::numeric_limits<double>::infinity();  // budget, in the units of work.hpp
+  std::function<void(const IterationRecord&)> on_iteration;
+};
+
+/// Lets a strategy bring a scene to equilibrium, from displacements `start` of its unknowns (empty: from its
+/// sketch), and chooses among its answers (shapes.hpp). The strategy sees a netloft_study: it asks for
+/// stages, each a solve of a variant by a solver within a budget, and hands over equilibria of the scene
+/// itself. The host counts the work of every stage, judges it (verdict.hpp) and keeps its record. Where there
+/// is no answer the solution is the stage of the scene itself that came closest, and says so. Throws
+/// SceneError or PluginRefused where a stage asks for what cannot be made.
+Solution find_equilibrium(const SiteSource& source, const StudyOptions& options, const StrategyUse& strategy,
+                          const std::vector<double>& start = {});
+
+/// What a strategy would try in which order and why, a line each; empty where it does not say. Solves
+/// nothing.
+std::string explain_strategy(const SiteSource& source, const StudyOptions& options,
+                             const StrategyUse& strategy);
+
+/// "method=implicit,step=1" as values of a table of parameters. Throws std::invalid_argument with a sentence.
+Values parse_parameters(std::span<const netloft_parameter> table, const std::string& text);
+
+}  // namespace netloft

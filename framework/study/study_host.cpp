@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/study_host.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace netloft {
+
+namespace {
+
+/// A solver that returns at once: what is judged is its start.
+const SolverType& no_solver() {
+  static const SolverType type = [] {
+    SolverType none;
+    none.type = "none";
+    none.solver.size = sizeof none.solver, none.solver.name = "none", none.solver.doc = "judges a point";
+    none.solver.solve = [](const void*, netloft_problem*) -> int { return NETLOFT_STOPPED; };
+    return none;
+  }();
+  return type;
+}
+
+ParameterBlock block_of(const SolverUse& use) {
+  std::vector<std::string> faults;
+  ParameterBlock block(use.type->parameters, use.type->solver.parameter_bytes, use.parameters, faults);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  return block;
+}
+
+}  // namespace
+
+StudyHost::StudyHost(const SiteSource& source, const StudyOptions& options)
+    : options_(options), sites_(source), begun_(cpu_seconds()) {}
+
+double StudyHost::seconds_left() const {
+  return std::max(0.0, options_.limits.seconds - (cpu_seconds() - begun_));
+}
+
+bool StudyHost::is_interrupted() const {
+  return (options_.limits.interrupt && options_.limits.interrupt->load()) || seconds_left() == 0;
+}
+
+SolverUse StudyHost::solver_of(const netloft_stage& stage) const {
+  SolverUse use = options_.solver;
+  if (stage.solver) use = {&sites_.source().registry->solver(stage.solver), {}};
+  if (!stage.parameters) return use;
+  const bool is_that_of_the_analysis = !stage.solver;
+  for (auto& [name, value] : parse_parameters(use.type->parameters, stage.parameters))
+    if (is_that_of_the_analysis)
+      use.parameters.try_emplace(name, std::move(value));  // the user's own values hold
+    else
+      use.parameters[name] = std::move(value);
+  return use;
+}
+
+Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) const {
+  Limits limits = options_.limits;
+  limits.tolerance = stage.tolerance;
+  if (stage.iterations > 0) limits.iterations = static_cast<int>(stage.iterations);
+  if (stage.path > 0) limits.path = stage.path;
+  limits.model = &site.model, limits.work = stage.work;
+  limits.seconds = seconds_left();
+  limits.ask_growth = is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
+  return limits;
+}
+
+Solution StudyHost::solve(const netloft_stage& stage, const SolverUse& solver) {
+  const auto site = sites_.at(stage.variant);
+  const ParameterBlock parameters = block_of(solver);
+  const auto size = static_cast<std::size_t>(site->assembler->pattern().size);
+  Solution s =
+      solve_static(*site->scene, *site->assembler, *solver.type, parameters.data(), limits_of(stage, *site),
+                   sites_.source().make, options_.on_iteration, {stage.u, size},
+                   stage.flags & NETLOFT_COMPENSATED ? Positions::compensated : Positions::plain);
+  record({stage.name, solver.type->type, size, s.status, s.reason, s.statistics, stage.variant,
+          site->model.of(s.judging)},
+         *site);
+  return s;
+}
+
+Solution StudyHost::assess(const netloft_stage& stage) { return solve(stage, {&no_solver(), {}}); }
+
+void StudyHost::record(StageRecord stage, const Site& site) {
+  stage.work += site.model.of(stage.statistics);
+  spent_ += stage.work;
+  stages_.push_back(std::move(stage));
+}
+
+Solution StudyHost::finish(Solution solution) const {
+  solution.stages = stages_;
+  solution.statistics = {};
+  for (const StageRecord& stage : stages_) solution.statistics.add(stage.statistics);
+  solution.work = spent_;
+  return solution;
+}
+
+}  // namespace netloft

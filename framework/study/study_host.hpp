@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/study/member_problem.hpp"
+#include "framework/study/shapes.hpp"
+#include "framework/study/study.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace netloft {
+
+/// What all strategies of one study share: the variants, the solvers, the record of all stages and their
+/// work.
+class StudyHost {
+ public:
+  StudyHost(const SiteSource& source, const StudyOptions& options);
+
+  Sites& sites() { return sites_; }
+  const StudyOptions& options() const { return options_; }
+  double spent() const { return spent_; }
+  /// By the user, or the user's time is over.
+  bool is_interrupted() const;
+
+  /// Who solves a stage; throws std::invalid_argument where its parameters are wrong.
+  SolverUse solver_of(const netloft_stage& stage) const;
+  /// What a stage may use: tolerance and budget are those of the stage, by whoever asks for it.
+  Limits limits_of(const netloft_stage& stage, const Site& site) const;
+  /// Solves `stage`, whose variant is seen from the scene as it is written; keeps the record.
+  Solution solve(const netloft_stage& stage, const SolverUse& solver);
+  /// Judges the point of a stage by a solver that returns at once.
+  Solution assess(const netloft_stage& stage);
+  /// `stage.work` is what its judgement took.
+  void record(StageRecord stage, const Site& site);
+
+  /// With the sum and the record of all stages.
+  Solution finish(Solution solution) const;
+
+ private:
+  double seconds_left() const;
+
+  StudyOptions options_;
+  Sites sites_;
+  double spent_ = 0, begun_;
+  std::vector<StageRecord> stages_;
+};
+
+/// A study as one strategy sees it: a variant of the scene is its scene, a part of the work its budget.
+class RunningStudy {
+ public:
+  /// `tolerance`, `work`: of its scene.
+  RunningStudy(StudyHost& host, const netloft_variant& scene, double tolerance, double work,
+               const double* start);
+  RunningStudy(const RunningStudy&) = delete;
+  RunningStudy& operator=(const RunningStudy&) = delete;
+
+  netloft_study& interface() { return interface_; }
+  void run(const StrategyType& type, const void* parameters);
+
+  /// The best answer; where there is none, the stage of the scene itself that came closest.
+  Solution best() const;
+  /// Whether some stage of the scene itself has been solved.
+  bool has_any() const { return equilibria_.has_any() || closest_.has_value(); }
+
+  std::uint32_t size_of(std::uint32_t level);
+  int solve(netloft_stage* stage);
+  int call(const char* strategy, const char* parameters, netloft_stage* stage);
+  int transfer(std::uint32_t from, const double* u, std::uint32_t to, double* out);
+  int assess(netloft_stage* stage);
+  int problem(netloft_stage* stage, netloft_problem* problem);
+  int members(netloft_stage* stage, netloft_members* members);
+  double work_left() const;
+  int answer(const double* u);
+  void keep_message(const char* text);
+
+ private:
+  void fill_interface(const double* start);
+  netloft_stage seen_from_host(const netloft_stage& stage);
+  bool is_scene_itself(const netloft_stage& stage) const;
+  void keep(const netloft_stage& stage, const Solution& solution);
+  void fill(netloft_stage& stage, const Solution& solution, double spent);
+  void close();
+
+  StudyHost& host_;
+  netloft_variant scene_;
+  std::shared_ptr<Site> site_;  // of that
+  double tolerance_, budget_, begun_;
+  netloft_study interface_{};
+  char message_[256] = "";
+  std::vector<double> growing_;       // of the last stage
+  std::vector<Solution> stationary_;  // of the scene itself, not yet answered
+  std::optional<Solution> closest_;   // of those that are no equilibria
+  int unsettled_ = 0;                 // stages that did not come to rest
+  EquilibriumChoice equilibria_;
+  // A method of the strategy's own at work: its stage, and on what.
+  netloft_stage open_stage_{};
+  std::shared_ptr<Site> open_site_;
+  std::unique_ptr<StaticProblem> open_problem_;
+  std::unique_ptr<MemberProblem> open_members_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/case/case.hpp"
+
+#include "framework/problem/settling.hpp"
+#include "io/case/diagnosis.hpp"
+#include "io/case/meshes.hpp"
+#include "io/case/stretch_damping.hpp"
+#include "io/scene/keys.hpp"
+#include "io/scene/read_scene.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/kept_analyses.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+namespace netloft::io {
+
+Case::Case(CaseSource source, Registry& registry)
+    : source_(std::move(source)), registry_(registry), make_(keep_analyses(make_factorisation)) {}
+
+Case::~Case() = default;
+
+Case::State Case::open(const std::function<void(LoadedScene&)>& change) {
+  if (const State state = read(); state != State::ready) return state;
+  if (change) change(loaded_);
+  return assemble();
+}
+
+Case::State Case::read() {
+  Timed timed(reading_seconds_);
+  bool refused = false;
+  loaded_ = read_scene(source_.file, source_.overrides, registry_, diagnostics_, refused);
+  if (!diagnostics_.errors()) return State::ready;
+  return refused ? State::refused : State::wrong_input;
+}
+
+Case::State Case::assemble() {
+  Timed timed(setup_seconds_);
+  try {
+    const Analysis& analysis = loaded_.analysis;
+    const bool moves = analysis.kind == AnalysisKind::dynamics || analysis.settles;
+    if (moves && analysis.dynamics.stiffness_damping > 0)
+      damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
+    plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
+                      moves ? AnalysisKind::dynamics : AnalysisKind::statics);
+    plan_.not_loaded = unused_plugins(plan_, registry_);
+    if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);
+    if (moves) std::erase(plan_.not_loaded, registry_.integrator(analysis.dynamics.integrator).origin->name);
+    assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
+    meshes_ = std::make_unique<Meshes>(source_, loaded_, registry_);
+  } catch (const SceneError& error) {
+    for (const auto& fault : error.faults) diagnostics_.error(loaded_.place_of(fault.part), fault.message);
+    return State::wrong_input;
+  }
+  return State::ready;
+}
+
+Solution Case::solve(const Watch& watch) {
+  Solution s =
+      loaded_.analysis.settles
+          ? settle(watch)
+          : netloft::find_equilibrium(sites(), study_options(loaded_.analysis.limits, watch), strategy());
+  if (s.status != SolveStatus::converged) s.diagnostics = diagnose(loaded_.scene, *assembler_, s);
+  return s;
+}
+
+std::optional<std::string> Case::why_unfit() {
+  if (loaded_.analysis.settles || loaded_.analysis.kind != AnalysisKind::statics) return {};
+  return netloft::why_unfit(registry_.solver(loaded_.analysis.solver), traits_of(*assembler_));
+}
+
+std::string Case::explain_strategy() {
+  if (loaded_.analysis.settles) return "";
+  return netloft::explain_strategy(sites(), study_options(loaded_.analysis.limits, {}), strategy());
+}
+
+SiteSource Case::sites() {
+  return {&loaded_.scene, assembler_.get(),         &registry_,     meshes_.get(),
+          make_,          loaded_.analysis.tangent, source_.threads};
+}
+
+StudyOptions Case::study_options(const Limits& limits, const Watch& watch) {
+  StudyOptions options;
+  options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
+  options.limits = limits, options.limits.interrupt = watch.interrupt;
+  options.work = loaded_.analysis.work, options.on_iteration = watch.on_iteration;
+  return options;
+}
+
+StrategyUse Case::strategy() {
+  return {&registry_.strategy(loaded_.analysis.strategy), loaded_.analysis.strategy_parameters};
+}
+
+namespace {
+
+/// A table of parameters as a plugin wants it. What a scene was read with is right; else
+/// std::invalid_argument.
+ParameterBlock block_of(std::span<const netloft_parameter> table, std::size_t bytes, const Values& values) {
+  std::vector<std::string> faults;
+  ParameterBlock block(table, bytes, values, faults);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  return block;
+}
+
+constexpr const char* kStepSolver =
+    "chord";  // of the implicit steps of an integrator that is itself a solver
+constexpr Limits kStepLimits{1e-8, 25, std::numeric_limits<double>::infinity(), nullptr};
+constexpr double kStepsFiner = 0.1;  // tolerance of steps over that of the equilibrium they are to find
+
+}  // namespace
+
+Solution Case::settle(const Watch& watch) {
+  const Dynamics& d = loaded_.analysis.dynamics;
+  const IntegratorType& integrator = registry_.integrator(d.integrator);
+  const SolverType& solver = registry_.solver(kStepSolver);
+  const auto scheme =
+      block_of(integrator.parameters, integrator.integrator.parameter_bytes, d.integrator_parameters);
+  const auto steps = block_of(solver.parameters, solver.solver.parameter_bytes, {});
+  Settling settling{
+      assembler_.get(), &loaded_.scene, {&integrator, scheme.data()}, {&solver, steps.data()}, make_,
+      kStepLimits,      d.march};
+  settling.limits.interrupt = watch.interrupt;
+  settling.limits.tolerance =
+      std::min(kStepLimits.tolerance, kStepsFiner * loaded_.analysis.limits.tolerance);
+  Limits limits = loaded_.analysis.limits;
+  limits.interrupt = watch.interrupt;
+  settling.limits.seconds = limits.seconds;
+  return solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_,
+                      watch.on_iteration);
+}
+
+MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interrupt, const MarchState* from) {
+  const Analysis& a = loaded_.analysis;
+  const IntegratorType& integrator = registry_.integrator(a.dynamics.integrator);
+  const SolverType& solver = registry_.solver(a.solver);
+  const auto scheme = block_of(integrator.parameters, integrator.integrator.parameter_bytes,
+                               a.dynamics.integrator_parameters);
+  const auto steps = block_of(solver.parameters, solver.solver.parameter_bytes, a.solver_parameters);
+  Limits limits = a.limits;
+  limits.interrupt = interrupt;
+  std::optional<MarchState> at_rest;
+  if (!from && a.dynamics.from_equilibrium) {
+    const Solution s = find_start(interrupt);
+    if (s.status != SolveStatus::converged) {
+      MarchResult none;
+      none.reason = "there is no equilibrium to start from: " + s.reason, none.u = s.u;
+      return none;
+    }
+    from = &at_rest.emplace(state_at_rest(*assembler_, s.u));
+  }
+  return netloft::march(loaded_.scene, *assembler_, {&integrator, scheme.data()}, {&solver, steps.data()},
+                        make_, limits, a.dynamics.march, watch, from);
+}
+
+/// The equilibrium that a motion starts from, as a static analysis of the same scene finds it.
+Solution Case::find_start(const std::atomic<bool>* interrupt) {
+  Limits limits;
+  limits.seconds = loaded_.analysis.limits.seconds;
+  StudyOptions options = study_options(limits, {interrupt, {}});
+  options.solver = {&registry_.solver(kSolver), {}};
+  return netloft::find_equilibrium(sites(), options, strategy());
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/problem/time_march.hpp"
+#include "framework/scene/plan.hpp"
+#include "framework/study/study.hpp"
+#include "io/scene/loaded_scene.hpp"
+#include "io/toml/diagnostics.hpp"
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+class Meshes;
+
+/// Which scene, how it is changed, and who works on it.
+struct CaseSource {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;  // "path=value", as --set takes them
+  int threads = 1;                     // of the assembly
+};
+
+/// Who looks on while a case is solved.
+struct Watch {
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(const IterationRecord&)> on_iteration;
+};
+
+/// A scene on its way from a file to an answer: read, planned, assembled, solved. What `run`, `plan`,
+/// `compare` and `stability` share. Not movable: the assembler stands on the scene.
+class Case {
+ public:
+  enum class State { ready, wrong_input, refused };
+
+  Case(CaseSource source, Registry& registry);
+  ~Case();
+  Case(const Case&) = delete;
+  Case& operator=(const Case&) = delete;
+
+  /// Reads, checks and assembles, with `change` between reading and planning: another start, another water.
+  /// Unless it is ready, diagnostics() say why not.
+  State open(const std::function<void(LoadedScene&)>& change = {});
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+
+  /// Finds the equilibrium as the scene's analysis says, from its start.
+  Solution solve(const Watch& watch = {});
+  /// Why the solver of the analysis cannot work on this scene (it needs an energy, say); empty: it can.
+  std::optional<std::string> why_unfit();
+  /// What the strategy of the analysis would try in which order and why, a line each.
+  std::string explain_strategy();
+
+  /// Goes through time as the scene's analysis says, from its start or from what was kept.
+  MarchResult march(const MarchWatch& watch, const std::atomic<bool>* interrupt = nullptr,
+                    const MarchState* from = nullptr);
+
+  /// Positions of all nodes [m], 3 per node of the scene, out of a vector over all dofs.
+  std::vector<double> positions(std::span<const double> x) const { return assembler_->node_positions(x); }
+
+  LoadedScene& loaded() { return loaded_; }
+  const LoadedScene& loaded() const { return loaded_; }
+  const CaseSource& source() const { return source_; }
+  const Plan& plan() const { return plan_; }
+  Assembler& assembler() { return *assembler_; }
+  Registry& registry() { return registry_; }
+  int threads() const { return source_.threads; }
+  double reading_seconds() const { return reading_seconds_; }
+  double setup_seconds() const { return setup_seconds_; }
+
+ private:
+  State read();
+  State assemble();
+  Solution settle(const Watch& watch);
+  SiteSource sites();
+  StudyOptions study_options(const Limits& limits, const Watch& watch);
+  StrategyUse strategy();
+  Solution find_start(const std::atomic<bool>* interrupt);
+
+  CaseSource source_;
+  Registry& registry_;
+  Diagnostics diagnostics_;
+  LoadedScene loaded_;
+  Plan plan_;
+  std::unique_ptr<Assembler> assembler_;
+  std::unique_ptr<Meshes> meshes_;
+  MakeFactorisation make_;  // of one pattern in all stages
+  double reading_seconds_ = 0, setup_seconds_ = 0;
+};
+
+/// What `--solver newton:method=classic` and `--strategy auto:restarts=6` stand for: analysis.solver and
+/// analysis.newton.method as overrides. `key` is "solver" or "strategy". Throws std::invalid_argument with a
+/// sentence when the specification is not understood.
+std::vector<std::string> overrides_of(const std::string& key, const std::string& specification);
+
+}  // namespace netloft::io

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/case/coarser.hpp"
+
+#include "io/case/carried_gear.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace netloft::io {
+
+namespace {
+
+using Point = std::array<double, 3>;
+constexpr int kFewestAcross = 4, kFewestBars = 4;
+
+bool is_divided(const PartGeometry& part) { return !part.cells.empty(); }
+
+bool can_halve(const PartGeometry& part) {
+  const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
+  return std::all_of(part.cells.begin(), part.cells.end(),
+                     [&](int cells) { return cells % 2 == 0 && cells / 2 >= fewest; });
+}
+
+std::string override_of(const PartGeometry& part) {
+  std::string cells;
+  for (const int n : part.cells) cells += (cells.empty() ? "" : ",") + std::to_string(n / 2);
+  return "parts." + part.name + ".cells=" + (part.cells.size() == 1 ? cells : "[" + cells + "]");
+}
+
+/// Own nodes of a part where another division of it has been brought to.
+class Shape {
+ public:
+  Shape(const PartGeometry& part, const std::vector<double>& x) : part_(part), x_(x) {}
+
+  Point node(std::size_t own) const {
+    const std::size_t at = 3 * std::size_t{part_.nodes[own]};
+    return {x_[at], x_[at + 1], x_[at + 2]};
+  }
+  /// A share s of the way along a rope.
+  Point on_rope(double s) const {
+    const auto [cell, t] = locate(s, part_.cells[0]);
+    return mix({{{cell, 1 - t}, {cell + 1, t}, {cell, 0.0}}});
+  }
+  /// Shares s across and t along a panel: within the triangle there, whose diagonal alternates.
+  Point on_panel(double s, double t) const {
+    const auto [i, a] = locate(s, part_.cells[0]);
+    const auto [j, b] = locate(t, part_.cells[1]);
+    const auto corner = [&, i = i, j = j](std::size_t right, std::size_t down) {
+      return (j + down) * (static_cast<std::size_t>(part_.cells[0]) + 1) + i + right;
+    };
+    const auto p00 = corner(0, 0), p10 = corner(1, 0), p01 = corner(0, 1), p11 = corner(1, 1);
+    if ((i + j) % 2 == 0)
+      return a >= b ? mix({{{p00, 1 - a}, {p10, a - b}, {p11, b}}})
+                    : mix({{{p00, 1 - b}, {p01, b - a}, {p11, a}}});
+    return a + b <= 1 ? mix({{{p00, 1 - a - b}, {p10, a}, {p01, b}}})
+                      : mix({{{p11, a + b - 1}, {p10, 1 - b}, {p01, 1 - a}}});
+  }
+
+ private:
+  struct Weight {
+    std::size_t own;
+    double weight;
+  };
+  static std::pair<std::size_t, double> locate(double share, int cells) {
+    const double at = share * cells;
+    const auto cell = static_cast<std::size_t>(std::clamp(static_cast<int>(at), 0, cells - 1));
+    return {cell, at - static_cast<double>(cell)};
+  }
+  Point mix(const std::array<Weight, 3>& weights) const {
+    Point sum{};
+    for (const auto& [own, weight] : weights)
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += weight == 0 ? 0 : weight * node(own)[k];
+    return sum;
+  }
+
+  const PartGeometry& part_;
+  const std::vector<double>& x_;
+};
+
+bool is_structured(const PartGeometry& part) {
+  std::size_t nodes = 1;
+  for (const int cells : part.cells) nodes *= static_cast<std::size_t>(cells) + 1;
+  return part.nodes.size() == nodes;
+}
+
+/// Own node -> shares of the way along a rope, or across and along a panel.
+std::array<double, 2> shares_of(const PartGeometry& part, std::size_t own) {
+  if (part.cells.size() == 1) return {static_cast<double>(own) / part.cells[0], 0};
+  const auto columns = static_cast<std::size_t>(part.cells[0]) + 1;
+  return {static_cast<double>(own % columns) / part.cells[0],
+          static_cast<double>(own / columns) / part.cells[1]};
+}
+
+}  // namespace
+
+namespace {
+
+constexpr std::size_t kFewestNodes = 120;  // of a gear
+
+/// Sides twice as long: a quarter of the nodes.
+std::vector<std::string> coarser_gear(const GearInScene& gear, std::size_t nodes) {
+  if (nodes / 4 < kFewestNodes) return {};
+  if (gear.size > 0) return {"gear.size=" + std::to_string(2 * gear.size)};
+  return {"gear.nodes=" + std::to_string(gear.nodes / 4)};
+}
+
+void carry_gear(const LoadedScene& from, const std::vector<double>& x, const LoadedScene& to,
+                std::vector<double>& positions) {
+  for (const auto p : to.gear->ropes) carry_rope(from.scene.parts[p], x, to.scene.parts[p], positions);
+  for (const auto p : to.gear->panels) carry_panel(from.scene.parts[p], x, to.scene.parts[p], positions);
+}
+
+}  // namespace
+
+std::vector<std::string> halved_cells(const LoadedScene& fine) {
+  std::vector<std::string> overrides;
+  for (const auto& part : fine.parts)
+    if (is_divided(part) && can_halve(part)) overrides.push_back(override_of(part));
+  if (fine.gear)
+    for (auto& word : coarser_gear(*fine.gear, fine.scene.node_count())) overrides.push_back(std::move(word));
+  return overrides;
+}
+
+std::optional<std::vector<double>> carried_over(const LoadedScene& from, const std::vector<double>& x,
+                                                const LoadedScene& to) {
+  if (from.parts.size() != to.parts.size() || from.gear.has_value() != to.gear.has_value()) return {};
+  std::vector<double> positions = to.scene.positions;
+  if (to.gear) carry_gear(from, x, to, positions);
+  for (std::size_t p = 0; p < to.parts.size(); ++p) {
+    const PartGeometry &source = from.parts[p], &part = to.parts[p];
+    if (!is_divided(part)) continue;
+    if (!is_structured(source) || !is_structured(part) || source.cells.size() != part.cells.size()) return {};
+    const Shape shape(source, x);
+    for (std::size_t own = 0; own < part.nodes.size(); ++own) {
+      const auto [s, t] = shares_of(part, own);
+      const Point at = part.cells.size() == 1 ? shape.on_rope(s) : shape.on_panel(s, t);
+      std::copy(at.begin(), at.end(), positions.begin() + 3 * std::ptrdiff_t{part.nodes[own]});
+    }
+  }
+  return positions;
+}
+
+}  // namespace netloft::io

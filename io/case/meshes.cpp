@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/case/meshes.hpp"
+
+#include "io/case/coarser.hpp"
+#include "io/scene/read_scene.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+// Cells are counted by int: no mesh can be halved more often.
+constexpr unsigned kMostLevels = 32;
+
+/// What is free to move starts where the finer mesh does; what is held, where it is held.
+void start_like(const LoadedScene& finer, LoadedScene& coarse) {
+  const auto positions = carried_over(finer, finer.scene.positions, coarse);
+  if (!positions) return;
+  for (std::size_t d = 0; d < positions->size(); ++d)
+    if (coarse.scene.held[d / 3] == 0) coarse.scene.positions[d] = (*positions)[d];
+}
+
+}  // namespace
+
+Meshes::Meshes(const CaseSource& source, const LoadedScene& finest, Registry& registry)
+    : source_(source),
+      finest_(finest),
+      registry_(registry),
+      most_(halved_cells(finest).empty() ? 1 : kMostLevels) {}
+
+const Scene* Meshes::scene(unsigned level) {
+  const LoadedScene* const found = loaded(level);
+  return found ? &found->scene : nullptr;
+}
+
+const LoadedScene* Meshes::loaded(unsigned level) {
+  if (level == 0) return &finest_;
+  if (level >= most_) return nullptr;
+  const LoadedScene* const finer = loaded(level - 1);
+  if (!finer) return nullptr;
+  if (coarser_.size() < level) coarser_.push_back(read_coarser(*finer));
+  return coarser_[level - 1].get();
+}
+
+std::unique_ptr<LoadedScene> Meshes::read_coarser(const LoadedScene& finer) {
+  const auto halved = halved_cells(finer);
+  if (halved.empty()) return nullptr;
+  source_.overrides.insert(source_.overrides.end(), halved.begin(), halved.end());
+  Diagnostics diagnostics;
+  bool refused = false;
+  auto coarse = std::make_unique<LoadedScene>(
+      read_scene(source_.file, source_.overrides, registry_, diagnostics, refused));
+  if (refused || diagnostics.errors()) return nullptr;
+  start_like(finer, *coarse);
+  return coarse;
+}
+
+std::vector<double> Meshes::carry(unsigned from, std::span<const double> positions, unsigned to) {
+  const LoadedScene *const source = loaded(from), *const target = loaded(to);
+  if (!source || !target) return {};
+  return carried_over(*source, {positions.begin(), positions.end()}, *target).value_or(std::vector<double>{});
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <netloft/strategy.hpp>
+
+/// At once; where that fails, from soft to stiff. Stiff bars leave Newton's method only short steps where
+/// they have to turn; soft ones turn at once. All axial stiffnesses above a cap C are lowered to it,
+///   C₀ = s C_n,  C_{k+1} = f C_k  until C_k ≥ C_n                         (1)
+/// C_n [N] largest stiffness of the scene; s softest, f factor. Each stage starts where the last one ended
+/// (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6).
+struct MyStrategy {
+  struct Parameters {
+    double softest = 0, factor = 0;  // s, f
+  };
+
+  static void run(const Parameters& p, netloft::Study& study) {
+    netloft::Stage stage = study.solve({.name = "at once"}, study.start());
+    if (!stage.is_stationary()) stage = soft_to_stiff(p, study);
+    if (stage.is_stationary()) study.answer(stage.u);
+  }
+
+  static std::string explain(const Parameters& p, netloft::Study& study) {
+    return "at once; where that fails, with stiffnesses up to " +
+           std::to_string(p.softest * study.stiffness()) + " N at first, then stiffer and stiffer\n";
+  }
+
+  /// The stage of the scene itself, or the first that failed. No work is left once the user interrupts.
+  static netloft::Stage soft_to_stiff(const Parameters& p, netloft::Study& study) {
+    netloft::Stage stage{.u = study.start()};
+    for (double cap = p.softest * study.stiffness(); study.work_left() > 0; cap *= p.factor) {  // (1)
+      if (cap >= study.stiffness()) return study.solve({.name = "as stiff as it is"}, stage.u);
+      stage = study.solve({.name = "softer", .variant = {.stiffness_cap = cap}}, stage.u);
+      if (!stage.is_stationary()) return stage;
+    }
+    return {};
+  }
+};
+
+NETLOFT_PLUGIN("my_strategy", "0.1", "A strategy to begin with") {
+  auto& s = plugin.strategy<MyStrategy>("my_strategy", "At once; where that fails, from soft to stiff");
+  s.real("softest", &MyStrategy::Parameters::softest, "1", "first cap on stiffness over the largest",
+         {.lo = 1e-9, .hi = 1, .fallback = 1e-3});
+  s.real("factor", &MyStrategy::Parameters::factor, "1", "by which the cap is raised after every stage",
+         {.lo = 1.1, .hi = 1e6, .fallback = 10});
+}

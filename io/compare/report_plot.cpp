@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/compare/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+/// Errors below this cannot be distinguished from zero.
+double floor_of(const Comparison& c) { return std::numeric_limits<double>::epsilon() * c.size; }
+
+/// Tolerances that end at the same answer become one point, at the least cost.
+void add(std::vector<PlotSeries::Point>& points, PlotSeries::Point p) {
+  if (!points.empty() && points.back().x == p.x)
+    points.back().y = std::min(points.back().y, p.y);
+  else
+    points.push_back(p);
+}
+
+std::string with_times_signs(std::string text) {
+  for (auto at = text.find(" x "); at != std::string::npos; at = text.find(" x ")) text.replace(at, 3, " × ");
+  return text;
+}
+
+PlotSeries series_of(const Comparison& c, const MethodResult& m) {
+  PlotSeries series{m.method.specification, {}};
+  for (const Trial& t : m.trials)
+    if (t.converged() && std::isfinite(t.error))
+      add(series.points, {std::max(t.error, floor_of(c)), t.cpu_seconds});
+  if (m.other)
+    series.name += " (other equilibrium)";
+  else if (series.points.empty())
+    series.name += m.reference ? " (not converged)" : " (no reference)";
+  return series;
+}
+
+}  // namespace
+
+LogLogPlot comparison_plot(const Comparison& c) {
+  LogLogPlot plot{with_times_signs(c.scene + ", " + c.mesh),
+                  "solver error: largest node distance [m]",
+                  "CPU time [s]",
+                  {},
+                  {}};
+  for (const auto& m : c.methods) plot.series.push_back(series_of(c, m));
+  if (c.discretisation)
+    for (const auto& level : c.discretisation->levels)
+      if (std::isfinite(level.error))
+        plot.marks.push_back({level.error, std::to_string(level.cells) + " cells"});
+  if (!plot.marks.empty()) plot.x_label = "solver error (dashed: discretisation error) [m]";
+  return plot;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stability/column.hpp"
+
+#include "io/case/case.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+constexpr const char* kAuto = "auto";
+
+void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+std::string StabilityColumn::head() const {
+  if (!title.empty()) return title;
+  if (strategy.empty() || solver.empty()) return strategy + solver;
+  return strategy + " with " + solver;
+}
+
+StabilityColumn column_of(const std::string& solver) { return {solver, ""}; }
+
+void leave_out(const std::vector<std::string>& parts, StabilityColumn& column) {
+  if (parts.empty() || component_of(column.strategy) != kAuto) return;
+  std::string all;
+  for (const auto& part : parts) all += (all.empty() ? "" : "+") + part;
+  column.strategy += (column.strategy == kAuto ? ":" : ",") + ("without=" + all);
+}
+
+std::string component_of(const std::string& specification) {
+  return specification.substr(0, specification.find(':'));
+}
+
+std::vector<std::string> overrides_of(const StabilityColumn& column) {
+  std::vector<std::string> all;
+  if (!column.solver.empty()) append(all, overrides_of("solver", column.solver));
+  if (!column.strategy.empty()) append(all, overrides_of("strategy", column.strategy));
+  append(all, column.overrides);
+  return all;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/newton/direction.hpp"
+
+#include <algorithm>
+
+namespace netloft::newton {
+
+namespace {
+
+// Whether K is nearly definite is only asked where damping is below this.
+constexpr double kHardlyDamped = 1e-6;
+// Less of the convex part is as good as none.
+constexpr double kLeastConvexPart = 1.0 / 4096;
+
+}  // namespace
+
+Directions::Directions(const Problem& problem, NegativeCurvature& curvature)
+    : curvature_(curvature), s_(problem.size()) {}
+
+std::optional<Direction> Directions::find_short(Iterate& iterate) {
+  Problem& problem = iterate.problem();
+  if (problem.factorise(Matrix::exact, 0) != Factor::ok) return {};
+  const Direction newton = solve(iterate, 0);
+  const bool is_usable = problem.step_length(s_) <= 1 && iterate.slope({s_}) < 0;
+  return is_usable ? std::optional(newton) : std::nullopt;
+}
+
+std::optional<Direction> Directions::find(Iterate& iterate, double damping) {
+  return iterate.problem().symmetric() ? find_symmetric(iterate, damping)
+                                       : find_unsymmetric(iterate, damping);
+}
+
+/// The factorisation itself tells whether the matrix is positive definite.
+std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double damping) {
+  const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
+  if (factor == Factor::ok) {
+    may_be_nearly_definite_ = true;
+    return solve(iterate, damping);
+  }
+  if (factor != Factor::not_positive) return {};
+  if (auto found = find_nearly_definite(iterate, damping)) return found;
+  return find_partly_convex(iterate, damping);
+}
+
+/// Then (7) says more of K than K₊ does. Where K was not nearly definite the last time, it is not asked again
+/// before it is positive definite.
+std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
+  if (!iterate.has_energy() || !may_be_nearly_definite_ || damping >= kHardlyDamped) {
+    may_be_nearly_definite_ = false;
+    return {};
+  }
+  const auto sigma = curvature_.factorise_nearly_definite(iterate.problem());
+  may_be_nearly_definite_ = sigma.has_value();
+  if (!sigma) return {};
+  Direction direction = solve(iterate, *sigma, "nearly definite");
+  direction.nearly_definite = true;
+  return direction;
+}
+
+std::optional<Direction> Directions::find_partly_convex(Iterate& iterate, double damping) {
+  Problem& problem = iterate.problem();
+  if (problem.evaluate(problem.u(), Matrix::convex) != Evaluation::ok) return {};
+  if (factorise_partly_convex(problem, std::max(damping, 1e-10)) != Factor::ok) return {};
+  return solve(iterate, damping, "convex part");
+}
+
+/// K + θ (K₊ − K), with half the θ of the last time or as much more as it takes, by powers of two.
+Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
+  for (convex_part_ = std::max(0.5 * convex_part_, kLeastConvexPart); convex_part_ < 1; convex_part_ *= 2)
+    if (const Factor factor = problem.factorise_between(convex_part_, shift); factor != Factor::not_positive)
+      return factor;
+  Factor factor = problem.factorise(Matrix::convex, shift);
+  while (factor == Factor::not_positive && shift < kLargestDamping)
+    factor = problem.factorise(Matrix::convex, shift = std::max(shift * 100, 1e-8));
+  return factor;
+}
+
+/// With an unsymmetric matrix, raising μ until s leads downhill.
+std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double damping) {
+  for (const char* note = "";;
+       note = "more damping", damping = std::clamp(damping * 10, 1e-4, kLargestDamping)) {
+    const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
+    if (factor == Factor::ok) {
+      const Direction direction = solve(iterate, damping, note);
+      if (iterate.slope({s_}) < 0) return direction;
+    }
+    if (damping >= kLargestDamping || factor == Factor::failed || static_cast<int>(factor) < 0) return {};
+  }
+}
+
+Direction Directions::solve(Iterate& iterate, double damping, const char* note) {
+  iterate.solve(s_);
+  return {.s = s_, .damping = damping, .note = note};
+}
+
+}  // namespace netloft::newton

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solvers/newton/iterate.hpp"
+#include "solvers/newton/negative_curvature.hpp"
+
+namespace netloft::newton {
+
+/// Damping never needs to exceed the metric itself by much.
+constexpr double kLargestDamping = 64;
+
+/// A step s of (2) of Newton, and the matrix it belongs to.
+struct Direction {
+  std::span<const double> s;
+  double damping = 0;            // μ
+  bool nearly_definite = false;  // K is not positive definite, and K + μ M is, with a μ next to nothing
+  const char* note = "";
+};
+
+/// Finds steps s along which the merit falls.
+class Directions {
+ public:
+  Directions(const Problem& problem, NegativeCurvature& curvature);
+
+  /// Newton's own step from the start, if it is no longer than an element.
+  std::optional<Direction> find_short(Iterate& iterate);
+  /// A step with at least the damping μ. None: no matrix could be factorised.
+  std::optional<Direction> find(Iterate& iterate, double damping);
+
+ private:
+  std::optional<Direction> find_symmetric(Iterate& iterate, double damping);
+  std::optional<Direction> find_nearly_definite(Iterate& iterate, double damping);
+  std::optional<Direction> find_partly_convex(Iterate& iterate, double damping);
+  std::optional<Direction> find_unsymmetric(Iterate& iterate, double damping);
+  Factor factorise_partly_convex(Problem& problem, double shift);
+  Direction solve(Iterate& iterate, double damping, const char* note = "");
+
+  NegativeCurvature& curvature_;
+  std::vector<double> s_;
+  double convex_part_ = 1;              // θ of the last time
+  bool may_be_nearly_definite_ = true;  // K was positive definite the last time, or nearly so
+};
+
+}  // namespace netloft::newton

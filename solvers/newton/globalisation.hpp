@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "solvers/newton/direction.hpp"
+#include "solvers/newton/iterate.hpp"
+#include "solvers/newton/newton.hpp"
+
+namespace netloft::newton {
+
+/// What became of a direction.
+struct Step {
+  enum class Rule { none, energy, residual, contraction, slope };
+  Rule rule = Rule::none;        // by which u has moved
+  double length = 0;             // t of (4)
+  bool is_at_round_off = false;  // what the step promises to gain is less than the energy's round-off
+  explicit operator bool() const { return rule != Rule::none; }
+};
+
+/// a of (9): how a path along s has to bend so that stiff members keep their length to second order.
+class CurvedStep {
+ public:
+  /// Memory for `size` unknowns is reserved, and touched by the first search.
+  explicit CurvedStep(std::size_t size) { second_derivative_.reserve(size), a_.reserve(size); }
+  /// By differences of r over ± t s, with the last factor. Empty where there are no forces.
+  std::span<const double> find(Iterate& iterate, std::span<const double> s, double t);
+
+ private:
+  std::vector<double> second_derivative_, a_;
+};
+
+/// How far to go along a direction.
+class Globalisation {
+ public:
+  Globalisation(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {
+    left_.reserve(size);
+  }
+
+  /// Moves u along s, as (4) wants it or, at round-off, as (6) or (8) do.
+  Step take(Iterate& iterate, const Direction& direction);
+  /// At round-off, once more with Newton's own step s.
+  Step take_newton_step(Iterate& iterate, std::span<const double> s);
+  /// (8): by the slope, which still has significant digits where the energy has none.
+  Step take_by_slope(Iterate& iterate, std::span<const double> s);
+  /// (8) may be tried again: u has moved otherwise.
+  void forget_gains();
+
+ private:
+  Step take_at_round_off(Iterate& iterate, const Direction& direction);
+  Step take_by_contraction(Iterate& iterate, std::span<const double> s);
+  Step take_by_energy(Iterate& iterate, const Direction& direction);
+  std::optional<Sample> find_whole_uphill(Iterate& iterate, const Path& path);
+  bool has_stalled(double gain);
+
+  const Newton::Parameters& p_;
+  CurvedStep curved_;
+  std::vector<double> left_;
+  bool last_was_uphill_ = false;
+  double least_gain_ = std::numeric_limits<double>::infinity();
+  int times_no_less_ = 0;
+};
+
+}  // namespace netloft::newton

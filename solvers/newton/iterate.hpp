@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/solver.hpp>
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solvers/newton/line_search.hpp"
+
+namespace netloft::newton {
+
+/// Energies that differ by less than this fraction of them are equal: rounding of a sum of many terms.
+constexpr double kEnergyRoundOff = 1e-13;
+
+double dot(std::span<const double> a, std::span<const double> b);
+
+/// u(t) = u + t s + ½ t² a; straight where `a` is empty.
+struct Path {
+  std::span<const double> s, a = {};
+};
+
+/// The point u from which a step is sought, with residual r, energy E and nonconservative forces d there; and
+/// a trial point on a path from it.
+class Iterate {
+ public:
+  explicit Iterate(Problem& problem);
+
+  Problem& problem() { return problem_; }
+  std::size_t size() const { return r_.size(); }
+  double energy() const { return energy_; }
+  std::span<const double> residual() const { return r_; }
+  bool has_energy() const { return d_.empty(); }  // all forces have
+  double slope(const Path& path) const { return dot(r_, path.s); }
+  /// What rounding may change of the merit along a path.
+  double round_off(const Path& path) const;
+  /// Points accepted so far.
+  std::size_t count() const { return count_; }
+
+  /// Evaluates at u, with the tangent if `matrix` says so.
+  bool evaluate(Matrix matrix = Matrix::exact);
+  /// d = r − g of (3).
+  bool split_residual();
+  bool report(const char* note) { return problem_.progress(problem_.u(), energy_, r_, note); }
+
+  /// s = −A⁻¹ r with the last factor A.
+  void solve(std::span<double> s);
+  /// r at u(t); nothing where there are no forces.
+  std::optional<std::span<const double>> residual_at(const Path& path, double t);
+  /// (3) and its derivative.
+  std::optional<Sample> merit(const Path& path, double t);
+  /// Moves u to u(t), with the tangent there, unless there are no forces or ‖r‖² exceeds `most` times that of
+  /// here. False: u and the tangent are what they were.
+  bool accept(const Path& path, double t, double most = std::numeric_limits<double>::infinity());
+
+ private:
+  void move_trial(const Path& path, double t);
+
+  Problem& problem_;
+  double energy_ = 0;
+  std::size_t count_ = 0;
+  std::vector<double> r_, trial_, r_trial_;
+  std::vector<double> d_;  // empty if all forces have an energy
+};
+
+}  // namespace netloft::newton

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "solvers/strategies/auto/options.hpp"
+
+#include <netloft/strategy.hpp>
+
+#include <string>
+#include <vector>
+
+namespace netloft::automatic {
+
+/// One way to an equilibrium: a strategy, for the kinds of scenes it suits.
+struct Attempt {
+  const char* name;        // as `without` and the report have it
+  const char* strategy;    // who makes it
+  std::string parameters;  // of that
+  const char* goes_on_by;  // who goes on where it was cut off at a point of the scene itself
+  const char* because;     // why it is tried at this place
+};
+
+/// The attempts that suit a scene, in the order in which they are tried.
+std::vector<Attempt> attempts_for(Study& study, const Options& options);
+
+/// By how much the stiffest part would stretch if it carried all that drives the gear; 1 where nothing does.
+double stretch_of_stiffest(Study& study);
+
+/// Whether a part of the strategy is left out by the user.
+bool is_left_out(const Options& options, const std::string& part);
+
+}  // namespace netloft::automatic

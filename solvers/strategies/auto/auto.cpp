@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/strategies/auto/auto.hpp"
+
+#include "solvers/strategies/auto/race.hpp"
+#include "solvers/strategies/auto/restarts.hpp"
+
+namespace netloft::automatic {
+
+void Auto::run(const Options& options, Study& study) {
+  const double budget = study.work_left();
+  const Stage best = Race(study, options).run();
+  if (!best.is_stationary()) return;
+  study.answer(best.u);
+  if (best.has_converged()) restart(study, options, best, budget - study.work_left());
+}
+
+std::string Auto::explain(const Options& options, Study& study) {
+  std::string text;
+  for (const Attempt& attempt : attempts_for(study, options))
+    text += std::string(attempt.name) + ": " + attempt.because + "\n";
+  return text;
+}
+
+}  // namespace netloft::automatic

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+
+namespace netloft::automatic {
+
+/// Everything that steers the strategy; plugin.cpp says of each what it is and why it is as large.
+struct Options {
+  std::int64_t starts = 0, restarts = 0;
+  double restart_work = 0, slice = 0, growth = 0;
+  double slack = 0, stiff = 0;
+  double perturbation = 0, far = 0, near = 0, counts = 0;
+  const char* without = nullptr;
+};
+
+}  // namespace netloft::automatic

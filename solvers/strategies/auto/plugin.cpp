@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/strategies/auto/auto.hpp"
+
+using netloft::automatic::Auto;
+using netloft::automatic::Options;
+
+NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
+  auto& s = plugin.strategy<Auto>(
+      "auto", "Attempts that suit the scene in slices of work, then restarts for other shapes");
+  s.integer(
+      "starts", &Options::starts,
+      "starts that are tried where all attempts end without an equilibrium: the one given, then perturbed "
+      "ones",
+      1, 1000, 2);
+  s.integer("restarts", &Options::restarts,
+            "how often to look for other shapes where something is in compression", 0, 1000, 6);
+  s.real("restart_work", &Options::restart_work, "1",
+         "work of all restarts over the work that led to the first equilibrium",
+         {.lo = 0, .hi = 1e6, .fallback = 1});
+  s.real("slice", &Options::slice, "1",
+         "work of the first slice of each attempt, in Newton iterations of the scene",
+         {.lo = 1, .hi = 1e9, .fallback = 100});
+  s.real("growth", &Options::growth, "1", "work of a slice over that of the slice before",
+         {.lo = 1.1, .hi = 100, .fallback = 4});
+  s.real("slack", &Options::slack, "1",
+         "stretch of the stiffest part under all of the load, up to which tension only is tried where "
+         "nothing flows",
+         {.lo = 0, .hi = 1, .fallback = 0.1});
+  s.real("stiff", &Options::stiff, "1",
+         "stretch below which the way from soft to stiff comes before the direct one",
+         {.lo = 0, .hi = 1, .fallback = 1e-4});
+  s.real("perturbation", &Options::perturbation, "1",
+         "of an unstable equilibrium that is left, over the size of an element",
+         {.lo = 0, .hi = 10, .fallback = 0.02});
+  s.real("far", &Options::far, "1", "perturbation of every other restart, over the size of an element",
+         {.lo = 0, .hi = 100, .fallback = 1});
+  s.real("near", &Options::near, "1", "perturbation of the restarts between, likewise",
+         {.lo = 0, .hi = 100, .fallback = 0.1});
+  s.real("counts", &Options::counts, "1",
+         "largest force borne by compression over the largest load above which there may be other shapes",
+         {.lo = 0, .hi = 1, .fallback = 1e-3});
+  s.text("without", &Options::without, "parts to leave out, such as restarts+tension-only", "");
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <netloft/strategy.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace {
+
+using namespace netloft;
+
+/// Grid sequencing: a coarser mesh of the same gear is brought to equilibrium by another strategy, which may
+/// go on to coarser ones still, and the scene itself starts from there. What linear elements leave of an
+/// error falls with their area, so that on fine meshes the start is near and Newton's method wants little
+/// damping,
+///   μ₀ = c / N,  N unknowns                                                              (1)
+/// W. Hackbusch, Multi-Grid Methods and Applications, 1985, section 5 (nested iteration).
+struct CoarseToFine {
+  struct Parameters {
+    const char *by = nullptr, *with = nullptr;
+    double tolerance = 0, smallest = 0;
+  };
+
+  static void run(const Parameters& p, Study& study) {
+    if (!has_coarser(p, study)) return;
+    std::string parameters = p.with;
+    std::replace(parameters.begin(), parameters.end(), ';', ',');
+    const Stage coarse =
+        study.call(p.by, parameters.c_str(),
+                   {.name = "on a coarser mesh", .variant = {.level = 1}, .tolerance = p.tolerance},
+                   study.transfer(0, study.start(), 1));
+    if (!coarse.has_converged()) return;
+    const Stage fine = study.solve({.name = "from a coarser mesh"}, study.transfer(1, coarse.u, 0));
+    if (fine.is_stationary()) study.answer(fine.u);
+  }
+
+  static std::string explain(const Parameters& p, Study& study) {
+    return has_coarser(p, study) ? std::string("half as many cells along a side by ") + p.by +
+                                       ", then the scene itself from there\n"
+                                 : "nothing: no coarser mesh of at least " +
+                                       std::to_string(static_cast<int>(p.smallest)) + " unknowns\n";
+  }
+
+ private:
+  static bool has_coarser(const Parameters& p, Study& study) {
+    return study.levels() > 1 && static_cast<double>(study.size()) >= p.smallest && study.size(1) > 0;
+  }
+};
+
+}  // namespace
+
+NETLOFT_PLUGIN("coarse-to-fine", "0.1.0", "Grid sequencing") {
+  auto& strategy = plugin.strategy<CoarseToFine>(
+      "coarse-to-fine", "The scene itself from where a coarser mesh is in equilibrium");
+  strategy.text("by", &CoarseToFine::Parameters::by, "strategy that solves the coarser mesh", "direct");
+  strategy.text("with", &CoarseToFine::Parameters::with,
+                "its parameters, such as restarts=0; a semicolon between two", "");
+  strategy.real(
+      "tolerance", &CoarseToFine::Parameters::tolerance, "1",
+      "largest residual over the largest load on the coarser mesh, whose own error is larger by far",
+      {.lo = 1e-16, .hi = 1, .fallback = 1e-3});
+  strategy.real("smallest", &CoarseToFine::Parameters::smallest, "1",
+                "unknowns below which a coarser mesh costs as much as it saves",
+                {.lo = 1, .hi = 1e9, .fallback = 200});
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <netloft/strategy.hpp>
+
+namespace {
+
+using namespace netloft;
+
+/// Solves the scene itself from its start, and nothing else: what any solver is worth by itself.
+struct Direct {
+  struct Parameters {};
+
+  static void run(const Parameters&, Study& study) {
+    const Stage stage = study.solve({.name = "as it is"}, study.start());
+    if (stage.is_stationary()) study.answer(stage.u);
+  }
+
+  static std::string explain(const Parameters&, Study&) { return "the scene itself from its start, once\n"; }
+};
+
+}  // namespace
+
+NETLOFT_PLUGIN("direct", "0.1.0", "The solver of the analysis alone") {
+  plugin.strategy<Direct>("direct", "The solver of the analysis on the scene itself, from its start, once");
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <netloft/strategy.hpp>
+
+namespace {
+
+using namespace netloft;
+
+/// Continuation in the current: from still water to all of it, by steps that double where a stage converges
+/// and halve where it does not.
+struct LoadSteps {
+  struct Parameters {
+    double step = 0, shortest = 0, tolerance = 0;
+  };
+
+  static void run(const Parameters& p, Study& study) {
+    if (!study.flows()) return;
+    Displacements u = solve_at(p, study, 0, study.start()).u;
+    double fraction = 0;
+    for (double step = p.step; fraction + step < 1 && study.work_left() > 0;) {
+      Stage stage = solve_at(p, study, fraction + step, u);
+      if (stage.is_stationary())
+        fraction += step, u = std::move(stage.u), step *= 2;
+      else if ((step *= 0.5) < p.shortest)
+        return;
+    }
+    if (study.work_left() == 0) return;
+    const Stage stage = study.solve({.name = "from slow to fast"}, u);
+    if (stage.is_stationary()) study.answer(stage.u);
+  }
+
+  static std::string explain(const Parameters&, Study& study) {
+    return study.flows() ? "still water, then more and more of the current\n"
+                         : "nothing: there is no current\n";
+  }
+
+ private:
+  static Stage solve_at(const Parameters& p, Study& study, double fraction, const Displacements& u) {
+    return study.solve({.name = "slower", .variant = {.current = fraction}, .tolerance = p.tolerance}, u);
+  }
+};
+
+}  // namespace
+
+NETLOFT_PLUGIN("load-steps", "0.1.0", "From still water to the whole current") {
+  auto& s = plugin.strategy<LoadSteps>("load-steps", "From still water to the whole current, by steps");
+  using P = LoadSteps::Parameters;
+  s.real("step", &P::step, "1", "first step, a fraction of the current",
+         {.lo = 1e-6, .hi = 1, .fallback = 0.25});
+  s.real("shortest", &P::shortest, "1", "step below which it gives up",
+         {.lo = 1e-9, .hi = 1, .fallback = 1.0 / 64});
+  s.real("tolerance", &P::tolerance, "1",
+         "largest residual over the largest load of a stage, which only gives a start",
+         {.lo = 1e-16, .hi = 1, .fallback = 1e-4});
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/strategy.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace netloft::tension {
+
+using Member = netloft_member;
+using Vector = std::array<double, 3>;
+
+inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+inline double largest_of(std::span<const double> v) {
+  double largest = 0;
+  for (const double a : v) largest = std::max(largest, std::abs(a));
+  return largest;
+}
+
+/// Not an infinity and not a number among them.
+inline bool all_finite(std::span<const double> v) {
+  double sum = 0;
+  for (const double a : v) sum += a - a;
+  return sum == 0;
+}
+
+/// K of a member, row by row.
+using Block = std::array<double, 9>;
+
+/// What a member does along its unit vector t: the force f t [N], and K = a t tᵀ + b I [N/m].
+struct Line {
+  Vector t;
+  double f, a, b;
+};
+
+/// netloft_members with types: the members of a scene, and its other forces r(u).
+class Members {
+ public:
+  explicit Members(netloft_members& m) : m_(m) {}
+
+  std::size_t size() const { return m_.count; }
+  std::size_t unknowns() const { return m_.unknowns; }
+  std::size_t dofs() const { return m_.dofs; }
+  std::size_t parts() const { return m_.parts; }
+  bool symmetric() const { return m_.traits & NETLOFT_SYMMETRIC; }
+  const Member& operator[](std::size_t e) const { return m_.member[e]; }
+  std::uint32_t part(std::size_t e) const { return m_.part[e]; }
+  /// What rounding of a coordinate at the start is worth in a length [m].
+  double rounding() const { return 4 * std::numeric_limits<double>::epsilon() * m_.largest_coordinate; }
+
+  void find_chords(std::span<const double> u, std::vector<Vector>& w) {
+    check(m_.chords(m_.host, u.data(), w.data()->data()));
+  }
+  void find_changes(std::span<const double> step, std::vector<Vector>& w) {
+    check(m_.changes(m_.host, step.data(), w.data()->data()));
+  }
+  /// r(u) over all degrees of freedom; keeps its tangent. False: there are no forces at u.
+  bool evaluate(std::span<const double> u, std::vector<double>& residual) {
+    const int status = m_.evaluate(m_.host, u.data(), residual.data());
+    check(status);
+    return status == NETLOFT_OK;
+  }
+  /// residual ← residual + Σ n c f.
+  void add_forces(const std::vector<Vector>& f, std::vector<double>& residual) {
+    check(m_.add_forces(m_.host, f.data()->data(), residual.data()));
+  }
+  /// The matrix: the tangent of r + Σ n c cᵀ K.
+  void set_matrix(const std::vector<Block>& K) { check(m_.set_matrix(m_.host, K.data()->data())); }
+  /// The same of lines, whose forces are added to the residual.
+  void set_matrix(const std::vector<Line>& lines, std::vector<double>& residual) {
+    static_assert(sizeof(Line) == 6 * sizeof(double));
+    check(m_.set_matrix_along(m_.host, lines.data()->t.data(), residual.data()));
+  }
+  Factor factorise() { return static_cast<Factor>(m_.factorise(m_.host, 0)); }
+  Factor factorise_indefinite() { return static_cast<Factor>(m_.factorise(m_.host, NETLOFT_INDEFINITE)); }
+  void solve(std::span<const double> rhs, std::span<double> x) {
+    check(m_.solve(m_.host, rhs.data(), x.data()));
+  }
+  /// Counts an iteration; false: give up.
+  bool progress(double residual, const char* note) {
+    return m_.progress(m_.host, residual, note) == NETLOFT_GO_ON;
+  }
+
+ private:
+  static void check(int status) {
+    if (status < 0) throw std::runtime_error("");  // the host knows what went wrong
+  }
+  netloft_members& m_;
+};
+
+}  // namespace netloft::tension

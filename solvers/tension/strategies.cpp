@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/tension/strategies.hpp"
+
+namespace netloft::tension {
+
+namespace {
+
+/// Solves the scene as it is; an equilibrium is an answer.
+void solve_from(Study& study, Displacements u) {
+  const Stage stage = study.solve({.name = "as it is, from there"}, std::move(u));
+  if (stage.is_stationary()) study.answer(stage.u);
+}
+
+std::string counted(std::size_t members) {
+  return std::to_string(members) + (members == 1 ? " member" : " members");
+}
+
+const char* beginning(const Study& study) {
+  return study.starts_from_sketch() ? "from the sketch" : "from the given start";
+}
+
+}  // namespace
+
+// Lengths of steps are over a whole step; forces and stiffnesses are over the load, all that drives the gear.
+void Only::describe(StrategyTable<Only>& t) {
+  using P = Parameters;
+  t.needs(NETLOFT_STUDY_MEMBERS);
+  t.integer("iterations", &P::iterations, "limit of the interior point, beside that of the analysis", 1,
+            100000, 200);
+  t.real("mu", &P::mu, "1", "complementarity that is left at the end, over the load",
+         {.lo = 1e-12, .hi = 1, .fallback = 1e-9});
+  t.real("forces", &P::forces, "1", "largest residual that is left at the end, over the load",
+         {.lo = 1e-14, .hi = 1, .fallback = 1e-6});
+  t.real("law", &P::law, "1",
+         "by how much a tension may be off the length of its member at the end, over the load; stiff members "
+         "need a "
+         "smaller complementarity for it",
+         {.lo = 1e-14, .hi = 1, .fallback = 1e-5});
+  t.real("near", &P::near, "1",
+         "residual and complementarity over the load from which a solver may go on where the method has not "
+         "converged",
+         {.lo = 1e-14, .hi = 1, .fallback = 1e-5});
+  t.real("room", &P::room, "1", "how far inside the cone members start, in strain",
+         {.lo = 1e-6, .hi = 10, .fallback = 0.1});
+  t.real("to_boundary", &P::to_boundary, "1", "part of the way to the boundary of the cone that a step takes",
+         {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
+  t.real("short_step", &P::short_step, "1", "a step below this raises the damping of all members",
+         {.lo = 0, .hi = 1, .fallback = 0.05});
+  t.real("long_step", &P::long_step, "1", "a step above this lowers it again",
+         {.lo = 0, .hi = 1, .fallback = 0.5});
+  t.real("tiny_step", &P::tiny_step, "1", "five steps in a row that are no longer than this end the method",
+         {.lo = 0, .hi = 1, .fallback = 0.02});
+  t.real("damping_factor", &P::damping_factor, "1", "factor by which damping rises and falls",
+         {.lo = 1.1, .hi = 1e3, .fallback = 10});
+  t.real("least_damping", &P::least_damping, "1", "first damping, over the load",
+         {.lo = 0, .hi = 1, .fallback = 1e-6});
+  t.real("most_damping", &P::most_damping, "1", "largest damping, over the load",
+         {.lo = 0, .hi = 1, .fallback = 1e-2});
+  t.real("most_compression", &P::most_compression, "1",
+         "bound of the stiffness in compression, over the load, where its mean is not above this",
+         {.lo = 0, .hi = 1, .fallback = 0.1});
+  t.real("little_compression", &P::little_compression, "1",
+         "the same bound where the mean is above most_compression", {.lo = 0, .hi = 1, .fallback = 0.01});
+  t.real("deciding_compression", &P::deciding_compression, "1",
+         "mean stiffness in compression over the load above which it decides where members come to rest",
+         {.lo = 0, .hi = 1, .fallback = 0.02});
+  t.real("centrality", &P::centrality, "1",
+         "least complementarity that is aimed at, over the largest residual, where compression decides",
+         {.lo = 0, .hi = 1, .fallback = 0.03});
+}
+
+void Only::run(const Parameters& parameters, Study& study) {
+  if (!(study.load() > 0)) return;
+  bool is_near = false;
+  Displacements u = study.with_members({.name = "tension only"}, study.start(),
+                                       [&](netloft_members& members, std::span<double> there) {
+                                         InteriorPoint method(parameters, members);
+                                         method.solve(there, study.load());
+                                         is_near = method.is_near();
+                                       });
+  if (is_near) solve_from(study, std::move(u));
+}
+
+std::string Only::explain(const Parameters&, Study& study) {
+  return "interior point, " + counted(study.members()) + " bearing tension only, " + beginning(study) +
+         ": no step has to guess which are slack\nthe analysis' solver from there: with all forces as they "
+         "are";
+}
+
+// Dampings are parts of the linear stiffness. Numbers called fitted were chosen on four gears, out of
+// thousands of random sets and a grid: tests/validation/README.md, "How sure it is".
+void FromSoft::describe(StrategyTable<FromSoft>& t) {
+  using P = Parameters;
+  t.needs(NETLOFT_STUDY_MEMBERS);
+  t.integer("iterations", &P::iterations, "limit of every stage but the last", 1, 10000, 60);
+  t.integer("last_iterations", &P::last_iterations,
+            "limit of the last stage; the analysis' solver goes on from where it ends", 1, 10000, 30);
+  const auto add = [&](const char* name, double P::*member, const char* unit, double fallback,
+                       const char* doc) {
+    t.real(name, member, unit, doc, {.lo = 1e-16, .hi = 1e9, .fallback = fallback});
+  };
+  add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted on four gears");
+  add("first", &P::first, "1", 5,
+      "stiffness of a part over its tension in the second stage; fitted on four gears");
+  add("ratio", &P::ratio, "1", 4.6, "by how much that grows from stage to stage; fitted on four gears");
+  add("last", &P::last, "1", 2e4,
+      "stiffness over tension before parts are as stiff as they are; fitted on four gears");
+  add("least_tension", &P::least_tension, "1", 1e-4,
+      "tension that every part is taken to have at least, over that of the busiest part");
+  add("soft_damping", &P::soft_damping, "1", 0.2, "first damping of the first stage; fitted on four gears");
+  add("soft_turn", &P::soft_turn, "rad", 7,
+      "most that a member turns in a step of the first stage; fitted on four gears");
+  add("soft_tolerance", &P::soft_tolerance, "1", 0.15,
+      "largest residual over the largest reaction that ends the first stage; fitted on four gears");
+  add("damping", &P::damping, "1", 9e-5, "first damping of the stages between; fitted on four gears");
+  add("turn", &P::turn, "rad", 0.25,
+      "most that a member turns in a step of all later stages; fitted on four gears");
+  add("settled_turn", &P::settled_turn, "rad", 1,
+      "a stage between ends where no taut member turns more in a whole step; fitted on four gears");
+  add("next_tolerance", &P::next_tolerance, "1", 5,
+      "and where no residual exceeds so much of the largest reaction; fitted on four gears");
+  add("last_damping", &P::last_damping, "1", 2e-5, "first damping of the last stage; fitted on four gears");
+  add("tolerance", &P::tolerance, "1", 1e-9,
+      "largest residual over the largest reaction that ends the last stage");
+  add("strain_of_taut", &P::strain_of_taut, "1", 1e-3, "largest strain of a member that a step makes taut");
+  add("far_fall", &P::far_fall, "1", 0.06,
+      "least factor on the damping of the first stage, which follows the residual; fitted on four gears");
+  add("far_rise", &P::far_rise, "1", 1 / 0.7, "largest such factor; fitted on four gears");
+  add("fall", &P::fall, "1", 0.1,
+      "factor on the damping of later stages after a whole step; fitted on four gears");
+  add("rise", &P::rise, "1", 3, "factor on it after a short step; fitted on four gears");
+  add("short_step", &P::short_step, "1", 0.2,
+      "what counts as a short step, over a whole one; fitted on four gears");
+  add("whole_step", &P::whole_step, "1", 0.9, "what counts as a whole step; fitted on four gears");
+  add("refused_rise", &P::refused_rise, "1", 100,
+      "factor on the damping where a matrix could not be factorised");
+  add("refused_damping", &P::refused_damping, "1", 1e-6, "least damping after that");
+}
+
+void FromSoft::run(const Parameters& parameters, Study& study) {
+  Displacements u = study.with_members(
+      {.name = "from soft to stiff, tensions as unknowns"}, study.start(),
+      [&](netloft_members& members, std::span<double> there) { Stages(parameters, members).solve(there); });
+  if (all_finite(u)) solve_from(study, std::move(u));
+}
+
+std::string FromSoft::explain(const Parameters&, Study& study) {
+  return "stages from soft to stiff, the tensions of " + counted(study.members()) + " as unknowns, " +
+         beginning(study) +
+         ": stiff ropes turn without being stretched\nthe analysis' solver from there: with all forces as "
+         "they are";
+}
+
+}  // namespace netloft::tension

@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the numbers that steer a strategy are worth: each is halved and doubled over a fresh draw of the hard cases.
+
+    sensitivity.py NETLOFT SUITE --draw 2041 [--of auto] [--of tension/only] [--of newton] [--size small] [--case TEXT] [--jobs 1]
+
+prints a Markdown table: right / claimed wrong / work at half, at the default, and at double. A number whose row says
+"changes nothing" is no parameter but noise, and may go. Draws that a number was chosen by say nothing about it.
+"""
+import argparse
+import json
+import math
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+LITTLE = 0.05  # of the work: machines and draws differ by more
+DONE, NOT_ALL_RIGHT = 0, 3
+
+
+class Outcome:
+    """What one run of the suite came to."""
+
+    def __init__(self, matrix):
+        self.cells = [(c["name"], c["size"], c["where"], c["iterations"], c["factorisations"]) for c in matrix["cases"]]
+        self.right = sum(c["right"] for c in matrix["cases"])
+        self.claimed_wrong = sum(c["claimed_wrong"] for c in matrix["cases"])
+        self.work = sum(c.get("work") or c["factorisations"] for c in matrix["cases"])
+
+    def __str__(self):
+        return f"{self.right} / {self.claimed_wrong} / {self.work:.0f}"
+
+    def verdict(self):
+        return self.right, self.claimed_wrong
+
+
+class Parameter:
+    """A number of a component, with what it may be."""
+
+    def __init__(self, component, described):
+        self.component, self.name = component, described["name"]
+        self.is_whole = described["kind"] == "integer"
+        self.default = float(described["default"])
+        lo, hi = re.fullmatch(r"[\[(]\s*(.+?),\s*(.+?)\s*[\])]", described["allowed"]).groups()
+        self.lo, self.hi = float(lo.replace("∞", "inf")), float(hi.replace("∞", "inf"))
+
+    def scaled(self, factor):
+        """The default times a factor as the program reads it, or None where that is the default again."""
+        value = min(max(self.default * factor, self.lo), self.hi)
+        if self.is_whole:
+            value = math.floor(value) if factor < 1 else math.ceil(value)
+        return None if value == self.default else format(value, "d" if self.is_whole else ".17g")
+
+    def setting(self, value):
+        return f"analysis.{self.component.split('/')[0]}.{self.name}={value}"
+
+
+def is_number(described):
+    """Numbers that have a default between two ends."""
+    has_range = re.fullmatch(r"[\[(].+,.+[\])]", described["allowed"])
+    return described["kind"] in ("real", "integer") and has_range and re.fullmatch(r"[-+0-9.e]+", described["default"])
+
+
+class Bench:
+    def __init__(self, words):
+        self.words = words
+
+    def netloft(self, *arguments):
+        ended = subprocess.run([self.words.netloft, *arguments], capture_output=True, text=True, check=False)
+        if ended.returncode not in (DONE, NOT_ALL_RIGHT):
+            raise SystemExit(f"netloft {' '.join(arguments)}: exit {ended.returncode}\n{ended.stderr}")
+        return json.loads(ended.stdout)
+
+    def parameters(self):
+        """Numbers of all components that were named, and what of them is none."""
+        numbers, others = [], []
+        for component in self.words.of:
+            for described in self.netloft("describe", component, "--json")["parameters"]:
+                described["default"] = str(described.get("default", ""))
+                if is_number(described):
+                    numbers.append(Parameter(component, described))
+                else:
+                    others.append(f"{component}: {described['name']}")
+        return numbers, others
+
+    def run(self, setting=None):
+        w = self.words
+        arguments = ["stability", w.suite, "--strategy", w.strategy, "--draw", str(w.draw), "--size", w.size, "--json"]
+        if w.case:
+            arguments += ["--case", w.case]
+        if w.work:
+            arguments += ["--work", str(w.work)]
+        if w.seconds_per_case:
+            arguments += ["--seconds-per-case", str(w.seconds_per_case)]
+        if setting:
+            arguments += ["--set", setting]
+        return Outcome(self.netloft(*arguments))
+
+    def row(self, parameter, base):
+        half, double = (self.run(parameter.setting(v)) if v else None for v in map(parameter.scaled, (0.5, 2)))
+        cells = [str(outcome) if outcome else "–" for outcome in (half, base, double)]
+        return [f"{parameter.component}: {parameter.name}", f"{parameter.default:g}", *cells, note(base, half, double)]
+
+
+def note(base, *others):
+    """What a change of a number does, in a word."""
+    tried = [o for o in others if o]
+    if not tried:
+        return "not scaled: its double and its half are the default"
+    if all(o.cells == base.cells for o in tried):
+        return "**changes nothing**"
+    if all(o.verdict() == base.verdict() and abs(o.work - base.work) <= LITTLE * base.work for o in tried):
+        return "changes little"
+    return ""
+
+
+def parse(arguments):
+    p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    p.add_argument("netloft", help="the program")
+    p.add_argument("suite", help="folder of the suite: tests/stability")
+    p.add_argument("--draw", type=int, required=True, help="number of a draw that nothing was chosen by")
+    p.add_argument("--of", action="append", help="component whose numbers are changed; may be repeated (auto)")
+    p.add_argument("--strategy", default="auto", help="strategy that is run")
+    p.add_argument("--size", default="small")
+    p.add_argument("--case", help="only cases whose name contains this")
+    p.add_argument("--work", type=float, help="for one case, in factorisations")
+    p.add_argument("--seconds-per-case", type=float)
+    p.add_argument("--jobs", type=int, default=1, help="runs at a time; budgets in seconds want one")
+    words = p.parse_args(arguments)
+    words.of = words.of or ["auto"]
+    return words
+
+
+def main(arguments):
+    bench = Bench(parse(arguments))
+    numbers, others = bench.parameters()
+    base = bench.run()
+    print(f"Draw {bench.words.draw}, {len(base.cells)} cases: right / claimed wrong / work\n")
+    print("| parameter | default | half | as it is | double | |\n|---|---|---|---|---|---|", flush=True)
+    with ThreadPoolExecutor(bench.words.jobs) as pool:
+        for row in pool.map(lambda p: bench.row(p, base), numbers):
+            print("| " + " | ".join(row) + " |", flush=True)
+    if others:
+        print("\nNo numbers: " + ", ".join(others))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

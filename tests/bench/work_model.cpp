@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The model of work (framework/problem/work.hpp) against measured CPU time, on panels in still water and in a
+// current and on a trawl: operations by the model over microseconds measured, which would be the same number
+// in all columns if the model were exact; and the price of each operation in factorisations, by the model
+// and as measured.
+//
+//   bench_work_model [LARGEST]    most unknowns of a scene; else 100 000
+#include "framework/assembler/assembler.hpp"
+#include "framework/problem/work.hpp"
+#include "framework/registry/registry.hpp"
+#include "framework/scene/plan.hpp"
+#include "io/scene/read_scene.hpp"
+#include "io/toml/diagnostics.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/support/sample_scenes.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace netloft;
+
+/// CPU time of `work`, the best of several [s].
+double time_of(const std::function<void()>& work) {
+  double best = std::numeric_limits<double>::infinity(), spent = 0;
+  for (int i = 0; i < 3 || (i < 1000 && spent < 0.3); ++i) {
+    const double begun = cpu_seconds();
+    for (int k = 0; k < 10; ++k) work();
+    const double seconds = cpu_seconds() - begun;
+    best = std::min(best, seconds / 10), spent += seconds;
+  }
+  return best;
+}
+
+/// Measured seconds of each operation.
+struct Measured {
+  double factorisation, solution, matrix, residual;
+};
+
+Measured measure(Assembler& assembler) {
+  const SparsePattern& pattern = assembler.pattern();
+  const auto x = assembler.start();
+  std::vector<double> K(assembler.value_slots()), M = K, r(assembler.numbering().dofs());
+  assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()});
+  Measured m{};
+  m.residual = time_of([&] { assembler.evaluate(x, {.residual = r.data()}); });
+  m.matrix = time_of([&] { assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data()}); });
+  for (std::size_t i = 0; i < K.size(); ++i) K[i] += M[i];
+  const auto factorisation =
+      make_factorisation(pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+  factorisation->analyse(pattern);
+  const std::span<const double> values{K.data(), pattern.value_slots()};
+  std::vector<double> step(static_cast<std::size_t>(pattern.size), 1.0);
+  m.factorisation = time_of([&] { factorisation->factorise(values); });
+  m.solution = time_of([&] { factorisation->solve(step, step); });
+  return m;
+}
+
+void print_row(const char* name, const Scene& scene, Registry& registry) {
+  const Plan plan = make_plan(scene, registry);
+  Assembler assembler(scene, plan, 1);
+  const WorkModel w = make_work_model(assembler, make_factorisation);
+  const Measured m = measure(assembler);
+  const auto rate = [](double operations, double seconds) { return 1e-6 * operations / seconds; };
+  std::printf("%-18s %8zu  %7.0f %7.0f %7.0f %7.0f   %6.3f %6.3f   %6.3f %6.3f   %6.3f %6.3f   %7.0f\n", name,
+              plan.unknowns, rate(w.factorisation, m.factorisation), rate(w.solution, m.solution),
+              rate(w.matrix, m.matrix), rate(w.residual, m.residual), w.solution / w.factorisation,
+              m.solution / m.factorisation, w.matrix / w.factorisation, m.matrix / m.factorisation,
+              w.residual / w.factorisation, m.residual / m.factorisation,
+              rate(w.of_iteration(), m.factorisation + m.solution + m.matrix + m.residual));
+}
+
+void print_panels(double largest, Registry& registry) {
+  for (const double speed : {0.0, 1.0})
+    for (const int cells : {8, 18, 32, 58, 100, 182}) {
+      if (3.0 * cells * cells > largest) continue;
+      Scene scene = sample::hanging_panel(cells, 36.5);
+      if (speed > 0) scene.current.samples = {{0, {0, speed, 0}}};
+      print_row(speed > 0 ? "panel in a current" : "panel", scene, registry);
+    }
+}
+
+void print_trawls(double largest, Registry& registry) {
+  for (const int nodes : {100, 400, 2000, 8000, 33000}) {
+    if (3.0 * nodes > largest) continue;
+    io::Diagnostics diagnostics;
+    bool refused = false;
+    const io::LoadedScene loaded =
+        io::read_scene(NETLOFT_SOURCE_DIR "/gear-library/scenes/83-112-flume-3.0kn.toml",
+                       {"gear.nodes=" + std::to_string(nodes)}, registry, diagnostics, refused);
+    if (!diagnostics.errors()) print_row("83-112", loaded.scene, registry);
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const double largest = count > 1 ? std::atof(arguments[1]) : 1e5;
+  Registry registry;
+  registry.add_folder(NETLOFT_PLUGIN_DIR);
+  std::printf("%28s%33s   %13s   %13s   %13s   %s\n", "", "operations per microsecond of", "solution",
+              "matrix", "residual", "per us of an");
+  std::printf("%18s %9s  %7s %7s %7s %7s   %6s %6s   %6s %6s   %6s %6s   %s\n", "", "unknowns", "factor.",
+              "solve", "matrix", "resid.", "model", "meas.", "model", "meas.", "model", "meas.", "iteration");
+  print_panels(largest, registry);
+  print_trawls(largest, registry);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Strategies that go round the author's layer: one stage of the scene as it is written, with a flaw that the
+// layer would not let pass. The sentence of each names the check that must find it.
+#include <netloft/plugin.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+enum class Flaw { escapes, unsized, scribbles, overflows };
+
+int run_at_once(netloft_study* study, bool sized) {
+  std::vector<double> u(study->unknowns, 0.0);
+  if (study->start) std::copy_n(study->start, u.size(), u.begin());
+  netloft_stage stage{};
+  stage.variant.compression = stage.variant.current = 1;
+  stage.name = "at once", stage.u = u.data();
+  if (sized) stage.size = sizeof stage, stage.variant.size = sizeof stage.variant;
+  if (study->solve(study->host, &stage) != NETLOFT_OK) return NETLOFT_ERROR;
+  const bool balanced = stage.ending == NETLOFT_ENDED_CONVERGED || stage.ending == NETLOFT_ENDED_UNSTABLE;
+  return balanced ? study->answer(study->host, u.data()) : NETLOFT_OK;
+}
+
+template <Flaw F>
+int run(const void*, netloft_study* study) {
+  if (F == Flaw::escapes) throw std::runtime_error("out");
+  const int status = run_at_once(study, F != Flaw::unsized);
+  if (F == Flaw::scribbles && study->start) const_cast<double*>(study->start)[0] += 1;
+  return status;
+}
+
+int explain(const void*, netloft_study*, char* text, uint32_t) {
+  std::strcpy(text, "solves the scene as it is written");
+  return NETLOFT_OK;
+}
+
+template <Flaw F>
+netloft_strategy strategy(const char* name, const char* found_by) {
+  netloft_strategy s{};
+  s.size = sizeof s, s.name = name, s.doc = found_by, s.run = run<F>;
+  if (F == Flaw::overflows) s.explain = explain;
+  return s;
+}
+
+}  // namespace
+
+extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
+  static const netloft_strategy strategies[] = {
+      strategy<Flaw::escapes>("escaping", "no-exception-escapes"),
+      strategy<Flaw::unsized>("unsized", "fills-its-stages"),
+      strategy<Flaw::scribbles>("scribbles", "leaves-the-study-alone"),
+      strategy<Flaw::overflows>("overflows", "explains-within-its-room")};
+  static netloft_plugin plugin{};
+  plugin.size = sizeof plugin, plugin.abi_major = NETLOFT_ABI_MAJOR, plugin.abi_minor = NETLOFT_ABI_MINOR;
+  plugin.name = "escaping_strategies", plugin.version = "1", plugin.doc = "", plugin.compiler = "";
+  plugin.strategies = strategies, plugin.strategy_count = 4;
+  return &plugin;
+}

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/study.hpp"
+
+#include <gtest/gtest.h>
+#include <netloft/strategy.hpp>
+
+#include <cmath>
+
+#include "framework/problem/work.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/unit/framework/assembler/sketch.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::test {
+namespace {
+
+/// A strategy that is a function of the test.
+struct ByHand {
+  struct Parameters {};
+  static inline std::function<void(Study&)> now;
+  static void run(const Parameters&, Study& study) { now(study); }
+};
+
+const StrategyType& by_hand() {
+  static const StrategyType type = [] {
+    StrategyType t;
+    t.type = "test/by-hand", t.strategy = StrategyTable<ByHand>("by-hand", "a test").descriptor();
+    return t;
+  }();
+  return type;
+}
+
+/// Two bars of 1 m, as stiff in compression as in tension, straight between ends that are 1.8 m apart.
+Scene compressed_bars() {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(0.9, 0, 0), c = s.node(1.8, 0, 0, kAllAxes);
+  s.rope("bars", {a, b, c}, 1, 1e4).parameters["rope.EA_compression"] = 1e4;
+  return s.scene;
+}
+
+Scene taut_bars() {
+  Scene scene = compressed_bars();
+  scene.positions[6] = 2.2;
+  return scene;
+}
+
+Solution study(const Scene& scene, std::function<void(Study&)> strategy, double work = 1000,
+               Limits limits = {}) {
+  Registry& registry = shipped_plugins();
+  const Plan plan = make_plan(scene, registry);
+  Assembler assembler(scene, plan, 1);
+  StudyOptions options;
+  options.solver.type = &registry.solver("newton"), options.limits = limits, options.work = work;
+  ByHand::now = std::move(strategy);
+  return find_equilibrium({&scene, &assembler, &registry, nullptr, make_factorisation}, options,
+                          {&by_hand(), {}});
+}
+
+TEST(AStudy, ChoosesWhatTheStrategyAnswered) {
+  const Solution s = study(taut_bars(), [](Study& of) {
+    const Stage stage = of.solve({.name = "first"}, of.start());
+    EXPECT_TRUE(stage.has_converged());
+    of.answer(stage.u);
+  });
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+  ASSERT_EQ(s.stages.size(), 1u) << "an answer that a stage has judged is not judged again";
+  EXPECT_EQ(s.stages[0].name, "first");
+}
+
+TEST(AStudy, JudgesAnAnswerItself) {
+  const Solution s = study(taut_bars(), [](Study& of) {
+    Displacements wrong = of.start();
+    wrong[0] = 0.3;
+    of.answer(wrong);
+  });
+  EXPECT_EQ(s.status, SolveStatus::not_converged) << s.reason;
+}
+
+TEST(AStudy, IsNotConvergedWithoutAnAnswer) {
+  const Solution s = study(taut_bars(), [](Study&) {});
+  EXPECT_EQ(s.status, SolveStatus::not_converged);
+  EXPECT_NE(s.reason.find("no stage"), std::string::npos) << s.reason;
+}
+
+TEST(AStudy, PrefersAStableAnswerToAnUnstableOne) {
+  const Solution s = study(compressed_bars(), [](Study& of) {
+    const Stage straight = of.solve({.name = "straight"}, of.start());
+    EXPECT_EQ(straight.ending, Ending::unstable);
+    of.answer(straight.u);
+    of.answer(of.solve({.name = "buckled"}, perturbed(straight.u, 0.1)).u);
+  });
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_TRUE(s.shapes.others.empty()) << "what is unstable is no other shape";
+}
+
+TEST(AStudy, SpendsNoMoreWorkThanItWasGiven) {
+  double spent = 0;
+  const Solution s = study(
+      taut_bars(),
+      [&](Study& of) {
+        for (int i = 0; i < 1000 && of.work_left() > 0; ++i)
+          spent += of.solve({.name = "again"}, perturbed(of.start(), 0.3, i)).spent;
+        EXPECT_EQ(of.work_left(), 0);
+        EXPECT_EQ(of.solve({.name = "no more"}, of.start()).ending, Ending::out_of_work);
+      },
+      20);
+  EXPECT_GE(spent, 20);
+  EXPECT_NE(s.reason.find("budget of work"), std::string::npos) << s.reason;
+}
+
+TEST(AStudy, EndsAStageByItsOwnBudget) {
+  study(compressed_bars(), [](Study& of) {
+    const Stage stage = of.solve({.name = "short", .work = 1e-3}, perturbed(of.start(), 0.2));
+    EXPECT_EQ(stage.ending, Ending::out_of_work);
+    EXPECT_GT(stage.load + stage.residual, 0);
+  });
+}
+
+TEST(AStudy, SolvesAnEasierVariantWithoutTakingItForTheScene) {
+  const Solution s = study(compressed_bars(), [](Study& of) {
+    const Stage soft = of.solve({.name = "soft", .variant = {.compression = 0}}, perturbed(of.start(), 0.1));
+    EXPECT_EQ(soft.ending, Ending::converged);
+  });
+  EXPECT_EQ(s.status, SolveStatus::not_converged) << "a variant is no answer";
+  ASSERT_EQ(s.stages.size(), 1u);
+  EXPECT_EQ(s.stages[0].variant.compression, 0);
+}
+
+TEST(AStudy, LendsItsSceneToAnotherStrategy) {
+  const Solution s = study(taut_bars(), [](Study& of) {
+    const Stage stage = of.call("direct", "", {.name = "by direct", .work = 100}, of.start());
+    EXPECT_TRUE(stage.has_converged());
+    EXPECT_GT(stage.spent, 0);
+    of.answer(stage.u);
+  });
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+}
+
+TEST(AStudy, RefusesWhatDoesNotExistWithASentence) {
+  for (const Ask& ask : {Ask{.variant = {.level = 1}}, Ask{.variant = {.current = 2}},
+                         Ask{.solver = "none-such"}, Ask{.parameters = "dumping=1"}})
+    try {
+      study(taut_bars(), [&](Study& of) { of.solve(ask, of.start()); });
+      FAIL() << "nothing was refused";
+    } catch (const std::runtime_error& e) {
+      EXPECT_NE(std::string(e.what()).find("test/by-hand failed: "), std::string::npos) << e.what();
+    }
+}
+
+TEST(AStudy, TellsAStrategyThatTheUserInterrupts) {
+  const std::atomic<bool> interrupt{true};
+  Limits limits;
+  limits.interrupt = &interrupt;
+  const Solution s = study(
+      compressed_bars(),
+      [](Study& of) {
+        EXPECT_EQ(of.work_left(), 0);
+        EXPECT_EQ(of.solve({.name = "too late"}, perturbed(of.start(), 0.2)).ending, Ending::interrupted);
+      },
+      1000, limits);
+  EXPECT_EQ(s.status, SolveStatus::interrupted) << s.reason;
+}
+
+TEST(AStudy, HandsAMethodOfTheStrategysOwnTheProblem) {
+  const Solution s = study(taut_bars(), [](Study& of) {
+    const Displacements u = of.with_problem({.name = "own Newton"}, of.start(), [](Problem& p) {
+      std::vector<double> r(p.size()), du(p.size());
+      double energy = 0;
+      while (p.evaluate(p.u(), energy, r, Matrix::exact) == Evaluation::ok && p.progress(p.u(), energy, r)) {
+        ASSERT_EQ(p.factorise(Matrix::exact, 0), Factor::ok);
+        p.solve(r, du);
+        for (std::size_t i = 0; i < du.size(); ++i) p.u()[i] -= du[i];
+      }
+    });
+    of.answer(u);
+  });
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_GT(s.statistics.factorisations, 0) << "its work is counted";
+}
+
+TEST(AStudy, HasTheSumOfAllStages) {
+  const Solution s = study(taut_bars(), [](Study& of) {
+    for (int i = 0; i < 3; ++i) of.answer(of.solve({.name = "again"}, perturbed(of.start(), 0.1, i)).u);
+  });
+  int iterations = 0;
+  double work = 0;
+  for (const StageRecord& stage : s.stages) iterations += stage.statistics.iterations, work += stage.work;
+  EXPECT_EQ(s.statistics.iterations, iterations);
+  EXPECT_DOUBLE_EQ(s.work, work);
+  EXPECT_EQ(s.shapes.times, 3) << "the same shape, three times";
+}
+
+}  // namespace
+}  // namespace netloft::test

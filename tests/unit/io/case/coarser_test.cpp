@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/case/coarser.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/case/case.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::io {
+namespace {
+
+constexpr const char* kPanel = "dead-weight-panel.toml";
+
+std::unique_ptr<Case> opened(const std::string& scene, std::vector<std::string> overrides) {
+  auto one = std::make_unique<Case>(
+      CaseSource{NETLOFT_SOURCE_DIR "/gear-library/scenes/" + scene, std::move(overrides), 1},
+      test::shipped_plugins());
+  EXPECT_EQ(one->open(), Case::State::ready) << one->diagnostics().render(false);
+  return one;
+}
+
+TEST(HalvedCells, AreThoseOfEveryPanelUntilTooFewAreLeft) {
+  EXPECT_EQ(halved_cells(opened(kPanel, {"parts.net.cells=[16,8]"})->loaded()),
+            std::vector<std::string>{"parts.net.cells=[8,4]"});
+  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[16,6]"})->loaded()).empty());
+  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[15,16]"})->loaded()).empty());
+}
+
+// An answer carried to a finer mesh keeps its energy but for the few triangles that lie across a coarse
+// diagonal, where two twines become one straight mean, which is never longer.
+TEST(CarriedOver, StretchesNothingThatWasNotStretched) {
+  auto coarse = opened(kPanel, {"parts.net.cells=[8,8]", "analysis.solver=newton"});
+  auto fine = opened(kPanel, {"parts.net.cells=[16,16]"});
+  const Solution s = coarse->solve();
+  const auto carried = carried_over(coarse->loaded(), coarse->positions(s.x), fine->loaded());
+  ASSERT_TRUE(carried);
+  std::vector<double> x = fine->assembler().start();
+  fine->assembler().place(fine->assembler().displacements(*carried), x);
+  double energy = 0;
+  ASSERT_TRUE(fine->assembler().evaluate(x, {.energy = &energy}));
+  EXPECT_LE(energy, s.energy + 1e-9 * std::abs(s.energy));
+  EXPECT_NEAR(energy, s.energy, 0.01 * std::abs(s.energy));
+}
+
+TEST(CarriedOver, GivesBackItsOwnNodes) {
+  auto one = opened("hanging-rope.toml", {});
+  const auto same = carried_over(one->loaded(), one->loaded().scene.positions, one->loaded());
+  ASSERT_TRUE(same);
+  for (std::size_t d = 0; d < same->size(); ++d)
+    EXPECT_NEAR((*same)[d], one->loaded().scene.positions[d], 1e-12);
+}
+
+// The answer of a panel whose twines bear no compression is one: it must not depend on the way to it.
+TEST(CoarserMeshes, LeadToTheAnswerThatIsFoundWithoutThem) {
+  const std::vector<std::string> same{"parts.net.cells=[32,32]", "parts.net.twine.EA_compression=1"};
+  auto with = same, without = same;
+  with.push_back("analysis.strategy=auto"), without.push_back("analysis.solver=newton");
+  auto a = opened(kPanel, with), b = opened(kPanel, without);
+  const Solution sa = a->solve(), sb = b->solve();
+  EXPECT_EQ(sa.status, SolveStatus::converged) << sa.reason;
+  ASSERT_GT(sa.stages.size(), 1u);
+  EXPECT_EQ(sa.stages.back().unknowns, a->plan().unknowns);
+  const auto xa = a->positions(sa.x), xb = b->positions(sb.x);
+  for (std::size_t d = 0; d < xa.size(); ++d) EXPECT_NEAR(xa[d], xb[d], 1e-7);
+}
+
+}  // namespace
+}  // namespace netloft::io

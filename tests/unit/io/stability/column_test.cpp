@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stability/column.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace netloft::io {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(StabilityColumn, IsASolverAlone) {
+  EXPECT_EQ(column_of("newton:damping=1").solver, "newton:damping=1");
+  EXPECT_EQ(column_of("newton:damping=1").strategy, "");
+}
+
+TEST(StabilityColumn, IsNamedAfterWhatItRuns) {
+  EXPECT_EQ((StabilityColumn{"newton", ""}.head()), "newton");
+  EXPECT_EQ((StabilityColumn{"", "auto"}.head()), "auto");
+  EXPECT_EQ((StabilityColumn{"ptc", "load-steps"}.head()), "load-steps with ptc");
+  EXPECT_EQ((StabilityColumn{.solver = "ptc", .strategy = "", .title = "pseudo-time"}.head()), "pseudo-time");
+}
+
+TEST(StabilityColumn, SetsTheAnalysisOfAScene) {
+  EXPECT_EQ(overrides_of({"newton:method=classic", ""}),
+            (Words{"analysis.solver=\"newton\"", "analysis.newton.method=classic"}));
+  EXPECT_EQ(
+      overrides_of({"ptc", "tension/stages:ratio=4"}),
+      (Words{"analysis.solver=\"ptc\"", "analysis.strategy=\"tension/stages\"", "analysis.tension.ratio=4"}));
+  EXPECT_EQ(overrides_of({"ptc", "", {"analysis.max_iterations=7"}}),
+            (Words{"analysis.solver=\"ptc\"", "analysis.max_iterations=7"}));
+}
+
+TEST(StabilityColumn, PartsAreLeftOutOfAutoAlone) {
+  StabilityColumn plain{"", "auto"}, tuned{"", "auto:restarts=2"}, other{"", "direct"}, solver{"newton", ""};
+  for (auto* column : {&plain, &tuned, &other, &solver}) leave_out({"restarts", "tension-only"}, *column);
+  EXPECT_EQ(plain.strategy, "auto:without=restarts+tension-only");
+  EXPECT_EQ(tuned.strategy, "auto:restarts=2,without=restarts+tension-only");
+  EXPECT_EQ(other.strategy, "direct");
+  EXPECT_EQ(solver.strategy, "");
+  EXPECT_EQ(overrides_of(plain),
+            (Words{"analysis.strategy=\"auto\"", "analysis.auto.without=restarts+tension-only"}));
+}
+
+TEST(StabilityColumn, ASpecificationThatIsNotUnderstoodIsRefused) {
+  EXPECT_THROW(overrides_of({"newton:", ""}), std::invalid_argument);
+  EXPECT_THROW(overrides_of({"", "load steps"}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace netloft::io

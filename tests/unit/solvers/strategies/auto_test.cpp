@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/study/study.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "tests/unit/framework/assembler/sketch.hpp"
+#include "tests/unit/solvers/known_answers.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::test {
+namespace {
+
+/// Two bars of 1 m, as stiff in compression as in tension, straight between ends that are 1.8 m apart.
+Scene compressed_bars() {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(0.9, 0, 0), c = s.node(1.8, 0, 0, kAllAxes);
+  s.rope("bars", {a, b, c}, 1, 1e4).parameters["rope.EA_compression"] = 1e4;
+  return s.scene;
+}
+
+struct Found {
+  Solution solution;
+  double away = 0;  // of node 1 from the line [m]
+};
+
+Found find(const Scene& scene, const Values& parameters = {}, Limits limits = {}, double work = 5000,
+           const char* strategy = "auto") {
+  Registry& registry = shipped_plugins();
+  const Plan plan = make_plan(scene, registry);
+  Assembler assembler(scene, plan, 1);
+  StudyOptions options;
+  options.solver.type = &registry.solver("newton"), options.limits = limits, options.work = work;
+  Found f{find_equilibrium({&scene, &assembler, &registry, nullptr, make_factorisation}, options,
+                           {&registry.strategy(strategy), parameters}),
+          0};
+  const auto at = [&](int axis) {
+    return f.solution.x[static_cast<std::size_t>(assembler.numbering().index(1, axis))];
+  };
+  f.away = std::hypot(at(1), at(2));
+  return f;
+}
+
+bool has_stage(const Solution& s, const std::string& name) {
+  return std::any_of(s.stages.begin(), s.stages.end(),
+                     [&](const StageRecord& stage) { return stage.name == name; });
+}
+
+/// For messages.
+std::string stages_of(const Solution& s) {
+  std::string text;
+  for (const StageRecord& stage : s.stages)
+    text += "\n" + stage.name + " by " + stage.solver + ": " + name_of(stage.status) + ", work " +
+            std::to_string(stage.work) + ", " + stage.reason;
+  return text;
+}
+
+TEST(Auto, LeavesAnEquilibriumThatIsNotStable) {
+  const Found f = find(compressed_bars());
+  EXPECT_EQ(f.solution.status, SolveStatus::converged) << f.solution.reason << stages_of(f.solution);
+  EXPECT_NEAR(f.away, std::sqrt(1 - 0.81), 1e-6) << "the bars buckle until nothing compresses them";
+}
+
+/// An arch of the same two bars in the plane, standing up on its feet under a small load.
+Scene arch() {
+  Scene scene = compressed_bars();
+  scene.water = {0, 9.81};
+  scene.positions[5] = 0.43;
+  scene.held[1] = kAxisY;
+  scene.parts[0].parameters["rope.diameter"] = 0.01;
+  return scene;
+}
+
+TEST(Auto, FindsTheOtherShapesOfAGearAndKeepsThatOfTheLeastEnergy) {
+  const Values direct_only{{"without", std::string("tension-only+tension-stages")},
+                           {"restart_work", 1e6},
+                           {"restarts", std::int64_t{12}}};
+  Values none = direct_only;
+  none["restarts"] = std::int64_t{0};
+  const Solution standing = find(arch(), none).solution, hanging = find(arch(), direct_only).solution;
+  ASSERT_EQ(standing.status, SolveStatus::converged) << standing.reason;
+  ASSERT_EQ(hanging.status, SolveStatus::converged) << hanging.reason;
+  EXPECT_EQ(standing.shapes.restarts, 0);
+  EXPECT_LT(hanging.energy, standing.energy);
+  ASSERT_EQ(hanging.shapes.others.size(), 1u);
+  const OtherShape& other = hanging.shapes.others[0];
+  EXPECT_NEAR(other.distance, 2 * std::sqrt(1 - 0.81), 1e-3);
+  EXPECT_EQ(other.furthest, "bars node 1");
+  EXPECT_EQ(other.energy, standing.energy);
+}
+
+TEST(Auto, DoesNotRestartWhereNothingIsInCompression) {
+  Scene taut = compressed_bars(), slack = arch();
+  taut.positions[6] = 2.2;
+  slack.parts[0].parameters["rope.EA_compression"] = 0.0;
+  for (const Scene& scene : {taut, slack}) {
+    const Solution s = find(scene).solution;
+    EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+    EXPECT_FALSE(has_stage(s, "restart"));
+  }
+}
+
+/// A heavy rope of 20 bars that is 10 percent too long, folded to one side, `EA` in newtons.
+Scene slack_rope(double EA) {
+  Sketch s;
+  s.scene.water = {0, 9.81};
+  std::vector<std::uint32_t> chain;
+  for (int i = 0; i <= 20; ++i) chain.push_back(s.node(i, i % 2, 0.1 * i, i % 20 == 0 ? kAllAxes : 0));
+  s.rope("rope", chain, 1.1, EA).parameters["rope.diameter"] = 0.02;
+  return s.scene;
+}
+
+// 4 ε x 1e10 N is 9e-6 N, which no position of a double can tell from balance.
+TEST(Auto, EndsWhatStopsAtTheRoundOffOfItsPositionsWithCompensatedOnes) {
+  const Solution s = find(slack_rope(1e10)).solution;
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_TRUE(has_stage(s, "with compensated positions")) << stages_of(s);
+  EXPECT_LT(s.balance.residual, 9e-6) << "what plain positions leave";
+}
+
+TEST(Auto, LeavesOutWhatItIsTold) {
+  const Values without{{"without", std::string("tension-only+tension-stages+direct")}};
+  const Solution s = find(slack_rope(1e4), without).solution;
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_TRUE(has_stage(s, "from soft to stiff"));
+  EXPECT_FALSE(has_stage(s, "as it is"));
+}
+
+TEST(Auto, MovesOffAnEquilibriumThatIsNotStableWhereForcesHaveNoEnergy) {
+  plugins();  // "test/load" and its like are among the shipped elements from here on
+  const Solution s =
+      find(toppling_bar(0), {{"without", std::string("tension-only+tension-stages")}}).solution;
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_TRUE(has_stage(s, "motion")) << stages_of(s);
+  EXPECT_TRUE(s.growing.empty()) << "nothing grows any more";
+  EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.1, 1e-6) << "it hangs";
+}
+
+TEST(Auto, SaysOfWhatGoesRoundAndRoundThatItDoesNotSettle) {
+  plugins();
+  const Solution s = find(whirling_bar()).solution;
+  EXPECT_NE(s.status, SolveStatus::converged);
+  EXPECT_TRUE(s.does_not_settle) << stages_of(s);
+  EXPECT_NE(s.reason.find("did not come to rest"), std::string::npos) << s.reason;
+}
+
+TEST(Auto, DoesNotConvergeWithoutTime) {
+  Limits limits;
+  limits.seconds = 0;
+  EXPECT_NE(find(compressed_bars(), {}, limits).solution.status, SolveStatus::converged);
+}
+
+TEST(Auto, DoesTheSameStagesWithTheSameBitsAgain) {
+  const Solution a = find(slack_rope(1e6)).solution, b = find(slack_rope(1e6)).solution;
+  ASSERT_EQ(a.stages.size(), b.stages.size());
+  EXPECT_EQ(a.work, b.work);
+  EXPECT_EQ(a.x, b.x);
+}
+
+TEST(EveryStrategy, FindsTheShapeOfASlackRope) {
+  const double energy = find(slack_rope(1e4)).solution.energy;
+  for (const char* strategy :
+       {"direct", "stiffness-steps", "pseudo-time", "relaxed", "tension/only", "tension/stages"}) {
+    const Solution s = find(slack_rope(1e4), {}, {}, 5000, strategy).solution;
+    EXPECT_EQ(s.status, SolveStatus::converged) << strategy << ": " << s.reason;
+    EXPECT_NEAR(s.energy, energy, 1e-9 * std::abs(energy)) << strategy;
+  }
+}
+
+}  // namespace
+}  // namespace netloft::test
