@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 namespace netloft::automatic {
 
@@ -60,6 +61,20 @@ const Row kTable[] = {
 
 double stretch_of_stiffest(Study& study) {
   return study.load() == 0 ? 1 : study.load() / std::max(study.load(), study.stiffness());
+}
+
+void check_parts(const Options& options) {
+  std::vector<std::string> known{"restarts", "compensated"};
+  for (const Row& row : kTable)
+    if (std::find(known.begin(), known.end(), row.attempt.name) == known.end())
+      known.push_back(row.attempt.name);
+  std::istringstream parts(options.without);
+  for (std::string name; std::getline(parts, name, '+');) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    std::string all;
+    for (const std::string& part : known) all += (all.empty() ? "" : ", ") + part;
+    throw std::invalid_argument("without = \"" + name + "\" is no part of it; there are " + all);
+  }
 }
 
 bool is_left_out(const Options& options, const std::string& part) {

@@ -7,6 +7,7 @@
 namespace netloft::automatic {
 
 void Auto::run(const Options& options, Study& study) {
+  check_parts(options);
   const double budget = study.work_left();
   const Stage best = Race(study, options).run();
   if (!best.is_stationary()) return;

@@ -129,6 +129,17 @@ TEST(Auto, LeavesOutWhatItIsTold) {
   EXPECT_FALSE(has_stage(s, "as it is"));
 }
 
+TEST(Auto, RefusesToLeaveOutWhatItDoesNotHave) {
+  try {
+    find(slack_rope(1e4), {{"without", std::string("restarts+nonsense")}});
+    FAIL() << "it was accepted";
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("\"nonsense\" is no part of it; there are restarts"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(Auto, MovesOffAnEquilibriumThatIsNotStableWhereForcesHaveNoEnergy) {
   plugins();  // "test/load" and its like are among the shipped elements from here on
   const Solution s =
