@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Commands about results that are there already: report, view, draw, export.
+#include "io/cli/commands.hpp"
+#include "io/cli/replaced_file.hpp"
+#include "io/cli/terminal.hpp"
+#include "io/hdf5/handle.hpp"
+#include "io/picture/sheet.hpp"
+#include "io/result/result_report.hpp"
+#include "io/view/page.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+StoredResult read(const std::string& path) {
+  try {
+    return StoredResult(path);
+  } catch (const FileError& e) {
+    throw UsageError{e.what()};
+  }
+}
+
+std::string output_of(const Options& options, const std::string& source, const char* ending) {
+  if (!options.output.empty()) return options.output;
+  return std::filesystem::path(source).stem().string() + ending;
+}
+
+/// Writes a file and says so.
+void write_and_say(const Options& options, const std::string& output, const std::string& content,
+                   const std::vector<std::string>& sources) {
+  replace_file(output, content, sources);
+  if (options.json)
+    std::puts(("{\"status\": \"done\", \"output\": " + in_json(output) + "}").c_str());
+  else
+    Terminal(options.color).say("written to " + output);
+}
+
+SheetOptions sheet_options(const Options& options) {
+  SheetOptions sheet;
+  sheet.view = view_of(options.picture.view).value_or(View::oblique);
+  sheet.field = options.picture.field;
+  sheet.width = options.picture.width;
+  sheet.with_ropes = options.picture.ropes, sheet.is_dark = options.picture.dark;
+  if (options.picture.state >= 0) sheet.state = static_cast<std::size_t>(options.picture.state);
+  return sheet;
+}
+
+}  // namespace
+
+int report_command(const Options& options) {
+  const StoredResult result = read(options.target);
+  if (options.html)
+    write_and_say(options, output_of(options, options.target, ".html"), report_page(result),
+                  {options.target});
+  else
+    std::fputs((options.json  ? result_json(result) + "\n"
+                : options.csv ? result_csv(result)
+                              : result_text(result))
+                   .c_str(),
+               stdout);
+  return result.is_answer() ? kDone : kNotConverged;
+}
+
+int view_command(const Options& options) {
+  std::vector<std::unique_ptr<StoredResult>> results;
+  std::vector<const StoredResult*> all;
+  for (const auto& path : options.targets) {
+    results.push_back(std::make_unique<StoredResult>(read(path)));
+    all.push_back(results.back().get());
+  }
+  write_and_say(options, output_of(options, options.targets.front(), ".html"),
+                view_page(all, options.picture.states), options.targets);
+  return kDone;
+}
+
+int draw_result_command(const Options& options) {
+  const StoredResult result = read(options.target);
+  const std::string output = output_of(options, options.target, ".svg");
+  const bool is_png = std::filesystem::path(output).extension() == ".png";
+  try {
+    write_and_say(
+        options, output,
+        is_png ? png_sheet(result, sheet_options(options)) : svg_sheet(result, sheet_options(options)),
+        {options.target});
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  }
+  return kDone;
+}
+
+}  // namespace netloft::io
