@@ -19,8 +19,22 @@ ResultSummary read(const std::string& path) {
 
 }  // namespace
 
+namespace {
+
+/// How far nodes moved, where both files hold a shape that this program reads.
+std::optional<NodeMove> move_between(const Options& options) {
+  try {
+    return find_largest_move(StoredResult(options.target), StoredResult(options.other));
+  } catch (const FileError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
 int diff_command(const Options& options) {
-  const ResultDiff diff = compare_results(read(options.target), read(options.other));
+  ResultDiff diff = compare_results(read(options.target), read(options.other));
+  diff.move = move_between(options);
   std::puts(options.json ? diff_json(diff).c_str() : diff_text(diff).c_str());
   return diff.both_are_answers() ? kDone : kNotConverged;
 }
