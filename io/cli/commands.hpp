@@ -25,6 +25,7 @@ int check_command(const Options& options);      // whether a net plan can be sew
 int draw_command(const Options& options);       // a net plan or a result as a picture
 int draw_result_command(const Options& options);
 int report_command(const Options& options);  // the report of a result again
+int export_command(const Options& options);  // a result for other programs
 int view_command(const Options& options);    // results as a page
 
 }  // namespace netloft::io

@@ -160,6 +160,18 @@ void add_result_commands(CLI::App& app, Options& o) {
       ->needs(html)
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("FILE.html");
+  auto* convert = app.add_subcommand("export", "write a result for other programs");
+  convert->add_option("RESULT", o.target, "result file (.hdf)")->required();
+  convert->add_option("FILE", o.output, "its ending says what: .glb is binary glTF, .csv a table")
+      ->required();
+  convert->add_option("--table", o.kind, "of a .csv: nodes or elements; else nodes")
+      ->check(CLI::IsMember({"nodes", "elements"}));
+  convert->add_option("--field", o.picture.field, "of a .glb: what is coloured, or part; else tension")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME");
+  convert->add_option("--state", o.picture.state, "of a motion: number of the output, from 0; else the last")
+      ->check(CLI::Range(0, 100000000));
+  convert->add_flag("--json", o.json, "one JSON object on standard output");
   auto* view = app.add_subcommand(
       "view", "write a page to look at results with: two are laid over one another, more are a sweep");
   view->add_option("RESULT", o.targets, "result files (.hdf)")->required();
@@ -277,6 +289,7 @@ int dispatch(const Options& o) {
   if (o.command == "draw") return draw_command(o);
   if (o.command == "report") return report_command(o);
   if (o.command == "view") return view_command(o);
+  if (o.command == "export") return export_command(o);
   return test_command(o);
 }
 

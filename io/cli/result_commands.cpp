@@ -5,10 +5,13 @@
 #include "io/cli/replaced_file.hpp"
 #include "io/cli/terminal.hpp"
 #include "io/hdf5/handle.hpp"
+#include "io/picture/gltf.hpp"
 #include "io/picture/sheet.hpp"
 #include "io/result/result_report.hpp"
+#include "io/result/tables.hpp"
 #include "io/view/page.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -88,6 +91,26 @@ int draw_result_command(const Options& options) {
         options, output,
         is_png ? png_sheet(result, sheet_options(options)) : svg_sheet(result, sheet_options(options)),
         {options.target});
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  }
+  return kDone;
+}
+
+int export_command(const Options& options) {
+  const StoredResult result = read(options.target);
+  const SheetOptions how = sheet_options(options);
+  const std::size_t state = std::min(how.state, result.times.size() - 1);
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  try {
+    if (ending == ".glb")
+      write_and_say(options, options.output, glb(shape_of(result, state, how.field)), {options.target});
+    else if (ending == ".csv")
+      write_and_say(options, options.output,
+                    options.kind == "elements" ? elements_csv(result, state) : nodes_csv(result, state),
+                    {options.target});
+    else
+      throw UsageError{options.output + ": the ending says what is written, and there are .glb and .csv"};
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }

@@ -3,6 +3,7 @@
 
 #include "io/report/gear_text.hpp"
 #include "io/result/materials.hpp"
+#include "io/result/tables.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -96,16 +97,6 @@ Json materials_json(const std::vector<Material>& materials) {
                    {"utilisation", number(m.utilisation())}});
   return all;
 }
-
-/// A field of a CSV line (RFC 4180).
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 }  // namespace
 

@@ -280,6 +280,38 @@ class Results(InFreshFolder):
         self.assertIn("is no file that may be replaced", self.refused("draw", result, "-o", "."))
         self.assertEqual((self.folder / result).read_bytes(), before)
 
+    def test_an_export_holds_every_part_where_it_is(self):
+        result, _ = self.gear()
+        self.done("export", result, "gear.glb")
+        data = (self.folder / "gear.glb").read_bytes()
+        self.assertEqual((data[:4], *struct.unpack("<II", data[4:12])), (b"glTF", 2, len(data)))
+        length = struct.unpack("<I", data[12:16])[0]
+        document, binary = json.loads(data[20:20 + length]), data[28 + length:]
+        with h5py.File(self.folder / result) as f:
+            points, names = f["VTKHDF/Points"][:], [n.decode() for n in f["netloft/parts/name"]]
+            corners = sum(1 for kind in f["VTKHDF/Types"] if kind == 5) * 3
+        self.assertEqual({mesh["name"] for mesh in document["meshes"]}, set(names))
+        triangles = [p for mesh in document["meshes"] for p in mesh["primitives"] if p["mode"] == 4]
+        self.assertEqual(sum(document["accessors"][p["attributes"]["POSITION"]]["count"] for p in triangles), corners)
+        boxes = [document["accessors"][p["attributes"]["POSITION"]] for mesh in document["meshes"] for p in mesh["primitives"]]
+        numpy.testing.assert_allclose(numpy.max([b["max"] for b in boxes], axis=0), points.max(axis=0), atol=1e-4)
+        view = document["bufferViews"][boxes[0]["bufferView"]]
+        first = numpy.frombuffer(binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]], "<f4").reshape(-1, 3)
+        numpy.testing.assert_allclose(first.min(axis=0), boxes[0]["min"], rtol=1e-6)
+
+    def test_tables_hold_nodes_and_elements(self):
+        result = self.solved("a", GOOD)
+        self.done("export", result, "nodes.csv")
+        self.done("export", result, "elements.csv", "--table", "elements")
+        nodes = list(csv.DictReader(io.StringIO((self.folder / "nodes.csv").read_text())))
+        elements = list(csv.DictReader(io.StringIO((self.folder / "elements.csv").read_text())))
+        with h5py.File(self.folder / result) as f:
+            self.assertEqual([float(n["z [m]"]) for n in nodes], list(f["VTKHDF/Points"][:, 2]))
+            self.assertEqual(len(elements), f["VTKHDF/NumberOfCells"][0])
+            self.assertEqual(elements[-1]["part"], "rope")
+            self.assertEqual(float(elements[-1]["tension [N]"]), f["VTKHDF/CellData/tension"][-1])
+        self.assertIn("there are .glb and .csv", self.refused("export", result, "a.obj"))
+
     def test_two_results_come_with_what_changed_between_them(self):
         a, b = self.solved("a", GOOD), self.solved("b", changed(GOOD, ("density = 2000", "density = 2600")))
         self.done("view", a, b, "-o", "both.html")
