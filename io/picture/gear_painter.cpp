@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/gear_painter.hpp"
 
+#include "io/result/field_range.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,15 +20,9 @@ constexpr double kFill = 0.32;    // opacity of netting between the twines that 
 constexpr double kNearer = 0.05;  // ropes and floats lie on the netting: this much nearer to the eye [m]
 constexpr Colour kUnknown = {0.55f, 0.55f, 0.55f};
 
-struct ValueRange {
-  double lo = INFINITY, hi = -INFINITY;
-};
-
-ValueRange range_of(const StoredResult& result, const std::string& field) {
-  ValueRange range;
-  for (std::size_t state = 0; state < result.times.size(); ++state)
-    for (const double v : result.field(field, state))
-      if (std::isfinite(v)) range.lo = std::min(range.lo, v), range.hi = std::max(range.hi, v);
+FieldRange range_of(const StoredResult& result, const std::string& field) {
+  FieldRange range;
+  for (std::size_t state = 0; state < result.times.size(); ++state) range.take(result.field(field, state));
   return range;
 }
 
@@ -239,9 +235,13 @@ GearShape shape_of(const StoredResult& result, std::size_t state, const std::str
     for (const auto part : result.mesh.cell_part) shape.colours.push_back(colour_of_part(part));
     return shape;
   }
-  const ValueRange range = range_of(result, shape.field->name);
-  const bool is_known = range.lo <= range.hi;
-  shape.scale.emplace(is_known ? range.lo : 0, is_known ? range.hi : 1, shape.field->unit == "N");
+  const FieldRange range = range_of(result, shape.field->name);
+  const bool is_force = shape.field->unit == "N";
+  shape.is_cut_below = range.is_known() && is_force && range.low() > range.lo();
+  if (range.is_known())
+    shape.scale.emplace(is_force ? range.low() : range.lo(), range.hi(), is_force);
+  else
+    shape.scale.emplace(0, 1, false);
   for (const double value : result.field(shape.field->name, state))
     shape.colours.push_back(std::isfinite(value) ? colour_at(shape.scale->place(value)) : kUnknown);
   return shape;

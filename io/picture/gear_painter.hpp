@@ -17,6 +17,7 @@ struct GearShape {
   std::vector<Colour> colours;       // by cell
   std::optional<StoredField> field;  // what is coloured; nothing: the part
   std::optional<ColourScale> scale;
+  bool is_cut_below = false;  // there are smaller values than the scale begins with
 };
 
 /// `field` is a name of result.fields, "part", or empty for the first that there is. Throws

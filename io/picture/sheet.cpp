@@ -15,7 +15,8 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kMargin = 16, kHead = 46, kFoot = 40, kLegendWidth = 300, kLegendHeight = 10;
+constexpr double kNarrow = 900;  // below, the legend has a row of its own
+constexpr double kMargin = 16, kHead = 46, kTallHead = 74, kFoot = 40, kLegendWidth = 300, kLegendHeight = 10;
 constexpr double kLeastHeight = 0.16, kGreatestHeight = 0.8;  // of the picture, relative to its width
 
 /// What stands around the picture, in pixels from the upper left corner of the sheet.
@@ -35,6 +36,8 @@ struct Sheet {
   Colour ground, ink;
   Image picture{0, 0, {}};
   double picture_top = kHead;
+
+  bool is_narrow() const { return width < kNarrow; }
   std::vector<Box> boxes;
   std::vector<Words> words;
 };
@@ -58,7 +61,8 @@ std::string legend_title(const GearShape& shape) {
 }
 
 void add_legend(const GearShape& shape, Sheet& sheet) {
-  const double left = sheet.width - kMargin - kLegendWidth, top = 10;
+  const double left = sheet.width - kMargin - kLegendWidth,
+               top = sheet.is_narrow() ? kTallHead - kHead + 10 : 10;
   sheet.words.push_back({left - 10, top + kLegendHeight, legend_title(shape), 12, true});
   if (!shape.scale) return;
   constexpr int kSteps = 60;
@@ -67,7 +71,8 @@ void add_legend(const GearShape& shape, Sheet& sheet) {
                            colour_at(i / (kSteps - 1.0))});
   for (const double place : {0.0, 1.0 / 3, 2.0 / 3, 1.0})
     sheet.words.push_back({left + place * kLegendWidth, top + kLegendHeight + 14,
-                           number(shape.scale->value(place)), 11, place == 1, place > 0 && place < 1});
+                           (place == 0 && shape.is_cut_below ? "< " : "") + number(shape.scale->value(place)),
+                           11, place == 1, place > 0 && place < 1});
 }
 
 /// A scale of a round number of metres, about a sixth of the sheet.
@@ -116,7 +121,8 @@ Sheet compose(const StoredResult& result, const SheetOptions& options) {
   const double height =
       std::clamp(tall + 2 * kMargin, kLeastHeight * sheet.width, kGreatestHeight * sheet.width);
   projection = fit(options.view, points, {kMargin, kMargin, inner, height - 2 * kMargin});
-  sheet.height = std::round(height) + kHead + kFoot;
+  sheet.picture_top = sheet.is_narrow() ? kTallHead : kHead;
+  sheet.height = std::round(height) + sheet.picture_top + kFoot;
   sheet.picture =
       paint(shape, projection, options.width, static_cast<std::size_t>(std::round(height)), sheet.ground);
   add_bed(shape, projection, options.view, sheet);

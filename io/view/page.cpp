@@ -24,6 +24,14 @@ std::string title_of(const std::vector<const StoredResult*>& results) {
   return title;
 }
 
+/// Says above everything else that a shape is no answer.
+std::string unfinished_html(const StoredResult& result) {
+  return "<p><strong>" +
+         in_html(result.path.filename().string() + ": " +
+                 (result.outcome.empty() ? "the run has not ended" : result.outcome)) +
+         "</strong>, so that this is not the shape in equilibrium. " + in_html(result.sentence) + "</p>\n";
+}
+
 /// Views from the side, the top and the front, for readers without scripts and for paper.
 std::string pictures_html(const StoredResult& result) {
   std::string html = "<section id=\"pictures\" aria-label=\"Pictures\">\n";
@@ -41,6 +49,8 @@ std::string pictures_html(const StoredResult& result) {
 std::string view_page(const std::vector<const StoredResult*>& results, std::size_t most_states) {
   std::string page = head(title_of(results), kPagePolicy);
   page += "<main>\n";
+  for (const auto* result : results)
+    if (!result->is_answer()) page += unfinished_html(*result);
   page += kPageBody;
   page += pictures_html(*results.front());
   if (results.size() == 2)

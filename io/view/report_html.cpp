@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace netloft::io {
 
@@ -26,6 +27,8 @@ std::string spoken(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 /// A table that is written row by row. Texts are escaped here and nowhere else.
 class HtmlTable {
@@ -253,7 +256,7 @@ std::string diff_html(const ResultDiff& diff) {
   }
   return heading("What changed") +
          paragraph(fmt::format("{} of {} numbers changed, from {} to {}.", changed, diff.numbers.size(),
-                               diff.before.path, diff.after.path)) +
+                               file_name(diff.before.path), file_name(diff.after.path))) +
          table.finish();
 }
 

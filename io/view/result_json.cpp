@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/view/result_json.hpp"
 
+#include "io/result/field_range.hpp"
 #include "io/view/packed_array.hpp"
 
 #include <algorithm>
@@ -71,16 +72,6 @@ void put_mesh(const StoredMesh& mesh, Json& json) {
   json["nodePart"] = packed(mesh.node_part), json["nodeNumber"] = packed(mesh.node_number);
 }
 
-/// The least and the greatest finite number met so far.
-struct ValueRange {
-  double lo = INFINITY, hi = -INFINITY;
-  void take(const std::vector<double>& values) {
-    for (const double v : values)
-      if (std::isfinite(v)) lo = std::min(lo, v), hi = std::max(hi, v);
-  }
-  Json json() const { return lo <= hi ? Json::array({lo, hi}) : Json(nullptr); }
-};
-
 using Origin = std::array<double, 3>;
 
 /// Positions from the origin: floats hold them to a hundredth of a millimetre within a kilometre of it.
@@ -94,16 +85,16 @@ Origin origin_of(const StoredResult& result) {
   const auto points = result.points(result.times.size() - 1);
   Origin origin{};
   for (std::size_t axis = 0; axis < 3 && points.size() >= 3; ++axis) {
-    ValueRange range;
-    for (std::size_t i = axis; i < points.size(); i += 3) range.take({points[i]});
-    if (range.lo <= range.hi && !(axis == 1 && result.is_half))
-      origin[axis] = std::round((range.lo + range.hi) / 2);
+    double lo = INFINITY, hi = -INFINITY;
+    for (std::size_t i = axis; i < points.size(); i += 3)
+      lo = std::min(lo, points[i]), hi = std::max(hi, points[i]);
+    if (std::isfinite(lo + hi) && !(axis == 1 && result.is_half)) origin[axis] = std::round((lo + hi) / 2);
   }
   return origin;
 }
 
 void put_states(const StoredResult& result, const std::vector<std::size_t>& kept, Json& json) {
-  std::vector<ValueRange> ranges(result.fields.size());
+  std::vector<FieldRange> ranges(result.fields.size());
   const Origin origin = origin_of(result);
   Json states = Json::array(), fields = Json::array(), times = Json::array();
   for (const std::size_t state : kept) {
@@ -120,10 +111,12 @@ void put_states(const StoredResult& result, const std::vector<std::size_t>& kept
     states.push_back(one), times.push_back(number(result.times[state]));
   }
   for (std::size_t f = 0; f < ranges.size(); ++f)
-    fields.push_back({{"name", result.fields[f].name},
-                      {"unit", result.fields[f].unit},
-                      {"doc", result.fields[f].doc},
-                      {"range", ranges[f].json()}});
+    fields.push_back(
+        {{"name", result.fields[f].name},
+         {"unit", result.fields[f].unit},
+         {"doc", result.fields[f].doc},
+         {"range", ranges[f].is_known() ? Json::array({ranges[f].lo(), ranges[f].hi()}) : Json(nullptr)},
+         {"low", number(ranges[f].low())}});
   json["origin"] = origin, json["times"] = times, json["fields"] = fields, json["states"] = states;
 }
 

@@ -17,6 +17,7 @@ main() {
     shift
     time_to_open "$@"
   else
+    check_libraries
     make_results
     run_node --test --test-reporter=spec test_page.mjs
   fi
@@ -44,6 +45,17 @@ install_packages() {
   (cd "$work" && npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1) || skip "npm could not install what is needed: $(tail -n 1 "$work/npm.log")"
 }
 
+# The committed libraries are what their sums say, and what their sources give again.
+check_libraries() {
+  local libraries=$root/io/view/libraries again=$work/libraries
+  (cd "$libraries" && sha256sum --check --quiet SHA256SUMS) || exit 1
+  mkdir -p "$again"
+  cp "$libraries"/{package.json,package-lock.json,entry.js,build.mjs} "$again"
+  (cd "$again" && npm ci --no-audit --no-fund --ignore-scripts >npm.log 2>&1 && node build.mjs >>npm.log 2>&1) ||
+    skip "npm could not build the libraries: $(tail -n 1 "$again/npm.log")"
+  cmp "$libraries/SHA256SUMS" "$again/SHA256SUMS" || { echo 'libraries.js is not what its sources give' && exit 1; }
+}
+
 # solve NAME SCENE OPTIONS…: a result, unless this program has made it already.
 solve() {
   local name=$1
@@ -67,7 +79,7 @@ run_node() { (cd "$work" && NETLOFT_PROGRAM=$program NETLOFT_SOURCE_DIR=$root no
 time_to_open() {
   local nodes
   for nodes in "$@"; do
-    solve "time-$nodes" "$root/gear-library/scenes/83-112-flume-3.0kn.toml" --set "gear.nodes=$nodes" --set analysis.max_iterations=5
+    solve "time-$nodes" "$root/gear-library/scenes/83-112-flume-3.0kn.toml" --set "gear.nodes=$nodes" --solver newton --set analysis.max_iterations=2
     "$program" view "$work/time-$nodes.hdf" -o "$work/time-$nodes.html" 2>/dev/null
     run_node time_to_open.mjs "$work/time-$nodes.html" "$nodes"
   done

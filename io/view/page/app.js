@@ -107,10 +107,13 @@ class Viewer {
     if (this.field.range) {
       for (const result of this.results) {
         const same = result.fields.find((f) => f.name === this.field.name);
-        if (same && same.range) [lo, hi] = [Math.min(lo, same.range[0]), Math.max(hi, same.range[1])];
+        const from = same && same.range && ($('log').checked ? same.low : same.range[0]);
+        if (same && same.range) [lo, hi] = [Math.min(lo, from), Math.max(hi, same.range[1])];
       }
     } else for (const v of values) if (Number.isFinite(v)) { lo = Math.min(lo, v); hi = Math.max(hi, v); }
-    return lo <= hi ? new Scale(lo, hi, $('log').checked) : new Scale(0, 1, false);
+    const scale = lo <= hi ? new Scale(lo, hi, $('log').checked) : new Scale(0, 1, false);
+    scale.isCutBelow = Boolean(this.field.range && scale.log && this.field.range[0] < scale.lo);
+    return scale;
   }
 
   repaint() {

@@ -24,7 +24,7 @@ function drawLegend(box, title, scale, unit) {
   for (let i = 0; i < 60; ++i) svg.append(svgElement('rect', {x: 4 * i, y: 0, width: 4.5, height: 12, fill: cssColour(colourAt(i / 59))}));
   [0, 1 / 3, 2 / 3, 1].forEach((place, i) => {
     const anchor = i === 0 ? 'start' : i === 3 ? 'end' : 'middle';
-    svg.append(svgElement('text', {x: 240 * place, y: 28, 'text-anchor': anchor}, formatNumber(scale.value(place), 3)));
+    svg.append(svgElement('text', {x: 240 * place, y: 28, 'text-anchor': anchor}, (i === 0 && scale.isCutBelow ? '< ' : '') + formatNumber(scale.value(place), 3)));
   });
   box.append(svg, element('span', {}, unitText(unit) + (scale.log ? ' (logarithmic)' : '')));
 }
