@@ -88,9 +88,7 @@ class GearPainter {
         mesh_(shape.result->mesh),
         outline_(outline_of(mesh_)),
         projection_(projection),
-        canvas_(canvas),
-        has_sizes_(std::any_of(shape.result->parts.begin(), shape.result->parts.end(),
-                               [](const StoredPart& part) { return std::isfinite(part.diameter); })) {}
+        canvas_(canvas) {}
 
   void paint(double dx, double dy) {
     dx_ = dx, dy_ = dy;
@@ -100,7 +98,7 @@ class GearPainter {
       for (std::size_t b = 0; b < mesh_.bars.size(); ++b) paint_bar(b);
       for (const auto& side : outline_) paint_line(side.nodes[0], side.nodes[1], side.cell, kLeastTwine);
       for (std::size_t d = 0; d < mesh_.dots.size(); ++d)
-        if (!has_sizes_ || std::isfinite(part(mesh_.dot_cells[d]).diameter)) paint_dot(d);
+        if (!part(mesh_.dot_cells[d]).is_contact) paint_dot(d);
     }
   }
 
@@ -204,7 +202,6 @@ class GearPainter {
   std::vector<Side> outline_;
   const Projection& projection_;
   Canvas& canvas_;
-  bool has_sizes_;  // false: the file is too old to say which nodes are things and which mere contact
   std::vector<Point3> at_;
   double dx_ = 0, dy_ = 0;
 };

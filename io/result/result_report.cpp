@@ -67,7 +67,7 @@ void materials_text(const std::vector<Material>& materials, Out out) {
   for (const auto& m : materials)
     fmt::format_to(out, "    {:<22} {:<26} {:>6} {:>11} {:>11} {:>11} {:>11} {:>6}\n", m.item.name,
                    m.item.part_name, cell(m.item.number, "{:g}"), cell(m.length, "{:.5g}"),
-                   cell(m.mass, "{:.5g}"), cell(m.load, "{:.5g}"), cell(m.item.breaking_load, "{:.5g}"),
+                   cell(m.mass, "{:.5g}"), cell(m.load, "{:.5g}"), cell(m.item.breaking_load, "{:.6g}"),
                    cell(100 * m.utilisation(), "{:.0f} %"));
   for (const auto& warning : load_warnings(materials)) fmt::format_to(out, "  warning: {}\n", warning);
 }

@@ -39,6 +39,7 @@ StoredResult::StoredResult(const std::filesystem::path& file) : path(file), read
   read_parts();
   read_mesh();
   read_fields();
+  find_contacts();
   read_scalars("gear/", "gear/", figures);
   read_scalars("scalars/", "", scalars);
   std::vector<NamedScalar> costs;
@@ -190,6 +191,16 @@ void StoredResult::read_fields() {
   if (has_tension || has_twines)
     fields.insert(fields.begin(),
                   {kTension, "N", "tension in a rope, and in a twine: the larger of both directions"});
+}
+
+/// Elements on single nodes with a normal force are where a part touches a bed.
+void StoredResult::find_contacts() {
+  for (const auto& field : fields) {
+    if (field.name != "normal_force") continue;
+    const auto force = reader_.field(Location::kCell, field.name, times.size() - 1);
+    for (const auto cell : mesh.dot_cells)
+      if (std::isfinite(force[cell])) parts[mesh.cell_part[cell]].is_contact = true;
+  }
 }
 
 std::vector<double> StoredResult::field(const std::string& name, std::size_t state) const {

@@ -19,6 +19,8 @@ struct StoredPart {
   double diameter = 0, bar = 0;        // of twine, rope or float; of a bar of the meshes [m]
   std::array<double, 4> twine_axes{};  // a, b, c, d: u = a U + b V, v = c U + d V
   SheetPlace sheet;                    // on the plan
+  // its single nodes are where it touches something, such as a bed, not things to look at
+  bool is_contact = false;
 };
 
 /// Triangles, bars and single nodes of a result, each with its part and its cell in the file.
@@ -110,6 +112,7 @@ class StoredResult {
   void read_mesh();
   void read_cells();
   void read_fields();
+  void find_contacts();
   void read_scalars(const std::string& group, const std::string& errors, std::vector<NamedScalar>& into,
                     const std::string& below = "");
   void read_forces();

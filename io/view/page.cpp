@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/view/page.hpp"
 
+#include "io/picture/plan_sketch.hpp"
 #include "io/picture/sheet.hpp"
 #include "io/view/page_parts.hpp"
 #include "io/view/report_html.hpp"
@@ -32,7 +33,7 @@ std::string unfinished_html(const StoredResult& result) {
          "</strong>, so that this is not the shape in equilibrium. " + in_html(result.sentence) + "</p>\n";
 }
 
-/// Views from the side, the top and the front, for readers without scripts and for paper.
+/// Views from the side, the top and the front, and the plan, for readers without scripts and for paper.
 std::string pictures_html(const StoredResult& result) {
   std::string html = "<section id=\"pictures\" aria-label=\"Pictures\">\n";
   for (const auto& [view, words] :
@@ -41,6 +42,9 @@ std::string pictures_html(const StoredResult& result) {
     options.view = view;
     html += "<figure>" + svg_sheet(result, options) + "<figcaption>" + words + "</figcaption></figure>\n";
   }
+  if (const std::string plan = plan_sketch(result); !plan.empty())
+    html += "<figure>" + plan.substr(plan.find("<svg")) + "<figcaption>The plan" +
+            (result.is_half ? ", of the half that was modelled" : "") + "</figcaption></figure>\n";
   return html + "</section>\n";
 }
 

@@ -15,7 +15,14 @@ namespace netloft::io {
 
 namespace {
 
-std::string number(double value, const char* format = "{:.5g}") {
+/// Five digits, and those before the point of a larger number.
+std::string number(double value) {
+  if (!std::isfinite(value)) return "–";
+  return std::abs(value) >= 1e5 && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value)
+                                                         : fmt::format("{:.5g}", value);
+}
+
+std::string number(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "–";
 }
 

@@ -39,6 +39,7 @@ Json parts_json(const StoredResult& result) {
                      {"type", part.type},
                      {"diameter", number(part.diameter)},
                      {"bar", number(part.bar)},
+                     {"contact", part.is_contact},
                      {"axes", known_numbers(part.twine_axes)},
                      {"sheet", known_numbers(sheet)}});
   }

@@ -118,6 +118,13 @@ test('the slider moves a motion, and the keyboard does what the mouse does', asy
   const moved = await page.evaluate((before_) => Math.max(...before_.map((v, i) => Math.abs(v - window.netloftViewer.model.points[i]))), first);
   assert.ok(moved > 0.01, `moved ${moved}`);
   assert.match(await page.textContent('#when'), /^0 s$/);
+  const blue = await page.evaluate(() => {
+    const canvas = document.querySelector('#curve canvas'), pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    let found = 0;
+    for (let i = 0; i < pixels.length; i += 4) found += pixels[i + 2] > pixels[i] + 100 && pixels[i + 3] > 200 ? 1 : 0;
+    return found;
+  });
+  assert.ok(blue > 100, `the curve has ${blue} pixels`);
   await page.locator('#canvas').focus();
   const azimuth = await page.evaluate(() => window.netloftViewer.camera.azimuth);
   await page.keyboard.press('ArrowLeft');
@@ -169,7 +176,7 @@ test('a page with scripts and WebGL switched off keeps its report and its pictur
     const {page, seen} = await open(bare.context, view('trawl.html', 'trawl'));
     assert.equal(await page.evaluate(() => document.documentElement.dataset.ready), 'static');
     assert.match(await page.textContent('#status'), /does not draw in three dimensions/);
-    assert.equal(await page.locator('#pictures svg').count(), 3);
+    assert.equal(await page.locator('#pictures svg').count(), 4);  // three views and the plan
     assert.ok(await page.locator('#pictures').isVisible());
     assert.match(await page.textContent('main'), /headline height/);
     assert.deepEqual(seen.requests, []);

@@ -44,6 +44,7 @@ Viewer.prototype.makeViewControls = function () {
   $('theme').addEventListener('click', () => {
     const root = document.documentElement, isDark = getComputedStyle(root).getPropertyValue('--is-dark').trim() === '1';
     root.dataset.theme = isDark ? 'light' : 'dark';
+    if (this.drawCurve) this.drawCurve();
     this.draw();
   });
 };
@@ -146,7 +147,7 @@ Viewer.prototype.makeCurves = function () {
   $('curve-box').hidden = choices.length === 0;
   if (!choices.length) return;
   $('quantity').replaceChildren(...choices.map((c, i) => element('option', {value: String(i)}, c.name.replaceAll('_', ' ').replaceAll('/', ', '))));
-  const draw = () => { this.curve = makeCurve($('curve'), choices[Number($('quantity').value)], (i) => { if (this.frames.length > 1) this.showFrame(Math.min(i, this.frames.length - 1)); }); this.describeFrame(); };
+  const draw = this.drawCurve = () => { this.curve = makeCurve($('curve'), choices[Number($('quantity').value)], (i) => { if (this.frames.length > 1) this.showFrame(Math.min(i, this.frames.length - 1)); }); this.describeFrame(); };
   $('quantity').addEventListener('change', draw);
   draw();
 };
@@ -172,7 +173,7 @@ function makeCurve(box, choice, onClick) {
     }]},
   }, [choice.x, choice.y.map((v) => (Number.isFinite(v) && !(choice.log && v <= 0) ? v : null))], box);
   plot.over.addEventListener('click', () => { if (plot.cursor.idx !== null && !choice.log) onClick(plot.cursor.idx); });
-  return {mark: (x) => { marked = x; plot.redraw(); }};
+  return {mark: (x) => { marked = x; plot.redraw(false); }};
 }
 
 /** A page without WebGL keeps its report and its pictures, and says why there is no more. */

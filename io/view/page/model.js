@@ -41,10 +41,8 @@ class GearModel {
     this.makeRopes();
     this.makeOutline();
     this.makeBalls();
-    // What has no size, such as the contact with a bed, is not a thing to look at; a file too old to know sizes shows all.
-    const sizes = result.parts.some((p) => p.diameter !== null);
-    const dots = new Set(result.dotPart);
-    result.parts.forEach((p, i) => { if (sizes && p.diameter === null && dots.has(i)) this.show(i, false); });
+    // Contact with a bed is not a thing to look at, unless somebody asks for it.
+    result.parts.forEach((p, i) => { if (p.contact) this.show(i, false); });
   }
 
   material(vertexShader, fragmentShader, more = {}, options = {}) {
@@ -134,7 +132,7 @@ class GearModel {
 
   makeBalls() {
     const n = this.result.dot.length;
-    this.balls = this.squares([-1, -1, 1, -1, -1, 1, 1, 1], n, {centre: [new Float32Array(3 * n), 3], ...this.ofParts(this.result.dotPart, 0.1)});
+    this.balls = this.squares([-1, -1, 1, -1, -1, 1, 1, 1], n, {centre: [new Float32Array(3 * n), 3], ...this.ofParts(this.result.dotPart, 0)});
     this.add(this.balls, this.material(BALL_VERTEX, BALL_FRAGMENT, {leastPixels: {value: 3}}), 2);
   }
 

@@ -111,6 +111,19 @@ class Results(InFreshFolder):
         said = self.done("report", result)
         self.assertRegex(said.out, r"warning: upper-bridle carries \d+ N, 1\d\d % of the breaking load of 6x19-fc-16mm: it would break")
 
+    def test_a_page_of_the_report_has_plan_views_and_materials(self):
+        result, _ = self.gear()
+        self.done("report", result, "--html", "-o", "page.html")
+        page = (self.folder / "page.html").read_text()
+        parts, words = Elements(page), " ".join(Elements(page).texts)
+        self.assertEqual((parts.names.count("svg"), parts.names.count("image"), parts.names.count("script")), (4, 3, 0))
+        for text in ("headline height", "Materials, and loads against breaking loads", "6x19-fc-16mm", "From the front",
+                     "The plan, of the half that was modelled"):
+            self.assertIn(text, words)
+        plan = page[page.rindex("<svg"):]
+        self.assertIn(">top-wing<", plan)
+        self.assertGreater(plan.count("<line") + plan.count("<path"), 20)
+
     def test_a_report_of_what_has_not_converged_says_so(self):
         result = self.solved("a", GOOD, "--set", "analysis.max_iterations=1")
         ended = self.done("report", result, code=3)
