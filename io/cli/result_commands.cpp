@@ -2,6 +2,7 @@
 //
 // Commands about results that are there already: report, view, draw, export.
 #include "io/cli/commands.hpp"
+#include "io/cli/damaged_file.hpp"
 #include "io/cli/replaced_file.hpp"
 #include "io/cli/terminal.hpp"
 #include "io/hdf5/handle.hpp"
@@ -20,14 +21,6 @@
 namespace netloft::io {
 
 namespace {
-
-StoredResult read(const std::string& path) {
-  try {
-    return StoredResult(path);
-  } catch (const FileError& e) {
-    throw UsageError{e.what()};
-  }
-}
 
 std::string output_of(const Options& options, const std::string& source, const char* ending) {
   if (!options.output.empty()) return options.output;
@@ -54,10 +47,8 @@ SheetOptions sheet_options(const Options& options) {
   return sheet;
 }
 
-}  // namespace
-
-int report_command(const Options& options) {
-  const StoredResult result = read(options.target);
+int report(const Options& options) {
+  const StoredResult result(options.target);
   if (options.html)
     write_and_say(options, output_of(options, options.target, ".html"), report_page(result),
                   {options.target});
@@ -70,11 +61,11 @@ int report_command(const Options& options) {
   return result.is_answer() ? kDone : kNotConverged;
 }
 
-int view_command(const Options& options) {
+int view(const Options& options) {
   std::vector<std::unique_ptr<StoredResult>> results;
   std::vector<const StoredResult*> all;
   for (const auto& path : options.targets) {
-    results.push_back(std::make_unique<StoredResult>(read(path)));
+    results.push_back(std::make_unique<StoredResult>(path));
     all.push_back(results.back().get());
   }
   write_and_say(options, output_of(options, options.targets.front(), ".html"),
@@ -82,8 +73,8 @@ int view_command(const Options& options) {
   return kDone;
 }
 
-int draw_result_command(const Options& options) {
-  const StoredResult result = read(options.target);
+int draw_result(const Options& options) {
+  const StoredResult result(options.target);
   const std::string output = output_of(options, options.target, ".svg");
   const bool is_png = std::filesystem::path(output).extension() == ".png";
   try {
@@ -97,8 +88,8 @@ int draw_result_command(const Options& options) {
   return kDone;
 }
 
-int export_command(const Options& options) {
-  const StoredResult result = read(options.target);
+int export_result(const Options& options) {
+  const StoredResult result(options.target);
   const SheetOptions how = sheet_options(options);
   const std::size_t state = std::min(how.state, result.times.size() - 1);
   const std::string ending = std::filesystem::path(options.output).extension().string();
@@ -115,6 +106,26 @@ int export_command(const Options& options) {
     throw UsageError{e.what()};
   }
   return kDone;
+}
+
+}  // namespace
+
+int report_command(const Options& options) {
+  return on_file(options.target, options.json, [&] { return report(options); });
+}
+
+int view_command(const Options& options) {
+  std::string files;
+  for (const auto& path : options.targets) files += (files.empty() ? "" : " or ") + path;
+  return on_file(files, options.json, [&] { return view(options); });
+}
+
+int draw_result_command(const Options& options) {
+  return on_file(options.target, options.json, [&] { return draw_result(options); });
+}
+
+int export_command(const Options& options) {
+  return on_file(options.target, options.json, [&] { return export_result(options); });
 }
 
 }  // namespace netloft::io
