@@ -22,6 +22,10 @@ int new_command(const Options& options);        // write a plugin to begin with
 int reference_command(const Options& options);  // write reference pages
 int catalogue_command(const Options& options);  // parts of the catalogue
 int check_command(const Options& options);      // whether a net plan can be sewn
-int draw_command(const Options& options);       // a net plan as a picture
+int draw_command(const Options& options);       // a net plan or a result as a picture
+int draw_result_command(const Options& options);
+int report_command(const Options& options);  // the report of a result again
+int export_command(const Options& options);  // a result for other programs
+int view_command(const Options& options);    // results as a page
 
 }  // namespace netloft::io

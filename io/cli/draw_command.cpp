@@ -1,39 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
+#include "io/cli/replaced_file.hpp"
 #include "io/cli/terminal.hpp"
 #include "io/gear/check.hpp"
 #include "io/gear/drawing.hpp"
 #include "io/gear/read_plan.hpp"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <stdexcept>
 
 namespace netloft::io {
 
 namespace {
 
+/// A result by its name, or by the first bytes of the file.
+bool is_result(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".hdf") return true;
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 4> start{};
+  return file.read(start.data(), start.size()) && std::string_view(start.data(), 4) == "\x89HDF";
+}
+
 std::string output_of(const Options& options) {
   if (!options.output.empty()) return options.output;
   return std::filesystem::path(options.target).stem().string() + ".svg";
 }
 
-/// A picture replaces a file, never a folder, a device or the plan itself.
-void check_output(const std::string& output, const NetPlan& plan) {
-  std::error_code none;
-  if (std::filesystem::exists(output, none) && !std::filesystem::is_regular_file(output, none))
-    throw UsageError{output + " is no file that may be replaced"};
-  for (const auto& file : plan.files)
-    if (std::filesystem::equivalent(output, file.path, none))
-      throw UsageError{output + " is the plan itself; name another file with -o"};
-}
-
-void write(const std::string& output, const std::string& picture) {
-  std::ofstream file(output);
-  file << picture << std::flush;
-  if (!file) throw UsageError{output + " cannot be written"};
+std::vector<std::string> files_of(const NetPlan& plan) {
+  std::vector<std::string> paths;
+  for (const auto& file : plan.files) paths.push_back(file.path);
+  return paths;
 }
 
 std::string draw_divided(const NetPlan& plan, std::size_t nodes) {
@@ -50,6 +49,7 @@ std::string draw_divided(const NetPlan& plan, std::size_t nodes) {
 }  // namespace
 
 int draw_command(const Options& options) {
+  if (is_result(options.target)) return draw_result_command(options);
   Terminal terminal(options.color);
   Diagnostics diagnostics;
   NetPlan plan = read_plan(options.target, options.set, diagnostics);
@@ -60,8 +60,8 @@ int draw_command(const Options& options) {
     return kWrongInput;
   }
   const std::string output = output_of(options);
-  check_output(output, plan);
-  write(output, options.mesh ? draw_divided(plan, options.mesh_nodes) : draw_plan(plan));
+  replace_file(output, options.mesh ? draw_divided(plan, options.mesh_nodes) : draw_plan(plan),
+               files_of(plan));
   terminal.say("written to " + output);
   return kDone;
 }

@@ -127,11 +127,60 @@ void add_author_commands(CLI::App& app, Options& o) {
 }
 
 void add_plan_options(CLI::App& command, Options& o) {
-  command.add_option("GEAR", o.target, "net plan (TOML)")->required();
+  command.add_option("GEAR", o.target, "net plan (TOML); draw takes a result, too")->required();
   command.add_option("--set", o.set, "a value of the plan: panels.top-wing.aft=130")
       ->type_name("path=value")
       ->allow_extra_args(false);
   add_plugin_options(command, o);
+}
+
+void add_picture_options(CLI::App& command, Options& o) {
+  PictureOptions& p = o.picture;
+  command.add_option("--view", p.view, "of a result: where from; else oblique")
+      ->check(CLI::IsMember({"side", "top", "front", "oblique"}));
+  command.add_option("--field", p.field, "of a result: what is coloured, or part; else tension")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME");
+  command.add_option("--state", p.state, "of a motion: number of the output, from 0; else the last")
+      ->check(CLI::Range(0, 100000000));
+  command.add_option("--width", p.width, "of a result: pixels; else 1000")->check(CLI::Range(300, 8000));
+  command.add_flag("--ropes", p.ropes, "of a result: make room for all ropes, not for the netting alone");
+  command.add_flag("--dark", p.dark, "of a result: on dark ground");
+}
+
+void add_result_commands(CLI::App& app, Options& o) {
+  auto* report = app.add_subcommand("report", "print the report of a result again");
+  report->add_option("RESULT", o.target, "result file (.hdf)")->required();
+  auto* html = report->add_flag("--html", o.html, "as a page in one file, without scripts");
+  auto* json = report->add_flag("--json", o.json, "one JSON object on standard output");
+  report->add_flag("--csv", o.csv, "comma-separated values on standard output")
+      ->excludes(html)
+      ->excludes(json);
+  report->add_option("-o,--output", o.output, "page; else the result's name with .html, in this folder")
+      ->needs(html)
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("FILE.html");
+  auto* convert = app.add_subcommand("export", "write a result for other programs");
+  convert->add_option("RESULT", o.target, "result file (.hdf)")->required();
+  convert->add_option("FILE", o.output, "its ending says what: .glb is binary glTF, .csv a table")
+      ->required();
+  convert->add_option("--table", o.kind, "of a .csv: nodes or elements; else nodes")
+      ->check(CLI::IsMember({"nodes", "elements"}));
+  convert->add_option("--field", o.picture.field, "of a .glb: what is coloured, or part; else tension")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME");
+  convert->add_option("--state", o.picture.state, "of a motion: number of the output, from 0; else the last")
+      ->check(CLI::Range(0, 100000000));
+  convert->add_flag("--json", o.json, "one JSON object on standard output");
+  auto* view = app.add_subcommand(
+      "view", "write a page to look at results with: two are laid over one another, more are a sweep");
+  view->add_option("RESULT", o.targets, "result files (.hdf)")->required();
+  view->add_option("-o,--output", o.output, "page; else the first result's name with .html, in this folder")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("FILE.html");
+  view->add_option("--states", o.picture.states, "of a motion with more outputs, as many are kept; else 100")
+      ->check(CLI::Range(2, 100000));
+  view->add_flag("--json", o.json, "one JSON object on standard output");
 }
 
 void add_gear_commands(CLI::App& app, Options& o) {
@@ -140,16 +189,18 @@ void add_gear_commands(CLI::App& app, Options& o) {
   add_plugin_options(*catalogue, o);
   add_plan_options(
       *app.add_subcommand("check", "say whether a net plan can be sewn, and what to change if not"), o);
-  auto* draw = app.add_subcommand("draw", "draw a net plan to scale");
+  auto* draw = app.add_subcommand("draw", "draw a net plan to scale, or the shape of a result");
   add_plan_options(*draw, o);
+  add_picture_options(*draw, o);
   auto* mesh = draw->add_flag("--mesh", o.mesh, "in triangles, as it is divided for a simulation");
   draw->add_option("--nodes", o.mesh_nodes, "about as many, ropes included (2000)")
       ->needs(mesh)
       ->check(CLI::Range(3, 1000000))
       ->type_name("N");
-  draw->add_option("-o,--output", o.output, "picture; else the gear's name with .svg, in this folder")
+  draw->add_option("-o,--output", o.output,
+                   "picture; else the name of the gear or result with .svg, in this folder")
       ->check(CLI::Validator(not_empty, "", "not empty"))
-      ->type_name("FILE.svg");
+      ->type_name("FILE.svg|FILE.png");
 }
 
 void add_stability_command(CLI::App& app, Options& o) {
@@ -215,6 +266,7 @@ void add_commands(CLI::App& app, Options& o) {
   add_gear_commands(app, o);
   add_compare_command(app, o);
   add_diff_command(app, o);
+  add_result_commands(app, o);
   add_refine_command(app, o);
   add_stability_command(app, o);
   app.require_subcommand(1);
@@ -235,6 +287,9 @@ int dispatch(const Options& o) {
   if (o.command == "catalogue") return catalogue_command(o);
   if (o.command == "check") return check_command(o);
   if (o.command == "draw") return draw_command(o);
+  if (o.command == "report") return report_command(o);
+  if (o.command == "view") return view_command(o);
+  if (o.command == "export") return export_command(o);
   return test_command(o);
 }
 

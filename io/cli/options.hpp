@@ -9,12 +9,24 @@
 
 namespace netloft::io {
 
+/// Options of the commands that show a result.
+struct PictureOptions {
+  std::string view = "oblique";  // --view
+  std::string field;             // --field
+  std::size_t width = 1000;      // --width
+  std::size_t states = 100;      // view: --states
+  int state = -1;                // --state; -1: the newest
+  bool ropes = false;            // --ropes
+  bool dark = false;             // --dark
+};
+
 /// The command line, taken apart.
 struct Options {
   std::string command;               // run, plan, list, describe, schema, test
   std::string kind;                  // new: element, law, solver, integrator, strategy
   std::string target;                // scene, component, plugin or result
   std::string other;                 // diff: the second result
+  std::vector<std::string> targets;  // view: results
   std::string output;                // -o
   bool resume = false;               // --resume
   bool error = false;                // --error
@@ -29,6 +41,8 @@ struct Options {
   int threads = 0;                   // 0: as many as the machine has
   bool json = false;
   std::string color = "auto";
+  bool html = false, csv = false;  // report
+  PictureOptions picture;          // of view and draw
   CompareOptions compare;          // of that command alone
   StabilityOptions stability;      // of that command alone
   std::vector<std::string> words;  // the command line as given

@@ -31,7 +31,7 @@ CaseSource source_of(const Options& options) {
 }
 
 Session::Session(const Options& options)
-    : options_(options), terminal_(options.color), case_(source_of(options), registry_) {
+    : options_(options), terminal_(options.color, options.json), case_(source_of(options), registry_) {
   find_plugins(options, registry_);
 }
 

@@ -22,19 +22,28 @@ bool wants_color(const std::string& choice, bool is_terminal) {
   return is_terminal && !(no_color && *no_color) && term && std::string(term) != "dumb";
 }
 
-/// Share of the way from the first residual to the wanted one, in decades.
-double share_done(const IterationRecord& r, double tolerance) {
-  static double first = 0;
-  if (r.iteration == 0 || first == 0) first = r.residual;
+/// Fraction of the way from the first residual to the wanted one, in decades.
+double fraction_done(const IterationRecord& r, double first, double tolerance) {
   const double goal = tolerance * r.scale;
   if (!(r.residual > 0 && goal > 0 && first > goal)) return 1;
   return std::clamp(std::log(first / r.residual) / std::log(first / goal), 0.0, 1.0);
 }
 
+std::string bar_of(double fraction) {
+  return fmt::format("[{:<20}]",
+                     std::string(static_cast<std::size_t>(20 * std::clamp(fraction, 0.0, 1.0)), '='));
+}
+
+// seconds between two signs of progress
+constexpr double kRedraw = 0.1, kEvent = 1, kLogLine = 60;
+
 }  // namespace
 
-Terminal::Terminal(const std::string& color)
-    : is_terminal_(isatty(2) == 1), color_(wants_color(color, is_terminal_)), begun_(wall_seconds()) {}
+Terminal::Terminal(const std::string& color, bool json)
+    : is_terminal_(isatty(2) == 1),
+      color_(wants_color(color, is_terminal_)),
+      json_(json),
+      begun_(wall_seconds()) {}
 
 void Terminal::say(const std::string& text) {
   clear();
@@ -44,44 +53,49 @@ void Terminal::say(const std::string& text) {
 
 /// Whether it is time for another line.
 bool Terminal::is_due(double now) {
-  const double pause = is_terminal_ ? 0.1 : 5;
+  const double pause = json_ ? kEvent : is_terminal_ ? kRedraw : kLogLine;
   if (now - begun_ < 1 || now - last_ < pause) return false;
   last_ = now;
   return true;
 }
 
-void Terminal::progress_in_time(double t, double end, double seconds) {
-  if (!is_due(wall_seconds())) return;
-  if (is_terminal_) {
-    const auto bar = static_cast<std::size_t>(20 * std::clamp(t / end, 0.0, 1.0));
-    std::fputs(fmt::format("\r\033[K[{:<20}] {:.3g} s of {:.3g} s, {:.1f} s gone", std::string(bar, '='), t,
-                           end, seconds)
-                   .c_str(),
-               stderr);
-    drawn_ = true;
-  } else {
-    std::fputs(fmt::format("progress time={:.6g} of={:.6g} seconds={:.1f}\n", t, end, seconds).c_str(),
-               stderr);
-  }
+void Terminal::show(const std::string& bar, const std::string& pairs, const std::string& object) {
+  if (json_)
+    std::fputs((object + "\n").c_str(), stderr);
+  else if (is_terminal_)
+    std::fputs(("\r\033[K" + bar).c_str(), stderr), drawn_ = true;
+  else
+    std::fputs(("progress " + pairs + "\n").c_str(), stderr);
   std::fflush(stderr);
 }
 
-void Terminal::progress(const IterationRecord& r, double tolerance) {
+void Terminal::progress_in_time(double t, double end, double seconds) {
   if (!is_due(wall_seconds())) return;
-  if (is_terminal_) {
-    const int bar = static_cast<int>(20 * share_done(r, tolerance));
-    const auto line = fmt::format("\r\033[K[{:<20}] iteration {}, residual {:.2e} N of {:.2e} N, {:.1f} s",
-                                  std::string(static_cast<std::size_t>(bar), '='), r.iteration, r.residual,
-                                  tolerance * r.scale, r.seconds);
-    std::fputs(line.c_str(), stderr);
-    drawn_ = true;
-  } else {
-    std::fputs(fmt::format("progress iteration={} residual={:.3e} wanted={:.3e} seconds={:.1f}\n",
-                           r.iteration, r.residual, tolerance * r.scale, r.seconds)
-                   .c_str(),
-               stderr);
-  }
-  std::fflush(stderr);
+  const double left = t > 0 ? seconds * (end - t) / t : 0;
+  show(fmt::format("{} {:.3g} s of {:.3g} s, {:.1f} s gone, about {:.0f} s left", bar_of(t / end), t, end,
+                   seconds, left),
+       fmt::format("time={:.6g} of={:.6g} seconds={:.1f} left={:.0f}", t, end, seconds, left),
+       fmt::format(
+           R"({{"event": "progress", "time": {:.6g}, "of": {:.6g}, "seconds": {:.1f}, "left": {:.0f}}})", t,
+           end, seconds, left));
+}
+
+void Terminal::progress(const IterationRecord& r, double tolerance) {
+  if (last_iteration_ >= 0 && r.iteration <= last_iteration_ && r.iteration == 0) ++stage_;
+  if (r.iteration == 0 || first_residual_ == 0) first_residual_ = r.residual;
+  last_iteration_ = r.iteration;
+  const double now = wall_seconds();
+  if (!is_due(now)) return;
+  const double wanted = tolerance * r.scale, seconds = now - begun_;
+  show(
+      fmt::format("{} stage {}, iteration {}, residual {:.2e} N of {:.2e} N, {:.1f} s",
+                  bar_of(fraction_done(r, first_residual_, tolerance)), stage_, r.iteration, r.residual,
+                  wanted, seconds),
+      fmt::format("iteration={} residual={:.3e} wanted={:.3e} stage={} seconds={:.1f}", r.iteration,
+                  r.residual, wanted, stage_, seconds),
+      fmt::format(
+          R"({{"event": "progress", "stage": {}, "iteration": {}, "residual": {:.3e}, "wanted": {:.3e}, "seconds": {:.1f}}})",
+          stage_, r.iteration, r.residual, wanted, seconds));
 }
 
 void Terminal::clear() {

@@ -11,7 +11,8 @@ namespace netloft::io {
 class Terminal {
  public:
   /// `color`: auto, always or never. Auto wants a terminal that is not dumb, and no NO_COLOR.
-  explicit Terminal(const std::string& color);
+  /// `json`: progress as JSON objects, one a line.
+  explicit Terminal(const std::string& color, bool json = false);
   ~Terminal() { clear(); }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -19,17 +20,23 @@ class Terminal {
   bool color() const { return color_; }
   void say(const std::string& text);
 
-  /// A redrawn line on a terminal; in a pipe a line of key=value every five seconds. Silent for the first
-  /// second.
+  /// A redrawn line on a terminal; in a log a line of key=value a minute, after the first second; for
+  /// programs a JSON object a second. A stage of the solve ends where iterations are counted from the start
+  /// again.
   void progress(const IterationRecord& record, double tolerance);
-  /// The same for a motion that has come to t [s] of `end`.
+  /// The same for a motion that has come to t [s] of `end` after `seconds`, with the time that is left if the
+  /// rest goes as fast.
   void progress_in_time(double t, double end, double seconds);
   void clear();
 
  private:
   bool is_due(double now);
-  bool is_terminal_, color_, drawn_ = false;
+  void show(const std::string& bar, const std::string& pairs, const std::string& object);
+
+  bool is_terminal_, color_, json_, drawn_ = false;
   double begun_, last_ = 0;
+  int stage_ = 1, last_iteration_ = -1;
+  double first_residual_ = 0;
 };
 
 /// Set by the first SIGINT or SIGTERM; a second one ends the program at once.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <vector>
 
 namespace netloft::io {
 
@@ -28,11 +30,93 @@ void result_text(const char* which, const ResultSummary& result, Out out) {
   fmt::format_to(out, "\n");
 }
 
+constexpr std::size_t kShownChanges = 3;  // in the first lines, which are for reading at a glance
+
+/// The first of some texts in one line, and how many more there are.
+std::string first_of(const std::vector<std::string>& all) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), kShownChanges); ++i) text += (i ? "; " : "") + all[i];
+  if (all.size() > kShownChanges) text += fmt::format("; and {} more", all.size() - kShownChanges);
+  return text;
+}
+
+std::string trimmed(const std::string& line) {
+  const auto first = line.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : line.substr(first);
+}
+
+/// What changed in the input, in a line: what is new first, what is gone if nothing took its place.
+std::string inputs_line(const InputDifferences& inputs) {
+  std::vector<std::string> changes;
+  for (const auto& option : inputs.options_after) changes.push_back(option);
+  for (const auto& option : inputs.options_before) changes.push_back("without " + option);
+  for (const auto& file : inputs.files) {
+    if (file.before.empty() || file.after.empty())
+      changes.push_back(file.after.empty() ? "without " + file.before : "with " + file.after);
+    const bool has_new =
+        std::any_of(file.lines.begin(), file.lines.end(), [](const auto& l) { return l.is_new; });
+    for (const auto& line : file.lines)
+      if (line.is_new || !has_new) changes.push_back((line.is_new ? "" : "without ") + trimmed(line.text));
+  }
+  for (const auto& plugin : inputs.plugins) changes.push_back("plugin " + plugin);
+  if (inputs.other_program) changes.push_back("another version of netloft");
+  return changes.empty() ? "the same" : first_of(changes);
+}
+
+std::string move_line(const std::optional<NodeMove>& move) {
+  if (!move) return "not known: the results have no nodes in common";
+  std::string text =
+      fmt::format("{:.4g} m, {} node {}, from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})",
+                  move->distance, move->part, move->number, move->before[0], move->before[1], move->before[2],
+                  move->after[0], move->after[1], move->after[2]);
+  if (move->distance == 0) text = "none";
+  if (move->compared < move->nodes)
+    text += fmt::format(" ({} of {} nodes could be compared)", move->compared, move->nodes);
+  return text;
+}
+
+/// Whether a number is one that people ask for by name, not an entry of the tables by part.
+bool is_figure(const std::string& name) {
+  return name.starts_with("results/") || name.starts_with("gear/mouth/") ||
+         name.starts_with("gear/ground/") || name.starts_with("gear/netting/") || name == "gear/drag/all/x" ||
+         name == "gear/weight_in_water/all";
+}
+
+/// The figures that changed beyond their errors, the largest change first; where no errors are known, the
+/// largest changes.
+std::string figures_line(const std::vector<NumberDifference>& numbers) {
+  std::vector<const NumberDifference*> figures;
+  bool any_error = false;
+  for (const auto& d : numbers)
+    if (is_figure(d.name)) any_error |= std::isfinite(d.error);
+  for (const auto& d : numbers)
+    if (is_figure(d.name) && (any_error ? d.exceeds() : d.is_changed())) figures.push_back(&d);
+  std::stable_sort(figures.begin(), figures.end(), [](const auto* a, const auto* b) {
+    return std::abs(a->percent()) > std::abs(b->percent());
+  });
+  std::vector<std::string> words;
+  for (const auto* d : figures)
+    words.push_back(fmt::format("{} {:.4g} -> {:.4g}{} ({})", d->name.substr(d->name.find('/') + 1),
+                                d->before, d->after, d->unit == "1" ? "" : " " + d->unit,
+                                number(d->percent(), "{:+.3g} %")));
+  if (words.empty()) return any_error ? "none beyond its error" : "none";
+  return first_of(words) +
+         (any_error ? ""
+                    : "; errors of the mesh are not known (run --error finds them), so that none is marked");
+}
+
+/// Two lines above these say which results are compared: five in all.
+void summary_text(const ResultDiff& diff, Out out) {
+  fmt::format_to(out, "inputs: {}\n", inputs_line(diff.inputs));
+  fmt::format_to(out, "largest move of a node: {}\n", move_line(diff.move));
+  fmt::format_to(out, "figures that changed: {}\n", figures_line(diff.numbers));
+}
+
 void row_text(const NumberDifference& d, std::size_t width, Out out) {
   fmt::format_to(out, "{} {:<{}} {:>13} {:>13} {:>12} {:>9} {:>9} {}\n", d.exceeds() ? "*" : " ", d.name,
                  width, number(d.before, "{:.6g}"), number(d.after, "{:.6g}"),
                  number(d.difference(), "{:+.4g}"), number(d.percent(), "{:+.3g} %"),
-                 number(d.error, "{:.1e}"), d.unit == "1" ? "" : d.unit);
+                 std::isfinite(d.error) ? fmt::format("{:.1e}", d.error) : "±?", d.unit == "1" ? "" : d.unit);
 }
 
 void numbers_text(const std::vector<NumberDifference>& numbers, Out out) {
@@ -49,10 +133,11 @@ void numbers_text(const std::vector<NumberDifference>& numbers, Out out) {
                  "difference", "", "error");
   for (const auto& d : numbers)
     if (d.is_changed()) row_text(d, width, out);
-  fmt::format_to(out,
-                 "{} of {} numbers changed; * marks a change larger than the known errors (solver and mesh) "
-                 "of both results\n",
-                 changed, numbers.size());
+  fmt::format_to(
+      out,
+      "{} of {} numbers changed; * marks a change larger than the errors, of solver and mesh, of both "
+      "results; ±?: that of the mesh is not known\n",
+      changed, numbers.size());
 }
 
 void file_text(const FileDifference& file, Out out) {
@@ -98,6 +183,13 @@ Json numbers_json(const std::vector<NumberDifference>& numbers) {
   return rows;
 }
 
+Json move_json(const std::optional<NodeMove>& move) {
+  if (!move) return nullptr;
+  return {{"distance", move->distance}, {"part", move->part},   {"node", move->number},
+          {"before", move->before},     {"after", move->after}, {"compared", move->compared},
+          {"nodes", move->nodes}};
+}
+
 Json files_json(const std::vector<FileDifference>& files) {
   const auto path = [](const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); };
   Json all = Json::array();
@@ -117,6 +209,7 @@ std::string diff_text(const ResultDiff& diff) {
   const Out out = std::back_inserter(text);
   result_text("before:", diff.before, out);
   result_text("after:", diff.after, out);
+  summary_text(diff, out);
   numbers_text(diff.numbers, out);
   inputs_text(diff, out);
   text.pop_back();
@@ -128,6 +221,7 @@ std::string diff_json(const ResultDiff& diff) {
   const Json json = {{"status", diff.both_are_answers() ? "done" : "not converged"},
                      {"before", result_json(diff.before)},
                      {"after", result_json(diff.after)},
+                     {"largest_move", move_json(diff.move)},
                      {"quantities", numbers_json(diff.numbers)},
                      {"inputs",
                       {{"options", {{"before", inputs.options_before}, {"after", inputs.options_after}}},

@@ -12,14 +12,6 @@ namespace {
 constexpr double kRoundOff =
     1e-12;  // relative to the larger number: a smaller difference counts as no change
 
-/// The sum of the errors that are known; unknown if none is.
-double sum_of_known(std::initializer_list<double> errors) {
-  double sum = ResultNumber::kUnknown;
-  for (const double error : errors)
-    if (std::isfinite(error)) sum = (std::isfinite(sum) ? sum : 0) + error;
-  return sum;
-}
-
 NumberDifference difference_of(const std::string& name, const ResultSummary& before,
                                const ResultSummary& after) {
   const auto find = [&](const ResultSummary& summary) {
@@ -28,7 +20,17 @@ NumberDifference difference_of(const std::string& name, const ResultSummary& bef
   };
   const ResultNumber a = find(before), b = find(after);
   return {name, a.unit.empty() ? b.unit : a.unit, a.value, b.value,
-          sum_of_known({a.solver_error, a.mesh_error, b.solver_error, b.mesh_error})};
+          a.solver_error + a.mesh_error + b.solver_error + b.mesh_error};
+}
+
+/// Sets the floor of every number: the rounding of the largest number of its unit. A force that is the small
+/// difference of large ones carries their rounding.
+void set_floors(std::vector<NumberDifference>& numbers) {
+  std::map<std::string, double> largest;
+  for (const auto& d : numbers)
+    for (const double value : {d.before, d.after})
+      if (std::isfinite(value)) largest[d.unit] = std::max(largest[d.unit], std::abs(value));
+  for (auto& d : numbers) d.floor = kRoundOff * largest[d.unit];
 }
 
 std::vector<NumberDifference> compare_numbers(const ResultSummary& before, const ResultSummary& after) {
@@ -39,6 +41,7 @@ std::vector<NumberDifference> compare_numbers(const ResultSummary& before, const
   std::vector<NumberDifference> all;
   for (const auto& name : names)
     if (!(has_gear && name.starts_with("forces/"))) all.push_back(difference_of(name, before, after));
+  set_floors(all);
   return all;
 }
 
@@ -120,7 +123,8 @@ double NumberDifference::percent() const {
 
 bool NumberDifference::is_changed() const {
   if (std::isnan(before) && std::isnan(after)) return false;
-  return !(std::abs(difference()) <= kRoundOff * std::max(std::abs(before), std::abs(after)));
+  return !(std::abs(difference()) <=
+           std::max(floor, kRoundOff * std::max(std::abs(before), std::abs(after))));
 }
 
 bool NumberDifference::exceeds() const { return is_changed() && std::abs(difference()) > error; }
@@ -133,7 +137,7 @@ bool InputDifferences::none() const {
 ResultDiff compare_results(ResultSummary before, ResultSummary after) {
   auto numbers = compare_numbers(before, after);
   auto inputs = compare_inputs(before, after);
-  return {std::move(before), std::move(after), std::move(numbers), std::move(inputs)};
+  return {std::move(before), std::move(after), std::move(numbers), std::move(inputs), {}};
 }
 
 }  // namespace netloft::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/diff/line_changes.hpp"
+#include "io/diff/node_moves.hpp"
 #include "io/diff/result_summary.hpp"
 
 #include <set>
@@ -11,14 +12,17 @@ namespace netloft::io {
 struct NumberDifference {
   std::string name, unit;
   double before = ResultNumber::kUnknown, after = ResultNumber::kUnknown;
-  double error = ResultNumber::kUnknown;  // sum of all known errors of both; unknown if there are none
+  // of solver and mesh, of both results together; unknown unless all are known, because that of the mesh is
+  // by far the largest as a rule
+  double error = ResultNumber::kUnknown;
+  double floor = 0;  // differences up to here are round-off of what numbers like this one are summed from
 
   double difference() const { return after - before; }
   /// The difference relative to the value before; unknown if that is zero.
   double percent() const;
   /// Whether the difference exceeds round-off.
   bool is_changed() const;
-  /// Whether the difference exceeds the known errors.
+  /// Whether the difference exceeds the errors; false if they are not known.
   bool exceeds() const;
 };
 
@@ -43,6 +47,7 @@ struct ResultDiff {
   ResultSummary before, after;
   std::vector<NumberDifference> numbers;  // by name, unchanged ones included
   InputDifferences inputs;
+  std::optional<NodeMove> move;  // absent: not compared
 
   bool both_are_answers() const { return before.is_answer() && after.is_answer(); }
 };

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <numeric>
+#include <limits>
 
 namespace netloft::io {
 namespace fs = std::filesystem;
@@ -47,8 +46,25 @@ std::vector<std::size_t> extents_of(hid_t dataset) {
   return {extents.begin(), extents.end()};
 }
 
+/// The number of entries; the largest number there is if they are more.
 std::size_t product(const std::vector<std::size_t>& extents) {
-  return std::accumulate(extents.begin(), extents.end(), std::size_t{1}, std::multiplies<>());
+  std::size_t all = 1;
+  for (const std::size_t extent : extents)
+    if (__builtin_mul_overflow(all, extent, &all)) return std::numeric_limits<std::size_t>::max();
+  return all;
+}
+
+// Damaged extents must not make a reader ask for more memory than there is: what is stored cannot hold more
+// numbers than it has bytes, deflated a thousand times as many (RFC 1951 gives 1032 at most).
+constexpr std::size_t kHarmless = 1 << 20, kMostDeflated = 1100;
+
+void require_stored(hid_t dataset, std::size_t count, const std::filesystem::path& file) {
+  std::error_code none;
+  const std::size_t in_file = static_cast<std::size_t>(std::filesystem::file_size(file, none));
+  const std::size_t stored = std::min<std::size_t>(H5Dget_storage_size(dataset), none ? 0 : in_file);
+  if (count > kHarmless && count / kMostDeflated > stored)
+    throw FileError("it is damaged: it claims " + std::to_string(count) + " entries in " +
+                    std::to_string(stored) + " bytes");
 }
 
 bool is_number(hid_t type) {
@@ -135,7 +151,9 @@ template <class Number>
 std::vector<Number> Reader::numbers(const std::string& path, hid_t memory_type) const {
   const Handle data = dataset(path);
   if (!is_number(Handle(H5Dget_type(data), H5Tclose))) throw FileError(at(path) + " does not hold numbers");
-  std::vector<Number> values(product(extents_of(data)));
+  const std::size_t count = product(extents_of(data));
+  with_context("cannot read " + at(path), [&] { require_stored(data, count, path_); });
+  std::vector<Number> values(count);
   if (values.empty()) return values;
   with_context("cannot read " + at(path),
                [&] { check(H5Dread(data, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data())); });
@@ -172,6 +190,7 @@ std::vector<std::string> Reader::strings(const std::string& path) const {
   if (H5Tget_class(type) != H5T_STRING) throw FileError(at(path) + " does not hold text");
   const std::size_t count = product(extents_of(data));
   if (count == 0) return {};
+  with_context("cannot read " + at(path), [&] { require_stored(data, count, path_); });
   return with_context("cannot read " + at(path), [&] {
     return fetch_strings(type, Handle(H5Dget_space(data), H5Sclose), count,
                          [&](hid_t memory_type, void* buffer) {
@@ -252,6 +271,10 @@ std::vector<double> Reader::slot(const std::string& path, const std::string& off
   extents.resize(2, 1);
   const std::array<hsize_t, 2> start = {static_cast<hsize_t>(integers(offsets).at(step)), 0};
   const std::array<hsize_t, 2> size = {static_cast<hsize_t>(integer(count)), extents[1]};
+  with_context("cannot read " + at(path), [&] {
+    if (size[0] > extents[0]) throw FileError("it is damaged: it has fewer rows than " + count);
+    require_stored(data, product(extents), path_);
+  });
   std::vector<double> values(size[0] * size[1]);
   if (values.empty()) return values;
   with_context("cannot read " + at(path), [&] {

@@ -64,36 +64,23 @@ std::string spoken(std::string name) {
   return name;
 }
 
-/// Which kinds of error are known for at least one figure.
-struct Known {
-  bool solver = false, mesh = false;
-};
-
-Known known_errors(const std::vector<NamedScalar>& figures) {
-  Known known;
-  for (const auto& f : figures)
-    known.solver |= std::isfinite(f.solver_error), known.mesh |= std::isfinite(f.mesh_error);
-  return known;
-}
-
-void line(const std::string& name, const NamedScalar& figure, Known known, Out out) {
-  fmt::format_to(out, "  {:<24} {:>12.6g} {:<3}{} {}\n", name, figure.value,
+void line(const std::string& name, const NamedScalar& figure, Out out) {
+  fmt::format_to(out, "  {:<24} {:>12.6g} {:<3} {:<9} {}\n", name, figure.value,
                  figure.unit == "1"    ? ""
                  : figure.unit == "m2" ? "m²"
                                        : figure.unit,
-                 known.solver ? errors_text(figure, known.mesh) : "", figure.doc);
+                 error_text(figure), figure.doc);
 }
 
 /// Writes the principal figures, one a line, with their errors.
 void headlines(const std::vector<NamedScalar>& figures, Out out) {
-  const Known known = known_errors(figures);
   for (const auto& figure : figures) {
     const std::string last = spoken(figure.name.substr(figure.name.find('/') + 1));
-    if (figure.name.starts_with("mouth/")) line(last == "area" ? "mouth area" : last, figure, known, out);
-    if (figure.name == "drag/all/x") line("drag", figure, known, out);
-    if (figure.name.starts_with("ground/")) line("ground " + last, figure, known, out);
-    if (figure.name == "weight_in_water/all") line("weight in water", figure, known, out);
-    if (figure.name.starts_with("budget/")) line("  " + last, figure, known, out);
+    if (figure.name.starts_with("mouth/")) line(last == "area" ? "mouth area" : last, figure, out);
+    if (figure.name == "drag/all/x") line("drag", figure, out);
+    if (figure.name.starts_with("ground/")) line("ground " + last, figure, out);
+    if (figure.name == "weight_in_water/all") line("weight in water", figure, out);
+    if (figure.name.starts_with("budget/")) line("  " + last, figure, out);
   }
 }
 
@@ -107,9 +94,15 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
 
 }  // namespace
 
-std::string errors_text(const NamedScalar& scalar, bool with_mesh) {
+double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
+
+std::string error_text(const NamedScalar& scalar) {
+  const double error = total_error(scalar);
+  return std::isfinite(error) ? fmt::format("± {:.1e}", error) : "±?";
+}
+
+std::string errors_text(const NamedScalar& scalar) {
   std::string text = " " + plus_minus(scalar.solver_error);
-  if (!with_mesh) return text;
   const std::string order =
       std::isfinite(scalar.mesh_order) ? fmt::format("(order {:.1f})", scalar.mesh_order) : "";
   return text + fmt::format(" {} {:<11}", plus_minus(scalar.mesh_error), order);

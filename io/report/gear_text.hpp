@@ -8,8 +8,15 @@ namespace netloft::io {
 /// was modelled.
 std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half);
 
-/// The errors of a number in the form "± 2.1e-12 ± 1.3e-02 (order 1.1)": that of the solver and, if
-/// `with_mesh`, that of the mesh.
-std::string errors_text(const NamedScalar& scalar, bool with_mesh);
+/// The error of a number, of solver and mesh together; NaN unless both are known, because the error of the
+/// mesh is by far the larger one as a rule.
+double total_error(const NamedScalar& scalar);
+
+/// That error as "± 1.3e-02", or "±?" where it is not known.
+std::string error_text(const NamedScalar& scalar);
+
+/// Both errors of a number in the form "± 2.1e-12 ± 1.3e-02 (order 1.1)": that of the solver and that of the
+/// mesh.
+std::string errors_text(const NamedScalar& scalar);
 
 }  // namespace netloft::io

@@ -109,8 +109,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   const bool with_errors = !result.mesh_note.empty();
   for (const auto& scalar : result.scalars)
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8}{} {}\n", scalar.name, scalar.value,
-                   scalar.unit == "1" ? "" : scalar.unit, with_errors ? errors_text(scalar, true) : "",
-                   scalar.doc);
+                   scalar.unit == "1" ? "" : scalar.unit, with_errors ? errors_text(scalar) : "", scalar.doc);
   if (with_errors) fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n", result.mesh_note);
   if (!result.hold_forces.empty())
     fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",

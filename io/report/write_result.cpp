@@ -3,6 +3,7 @@
 
 #include "io/report/picture.hpp"
 #include "io/report/provenance.hpp"
+#include "io/report/write_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,14 +70,6 @@ void write_status(Tree& tree, const Solution& s) {
   tree.set_attribute("/netloft/status", "stability", std::string_view(name_of(s.stability)));
   tree.set_attribute("/netloft/status", "at_fault",
                      std::string_view(s.status == SolveStatus::converged ? "" : s.at_fault));
-}
-
-void write_parts(Tree& tree, const LoadedScene& loaded) {
-  std::vector<std::string> names, types;
-  for (const auto& p : loaded.scene.parts)
-    if (!p.companion) names.push_back(p.name), types.push_back(p.type);
-  tree.write_strings("/netloft/parts/name", names);
-  tree.write_strings("/netloft/parts/type", types);
 }
 
 void write_convergence(Tree& tree, const Solution& s) {
@@ -177,6 +170,9 @@ void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedSc
   for (const auto& figure : figures)
     tree.write_real("/netloft/gear/" + figure.name, figure.value, figure.unit, figure.doc);
   tree.set_attribute("/netloft/gear", "times", loaded.gear->times);
+  tree.set_attribute("/netloft/gear", "headline", std::string_view(loaded.gear->headline));
+  tree.set_attribute("/netloft/gear", "footrope", std::string_view(loaded.gear->footrope));
+  write_bill(tree, loaded.gear->bill);
 }
 
 void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,

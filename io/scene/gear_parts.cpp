@@ -5,6 +5,7 @@
 #include "io/catalogue/part_kinds.hpp"
 #include "io/gear/start_shape.hpp"
 #include "io/gear/twine_coordinates.hpp"
+#include "io/scene/inventory.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/riding.hpp"
@@ -81,6 +82,7 @@ void GearParts::read_model(TableReader& root, const NetPlan& plan) {
   read_finer(table);
   draft_.out.gear->times = gear_.extent == Extent::half ? 2 : 1;
   draft_.out.gear->nodes = fineness_.nodes, draft_.out.gear->size = fineness_.size;
+  draft_.out.gear->bill = bill_of(plan), draft_.out.gear->sheet = sheet_of(plan, gear_);
 }
 
 /// `finer = { top-codend = 2 }`, by panels and ropes.

@@ -58,6 +58,23 @@ struct Analysis {
   TangentChoice tangent = TangentChoice::exact;
 };
 
+/// A row of the bill of materials of a gear; NaN marks a number that does not apply or is not given.
+struct BillItem {
+  std::string kind;          // netting, rope, piece
+  std::string name;          // in the plan
+  std::string part_name;     // in the catalogue; empty: written in the plan
+  double number = 1;         // in the whole gear
+  double length = 0;         // of one rope, unstretched [m]
+  double diameter = 0;       // of a twine, a rope or a piece [m]
+  double breaking_load = 0;  // of a rope, or of the twines of a bar [N]
+};
+
+/// Where a panel lies on the drawing of its plan: the point (U, V) in meshes is at
+/// (x + U x_across + V x_deep, y + U y_across + V y_deep), in metres of stretched netting, y aft.
+struct SheetPlace {
+  double x = 0, y = 0, x_across = 0, y_across = 0, x_deep = 0, y_deep = 0;
+};
+
 /// What of a scene comes out of a net plan, for reports in the plan's names. Parts are numbered as in
 /// Scene::parts.
 struct GearInScene {
@@ -67,6 +84,8 @@ struct GearInScene {
   std::size_t nodes = 0;                        // about as many were asked for,
   double size = 0;                              // or sides of triangles of about this length [m]; 0: by nodes
   std::string headline, footrope;               // ropes: what carries floats, and the lower one; empty: none
+  std::vector<BillItem> bill;
+  std::map<std::string, SheetPlace> sheet;  // by panel, as the gear names it
 };
 
 /// A scene file, read and checked.

@@ -126,8 +126,10 @@ class Runs(InFreshFolder):
         while not part.exists() and time.monotonic() - begun < 60:
             time.sleep(0.02)
         line = process.stderr.readline().decode()  # the first sign of life, after a second
-        self.assertTrue(line.startswith("progress iteration="), line)
-        self.assertIn(" residual=", line)
+        event = json.loads(line)
+        self.assertEqual((event["event"], event["stage"]), ("progress", 1))
+        self.assertGreater(event["residual"], event["wanted"])
+        self.assertGreaterEqual(event["seconds"], 1)
         process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, err)
@@ -138,6 +140,15 @@ class Runs(InFreshFolder):
         self.assertEqual(outcome(file)["outcome"], "interrupted")
         self.assertEqual(points(file).shape, (201 * 201, 3))
         self.assertTrue(np.isfinite(points(file)).all())
+
+    def test_a_log_gets_a_line_of_progress(self):
+        words = ["run", str(PANEL), "--set", "parts.net.cells=[200,200]", "--set", "analysis.tolerance=1e-16"]
+        process = subprocess.Popen(self.command(*words), cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, env=self.environment())
+        line = process.stderr.readline().decode()
+        process.kill()
+        process.communicate()
+        self.assertRegex(line, r"^progress iteration=\d+ residual=[-+.e\d]+ wanted=[-+.e\d]+ stage=1 seconds=[1-9]")
 
     def test_a_short_run_says_nothing_on_standard_error(self):
         self.assertEqual(self.run_panel().err, "")

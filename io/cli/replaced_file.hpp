@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// Puts `content` in the place of the file `output`, whole or not at all: it is written beside it and
+/// renamed. A folder, a device or one of `sources` is never replaced. Throws UsageError with a sentence.
+void replace_file(const std::string& output, const std::string& content,
+                  const std::vector<std::string>& sources);
+
+/// A text as JSON, in quotes.
+std::string in_json(const std::string& text);
+
+}  // namespace netloft::io

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Commands about results that are there already: report, view, draw, export.
+#include "io/cli/commands.hpp"
+#include "io/cli/damaged_file.hpp"
+#include "io/cli/replaced_file.hpp"
+#include "io/cli/terminal.hpp"
+#include "io/hdf5/handle.hpp"
+#include "io/picture/gltf.hpp"
+#include "io/picture/sheet.hpp"
+#include "io/result/result_report.hpp"
+#include "io/result/tables.hpp"
+#include "io/view/page.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+std::string output_of(const Options& options, const std::string& source, const char* ending) {
+  if (!options.output.empty()) return options.output;
+  return std::filesystem::path(source).stem().string() + ending;
+}
+
+/// Writes a file and says so.
+void write_and_say(const Options& options, const std::string& output, const std::string& content,
+                   const std::vector<std::string>& sources) {
+  replace_file(output, content, sources);
+  if (options.json)
+    std::puts(("{\"status\": \"done\", \"output\": " + in_json(output) + "}").c_str());
+  else
+    Terminal(options.color).say("written to " + output);
+}
+
+SheetOptions sheet_options(const Options& options) {
+  SheetOptions sheet;
+  sheet.view = view_of(options.picture.view).value_or(View::oblique);
+  sheet.field = options.picture.field;
+  sheet.width = options.picture.width;
+  sheet.with_ropes = options.picture.ropes, sheet.is_dark = options.picture.dark;
+  if (options.picture.state >= 0) sheet.state = static_cast<std::size_t>(options.picture.state);
+  return sheet;
+}
+
+int report(const Options& options) {
+  const StoredResult result(options.target);
+  if (options.html)
+    write_and_say(options, output_of(options, options.target, ".html"), report_page(result),
+                  {options.target});
+  else
+    std::fputs((options.json  ? result_json(result) + "\n"
+                : options.csv ? result_csv(result)
+                              : result_text(result))
+                   .c_str(),
+               stdout);
+  return result.is_answer() ? kDone : kNotConverged;
+}
+
+int view(const Options& options) {
+  std::vector<std::unique_ptr<StoredResult>> results;
+  std::vector<const StoredResult*> all;
+  for (const auto& path : options.targets) {
+    results.push_back(std::make_unique<StoredResult>(path));
+    all.push_back(results.back().get());
+  }
+  write_and_say(options, output_of(options, options.targets.front(), ".html"),
+                view_page(all, options.picture.states), options.targets);
+  return kDone;
+}
+
+int draw_result(const Options& options) {
+  const StoredResult result(options.target);
+  const std::string output = output_of(options, options.target, ".svg");
+  const bool is_png = std::filesystem::path(output).extension() == ".png";
+  try {
+    write_and_say(
+        options, output,
+        is_png ? png_sheet(result, sheet_options(options)) : svg_sheet(result, sheet_options(options)),
+        {options.target});
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  }
+  return kDone;
+}
+
+int export_result(const Options& options) {
+  const StoredResult result(options.target);
+  const SheetOptions how = sheet_options(options);
+  const std::size_t state = std::min(how.state, result.times.size() - 1);
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  try {
+    if (ending == ".glb")
+      write_and_say(options, options.output, glb(shape_of(result, state, how.field)), {options.target});
+    else if (ending == ".csv")
+      write_and_say(options, options.output,
+                    options.kind == "elements" ? elements_csv(result, state) : nodes_csv(result, state),
+                    {options.target});
+    else
+      throw UsageError{options.output + ": the ending says what is written, and there are .glb and .csv"};
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  }
+  return kDone;
+}
+
+}  // namespace
+
+int report_command(const Options& options) {
+  return on_file(options.target, options.json, [&] { return report(options); });
+}
+
+int view_command(const Options& options) {
+  std::string files;
+  for (const auto& path : options.targets) files += (files.empty() ? "" : " or ") + path;
+  return on_file(files, options.json, [&] { return view(options); });
+}
+
+int draw_result_command(const Options& options) {
+  return on_file(options.target, options.json, [&] { return draw_result(options); });
+}
+
+int export_command(const Options& options) {
+  return on_file(options.target, options.json, [&] { return export_result(options); });
+}
+
+}  // namespace netloft::io

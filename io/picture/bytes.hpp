@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <span>
+#include <string>
+
+namespace netloft::io {
+
+using Bytes = std::span<const unsigned char>;
+
+/// The bytes of a text.
+inline Bytes bytes_of(const std::string& text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+/// base64 with padding (RFC 4648).
+std::string base64(Bytes bytes);
+
+/// zlib's format at a level that is quick to write. Throws std::runtime_error if there is no memory.
+std::string deflated(Bytes bytes);
+
+}  // namespace netloft::io

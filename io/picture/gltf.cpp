@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/picture/gltf.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Numbers of glTF 2.0 (and of OpenGL).
+enum Mode { kPoints = 0, kLines = 1, kTriangles = 4 };
+constexpr int kFloat = 5126, kArrayBuffer = 34962;
+
+/// Colours of vertices are linear in glTF, ours are those of screens (IEC 61966-2-1).
+float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
+
+/// What one part consists of in one of the three modes: positions and colours of vertices.
+struct Vertices {
+  std::vector<float> positions, colours;
+
+  void add(const Point3& p, const Colour& colour) {
+    for (const double x : p) positions.push_back(static_cast<float>(x));
+    for (const float c : colour) colours.push_back(linear(c));
+  }
+};
+
+using Primitives = std::map<std::pair<std::uint32_t, Mode>, Vertices>;
+
+Primitives gather(const GearShape& shape) {
+  const StoredMesh& mesh = shape.result->mesh;
+  Primitives all;
+  const auto add = [&](Mode mode, std::uint32_t cell, std::uint32_t node) {
+    all[{mesh.cell_part[cell], mode}].add(shape.nodes[node], shape.colours[cell]);
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const auto node : mesh.triangles[t]) add(kTriangles, mesh.triangle_cells[t], node);
+  for (std::size_t b = 0; b < mesh.bars.size(); ++b)
+    for (const auto node : mesh.bars[b]) add(kLines, mesh.bar_cells[b], node);
+  for (std::size_t d = 0; d < mesh.dots.size(); ++d) add(kPoints, mesh.dot_cells[d], mesh.dots[d]);
+  return all;
+}
+
+/// Writes a file piece by piece: the document, and the numbers that it refers to.
+class GltfWriter {
+ public:
+  explicit GltfWriter(const GearShape& shape) : shape_(shape) {}
+
+  std::string write() {
+    for (const auto& [key, vertices] : gather(shape_)) add_primitive(key.first, key.second, vertices);
+    Json nodes = Json::array(), children = Json::array(), halves = Json::array();
+    for (const auto& [part, mesh] : mesh_of_part_) {
+      children.push_back(nodes.size());
+      nodes.push_back({{"name", shape_.result->parts[part].name}, {"mesh", mesh}});
+    }
+    const auto group = [&](const char* name, int side) {
+      halves.push_back(nodes.size());
+      nodes.push_back({{"name", name}, {"scale", {1, side, 1}}, {"children", children}});
+    };
+    group(shape_.result->is_half ? "starboard" : "gear", 1);
+    if (shape_.result->is_half) add_mirrored(children.size(), nodes, halves);
+    // z up becomes y up
+    nodes.push_back({{"name", shape_.result->title()},
+                     {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}},
+                     {"children", halves}});
+    return finish(nodes);
+  }
+
+ private:
+  /// A node has one parent only, so that the mirrored half has nodes of its own on the same meshes.
+  static void add_mirrored(std::size_t parts, Json& nodes, Json& halves) {
+    Json children = Json::array();
+    for (std::size_t i = 0; i < parts; ++i) {
+      children.push_back(nodes.size());
+      nodes.push_back({{"name", "port " + nodes[i]["name"].get<std::string>()}, {"mesh", nodes[i]["mesh"]}});
+    }
+    halves.push_back(nodes.size());
+    nodes.push_back({{"name", "port"}, {"scale", {1, -1, 1}}, {"children", children}});
+  }
+
+  void add_primitive(std::uint32_t part, Mode mode, const Vertices& vertices) {
+    const auto [at, is_new] = mesh_of_part_.try_emplace(part, meshes_.size());
+    if (is_new) meshes_.push_back({{"name", shape_.result->parts[part].name}, {"primitives", Json::array()}});
+    meshes_[at->second]["primitives"].push_back({{"attributes",
+                                                  {{"POSITION", add_accessor(vertices.positions, true)},
+                                                   {"COLOR_0", add_accessor(vertices.colours, false)}}},
+                                                 {"mode", static_cast<int>(mode)},
+                                                 {"material", 0}});
+  }
+
+  std::size_t add_accessor(const std::vector<float>& values, bool with_box) {
+    views_.push_back({{"buffer", 0},
+                      {"byteOffset", binary_.size()},
+                      {"byteLength", 4 * values.size()},
+                      {"target", kArrayBuffer}});
+    binary_.append(reinterpret_cast<const char*>(values.data()), 4 * values.size());
+    Json accessor = {{"bufferView", views_.size() - 1},
+                     {"componentType", kFloat},
+                     {"count", values.size() / 3},
+                     {"type", "VEC3"}};
+    for (const bool is_max : {false, true}) {
+      if (!with_box) continue;
+      std::array<float, 3> box{values[0], values[1], values[2]};
+      for (std::size_t i = 0; i < values.size(); ++i)
+        box[i % 3] = is_max ? std::max(box[i % 3], values[i]) : std::min(box[i % 3], values[i]);
+      accessor[is_max ? "max" : "min"] = box;
+    }
+    accessors_.push_back(accessor);
+    return accessors_.size() - 1;
+  }
+
+  std::string finish(const Json& nodes) const {
+    const Json document = {
+        {"asset", {{"version", "2.0"}, {"generator", "netloft"}}},
+        {"scene", 0},
+        {"scenes", {{{"nodes", {nodes.size() - 1}}}}},
+        {"nodes", nodes},
+        {"meshes", meshes_},
+        {"materials",
+         {{{"doubleSided", true},
+           {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}}}},
+        {"accessors", accessors_},
+        {"bufferViews", views_},
+        {"buffers", {{{"byteLength", binary_.size()}}}}};
+    std::string text = document.dump(-1, ' ', true, Json::error_handler_t::replace);
+    text.append((4 - text.size() % 4) % 4, ' ');
+    const auto length = static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + binary_.size());
+    return "glTF" + word(2) + word(length) + word(static_cast<std::uint32_t>(text.size())) + "JSON" + text +
+           word(static_cast<std::uint32_t>(binary_.size())) + std::string("BIN\0", 4) + binary_;
+  }
+
+  static std::string word(std::uint32_t value) {
+    return {static_cast<char>(value), static_cast<char>(value >> 8), static_cast<char>(value >> 16),
+            static_cast<char>(value >> 24)};
+  }
+
+  const GearShape& shape_;
+  std::map<std::uint32_t, std::size_t> mesh_of_part_;
+  Json meshes_ = Json::array(), accessors_ = Json::array(), views_ = Json::array();
+  std::string binary_;
+};
+
+}  // namespace
+
+std::string glb(const GearShape& shape) { return GltfWriter(shape).write(); }
+
+}  // namespace netloft::io

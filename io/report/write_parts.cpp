@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/report/write_parts.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A real parameter of a part, NaN if it is not given.
+double real_of(const Part& part, const std::string& parameter) {
+  const auto at = part.parameters.find(parameter);
+  if (at == part.parameters.end()) return kNone;
+  const double* value = std::get_if<double>(&at->second);
+  return value ? *value : kNone;
+}
+
+double diameter_of(const Part& part) {
+  for (const char* parameter : {"twine.diameter", "rope.diameter", "float.diameter"})
+    if (const double diameter = real_of(part, parameter); std::isfinite(diameter)) return diameter;
+  return kNone;
+}
+
+/// The first number of a datum of the part's elements.
+double first_of(const Part& part, const char* datum) {
+  const auto at = part.data.find(datum);
+  return at == part.data.end() || at->second.empty() ? kNone : at->second.front();
+}
+
+using Axes = std::array<double, 4>;
+
+/// (a, b, c, d) of u = a U + b V, v = c U + d V: twine coordinates over panel coordinates, which are linear
+/// on the whole panel, found from the corners of one triangle. Nodes on seams are left out, because they have
+/// the coordinates of another panel's.
+Axes axes_of(const Part& part, const PartGeometry& geometry) {
+  const auto u = part.data.find("u"), v = part.data.find("v");
+  Axes axes{kNone, kNone, kNone, kNone};
+  if (u == part.data.end() || v == part.data.end() || geometry.panel.empty()) return axes;
+  std::map<std::uint32_t, std::array<double, 2>> places;
+  for (std::size_t own = 0; own < geometry.panel.size(); ++own)
+    if (!places.emplace(geometry.nodes[own], geometry.panel[own]).second)
+      places[geometry.nodes[own]] = {kNone, kNone};
+  for (std::size_t t = 0; t + 2 < part.nodes.size() && t + 2 < u->second.size(); t += 3) {
+    std::array<std::array<double, 2>, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = places[part.nodes[t + k]];
+    const double ax = p[1][0] - p[0][0], ay = p[1][1] - p[0][1], bx = p[2][0] - p[0][0],
+                 by = p[2][1] - p[0][1], twice = ax * by - ay * bx;
+    if (!(std::abs(twice) > 1e-9)) continue;
+    const auto solve = [&](const std::vector<double>& w) {
+      const double da = w[t + 1] - w[t], db = w[t + 2] - w[t];
+      return std::array<double, 2>{(da * by - db * ay) / twice, (db * ax - da * bx) / twice};
+    };
+    const auto first = solve(u->second), second = solve(v->second);
+    return {first[0], first[1], second[0], second[1]};
+  }
+  return axes;
+}
+
+/// What the file says of every part in rows: names and types, and the numbers of a picture.
+struct PartRows {
+  std::vector<std::string> names, types;
+  std::vector<double> diameters, bars, axes, sheet;
+
+  void add(const Part& part, const PartGeometry* geometry, const SheetPlace* place) {
+    names.push_back(part.name), types.push_back(part.type);
+    diameters.push_back(diameter_of(part)), bars.push_back(first_of(part, "bar_length"));
+    const Axes of_twines = geometry ? axes_of(part, *geometry) : Axes{kNone, kNone, kNone, kNone};
+    axes.insert(axes.end(), of_twines.begin(), of_twines.end());
+    const SheetPlace at = place ? *place : SheetPlace{kNone, kNone, kNone, kNone, kNone, kNone};
+    sheet.insert(sheet.end(), {at.x, at.y, at.x_across, at.y_across, at.x_deep, at.y_deep});
+  }
+};
+
+/// The bed of the first part that has one.
+void write_seabed(Tree& tree, const Scene& scene) {
+  for (const auto& part : scene.parts) {
+    if (!std::isfinite(real_of(part, "seabed.depth"))) continue;
+    for (const char* name : {"depth", "slope_x", "slope_y"}) {
+      const double value = real_of(part, std::string("seabed.") + name);
+      tree.write_real(std::string("/netloft/seabed/") + name, std::isfinite(value) ? value : 0.0,
+                      *name == 'd' ? "m" : "1", "seabed: z = -depth + slope_x x + slope_y y");
+    }
+    return;
+  }
+}
+
+}  // namespace
+
+void write_parts(Tree& tree, const LoadedScene& loaded) {
+  PartRows rows;
+  for (std::size_t p = 0; p < loaded.scene.parts.size(); ++p) {
+    const Part& part = loaded.scene.parts[p];
+    if (part.companion) continue;
+    const SheetPlace* place = nullptr;
+    if (loaded.gear)
+      if (const auto at = loaded.gear->sheet.find(part.name); at != loaded.gear->sheet.end())
+        place = &at->second;
+    rows.add(part, p < loaded.parts.size() ? &loaded.parts[p] : nullptr, place);
+  }
+  const std::string at = "/netloft/parts/";
+  tree.write_strings(at + "name", rows.names);
+  tree.write_strings(at + "type", rows.types);
+  tree.write_reals(at + "diameter", rows.diameters, "m", "of its twine, rope or float; NaN if it has none");
+  tree.write_reals(at + "bar", rows.bars, "m", "length of a bar of its meshes; NaN off netting");
+  tree.write_matrix(at + "twine_axes", rows.axes, 4, "1",
+                    "a, b, c, d: on the twines of netting u = a U + b V or v = c U + d V is an integer");
+  tree.write_matrix(at + "sheet", rows.sheet, 6, "m",
+                    "place on the plan: origin, vector of one mesh across, vector of one mesh deep");
+  write_seabed(tree, loaded.scene);
+}
+
+void write_bill(Tree& tree, const std::vector<BillItem>& bill) {
+  if (bill.empty()) return;
+  std::vector<std::string> kinds, names, parts;
+  std::vector<double> numbers, lengths, diameters, loads;
+  for (const auto& row : bill) {
+    kinds.push_back(row.kind), names.push_back(row.name), parts.push_back(row.part_name);
+    numbers.push_back(row.number), lengths.push_back(row.length);
+    diameters.push_back(row.diameter), loads.push_back(row.breaking_load);
+  }
+  const std::string at = "/netloft/bill/";
+  tree.write_strings(at + "kind", kinds);
+  tree.write_strings(at + "name", names);
+  tree.write_strings(at + "part", parts, "in the catalogue; empty: written in the plan");
+  tree.write_reals(at + "number", numbers, "1", "in the whole gear");
+  tree.write_reals(at + "length", lengths, "m", "of one rope, unstretched");
+  tree.write_reals(at + "diameter", diameters, "m", "of a twine, a rope or a piece");
+  tree.write_reals(at + "breaking_load", loads, "N", "of a rope, or of the twines of a bar");
+}
+
+}  // namespace netloft::io

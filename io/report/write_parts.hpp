@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/hdf5/tree.hpp"
+#include "io/scene/loaded_scene.hpp"
+
+namespace netloft::io {
+
+/// Writes what the parts are, beside their names what a picture needs of them: diameters, directions of
+/// twines, places on the plan, the seabed.
+void write_parts(Tree& tree, const LoadedScene& loaded);
+
+/// Writes the rows of a bill of materials below /netloft/bill.
+void write_bill(Tree& tree, const std::vector<BillItem>& bill);
+
+}  // namespace netloft::io

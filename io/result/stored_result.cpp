@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/result/stored_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace netloft::io {
+
+namespace {
+
+const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/";
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNewestFormat = 1;  // of the attribute /netloft schema
+// Fields that are made of others: the larger tension of the two twine directions, and the opening of meshes.
+constexpr const char *kTension = "tension", *kOpening = "opening";
+
+StoredPart nameless_part() {
+  StoredPart part;
+  part.diameter = part.bar = kNone;
+  part.twine_axes.fill(kNone);
+  part.sheet = {kNone, kNone, kNone, kNone, kNone, kNone};
+  return part;
+}
+
+double at_or_none(const std::vector<double>& values, std::size_t i) {
+  return i < values.size() ? values[i] : kNone;
+}
+
+void require(bool holds, const std::filesystem::path& path, const std::string& what) {
+  if (!holds) throw FileError(path.string() + " is damaged: " + what);
+}
+
+}  // namespace
+
+StoredResult::StoredResult(const std::filesystem::path& file) : path(file), reader_(file) {
+  check_format();
+  read_status();
+  read_parts();
+  read_mesh();
+  read_fields();
+  find_contacts();
+  read_scalars("gear/", "gear/", figures);
+  read_scalars("scalars/", "", scalars);
+  std::vector<NamedScalar> costs;
+  read_scalars("cost/", "none/", costs);
+  for (const auto& one : costs) cost[one.name] = one;
+  read_forces();
+  read_surroundings();
+  read_series();
+  read_convergence();
+  read_origins();
+}
+
+void StoredResult::check_format() const {
+  if (!reader_.has("/netloft"))
+    throw FileError(path.string() +
+                    " is an HDF5 file, but not a result of netloft: it has no group /netloft");
+  if (reader_.has_attribute("/netloft", "schema")) {
+    const double schema = reader_.real_attribute("/netloft", "schema");
+    if (schema > kNewestFormat)
+      throw FileError(path.string() + " was written by a newer netloft, in format " +
+                      std::to_string(static_cast<long>(schema)) + "; this program reads format 1");
+  }
+  if (!reader_.has("/VTKHDF/Points") || !reader_.has("/VTKHDF/Steps"))
+    throw FileError(path.string() + " holds no shape: the run ended before its first output");
+}
+
+std::string StoredResult::title() const {
+  if (!origins.files.empty() && !origins.files.front().first.empty())
+    return std::filesystem::path(origins.files.front().first).stem().string();
+  return path.stem().string();
+}
+
+double StoredResult::known(const std::string& at) const {
+  return reader_.has(at) && !reader_.is_group(at) ? reader_.real(at) : kNone;
+}
+
+std::string StoredResult::text_or_nothing(const std::string& at) const {
+  return reader_.has(at) ? reader_.text(at) : "";
+}
+
+std::vector<std::string> StoredResult::strings_or_nothing(const std::string& at) const {
+  return reader_.has(at) ? reader_.strings(at) : std::vector<std::string>{};
+}
+
+std::vector<double> StoredResult::reals_or_nothing(const std::string& at) const {
+  return reader_.has(at) ? reader_.reals(at) : std::vector<double>{};
+}
+
+void StoredResult::read_status() {
+  const std::string at = kRoot + "status";
+  const auto attribute = [&](const char* name) {
+    return reader_.has(at) && reader_.has_attribute(at, name) ? reader_.text_attribute(at, name) : "";
+  };
+  outcome = attribute("outcome"), sentence = attribute("sentence"), stability = attribute("stability");
+  is_motion = reader_.has(kRoot + "series");
+  const std::string gear = kRoot + "gear";
+  if (!reader_.has(gear)) return;
+  is_half = reader_.has_attribute(gear, "times") && reader_.real_attribute(gear, "times") == 2;
+  if (reader_.has_attribute(gear, "headline")) headline = reader_.text_attribute(gear, "headline");
+  if (reader_.has_attribute(gear, "footrope")) footrope = reader_.text_attribute(gear, "footrope");
+}
+
+void StoredResult::read_parts() {
+  const std::string at = kRoot + "parts/";
+  const auto names = strings_or_nothing(at + "name"), types = strings_or_nothing(at + "type");
+  const auto diameters = reals_or_nothing(at + "diameter"), bars = reals_or_nothing(at + "bar"),
+             axes = reals_or_nothing(at + "twine_axes"), sheet = reals_or_nothing(at + "sheet");
+  if (axes.empty()) notes.push_back("it was written by an older version, which did not say how twines lie");
+  for (std::size_t p = 0; p < names.size(); ++p) {
+    StoredPart part = nameless_part();
+    part.name = names[p], part.type = p < types.size() ? types[p] : "";
+    part.diameter = at_or_none(diameters, p), part.bar = at_or_none(bars, p);
+    for (std::size_t k = 0; k < 4; ++k) part.twine_axes[k] = at_or_none(axes, 4 * p + k);
+    double* const place[] = {&part.sheet.x,        &part.sheet.y,      &part.sheet.x_across,
+                             &part.sheet.y_across, &part.sheet.x_deep, &part.sheet.y_deep};
+    for (std::size_t k = 0; k < 6; ++k) *place[k] = at_or_none(sheet, 6 * p + k);
+    parts.push_back(part);
+  }
+}
+
+void StoredResult::read_mesh() {
+  times = reader_.times();
+  require(!times.empty(), path, "it counts no states");
+  mesh.n_points = static_cast<std::size_t>(reader_.integer("/VTKHDF/NumberOfPoints"));
+  mesh.n_cells = static_cast<std::size_t>(reader_.integer("/VTKHDF/NumberOfCells"));
+  const auto to_index = [](double value) { return static_cast<std::uint32_t>(value); };
+  const auto by_cell = reader_.field(Location::kCell, "part", 0);
+  for (const double part : by_cell) mesh.cell_part.push_back(to_index(part));
+  for (const double part : reader_.field(Location::kPoint, "part", 0))
+    mesh.node_part.push_back(to_index(part));
+  for (const double number : reader_.field(Location::kPoint, "node", 0))
+    mesh.node_number.push_back(to_index(number));
+  for (auto* of : {&mesh.cell_part, &mesh.node_part})
+    for (const auto part : *of)
+      while (part >= parts.size() && part < 100000) parts.push_back(nameless_part());
+  require(mesh.cell_part.size() == mesh.n_cells && mesh.node_part.size() == mesh.n_points, path,
+          "its parts do not fit its mesh");
+  for (auto* of : {&mesh.cell_part, &mesh.node_part})
+    require(std::all_of(of->begin(), of->end(), [&](auto part) { return part < parts.size(); }), path,
+            "it has a part without a number");
+  read_cells();
+}
+
+void StoredResult::read_cells() {
+  const auto connectivity = reader_.integers("/VTKHDF/Connectivity"),
+             offsets = reader_.integers("/VTKHDF/Offsets"), types = reader_.integers("/VTKHDF/Types");
+  require(offsets.size() == mesh.n_cells + 1 && types.size() == mesh.n_cells, path, "its cells are cut off");
+  const bool has_corners = reader_.has("/VTKHDF/CellData/panel_corners");
+  if (!has_corners)
+    notes.push_back("it was written by an older version, without the places of cells on their panels");
+  const auto corners = has_corners ? reader_.field(Location::kCell, "panel_corners", 0)
+                                   : std::vector<double>(6 * mesh.n_cells, kNone);
+  for (std::size_t c = 0; c < mesh.n_cells; ++c) {
+    const auto first = static_cast<std::size_t>(offsets[c]);
+    const std::size_t nodes = static_cast<std::size_t>(offsets[c + 1]) - first;
+    require(nodes <= 3 && first + nodes <= connectivity.size(), path, "its cells are cut off");
+    std::array<std::uint32_t, 3> corner{};
+    for (std::size_t k = 0; k < nodes; ++k) {
+      corner[k] = static_cast<std::uint32_t>(connectivity[first + k]);
+      require(corner[k] < mesh.n_points, path, "a cell stands on a node that it has not");
+    }
+    const auto cell = static_cast<std::uint32_t>(c);
+    if (nodes == 3) {
+      mesh.triangles.push_back(corner), mesh.triangle_cells.push_back(cell);
+      std::array<double, 6> uv;
+      std::copy_n(corners.begin() + 6 * static_cast<std::ptrdiff_t>(c), 6, uv.begin());
+      mesh.corners.push_back(uv);
+    } else if (nodes == 2) {
+      mesh.bars.push_back({corner[0], corner[1]}), mesh.bar_cells.push_back(cell);
+    } else if (nodes == 1) {
+      mesh.dots.push_back(corner[0]), mesh.dot_cells.push_back(cell);
+    }
+  }
+}
+
+void StoredResult::read_fields() {
+  const auto label = [&](const std::string& at, const char* name, const char* otherwise) {
+    return reader_.has_attribute(at, name) ? reader_.text_attribute(at, name) : std::string(otherwise);
+  };
+  bool has_twines = false, has_tension = false;
+  for (const auto& name : reader_.list("/VTKHDF/CellData")) {
+    const std::string at = "/VTKHDF/CellData/" + name;
+    if (name == "part" || name == "panel_corners" || reader_.shape(at).size() > 1) continue;
+    has_twines |= name == "tension_u", has_tension |= name == kTension;
+    if (name == "half_angle")
+      fields.push_back({kOpening, "1", "width of the meshes over their stretched length"});
+    if (name != kTension) fields.push_back({name, label(at, "unit", "1"), label(at, "doc", "")});
+  }
+  if (has_tension || has_twines)
+    fields.insert(fields.begin(),
+                  {kTension, "N", "tension in a rope, and in a twine: the larger of both directions"});
+}
+
+/// Elements on single nodes with a normal force are where a part touches a bed.
+void StoredResult::find_contacts() {
+  for (const auto& field : fields) {
+    if (field.name != "normal_force") continue;
+    const auto force = reader_.field(Location::kCell, field.name, times.size() - 1);
+    for (const auto cell : mesh.dot_cells)
+      if (std::isfinite(force[cell])) parts[mesh.cell_part[cell]].is_contact = true;
+  }
+}
+
+std::vector<double> StoredResult::field(const std::string& name, std::size_t state) const {
+  if (name == kOpening) {
+    auto opening = reader_.field(Location::kCell, "half_angle", state);
+    for (double& value : opening) value = std::sin(value);
+    return opening;
+  }
+  std::vector<double> values(mesh.n_cells, kNone);
+  if (name == kTension) {
+    for (const char* one : {"tension", "tension_u", "tension_v"}) {
+      if (!reader_.has(std::string("/VTKHDF/CellData/") + one)) continue;
+      const auto more = reader_.field(Location::kCell, one, state);
+      for (std::size_t c = 0; c < values.size() && c < more.size(); ++c)
+        if (!(values[c] > more[c]) && std::isfinite(more[c])) values[c] = more[c];
+    }
+    return values;
+  }
+  return reader_.field(Location::kCell, name, state);
+}
+
+std::vector<double> StoredResult::node_field(const std::string& name, std::size_t state) const {
+  if (!reader_.has("/VTKHDF/PointData/" + name)) return {};
+  return reader_.field(Location::kPoint, name, state);
+}
+
+void StoredResult::read_scalars(const std::string& group, const std::string& errors,
+                                std::vector<NamedScalar>& into, const std::string& below) {
+  const std::string folder = kRoot + group + below;
+  if (!reader_.has(folder)) return;
+  for (const auto& member : reader_.list(folder)) {
+    const std::string name = below + member, at = kRoot + group + name;
+    if (reader_.is_group(at)) {
+      read_scalars(group, errors, into, name + "/");
+      continue;
+    }
+    NamedScalar scalar{name, "1", "", reader_.real(at)};
+    if (reader_.has_attribute(at, "unit")) scalar.unit = reader_.text_attribute(at, "unit");
+    if (reader_.has_attribute(at, "doc")) scalar.doc = reader_.text_attribute(at, "doc");
+    scalar.solver_error = known(kErrors + errors + "solver/" + name);
+    scalar.mesh_error = known(kErrors + errors + "mesh/" + name);
+    scalar.mesh_order = known(kErrors + errors + "mesh_order/" + name);
+    into.push_back(scalar);
+  }
+}
+
+void StoredResult::read_forces() {
+  const std::string at = kRoot + "forces/";
+  mesh_note = text_or_nothing(kErrors + "mesh_note"), node_error = known(kErrors + "nodes");
+  if (!reader_.has(at)) return;
+  const auto vector_at = [](const std::vector<double>& rows, std::size_t row) {
+    return std::array<double, 3>{rows[3 * row], rows[3 * row + 1], rows[3 * row + 2]};
+  };
+  for (const auto& load : reader_.list(at)) {
+    if (load == "held_name" || load == "balance" || load == "held") continue;
+    const auto rows = reader_.reals(at + load);
+    for (std::size_t p = 0; p < parts.size() && 3 * p + 2 < rows.size(); ++p)
+      part_forces.push_back({parts[p].name, load, vector_at(rows, p), 0});
+  }
+  const auto names = strings_or_nothing(at + "held_name");
+  const auto held = reals_or_nothing(at + "held"), sum = reals_or_nothing(at + "balance");
+  for (std::size_t h = 0; h < names.size() && 3 * h + 2 < held.size(); ++h)
+    hold_forces.push_back({names[h], vector_at(held, h)});
+  if (sum.size() == 3) balance = vector_at(sum, 0);
+}
+
+void StoredResult::read_surroundings() {
+  if (reader_.has(kRoot + "seabed/depth"))
+    bed = StoredBed{known(kRoot + "seabed/depth"), known(kRoot + "seabed/slope_x"),
+                    known(kRoot + "seabed/slope_y")};
+  const std::string at = kRoot + "bill/";
+  if (!reader_.has(at)) return;
+  const auto kinds = reader_.strings(at + "kind"), names = reader_.strings(at + "name"),
+             of = reader_.strings(at + "part");
+  const auto number = reader_.reals(at + "number"), length = reader_.reals(at + "length"),
+             diameter = reader_.reals(at + "diameter"), load = reader_.reals(at + "breaking_load");
+  require(names.size() == kinds.size() && of.size() == kinds.size(), path,
+          "its bill of materials is cut off");
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    bill.push_back({kinds[i], names[i], of[i], at_or_none(number, i), at_or_none(length, i),
+                    at_or_none(diameter, i), at_or_none(load, i)});
+}
+
+void StoredResult::read_series(const std::string& below) {
+  const std::string folder = kRoot + "series/" + below;
+  if (!reader_.has(folder)) return;
+  for (const auto& member : reader_.list(folder)) {
+    const std::string at = folder + member;
+    if (reader_.is_group(at)) {
+      read_series(below + member + "/");
+      continue;
+    }
+    series.push_back({below + member,
+                      reader_.has_attribute(at, "unit") ? reader_.text_attribute(at, "unit") : "1",
+                      reader_.reals(at)});
+    series.back().values.resize(std::min(series.back().values.size(), times.size()));
+  }
+}
+
+void StoredResult::read_convergence() {
+  const std::string at = kRoot + "convergence/";
+  if (!reader_.has(at)) return;
+  convergence.iteration = reader_.integers(at + "iteration");
+  convergence.factorisations = reader_.integers(at + "factorisations");
+  convergence.residual = reader_.reals(at + "residual"), convergence.load = reader_.reals(at + "load");
+  convergence.note = strings_or_nothing(at + "note");
+}
+
+void StoredResult::read_origins() {
+  const std::string at = kRoot + "provenance/";
+  origins.version = text_or_nothing(at + "version"), origins.machine = text_or_nothing(at + "machine");
+  origins.compiler = text_or_nothing(at + "compiler"), origins.started = text_or_nothing(at + "started");
+  origins.finished = text_or_nothing(at + "finished"), origins.command = strings_or_nothing(at + "command");
+  const auto paths = strings_or_nothing(at + "files/path"), texts = strings_or_nothing(at + "files/text");
+  for (std::size_t i = 0; i < paths.size() && i < texts.size(); ++i)
+    origins.files.emplace_back(paths[i], texts[i]);
+  origins.plan = text_or_nothing(kRoot + "plan");
+}
+
+std::optional<std::uint32_t> find_part(const StoredResult& result, const std::string& name) {
+  for (std::uint32_t p = 0; p < result.parts.size(); ++p)
+    if (result.parts[p].name == name) return p;
+  return {};
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/hdf5/read.hpp"
+#include "io/report/run_result.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// A part as the file describes it; NaN marks what it has not, or what the file is too old to say.
+struct StoredPart {
+  std::string name, type;
+  double diameter = 0, bar = 0;        // of twine, rope or float; of a bar of the meshes [m]
+  std::array<double, 4> twine_axes{};  // a, b, c, d: u = a U + b V, v = c U + d V
+  SheetPlace sheet;                    // on the plan
+  // its single nodes are where it touches something, such as a bed, not things to look at
+  bool is_contact = false;
+};
+
+/// Triangles, bars and single nodes of a result, each with its part and its cell in the file.
+struct StoredMesh {
+  std::size_t n_points = 0, n_cells = 0;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint32_t, 2>> bars;
+  std::vector<std::uint32_t> dots;
+  std::vector<std::uint32_t> triangle_cells, bar_cells, dot_cells;
+  std::vector<std::uint32_t> cell_part;        // by cell
+  std::vector<std::array<double, 6>> corners;  // U, V of the corners, by triangle; NaN where unknown
+  std::vector<std::uint32_t> node_part,
+      node_number;  // by node: the part it was made for, and its number there
+};
+
+/// A field that can be drawn: one number per cell.
+struct StoredField {
+  std::string name, unit, doc;
+};
+
+/// The bed z = -depth + slope_x x + slope_y y.
+struct StoredBed {
+  double depth = 0, slope_x = 0, slope_y = 0;
+};
+
+/// A quantity over the outputs of a motion.
+struct StoredSeries {
+  std::string name, unit;
+  std::vector<double> values;
+};
+
+/// The accepted steps of a solve.
+struct StoredConvergence {
+  std::vector<std::int64_t> iteration, factorisations;
+  std::vector<double> residual, load;
+  std::vector<std::string> note;
+};
+
+/// All that a report says beside the numbers of the parts.
+struct StoredOrigins {
+  std::string version, machine, compiler, started, finished;
+  std::vector<std::string> command;
+  std::vector<std::pair<std::string, std::string>> files;  // path, text; the first is the scene
+  std::string plan;
+};
+
+/// A result file, read (io/hdf5/LAYOUT.md). States and fields are read when they are asked for.
+class StoredResult {
+ public:
+  /// Throws FileError with a sentence if the file cannot be read, is not a result of this program, or was
+  /// written in a newer format.
+  explicit StoredResult(const std::filesystem::path& path);
+
+  std::filesystem::path path;
+  std::string outcome, sentence, stability;  // outcome is empty: the run has not ended
+  bool is_half = false, is_motion = false;
+  std::string headline, footrope;  // ropes of a gear; empty: not known
+  std::vector<std::string> notes;  // what the file is too old to say
+  std::vector<StoredPart> parts;
+  StoredMesh mesh;
+  std::vector<double> times;
+  std::vector<StoredField> fields;
+  std::vector<NamedScalar> figures, scalars;
+  std::vector<PartForce> part_forces;
+  std::vector<HoldForce> hold_forces;
+  std::array<double, 3> balance{};
+  std::string mesh_note;
+  double node_error = 0;  // largest nodal move of the next Newton step [m]; NaN: not known
+  std::optional<StoredBed> bed;
+  std::vector<BillItem> bill;
+  std::vector<StoredSeries> series;
+  StoredConvergence convergence;
+  StoredOrigins origins;
+  std::map<std::string, NamedScalar> cost;
+
+  /// The name of the scene: that of the scene file without its ending, or of the result.
+  std::string title() const;
+  bool is_answer() const { return outcome == "converged" || outcome == "finished"; }
+  std::vector<double> points(std::size_t state) const { return reader_.points(state); }
+  /// A field by its name in `fields`, by cell; NaN where a cell has none.
+  std::vector<double> field(const std::string& name, std::size_t state) const;
+  /// A field on the nodes, three numbers each; empty if the file has none of that name.
+  std::vector<double> node_field(const std::string& name, std::size_t state) const;
+
+ private:
+  void check_format() const;
+  void read_status();
+  void read_parts();
+  void read_mesh();
+  void read_cells();
+  void read_fields();
+  void find_contacts();
+  void read_scalars(const std::string& group, const std::string& errors, std::vector<NamedScalar>& into,
+                    const std::string& below = "");
+  void read_forces();
+  void read_surroundings();
+  void read_series(const std::string& below = "");
+  void read_convergence();
+  void read_origins();
+  double known(const std::string& path) const;
+  std::string text_or_nothing(const std::string& path) const;
+  std::vector<std::string> strings_or_nothing(const std::string& path) const;
+  std::vector<double> reals_or_nothing(const std::string& path) const;
+
+  Reader reader_;
+};
+
+/// The number of the part of this name, if there is one.
+std::optional<std::uint32_t> find_part(const StoredResult& result, const std::string& name);
+
+}  // namespace netloft::io

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/view/page.hpp"
+
+#include "io/picture/plan_sketch.hpp"
+#include "io/picture/sheet.hpp"
+#include "io/view/page_parts.hpp"
+#include "io/view/report_html.hpp"
+#include "io/view/result_json.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+std::string head(const std::string& title, const std::string& policy) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+         policy + "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         in_html(title) + "</title>\n<style>" + kPageStyle + "</style>\n</head>\n<body>\n<header><h1>" +
+         in_html(title) + "</h1>\n<p id=\"status\" role=\"status\" hidden></p></header>\n";
+}
+
+std::string title_of(const std::vector<const StoredResult*>& results) {
+  std::string title;
+  for (const auto* result : results) title += (title.empty() ? "" : ", ") + result->title();
+  return title;
+}
+
+/// Says above everything else that a shape is no answer.
+std::string unfinished_html(const StoredResult& result) {
+  return "<p><strong>" +
+         in_html(result.path.filename().string() + ": " +
+                 (result.outcome.empty() ? "the run has not ended" : result.outcome)) +
+         "</strong>, so that this is not the shape in equilibrium. " + in_html(result.sentence) + "</p>\n";
+}
+
+/// Views from the side, the top and the front, and the plan, for readers without scripts and for paper.
+std::string pictures_html(const StoredResult& result) {
+  std::string html = "<section id=\"pictures\" aria-label=\"Pictures\">\n";
+  for (const auto& [view, words] :
+       {std::pair{View::side, "From the side"}, {View::top, "From above"}, {View::front, "From the front"}}) {
+    SheetOptions options;
+    options.view = view;
+    html += "<figure>" + svg_sheet(result, options) + "<figcaption>" + words + "</figcaption></figure>\n";
+  }
+  if (const std::string plan = plan_sketch(result); !plan.empty())
+    html += "<figure>" + plan.substr(plan.find("<svg")) + "<figcaption>The plan" +
+            (result.is_half ? ", of the half that was modelled" : "") + "</figcaption></figure>\n";
+  return html + "</section>\n";
+}
+
+}  // namespace
+
+std::string view_page(const std::vector<const StoredResult*>& results, std::size_t most_states) {
+  std::string page = head(title_of(results), kPagePolicy);
+  page += "<main>\n";
+  for (const auto* result : results)
+    if (!result->is_answer()) page += unfinished_html(*result);
+  page += kPageBody;
+  page += pictures_html(*results.front());
+  if (results.size() == 2)
+    page += diff_html(compare_results(read_summary(results[0]->path), read_summary(results[1]->path)));
+  for (const auto* result : results)
+    page += "<section aria-label=\"Report\">\n<h2>Report: " + in_html(result->path.filename().string()) +
+            "</h2>\n" + report_html(*result) + "</section>\n";
+  page += "</main>\n<script type=\"application/json\" id=\"data\">" + results_json(results, most_states) +
+          "</script>\n<script>" + std::string(kPageLibraries) + "</script>\n<script>" + kPageViewer +
+          "</script>\n</body>\n</html>\n";
+  return page;
+}
+
+std::string report_page(const StoredResult& result) {
+  return head(result.title(), kPageQuietPolicy) + "<main>\n" + report_html(result) + pictures_html(result) +
+         "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace netloft::io {
+
+// The parts of a page that are the same for all results, made from page/ and libraries/ by CMakeLists.txt.
+extern const char* const kPageLibraries;  // three.js and uPlot
+extern const char* const kPageViewer;     // the scripts of page/
+extern const char* const kPageStyle;
+extern const char* const kPageBody;  // the elements of the viewer
+extern const char* const
+    kPagePolicy;  // the Content-Security-Policy: these two scripts and this style, no network
+extern const char* const kPageQuietPolicy;  // that of a page without scripts
+
+}  // namespace netloft::io

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/view/result_json.hpp"
+
+#include "io/result/field_range.hpp"
+#include "io/view/packed_array.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinities and no NaN: null.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+template <class Numbers>
+Json numbers(const Numbers& values) {
+  Json all = Json::array();
+  for (const auto value : values) all.push_back(number(static_cast<double>(value)));
+  return all;
+}
+
+/// All or nothing: null unless every number is known.
+template <class Numbers>
+Json known_numbers(const Numbers& values) {
+  const bool known = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  return known ? numbers(values) : Json(nullptr);
+}
+
+Json parts_json(const StoredResult& result) {
+  Json parts = Json::array();
+  for (const auto& part : result.parts) {
+    const SheetPlace& s = part.sheet;
+    const std::array<double, 6> sheet{s.x, s.y, s.x_across, s.y_across, s.x_deep, s.y_deep};
+    parts.push_back({{"name", part.name},
+                     {"type", part.type},
+                     {"diameter", number(part.diameter)},
+                     {"bar", number(part.bar)},
+                     {"contact", part.is_contact},
+                     {"axes", known_numbers(part.twine_axes)},
+                     {"sheet", known_numbers(sheet)}});
+  }
+  return parts;
+}
+
+template <std::size_t n>
+std::vector<std::uint32_t> flat(const std::vector<std::array<std::uint32_t, n>>& rows) {
+  std::vector<std::uint32_t> all;
+  for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
+  return all;
+}
+
+/// The part of each of some cells.
+Json parts_of(const StoredMesh& mesh, const std::vector<std::uint32_t>& cells) {
+  std::vector<std::uint32_t> parts;
+  for (const auto cell : cells) parts.push_back(mesh.cell_part[cell]);
+  return packed(parts);
+}
+
+void put_mesh(const StoredMesh& mesh, Json& json) {
+  std::vector<double> corners;
+  for (const auto& six : mesh.corners) corners.insert(corners.end(), six.begin(), six.end());
+  json["nPoints"] = mesh.n_points, json["nCells"] = mesh.n_cells;
+  json["tri"] = packed(flat(mesh.triangles)), json["triUV"] = packed(corners);
+  json["triCell"] = packed(mesh.triangle_cells), json["triPart"] = parts_of(mesh, mesh.triangle_cells);
+  json["bar"] = packed(flat(mesh.bars)), json["barCell"] = packed(mesh.bar_cells);
+  json["barPart"] = parts_of(mesh, mesh.bar_cells);
+  json["dot"] = packed(mesh.dots), json["dotCell"] = packed(mesh.dot_cells);
+  json["dotPart"] = parts_of(mesh, mesh.dot_cells);
+  json["nodePart"] = packed(mesh.node_part), json["nodeNumber"] = packed(mesh.node_number);
+}
+
+using Origin = std::array<double, 3>;
+
+/// Positions from the origin: floats hold them to a hundredth of a millimetre within a kilometre of it.
+std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] -= origin[i % 3];
+  return points;
+}
+
+/// The middle of the box around the last state's nodes; of a half on its plane of symmetry.
+Origin origin_of(const StoredResult& result) {
+  const auto points = result.points(result.times.size() - 1);
+  Origin origin{};
+  for (std::size_t axis = 0; axis < 3 && points.size() >= 3; ++axis) {
+    double lo = INFINITY, hi = -INFINITY;
+    for (std::size_t i = axis; i < points.size(); i += 3)
+      lo = std::min(lo, points[i]), hi = std::max(hi, points[i]);
+    if (std::isfinite(lo + hi) && !(axis == 1 && result.is_half)) origin[axis] = std::round((lo + hi) / 2);
+  }
+  return origin;
+}
+
+void put_states(const StoredResult& result, const std::vector<std::size_t>& kept, Json& json) {
+  std::vector<FieldRange> ranges(result.fields.size());
+  const Origin origin = origin_of(result);
+  Json states = Json::array(), fields = Json::array(), times = Json::array();
+  for (const std::size_t state : kept) {
+    Json one = {{"points", packed(shifted(result.points(state), origin))}, {"fields", Json::array()}};
+    for (const char* name : {"residual", "reaction"})
+      if (const auto values = result.node_field(name, state);
+          state + 1 == result.times.size() && !values.empty())
+        one[name] = packed(values);
+    for (std::size_t f = 0; f < result.fields.size(); ++f) {
+      const auto values = result.field(result.fields[f].name, state);
+      ranges[f].take(values);
+      one["fields"].push_back(packed(values));
+    }
+    states.push_back(one), times.push_back(number(result.times[state]));
+  }
+  for (std::size_t f = 0; f < ranges.size(); ++f)
+    fields.push_back(
+        {{"name", result.fields[f].name},
+         {"unit", result.fields[f].unit},
+         {"doc", result.fields[f].doc},
+         {"range", ranges[f].is_known() ? Json::array({ranges[f].lo(), ranges[f].hi()}) : Json(nullptr)},
+         {"low", number(ranges[f].low())}});
+  json["origin"] = origin, json["times"] = times, json["fields"] = fields, json["states"] = states;
+}
+
+Json figures_json(const StoredResult& result) {
+  Json all = Json::array();
+  for (const auto* group : {&result.scalars, &result.figures})
+    for (const auto& f : *group)
+      all.push_back({{"name", f.name}, {"unit", f.unit}, {"value", number(f.value)}});
+  return all;
+}
+
+Json series_json(const StoredResult& result, const std::vector<std::size_t>& kept) {
+  Json all = Json::array();
+  for (const auto& series : result.series) {
+    Json values = Json::array();
+    for (const std::size_t state : kept)
+      values.push_back(state < series.values.size() ? number(series.values[state]) : Json(nullptr));
+    all.push_back({{"name", series.name}, {"unit", series.unit}, {"values", values}});
+  }
+  return all;
+}
+
+Json result_json(const StoredResult& result, std::size_t most_states) {
+  const auto kept = kept_states(result.times.size(), most_states);
+  Json json = {{"file", result.path.filename().string()},
+               {"title", result.title()},
+               {"half", result.is_half},
+               {"motion", result.is_motion},
+               {"headline", result.headline},
+               {"footrope", result.footrope},
+               {"nodeError", number(result.node_error)},
+               {"parts", parts_json(result)},
+               {"bed", nullptr}};
+  if (result.bed)
+    json["bed"] = {{"depth", number(result.bed->depth)},
+                   {"slopeX", number(result.bed->slope_x)},
+                   {"slopeY", number(result.bed->slope_y)}};
+  put_mesh(result.mesh, json);
+  put_states(result, kept, json);
+  json["figures"] = figures_json(result), json["series"] = series_json(result, kept);
+  json["convergence"] = {{"residual", numbers(result.convergence.residual)},
+                         {"load", numbers(result.convergence.load)}};
+  return json;
+}
+
+}  // namespace
+
+std::vector<std::size_t> kept_states(std::size_t states, std::size_t most) {
+  std::vector<std::size_t> kept;
+  const std::size_t n = std::min(states, std::max<std::size_t>(most, 1));
+  for (std::size_t i = 0; i < n; ++i) kept.push_back(n == 1 ? states - 1 : i * (states - 1) / (n - 1));
+  return kept;
+}
+
+std::string results_json(const std::vector<const StoredResult*>& results, std::size_t most_states) {
+  Json all = Json::array();
+  for (const auto* result : results) all.push_back(result_json(*result, most_states));
+  const std::string text =
+      Json{{"results", std::move(all)}}.dump(-1, ' ', true, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text)
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
+  return safe;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""hostile.py RESULT COPY: a copy of a result whose names and texts a careless page would run."""
+import shutil
+import sys
+
+import h5py
+
+MARKUP = "</script><img src=x onerror=alert(1)>\"'\n& {{x}} " + 10000 * "w"
+
+shutil.copy(*sys.argv[1:3])
+with h5py.File(sys.argv[2], "r+") as f:
+    names = f["netloft/parts/name"]
+    for i in range(len(names)):
+        names[i] = f"{MARKUP[:40 + i]}"
+    names[0] = MARKUP
+    f["netloft/status"].attrs["sentence"] = MARKUP
+    f["netloft/provenance/files/path"][0] = MARKUP + ".toml"
+    f["netloft/provenance/files/text"][0] = MARKUP
+    for group in ("CellData", "Steps/CellDataOffsets"):
+        f["VTKHDF/" + group].move("strain", MARKUP[:60].replace("/", "|"))

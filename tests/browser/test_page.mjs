@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {PNG} from 'pngjs';
+import {blocks, canvasPixels, drawn, launch, luminances, open, quarter, variance} from './browser.mjs';
+
+const PICTURES = join(process.env.NETLOFT_SOURCE_DIR, 'tests/browser/pictures');
+const AXE = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+function view(page, ...results) {
+  execFileSync(process.env.NETLOFT_PROGRAM, ['view', ...results.map((r) => `${r}.hdf`), '-o', page], {stdio: 'pipe'});
+  return join(process.cwd(), page);
+}
+
+const shown = new Map();  // pages that several tests look at, opened once
+let browser;
+
+async function opened(name, ...results) {
+  if (!shown.has(name)) shown.set(name, await open(browser.context, view(`${name}.html`, ...results)));
+  return shown.get(name);
+}
+
+before(async () => { browser = await launch(); });
+after(async () => { await browser.close(); });
+
+test('a page draws a gear and not a blank, without a word on the console or the network', async () => {
+  const {page, seen} = await opened('trawl', 'trawl');
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.ready), 'yes');
+  const light = luminances(await canvasPixels(page));
+  assert.ok(variance(light) > 60, `variance ${variance(light)}`);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('six views of the 83-112 look as when somebody last looked at them', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const views = [['side', 'tension'], ['top', 'tension'], ['front', 'tension'], ['oblique', 'tension'], ['oblique', 'opening'], ['oblique', 'part']];
+  for (const [view_, field] of views) {
+    await page.evaluate(([v, f]) => { window.netloftViewer.setField(f); window.netloftViewer.look(v); }, [view_, field]);
+    const png = quarter(await canvasPixels(page)), file = join(PICTURES, `${view_}-${field}.png`);
+    if (process.env.NETLOFT_NEW_PICTURES) { mkdirSync(PICTURES, {recursive: true}); writeFileSync(file, PNG.sync.write(png)); continue; }
+    const stored = PNG.sync.read(readFileSync(file));
+    assert.deepEqual([png.width, png.height], [stored.width, stored.height], file);
+    const now = blocks(png, 3), then = blocks(stored, 3);
+    const off = Math.max(...now.map((v, i) => Math.abs(v - then[i])));
+    assert.ok(off < 40, `${view_}, ${field}: a block differs by ${off.toFixed(0)} of 255`);
+    const mean = now.reduce((sum, v, i) => sum + Math.abs(v - then[i]), 0) / now.length;
+    assert.ok(mean < 1.5, `${view_}, ${field}: blocks differ by ${mean.toFixed(2)} on average`);
+  }
+});
+
+test('a click finds the part that is there, and the plan the same place', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const spots = await page.evaluate(() => {
+    const v = window.netloftViewer, r = v.result, found = [];
+    v.select(null);
+    v.look('front');
+    for (const name of ['top-wing', 'bottom-wing', 'headrope', 'headline']) {
+      const part = r.parts.findIndex((p) => p.name === name);
+      const [parts, nodes, of] = [[r.triPart, r.tri, 3], [r.barPart, r.bar, 2], [r.dotPart, r.dot, 1]].find(([p]) => p.includes(part));
+      for (let i = 0; i < parts.length; ++i) {
+        if (parts[i] !== part) continue;
+        const middle = [0, 1, 2].map((k) => Array.from({length: of}, (_, c) => v.model.points[3 * nodes[of * i + c] + k] / of).reduce((a, b) => a + b, 0));
+        const [x, y] = v.camera.project(middle), hit = v.pickAt(x, y);
+        if (hit && hit.part === part && hit.index === i) { found.push({name, x, y}); break; }
+      }
+    }
+    return found;
+  });
+  assert.deepEqual(spots.map((s) => s.name), ['top-wing', 'bottom-wing', 'headrope', 'headline']);
+  const canvas = await page.locator('#canvas').boundingBox();
+  for (const spot of spots) {
+    await page.mouse.click(canvas.x + spot.x, canvas.y + spot.y);
+    assert.match(await page.textContent('#selection'), new RegExp(`^part${spot.name}type`));
+  }
+  // From the plan to the shape: the same element is selected in both.
+  const plan = await page.locator('#plan').boundingBox();
+  const place = await page.evaluate(() => {
+    const v = window.netloftViewer, part = v.result.parts.findIndex((p) => p.name === 'top-body'), t = v.result.triPart.indexOf(part);
+    return {at: v.plan.whereIs({index: t, weights: [1 / 3, 1 / 3, 1 / 3]}), t};
+  });
+  await page.mouse.click(plan.x + place.at[0], plan.y + place.at[1]);
+  assert.match(await page.textContent('#selection'), /^parttop-bodytype.*meshes across/);
+  assert.equal(await page.evaluate(() => window.netloftViewer.selection.index), place.t);
+  assert.equal(await page.locator('#dimensions .selected').count(), 2);
+});
+
+test('netting is drawn in its twines at any zoom', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  // Across a patch of netting seen closely, lines and gaps follow one another; the count is that of the twines.
+  const edges = await page.evaluate(() => {
+    const v = window.netloftViewer, r = v.result, part = r.parts.findIndex((p) => p.name === 'top-body');
+    v.select(null);
+    v.setField('part');
+    v.look('top');
+    v.camera.target = [0, 1, 2].map((k) => v.model.points[3 * r.tri[3 * (r.triPart.indexOf(part) + 40)] + k]);
+    v.camera.pixelsPerMetre = 2000;
+    v.drawNow();
+    const gl = v.renderer.getContext(), [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight], row = new Uint8Array(4 * w);
+    gl.readPixels(0, Math.floor(h / 2), w, 1, gl.RGBA, gl.UNSIGNED_BYTE, row);
+    const light = Array.from({length: w}, (_, i) => row[4 * i] + row[4 * i + 1] + row[4 * i + 2]);
+    let changes = 0;
+    for (let i = 1; i < w; ++i) changes += Math.abs(light[i] - light[i - 1]) > 60 ? 1 : 0;
+    return {changes, metres: w / v.camera.pixelsPerMetre};
+  });
+  assert.ok(edges.changes >= 4 && edges.changes < 200, JSON.stringify(edges));
+});
+
+test('the slider moves a motion, and the keyboard does what the mouse does', async () => {
+  const {page, seen} = await opened('motion', 'motion');
+  const first = await page.evaluate(() => Array.from(window.netloftViewer.model.points));
+  await page.locator('#frame').focus();
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => window.netloftViewer.frame === 0 && window.netloftViewer.curve);
+  const moved = await page.evaluate((before_) => Math.max(...before_.map((v, i) => Math.abs(v - window.netloftViewer.model.points[i]))), first);
+  assert.ok(moved > 0.01, `moved ${moved}`);
+  assert.match(await page.textContent('#when'), /^0 s$/);
+  const blue = await page.evaluate(() => {
+    const canvas = document.querySelector('#curve canvas'), pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    let found = 0;
+    for (let i = 0; i < pixels.length; i += 4) found += pixels[i + 2] > pixels[i] + 100 && pixels[i + 3] > 200 ? 1 : 0;
+    return found;
+  });
+  assert.ok(blue > 100, `the curve has ${blue} pixels`);
+  await page.locator('#canvas').focus();
+  const azimuth = await page.evaluate(() => window.netloftViewer.camera.azimuth);
+  await page.keyboard.press('ArrowLeft');
+  assert.notEqual(await page.evaluate(() => window.netloftViewer.camera.azimuth), azimuth);
+  await page.keyboard.press('n');
+  assert.match(await page.textContent('#selection'), /^part/);
+  await page.keyboard.press('Escape');
+  assert.match(await page.textContent('#selection'), /^Nothing is selected/);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('parts are hidden and isolated', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  await page.evaluate(() => { window.netloftViewer.setField('part'); window.netloftViewer.look('oblique'); });
+  const all = blocks(await canvasPixels(page), 12);
+  await page.getByRole('button', {name: 'show top-wing only'}).click();
+  await drawn(page);
+  const one = blocks(await canvasPixels(page), 12);
+  assert.ok(one.some((v, i) => Math.abs(v - all[i]) > 20));
+  await page.getByRole('button', {name: 'show top-wing only'}).click();
+});
+
+test('two results are laid over one another and coloured by their distance', async () => {
+  const {page, seen} = await opened('two', 'slower', 'faster');
+  const facts = await page.evaluate(() => {
+    const v = window.netloftViewer;
+    return {field: v.field.name, largest: v.scale.hi, models: v.models.map((m) => m.group.visible)};
+  });
+  assert.equal(facts.field, 'distance between the two results');
+  assert.ok(facts.largest > 0.3 && facts.largest < 10, `largest ${facts.largest}`);  // metres between 2 and 4 knots
+  assert.deepEqual(facts.models, [true, true]);
+  assert.match(await page.textContent('main'), /What changed/);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('three results are a sweep', async () => {
+  const {page} = await opened('sweep', 'slower', 'trawl', 'faster');
+  assert.match(await page.textContent('#when'), /faster\.hdf/);
+  await page.locator('#frame').focus();
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => window.netloftViewer.frame === 0);
+  assert.match(await page.textContent('#when'), /slower\.hdf/);
+  assert.deepEqual(await page.evaluate(() => window.netloftViewer.models.map((m) => m.group.visible)), [true, false, false]);
+});
+
+test('a page with scripts and WebGL switched off keeps its report and its pictures', async () => {
+  const bare = await launch({webgl: false});
+  try {
+    const {page, seen} = await open(bare.context, view('trawl.html', 'trawl'));
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.ready), 'static');
+    assert.match(await page.textContent('#status'), /does not draw in three dimensions/);
+    assert.equal(await page.locator('#pictures svg').count(), 4);  // three views and the plan
+    assert.ok(await page.locator('#pictures').isVisible());
+    assert.match(await page.textContent('main'), /headline height/);
+    assert.deepEqual(seen.requests, []);
+  } finally {
+    await bare.close();
+  }
+});
+
+test('what a result says is shown and never executed', async () => {
+  const {page, seen} = await opened('hostile', 'hostile');
+  await page.evaluate(() => window.netloftViewer.step(1));
+  assert.match(await page.textContent('#selection'), /<img src=x onerror=alert\(1\)>/);
+  assert.equal(await page.locator('img').count(), 0);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+for (const scheme of ['light', 'dark'])
+  test(`a page is accessible, in ${scheme} colours`, async () => {
+    const {page} = await open(browser.context, view('motion.html', 'motion'), {scheme});
+    // The test's own script is let in past the policy of the page, as an extension of the browser would be.
+    const source = readFileSync(AXE, 'utf8');
+    await page.evaluate(source);
+    const found = await page.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa']}));
+    assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')}`), []);
+    assert.ok(found.passes.length > 10);
+    await page.close();
+  });

@@ -1,0 +1,338 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results that are looked at again: `report`, `draw` of a result, `view`."""
+import csv
+import io
+import json
+import re
+import struct
+import unittest
+import zlib
+from base64 import b64decode
+from html.parser import HTMLParser
+
+import h5py
+import numpy
+
+from program import GOOD, SOURCE, InFreshFolder, changed
+
+GEAR = str(SOURCE / "gear-library/scenes/83-112-flume-3.0kn.toml")
+MOTION = str(SOURCE / "gear-library/scenes/dynamics/elastic-pendulum.toml")
+HOSTILE = "</script><img src=x onerror=alert(1)>\"'&\u202e" + 10000 * "w"
+
+
+class Elements(HTMLParser):
+    """Names, attributes and texts of a page as a browser would take them apart."""
+
+    def __init__(self, page):
+        super().__init__()
+        self.names, self.attributes, self.texts = [], [], []
+        self.feed(page)
+
+    def handle_starttag(self, tag, attrs):
+        self.names.append(tag)
+        self.attributes += [(tag, *pair) for pair in attrs]
+
+    def handle_data(self, data):
+        self.texts.append(data)
+
+
+def pixels(png):
+    """The pixels of a PNG file with eight bits a colour, whose rows name the filter none or sub."""
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    at, data, size = 8, b"", None
+    while at < len(png):
+        length, name = struct.unpack(">I4s", png[at:at + 8])
+        body = png[at + 8:at + 8 + length]
+        assert zlib.crc32(name + body) == struct.unpack(">I", png[at + 8 + length:at + 12 + length])[0]
+        size = struct.unpack(">II", body[:8]) if name == b"IHDR" else size
+        data += body if name == b"IDAT" else b""
+        at += 12 + length
+    rows = numpy.frombuffer(zlib.decompress(data), numpy.uint8).reshape(size[1], 1 + 3 * size[0])
+    assert set(rows[:, 0]) == {1}
+    return numpy.cumsum(rows[:, 1:].reshape(size[1], size[0], 3), axis=1, dtype=numpy.uint8)
+
+
+class Results(InFreshFolder):
+    def solved(self, name, text, *words):
+        self.write(f"{name}.toml", text)
+        ended = self.netloft("run", f"{name}.toml", *words)
+        self.assertIn(ended.code, (0, 3), ended.err)
+        return f"{name}.hdf"
+
+    def gear(self, *words):
+        ended = self.netloft("run", GEAR, "--set", "gear.nodes=400", "-o", "gear.hdf", *words)
+        self.assertEqual(ended.code, 0, ended.err)
+        return "gear.hdf", ended.out
+
+    def done(self, *words, code=0):
+        ended = self.netloft(*words)
+        self.assertEqual(ended.code, code, ended.out[:500] + ended.err[:500])
+        return ended
+
+    def refused(self, *words):
+        ended = self.done(*words, code=2)
+        self.assertEqual(ended.out, "")
+        return ended.err
+
+    def test_a_report_repeats_the_numbers_of_the_run(self):
+        result, said = self.gear()
+        again = self.done("report", result).out
+        for line in said.splitlines():
+            if re.match(r"  (headline|upper wing|mouth|drag|weight)", line):
+                self.assertIn(line, again)
+        self.assertIn("headline height", again)
+        table = list(csv.DictReader(io.StringIO(self.done("report", result, "--csv").out)))
+        report = self.done("report", result, "--json").json()
+        with h5py.File(self.folder / result) as f:
+            height = f["netloft/gear/mouth/headline_height"][()]
+        self.assertEqual(report["gear"]["mouth/headline_height"]["value"], height)
+        self.assertEqual([float(row["value"]) for row in table if row["name"] == "mouth/headline_height"], [height])
+
+    def test_an_error_without_the_mesh_is_not_known(self):
+        result, said = self.gear()
+        self.assertRegex(said, r"headline height +[\d.]+ m +±\? ")
+        report = self.done("report", result, "--json").json()["gear"]["mouth/headline_height"]
+        self.assertIsNone(report["error"])
+        self.assertGreater(report["solver_error"], 0)
+
+    def test_a_bill_of_materials_adds_up(self):
+        result, _ = self.gear()
+        rows = {row["name"]: row for row in self.done("report", result, "--json").json()["materials"]}
+        self.assertEqual((rows["headline"]["number"], rows["upper-bridle"]["number"]), (47, 2))
+        self.assertAlmostEqual(rows["upper-bridle"]["length"], 2 * 54.9)
+        bridle = rows["upper-bridle"]
+        self.assertAlmostEqual(bridle["utilisation"], bridle["load"] / bridle["breaking_load"])
+        with h5py.File(self.folder / result) as f:
+            self.assertAlmostEqual(bridle["load"], f["netloft/gear/ropes/upper-bridle/tension_largest"][()])
+            self.assertAlmostEqual(rows["top-wing"]["mass"], f["netloft/gear/panels/top-wing/mass"][()])
+
+    def test_a_rope_that_would_break_is_warned_of(self):
+        result, _ = self.gear("--set", 'ropes.upper-bridle.rope={ part = "6x19-fc-16mm", breaking_load = "5 kN" }')
+        said = self.done("report", result)
+        self.assertRegex(said.out, r"warning: upper-bridle carries \d+ N, 1\d\d % of the breaking load of 6x19-fc-16mm: it would break")
+
+    def test_a_page_of_the_report_has_plan_views_and_materials(self):
+        result, _ = self.gear()
+        self.done("report", result, "--html", "-o", "page.html")
+        page = (self.folder / "page.html").read_text()
+        parts, words = Elements(page), " ".join(Elements(page).texts)
+        self.assertEqual((parts.names.count("svg"), parts.names.count("image"), parts.names.count("script")), (4, 3, 0))
+        for text in ("headline height", "Materials, and loads against breaking loads", "6x19-fc-16mm", "From the front",
+                     "The plan, of the half that was modelled"):
+            self.assertIn(text, words)
+        plan = page[page.rindex("<svg"):]
+        self.assertIn(">top-wing<", plan)
+        self.assertGreater(plan.count("<line") + plan.count("<path"), 20)
+
+    def test_a_report_of_what_has_not_converged_says_so(self):
+        result = self.solved("a", GOOD, "--set", "analysis.max_iterations=1")
+        ended = self.done("report", result, code=3)
+        self.assertTrue(ended.out.startswith("a: not converged"), ended.out[:80])
+
+    def test_twines_lie_where_the_file_says(self):
+        result = self.solved("a", changed(GOOD, ("across = 4", 'netting = "square", across = 4')))
+        with h5py.File(self.folder / result) as f:
+            numpy.testing.assert_allclose(f["netloft/parts/twine_axes"][0], [1, 0, 0, 1])
+            numpy.testing.assert_allclose(f["netloft/parts/diameter"][:], [0.01, 0.02])
+            self.assertAlmostEqual(f["netloft/parts/bar"][0], 0.6)
+            self.assertTrue(numpy.isnan(f["netloft/parts/twine_axes"][1]).all())
+
+    def test_a_picture_shows_the_gear_and_not_a_blank(self):
+        result, _ = self.gear()
+        self.done("draw", result, "-o", "a.png", "--width", "600")
+        image = pixels((self.folder / "a.png").read_bytes())[60:-60].astype(float)
+        self.assertEqual(image.shape[1], 600)
+        painted = (image.min(axis=2) < 200).mean()
+        self.assertGreater(painted, 0.02)
+        self.assertLess(painted, 0.6)
+        self.done("draw", result, "-o", "b.png", "--width", "600")
+        self.assertEqual(*((self.folder / name).read_bytes() for name in ("a.png", "b.png")))
+        self.done("draw", result, "-o", "c.png", "--width", "600", "--view", "side")
+        self.assertNotEqual((self.folder / "a.png").read_bytes(), (self.folder / "c.png").read_bytes())
+
+    def test_hidden_surfaces_are_hidden(self):
+        # Two vertical panels, one behind the other as seen from port (y = -1 is nearer): the nearer one has the part's first colour.
+        wall = changed(GOOD, ("sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]", "sketch = [[-2, 1, 0], [2, 1, 0], [2, 1, -4], [-2, 1, -4]]"))
+        body = wall[wall.index("[parts.net]"):wall.index("[parts.rope]")]
+        text = changed(wall[:wall.index("[parts.rope]")], ('"10 mm"', '"600 mm"')) + changed(
+            body, ("parts.net", "parts.near"), ("sketch = [[-2, 1, 0], [2, 1, 0], [2, 1, -4], [-2, 1, -4]]", "sketch = [[-2, -1, 0], [2, -1, 0], [2, -1, -4], [-2, -1, -4]]"), ('"10 mm"', '"600 mm"'))
+        text += '[[hold]]\non = "net.fore"\n[[hold]]\non = "near.fore"\n[analysis]\nsolver = "newton"\n'
+        result = self.solved("walls", text)
+        self.done("draw", result, "-o", "a.png", "--width", "300", "--view", "side", "--field", "part")
+        image = pixels((self.folder / "a.png").read_bytes())
+        middle = image[image.shape[0] // 2, 150].astype(int)
+        self.assertLess(abs(middle - [0xe6, 0x9f, 0x00]).max(), 12, middle)  # of "near", the second part
+
+    def test_an_svg_is_well_formed_and_names_what_it_shows(self):
+        import xml.etree.ElementTree as tree
+        result, _ = self.gear()
+        self.done("draw", result, "--field", "opening")
+        root = tree.parse(self.folder / "gear.svg").getroot()
+        words = " ".join(root.itertext())
+        self.assertIn("opening", words)
+        self.assertIn("83-112-flume-3.0kn", words)
+        self.assertRegex(words, r"\d m")
+        image = root.find("{http://www.w3.org/2000/svg}image").attrib["href"]
+        self.assertGreater(pixels(b64decode(image.split(",")[1])).std(), 5)
+
+    def test_a_field_that_is_not_there_is_refused_with_those_that_are(self):
+        result = self.solved("a", GOOD)
+        self.assertIn("has no field opning; it has tension, ", self.refused("draw", result, "--field", "opning"))
+
+    def data_of(self, page):
+        text = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S).group(1)
+        self.assertNotIn("<", text)
+        return json.loads(text)
+
+    def array(self, packed):
+        width = 4
+        raw = numpy.frombuffer(zlib.decompress(b64decode(packed["d"])), numpy.uint8)
+        return raw.reshape(width, -1).T.copy().view({"f32": "<f4", "u32": "<u4"}[packed["t"]]).ravel()
+
+    def test_a_page_holds_the_shape_and_fields_of_the_result(self):
+        result, _ = self.gear()
+        self.done("view", result)
+        page = (self.folder / "gear.html").read_text()
+        one = self.data_of(page)["results"][0]
+        with h5py.File(self.folder / result) as f:
+            points = f["VTKHDF/Points"][:]
+            tension = numpy.fmax(numpy.fmax(f["VTKHDF/CellData/tension"][:], f["VTKHDF/CellData/tension_u"][:]), f["VTKHDF/CellData/tension_v"][:])
+        shown = self.array(one["states"][0]["points"]).reshape(-1, 3) + one["origin"]
+        numpy.testing.assert_allclose(shown, points, atol=1e-5)
+        at = [field["name"] for field in one["fields"]].index("tension")
+        numpy.testing.assert_allclose(self.array(one["states"][0]["fields"][at]), tension, rtol=1e-6)
+        self.assertTrue(one["half"])
+        self.assertLess(len(page), 2e6)
+
+    def test_a_motion_keeps_as_many_states_as_are_wanted(self):
+        self.done("run", MOTION, "-o", "motion.hdf")
+        self.done("view", "motion.hdf", "--states", "5", "-o", "page.html")
+        one = self.data_of((self.folder / "page.html").read_text())["results"][0]
+        with h5py.File(self.folder / "motion.hdf") as f:
+            times = f["VTKHDF/Steps/Values"][:]
+        self.assertEqual(len(one["states"]), 5)
+        self.assertEqual((one["times"][0], one["times"][-1]), (times[0], times[-1]))
+
+    def test_hostile_names_and_texts_become_no_markup(self):
+        text = changed(GOOD, ("[parts.rope]", f"[parts.'{HOSTILE[:60]}']\ntype = \"rope/bar\"\nlength = \"1 m\"\ncells = 1\nsketch = [[9, 0, 0], [9, 0, -1]]\n"
+                                              "rope = { diameter = \"20 mm\", EA = \"100 kN\", EA_compression = 0, density = 1150 }\n[parts.rope]"))
+        result = self.solved("a", GOOD)
+        with h5py.File(self.folder / result, "r+") as f:  # what a scene may not name, a file still may
+            names = f["netloft/parts/name"]
+            names[0] = HOSTILE
+            f["netloft/status"].attrs["sentence"] = HOSTILE
+            f["netloft/provenance/files/text"][0] = text + HOSTILE
+            f["netloft/provenance/files/path"][0] = HOSTILE + ".toml"
+            f["VTKHDF/CellData"].move("strain", "<b>strain")
+            f["VTKHDF/Steps/CellDataOffsets"].move("strain", "<b>strain")
+        for words in (["view", result, "-o", "a.html"], ["report", result, "--html", "-o", "b.html"]):
+            self.done(*words)
+            page = (self.folder / words[-1]).read_text()
+            parts = Elements(page)
+            self.assertNotIn("img", parts.names)
+            self.assertNotIn("b", parts.names)
+            self.assertEqual([a for a in parts.attributes if a[1].startswith("on")], [])
+            self.assertEqual(parts.names.count("script"), 3 if words[0] == "view" else 0)
+            policies = [a[2] for a in parts.attributes if a[0] == "meta" and a[2] and "default-src" in a[2]]
+            self.assertEqual(len(policies), 1)
+            self.assertIn("default-src 'none'", policies[0])
+            self.assertNotIn("unsafe", policies[0])
+        self.assertTrue(any(HOSTILE in text for text in parts.texts))
+        self.done("draw", result)
+        self.assertNotIn("<img", (self.folder / "a.svg").read_text())
+
+    def test_the_policy_names_the_scripts_that_are_there(self):
+        import base64
+        import hashlib
+        result = self.solved("a", GOOD)
+        self.done("view", result)
+        page = (self.folder / "a.html").read_bytes()
+        policy = re.search(rb'Content-Security-Policy" content="([^"]*)"', page).group(1)
+        bodies = re.findall(rb"<script>(.*?)</script>", page, re.S) + re.findall(rb"<style>(.*?)</style>", page, re.S)
+        self.assertEqual(len(bodies), 3)
+        for body in bodies:
+            self.assertIn(b"'sha256-" + base64.b64encode(hashlib.sha256(body).digest()) + b"'", policy)
+
+    def test_an_older_file_is_shown_as_far_as_it_goes(self):
+        result = self.solved("a", GOOD)
+        with h5py.File(self.folder / result, "r+") as f:
+            for name in ("twine_axes", "diameter", "bar", "sheet"):
+                del f["netloft/parts"][name]
+            del f["VTKHDF/CellData/panel_corners"]
+        said = self.done("report", result).out
+        self.assertIn("it was written by an older version", said)
+        self.done("view", result)
+        self.done("draw", result)
+
+    def test_files_that_cannot_be_shown_are_refused_with_a_sentence(self):
+        result = self.solved("a", GOOD)
+        whole = (self.folder / result).read_bytes()
+        self.write("cut.hdf", whole[:len(whole) // 2])
+        self.write("text.hdf", "no HDF5 at all")
+        with h5py.File(self.folder / "other.hdf", "w") as f:
+            f["numbers"] = [1, 2]
+        self.write("newer.hdf", whole)
+        with h5py.File(self.folder / "newer.hdf", "r+") as f:
+            f["netloft"].attrs["schema"] = 99
+        self.write("wild.hdf", whole)
+        with h5py.File(self.folder / "wild.hdf", "r+") as f:
+            f["VTKHDF/Connectivity"][0] = 123456789
+        for command in (["report"], ["view"], ["draw"]):
+            self.assertIn("it is truncated", self.refused(*command, "cut.hdf"))
+            self.assertIn("it is not an HDF5 file", self.refused(*command, "text.hdf"))
+            self.assertIn("not a result of netloft", self.refused(*command, "other.hdf"))
+            self.assertIn("was written by a newer netloft, in format 99", self.refused(*command, "newer.hdf"))
+            self.assertIn("wild.hdf is damaged: a cell stands on a node that it has not", self.refused(*command, "wild.hdf"))
+            self.assertIn("there is no such file", self.refused(*command, "nowhere.hdf"))
+
+    def test_what_it_is_made_from_is_never_replaced(self):
+        result = self.solved("a", GOOD)
+        before = (self.folder / result).read_bytes()
+        self.assertIn("is what it would be made from", self.refused("view", result, "-o", result))
+        self.assertIn("is what it would be made from", self.refused("draw", result, "-o", result))
+        self.assertIn("is no file that may be replaced", self.refused("draw", result, "-o", "."))
+        self.assertEqual((self.folder / result).read_bytes(), before)
+
+    def test_an_export_holds_every_part_where_it_is(self):
+        result, _ = self.gear()
+        self.done("export", result, "gear.glb")
+        data = (self.folder / "gear.glb").read_bytes()
+        self.assertEqual((data[:4], *struct.unpack("<II", data[4:12])), (b"glTF", 2, len(data)))
+        length = struct.unpack("<I", data[12:16])[0]
+        document, binary = json.loads(data[20:20 + length]), data[28 + length:]
+        with h5py.File(self.folder / result) as f:
+            points, names = f["VTKHDF/Points"][:], [n.decode() for n in f["netloft/parts/name"]]
+            corners = sum(1 for kind in f["VTKHDF/Types"] if kind == 5) * 3
+        self.assertEqual({mesh["name"] for mesh in document["meshes"]}, set(names))
+        triangles = [p for mesh in document["meshes"] for p in mesh["primitives"] if p["mode"] == 4]
+        self.assertEqual(sum(document["accessors"][p["attributes"]["POSITION"]]["count"] for p in triangles), corners)
+        boxes = [document["accessors"][p["attributes"]["POSITION"]] for mesh in document["meshes"] for p in mesh["primitives"]]
+        numpy.testing.assert_allclose(numpy.max([b["max"] for b in boxes], axis=0), points.max(axis=0), atol=1e-4)
+        view = document["bufferViews"][boxes[0]["bufferView"]]
+        first = numpy.frombuffer(binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]], "<f4").reshape(-1, 3)
+        numpy.testing.assert_allclose(first.min(axis=0), boxes[0]["min"], rtol=1e-6)
+
+    def test_tables_hold_nodes_and_elements(self):
+        result = self.solved("a", GOOD)
+        self.done("export", result, "nodes.csv")
+        self.done("export", result, "elements.csv", "--table", "elements")
+        nodes = list(csv.DictReader(io.StringIO((self.folder / "nodes.csv").read_text())))
+        elements = list(csv.DictReader(io.StringIO((self.folder / "elements.csv").read_text())))
+        with h5py.File(self.folder / result) as f:
+            self.assertEqual([float(n["z [m]"]) for n in nodes], list(f["VTKHDF/Points"][:, 2]))
+            self.assertEqual(len(elements), f["VTKHDF/NumberOfCells"][0])
+            self.assertEqual(elements[-1]["part"], "rope")
+            self.assertEqual(float(elements[-1]["tension [N]"]), f["VTKHDF/CellData/tension"][-1])
+        self.assertIn("there are .glb and .csv", self.refused("export", result, "a.obj"))
+
+    def test_two_results_come_with_what_changed_between_them(self):
+        a, b = self.solved("a", GOOD), self.solved("b", changed(GOOD, ("density = 2000", "density = 2600")))
+        self.done("view", a, b, "-o", "both.html")
+        page = (self.folder / "both.html").read_text()
+        self.assertIn("What changed", page)
+        self.assertIn("results/lowest_z", page)
+        self.assertEqual(len(self.data_of(page)["results"]), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
