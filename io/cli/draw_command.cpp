@@ -2,12 +2,12 @@
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
 #include "io/cli/terminal.hpp"
+#include "io/files/whole_file.hpp"
 #include "io/gear/check.hpp"
 #include "io/gear/drawing.hpp"
 #include "io/gear/read_plan.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -28,12 +28,6 @@ void check_output(const std::string& output, const NetPlan& plan) {
   for (const auto& file : plan.files)
     if (std::filesystem::equivalent(output, file.path, none))
       throw UsageError{output + " is the plan itself; name another file with -o"};
-}
-
-void write(const std::string& output, const std::string& picture) {
-  std::ofstream file(output);
-  file << picture << std::flush;
-  if (!file) throw UsageError{output + " cannot be written"};
 }
 
 std::string draw_divided(const NetPlan& plan, std::size_t nodes) {
@@ -61,7 +55,7 @@ int draw_command(const Options& options) {
   }
   const std::string output = output_of(options);
   check_output(output, plan);
-  write(output, options.mesh ? draw_divided(plan, options.mesh_nodes) : draw_plan(plan));
+  write_whole(output, options.mesh ? draw_divided(plan, options.mesh_nodes) : draw_plan(plan));
   terminal.say("written to " + output);
   return kDone;
 }

@@ -198,6 +198,8 @@ void add_commands(CLI::App& app, Options& o) {
       ->type_name("FILE.hdf");
   run->add_flag("--resume", o.resume,
                 "go on with a motion from the .part that a killed or interrupted run left");
+  run->add_flag("--overwrite", o.overwrite, "replace the .part that such a run left, and all its outputs")
+      ->excludes("--resume");
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
