@@ -3,10 +3,22 @@
 include_guard(GLOBAL)
 include(GoogleTest)
 
+option(NETLOFT_PRECOMPILE "Read the headers that most tests include once; for builds without a compiler cache" OFF)
+if(NETLOFT_PRECOMPILE)
+  add_executable(netloft_test_headers ${PROJECT_SOURCE_DIR}/tests/support/test_headers.cpp)
+  target_link_libraries(netloft_test_headers PRIVATE GTest::gtest)
+  target_compile_options(netloft_test_headers PRIVATE -ffp-contract=off)
+  target_precompile_headers(netloft_test_headers PRIVATE <gtest/gtest.h> <algorithm> <array> <cmath> <cstdint> <filesystem>
+    <fstream> <functional> <limits> <map> <memory> <optional> <set> <span> <sstream> <stdexcept> <string> <variant> <vector>)
+endif()
+
 function(netloft_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
+  if(NETLOFT_PRECOMPILE)
+    target_precompile_headers(${name} REUSE_FROM netloft_test_headers)
+  endif()
   target_compile_definitions(${name} PRIVATE NETLOFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              NETLOFT_BINARY_DIR="${PROJECT_BINARY_DIR}")
   # CHOLMOD opens OpenMP regions that spin when the cores are taken. Of OpenBLAS's kernels for small matrices those for
