@@ -76,10 +76,21 @@ Stability stability_of(GrowthVerdict verdict) {
   }
 }
 
+/// Of a gear that has come to rest at x: what moves on from there is resisted by friction with that past, not
+/// with the one before the gear came there.
+Growth find_growth_at_rest(Assembler& assembler, const Assessment& a, const MakeFactorisation& make,
+                           double doubt) {
+  const std::vector<double> past = assembler.memory();
+  if (!assembler.remember(a.x)) return {.verdict = GrowthVerdict::unknown};
+  Growth growth = find_growth(assembler, a.x, make, a.x_low, doubt);
+  assembler.set_memory(past);
+  return growth;
+}
+
 /// Where forces have no energy. What is left of imbalance changes the stiffness by that over a length.
 void find_what_grows(Assessment& a, const StaticProblem& problem, Assembler& assembler,
                      const MakeFactorisation& make) {
-  Growth growth = find_growth(assembler, a.x, make, a.x_low, a.balance.residual / problem.element_size());
+  Growth growth = find_growth_at_rest(assembler, a, make, a.balance.residual / problem.element_size());
   a.stability = stability_of(growth.verdict);
   a.judging.add(growth.cost);
   if (!growth.grows()) return;

@@ -59,8 +59,8 @@ std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t pro
 /// far from the equilibrium a balanced point is estimated to be, says `correction`. A stationary point whose
 /// tangent is not positive definite is called unstable, and so is one about which something grows, where
 /// forces have no energy (Limits::ask_growth). A solver that is unfit is not started, and nothing is
-/// computed. What elements remember (friction) stands still while the solver works; where it converged is
-/// what they remember next.
+/// computed. What elements remember (friction) does not change: an equilibrium is one of the past that the
+/// scene had.
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
                       std::function<void(const IterationRecord&)> on_iteration = {},

@@ -28,7 +28,9 @@ Solution find_equilibrium(const SiteSource& source, const StudyOptions& options,
   RunningStudy study(host, as_written(), options.limits.tolerance, options.work,
                      start.empty() ? nullptr : start.data());
   study.run(*strategy.type, parameters.data());
-  return host.finish(study.best());
+  Solution best = host.finish(study.best());
+  if (best.status == SolveStatus::converged) source.assembler->remember(best.x);
+  return best;
 }
 
 std::string explain_strategy(const SiteSource& source, const StudyOptions& options,

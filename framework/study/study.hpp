@@ -34,8 +34,9 @@ struct StudyOptions {
 /// sketch), and chooses among its answers (shapes.hpp). The strategy sees a netloft_study: it asks for
 /// stages, each a solve of a variant by a solver within a budget, and hands over equilibria of the scene
 /// itself. The host counts the work of every stage, judges it (verdict.hpp) and keeps its record. Where there
-/// is no answer the solution is the stage of the scene itself that came closest, and says so. Throws
-/// SceneError or PluginRefused where a stage asks for what cannot be made.
+/// is no answer the solution is the stage of the scene itself that came closest, and says so. All stages see
+/// the same past; the elements of the source (friction) remember the answer at the end. Throws SceneError or
+/// PluginRefused where a stage asks for what cannot be made.
 Solution find_equilibrium(const SiteSource& source, const StudyOptions& options, const StrategyUse& strategy,
                           const std::vector<double>& start = {});
 

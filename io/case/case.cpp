@@ -11,6 +11,7 @@
 #include "solvers/factorisation/kept_analyses.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -127,8 +128,10 @@ Solution Case::settle(const Watch& watch) {
   Limits limits = loaded_.analysis.limits;
   limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
-  return solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_,
-                      watch.on_iteration);
+  Solution s = solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_,
+                            watch.on_iteration);
+  if (s.status == SolveStatus::converged) assembler_->remember(s.x);
+  return s;
 }
 
 MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interrupt, const MarchState* from) {
@@ -142,25 +145,37 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
   limits.interrupt = interrupt;
   std::optional<MarchState> at_rest;
   if (!from && a.dynamics.from_equilibrium) {
-    const Solution s = find_start(interrupt);
+    Solution s;
+    const std::vector<double> u = find_start(interrupt, s);
     if (s.status != SolveStatus::converged) {
       MarchResult none;
-      none.reason = "there is no equilibrium to start from: " + s.reason, none.u = s.u;
+      none.reason = "there is no equilibrium to start from: " + s.reason, none.u = u;
       return none;
     }
-    from = &at_rest.emplace(state_at_rest(*assembler_, s.u));
+    from = &at_rest.emplace(state_at_rest(*assembler_, u));
   }
   return netloft::march(loaded_.scene, *assembler_, {&integrator, scheme.data()}, {&solver, steps.data()},
                         make_, limits, a.dynamics.march, watch, from);
 }
 
-/// The equilibrium that a motion starts from, as a static analysis of the same scene finds it.
-Solution Case::find_start(const std::atomic<bool>* interrupt) {
+/// As a static analysis of the same scene: forces, tangent, tolerance, solver. A motion may leave out parts
+/// of the tangent and still swing about what statics find with all of it. Both number their unknowns alike.
+std::vector<double> Case::find_start(const std::atomic<bool>* interrupt, Solution& found) {
+  const Plan plan = make_plan(loaded_.scene, registry_);
+  Assembler assembler(loaded_.scene, plan, source_.threads);
+  assert(assembler.pattern().size == assembler_->pattern().size);
+  SiteSource source = sites();
+  source.assembler = &assembler, source.tangent = TangentChoice::exact;
   Limits limits;
   limits.seconds = loaded_.analysis.limits.seconds;
   StudyOptions options = study_options(limits, {interrupt, {}});
   options.solver = {&registry_.solver(kSolver), {}};
-  return netloft::find_equilibrium(sites(), options, strategy());
+  found = netloft::find_equilibrium(source, options, strategy());
+  if (found.status != SolveStatus::converged) return found.u;
+  std::vector<double> x(assembler_->start());
+  assembler_->place(found.u, x);
+  assembler_->remember(x);
+  return found.u;
 }
 
 }  // namespace netloft::io

@@ -78,7 +78,8 @@ class Case {
   SiteSource sites();
   StudyOptions study_options(const Limits& limits, const Watch& watch);
   StrategyUse strategy();
-  Solution find_start(const std::atomic<bool>* interrupt);
+  /// Displacements of the equilibrium that a motion starts from.
+  std::vector<double> find_start(const std::atomic<bool>* interrupt, Solution& found);
 
   CaseSource source_;
   Registry& registry_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/seabed/plane.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace netloft::seabed {
 
@@ -71,13 +73,18 @@ Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
 
 namespace {
 
-/// The friction of one node on the bed: (4)–(7).
+// Positions are known to so much of themselves, after the few sums of (1) to (4).
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// The friction of one node on the bed: (4)–(7). Where a node slid, (7) leaves it at the limit of (5), to
+/// rounding: it sticks there, so that not every node of a line at rest has its own answer.
 struct Hold {
   double n[3], unit[3];       // normal, and d̂
   double way, limit, spring;  // |d|, μ N, κ L
+  double rounding;            // of |d| [m]
   double limit_slope;         // −∂(μ N)/∂h = μ K f''
-  bool slides() const { return spring * way > limit; }
-  double force() const { return slides() ? limit : spring * way; }
+  bool slides() const { return spring * (way - rounding) > limit; }
+  double force() const { return std::min(limit, spring * way); }
 };
 
 Hold hold_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
@@ -92,10 +99,11 @@ Hold hold_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
   for (int axis = 0; axis < 3; ++axis) {
     w[axis] -= along * b.n[axis];  // (4)
     square += w[axis] * w[axis];
+    b.rounding = std::max(b.rounding, kRounding * std::abs(t.x[at(axis, i)]));
   }
   const Plane::Depth depth = press_node(p, t, i);
-  b.way = std::sqrt(square), b.spring = has_past ? p.shear[i] : 0;
   b.limit = p.friction[i] * p.K[i] * depth.f1, b.limit_slope = p.friction[i] * p.K[i] * depth.f2;
+  b.way = std::sqrt(square), b.spring = has_past && b.limit > 0 ? p.shear[i] : 0;
   for (int axis = 0; axis < 3; ++axis) b.unit[axis] = b.way > 0 ? w[axis] / b.way : 0;
   return b;
 }

@@ -25,11 +25,8 @@ std::string rows_where(const std::vector<Row>& rows, const Is& is) {
   return names;
 }
 
-/// Claims success where there is no equilibrium, or at another than the only one. That a disturbance grows,
-/// where forces have no energy, does not count here: a solver alone is not asked for it.
-bool claims_wrong(const Cell& c) {
-  return is_claimed_wrong(c.verdict.where) && c.stability.find("disturbance") == std::string::npos;
-}
+/// Claims success where there is no equilibrium, at another than the only one, or where a disturbance grows.
+bool claims_wrong(const Cell& c) { return is_claimed_wrong(c.verdict.where); }
 /// Where forces have no energy the suite itself has to ask whether a disturbance grows.
 bool is_not_asked(const Cell& c) { return c.status == "converged" && c.stability == "unknown"; }
 bool is_not_given_up(const Cell& c) { return c.expected == Expected::none && !is_right(c.verdict.where); }
@@ -57,7 +54,7 @@ TEST(HardCases, NewtonTellsTheTruthAboutAllOfThem) {
 
 // Not the drawn ones: of some cod-ends no stable shape is known. A few nets that resist compression are in
 // equilibrium in many shapes, of which restarts need not find the lowest.
-constexpr std::size_t kMostMissed = 3;
+constexpr std::size_t kMostMissed = 2;
 
 TEST(HardCases, AutoClaimsNothingWrongAndMissesAFewAtTheMost) {
   auto suite = shipped_suite();

@@ -116,6 +116,19 @@ TEST(SeabedFriction, SlidesBeyondTheShareOfTheNormalForceAndDragsItsAnchorAlong)
   EXPECT_NEAR(n.force[0], before, 1e-9) << "remembering changes no force";
 }
 
+TEST(SeabedFriction, SticksWhereItCameToRestWhateverIsRoundedOff) {
+  for (int k = 1; k < 200; ++k) {
+    OneNode n;
+    n.t.tangent = n.tangent, n.t.want = NETLOFT_WANT_FORCE | NETLOFT_WANT_TANGENT;
+    n.x[0] = 100 + 0.37 * k, n.x[kLanes] = -3.1 * k;  // far enough to slide
+    n.evaluate();
+    n.accept();
+    n.evaluate();
+    const double stuck = n.tangent[0] * n.tangent[4 * kLanes] - n.tangent[kLanes] * n.tangent[3 * kLanes];
+    EXPECT_NEAR(stuck, 2e4 * 2e4, 1) << "the spring resists along every direction, " << k;
+  }
+}
+
 TEST(SeabedFriction, HoldsALoadForEverOnceItSticks) {
   OneNode n;
   n.x[0] = 0.03;
@@ -129,10 +142,13 @@ TEST(SeabedFriction, HoldsALoadForEverOnceItSticks) {
 TEST(SeabedFriction, LetsGoAboveTheBedAndTakesTheAnchorAlong) {
   OneNode n;
   n.x[0] = 4, n.x[2 * kLanes] = -49;
+  n.t.tangent = n.tangent, n.t.want = NETLOFT_WANT_FORCE | NETLOFT_WANT_TANGENT;
   n.evaluate();
   EXPECT_EQ(n.force[0], 0);
   n.accept();
   EXPECT_EQ(n.state[0], 4);
+  n.evaluate();
+  EXPECT_EQ(n.tangent[0], 0) << "above its anchor, too, nothing holds it";
   EXPECT_EQ(n.state[2 * kLanes], -49);
 }
 
