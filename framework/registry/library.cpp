@@ -101,6 +101,9 @@ const netloft_plugin* described_by(void* symbol) {
 }  // namespace
 
 PluginContent open_library(const std::filesystem::path& file) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none))
+    throw PluginRefused(file.string() + ": is no file that can be opened");
   if (!is_whole(file))
     throw PluginRefused(file.string() +
                         ": is not whole; it ends before its own header says. Copy or build it again");

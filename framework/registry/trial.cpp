@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/trial.hpp"
 
+#include "framework/registry/descriptors.hpp"
+
 #include <netloft/plugin.h>
 
 #include <dlfcn.h>
@@ -35,7 +37,10 @@ void die_of_signals() {
   void* handle = dlopen(file, RTLD_NOW | RTLD_LOCAL);
   void* symbol = handle ? dlsym(handle, "netloft_plugin_v1") : nullptr;
   try {
-    if (symbol) reinterpret_cast<netloft_plugin_function>(symbol)();
+    if (symbol) {
+      const auto* plugin = reinterpret_cast<netloft_plugin_function>(symbol)();
+      read_plugin(plugin, file, std::filesystem::path(file).stem().string());
+    }
   } catch (...) {  // said when it is opened for good
   }
   _exit(kCameBack);

@@ -20,6 +20,14 @@ std::filesystem::path library_folder() {
 
 }  // namespace
 
+std::string folder_fault(const std::filesystem::path& folder) {
+  std::error_code fault;
+  if (!std::filesystem::exists(folder, fault)) return "there is no folder " + folder.string();
+  if (!std::filesystem::is_directory(folder, fault)) return folder.string() + " is no folder";
+  std::filesystem::directory_iterator(folder, fault);
+  return fault ? folder.string() + " cannot be read: " + fault.message() : "";
+}
+
 std::vector<std::filesystem::path> catalogue_folders(std::vector<std::filesystem::path> own) {
   if (const char* listed = std::getenv("NETLOFT_CATALOGUE")) {
     std::istringstream words(listed);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/session.hpp"
 #include "io/compare/report.hpp"
+#include "io/files/whole_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -82,11 +82,6 @@ void check_plot_name(const std::string& name) {
     throw UsageError{"--plot " + name + ": plots are drawn as .svg or .html"};
 }
 
-void write(const std::string& name, const std::string& content) {
-  std::ofstream file(name, std::ios::binary);
-  if (!(file << content) || !file.flush()) throw std::runtime_error("cannot write " + name);
-}
-
 /// Opens the scene once with every method, and on every mesh, so that all that is wrong is said at first.
 class Inspection {
  public:
@@ -132,10 +127,10 @@ class Inspection {
 };
 
 void write_files(const Comparison& result, const CompareOptions& o) {
-  if (!o.csv.empty()) write(o.csv, comparison_csv(result));
+  if (!o.csv.empty()) write_whole(o.csv, comparison_csv(result));
   if (o.plot.empty()) return;
   const LogLogPlot plot = comparison_plot(result);
-  write(o.plot, o.plot.ends_with(".html") ? draw_html(plot) : draw_svg(plot));
+  write_whole(o.plot, o.plot.ends_with(".html") ? draw_html(plot) : draw_svg(plot));
 }
 
 int run(const Options& options) {

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/registry/nearest.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
 #include "io/cli/prefix.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <iostream>
 
@@ -249,6 +256,8 @@ void add_commands(CLI::App& app, Options& o) {
       ->type_name("FILE.hdf");
   run->add_flag("--resume", o.resume,
                 "go on with a motion from the .part that a killed or interrupted run left");
+  run->add_flag("--overwrite", o.overwrite, "replace the .part that such a run left, and all its outputs")
+      ->excludes("--resume");
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
@@ -321,12 +330,46 @@ int explain(const CLI::App& app, const CLI::ParseError& error, const std::vector
   return kWrongInput;
 }
 
+/// A first word that is no command, as a sentence with the command it may stand for; else empty.
+std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.size() < 2 || words[1].starts_with('-')) return {};
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), words[1]) != names.end()) return {};
+  const auto near = nearest(words[1], names);
+  return "there is no command \"" + words[1] +
+         (near ? "\"; did you mean \"" + *near + "\"?" : "\"; `netloft --help` lists them");
+}
+
+/// A file that is opened must not become a stream that was closed: what is printed would land in it. Nor is a
+/// limit on the size of files a reason to die without a word.
+void guard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && errno == EBADF) open("/dev/null", O_RDONLY);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+/// What was printed has to arrive.
+int after_printing(int code) {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush()) return code;
+  std::fprintf(stderr, "netloft: standard output cannot be written: %s\n", std::strerror(errno));
+  return code == kDone ? kOther : code;
+}
+
 int start(int argc, char** argv) {
   Options o;
   o.words.assign(argv, argv + argc);
   CLI::App app{"Netloft finds the shape and the forces of trawl gears.", "netloft"};
   app.set_version_flag("--version", std::string("netloft " NETLOFT_VERSION));
   add_commands(app, o);
+  if (argc == 1) {
+    std::fputs(app.help().c_str(), stdout);
+    return kDone;
+  }
+  if (const std::string fault = unknown_command(app, o.words); !fault.empty()) {
+    o.json = std::find(o.words.begin(), o.words.end(), "--json") != o.words.end();
+    return fail(o, fault, kWrongInput);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -339,4 +382,7 @@ int start(int argc, char** argv) {
 }  // namespace
 }  // namespace netloft::io
 
-int main(int argc, char** argv) { return netloft::io::start(argc, argv); }
+int main(int argc, char** argv) {
+  netloft::io::guard_streams();
+  return netloft::io::after_printing(netloft::io::start(argc, argv));
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
+#include "io/files/whole_file.hpp"
 #include "netloft_templates.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
 namespace netloft::io {
@@ -77,11 +77,6 @@ std::string renamed(const std::string& text, const std::string& kind, const std:
   return replaced(replaced(text, old, name), type_name(old), type_name(name));
 }
 
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  if (!(out << text << std::flush)) throw std::runtime_error(file.string() + ": cannot be written");
-}
-
 void say_what_next(const std::string& name) {
   fmt::print(
       "{0}/ holds {0}.cpp, a test, a scene and a README. It works as it is:\n"
@@ -102,8 +97,8 @@ int new_command(const Options& options) {
     throw UsageError{folder.string() + ": there is something of that name"};
   for (const auto& t : kTemplates)
     if (t.kind == options.kind)
-      write(folder / renamed(t.file, options.kind, options.target),
-            renamed(without_licence(t.text), options.kind, options.target));
+      write_whole(folder / renamed(t.file, options.kind, options.target),
+                  renamed(without_licence(t.text), options.kind, options.target));
   say_what_next(options.target);
   return kDone;
 }

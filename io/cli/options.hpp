@@ -29,6 +29,7 @@ struct Options {
   std::vector<std::string> targets;  // view: results
   std::string output;                // -o
   bool resume = false;               // --resume
+  bool overwrite = false;            // --overwrite
   bool error = false;                // --error
   std::vector<std::int64_t> nodes;   // refine: --nodes
   std::string strategy;              // --strategy NAME[:key=value[,key=value]]

@@ -2,13 +2,13 @@
 #include "io/cli/commands.hpp"
 #include "io/cli/components.hpp"
 #include "io/cli/page.hpp"
+#include "io/files/whole_file.hpp"
 #include "io/scene/keys.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 namespace netloft::io {
 
@@ -101,11 +101,6 @@ Page index_of(const std::vector<Page>& pages) {
   return index;
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file);
-  if (!(out << text << std::flush)) throw std::runtime_error(file.string() + ": cannot be written");
-}
-
 }  // namespace
 
 int reference_command(const Options& options) {
@@ -120,11 +115,11 @@ int reference_command(const Options& options) {
   pages.push_back(index_of(pages));
   std::filesystem::create_directories(folder);
   for (const auto& page : pages) {
-    write(folder / (page.file + ".md"), markdown(page));
-    write(folder / (page.file + ".html"), html(page));
+    write_whole(folder / (page.file + ".md"), markdown(page));
+    write_whole(folder / (page.file + ".html"), html(page));
   }
-  write(folder / "scene.schema.json",
-        scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_whole(folder / "scene.schema.json",
+              scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   fmt::print("{} pages and scene.schema.json in {}\n", pages.size(), folder.string());
   return kDone;
 }

@@ -2,11 +2,11 @@
 #include "io/cli/replaced_file.hpp"
 
 #include "io/cli/options.hpp"
+#include "io/files/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
 
 namespace netloft::io {
 
@@ -20,20 +20,7 @@ void replace_file(const std::string& output, const std::string& content,
   for (const auto& source : sources)
     if (fs::equivalent(output, source, none))
       throw UsageError{output + " is what it would be made from; name another file with -o"};
-  const std::string beside = output + ".new";
-  {
-    std::ofstream file(beside, std::ios::binary);
-    file << content << std::flush;
-    if (!file) {
-      fs::remove(beside, none);
-      throw UsageError{output + " cannot be written"};
-    }
-  }
-  fs::rename(beside, output, none);
-  if (!none) return;
-  const std::string why = none.message();
-  fs::remove(beside, none);
-  throw UsageError{output + " cannot be written: " + why};
+  write_whole(output, content);
 }
 
 std::string in_json(const std::string& text) {

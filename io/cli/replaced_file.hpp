@@ -6,7 +6,8 @@
 namespace netloft::io {
 
 /// Puts `content` in the place of the file `output`, whole or not at all: it is written beside it and
-/// renamed. A folder, a device or one of `sources` is never replaced. Throws UsageError with a sentence.
+/// renamed (io/files). A folder, a device or one of `sources` is never replaced. Throws UsageError, or
+/// WriteError where the system refuses, with a sentence.
 void replace_file(const std::string& output, const std::string& content,
                   const std::vector<std::string>& sources);
 

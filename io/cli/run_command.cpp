@@ -2,6 +2,7 @@
 #include "io/cli/session.hpp"
 #include "io/compare/mesh_error.hpp"
 #include "io/dynamics/motion_report.hpp"
+#include "io/hdf5/read.hpp"
 #include "io/report/provenance.hpp"
 #include "io/report/write_result.hpp"
 
@@ -35,6 +36,47 @@ std::string output_file(const Options& options, const LoadedScene& loaded) {
   return name;
 }
 
+/// Outputs of a motion that was killed are replaced only by who says so.
+void spare_outputs(const Options& options, const std::string& part) {
+  std::error_code none;
+  if (options.resume || options.overwrite || !std::filesystem::is_regular_file(part, none) ||
+      std::filesystem::file_size(part, none) == 0)
+    return;
+  require_no_writer(part);
+  const std::string cure = "; --overwrite replaces it, -o writes elsewhere";
+  try {
+    const Reader left(part);
+    if (left.has("/netloft/checkpoint/time"))
+      throw UsageError{part + " holds " + std::to_string(left.times().size()) +
+                       " outputs of a run that did not end; --resume goes on from them" + cure};
+  } catch (const FileError& e) {
+    throw UsageError{std::string(e.what()) + ". A run that did not end left it" + cure};
+  }
+}
+
+/// The result is named by its outcome, and who reads the terminal learns of it.
+std::string named_by_outcome(const ResultFile& file, const Solution& solution, Terminal& terminal) {
+  const auto wanted = file.final_path();
+  const auto name = name_beside_better(wanted, name_of(solution.status));
+  if (name != wanted)
+    terminal.say("netloft: " + wanted.string() + " holds a better result and stays; this one is " +
+                 name_of(solution.status) + " and goes to " + name.string());
+  return name.string();
+}
+
+/// The file of a static run: what ends without a result leaves none.
+class FileOfRun {
+ public:
+  explicit FileOfRun(const std::string& name) : file_(name) {}
+  FileOfRun(const FileOfRun&) = delete;
+  FileOfRun& operator=(const FileOfRun&) = delete;
+  ~FileOfRun() { file_.discard(); }
+  ResultFile& operator*() { return file_; }
+
+ private:
+  ResultFile file_;
+};
+
 /// Meshes that the errors of results are found from; none if they are not asked for.
 std::vector<MeshLevel> levels_for_errors(const Options& options, const LoadedScene& loaded) {
   if (!options.error) return {};
@@ -67,6 +109,7 @@ int run_in_time(const Options& options, Session& session, const RunContext& cont
   const std::string part = output_file(options, session.loaded()) + ".part";
   if (options.resume && !std::filesystem::exists(part))
     throw UsageError{"--resume: there is no " + part + " to go on from"};
+  spare_outputs(options, part);
   const MotionOptions how{
       output_file(options, session.loaded()), options.resume, identity_of(options, session.loaded()),
       &interrupt_flag(),
@@ -93,7 +136,8 @@ int run_command(const Options& options) {
 
   if (const auto why_not = session.the_case().why_unfit()) throw UsageError{*why_not};
   const auto levels = levels_for_errors(options, session.loaded());
-  ResultFile file(output_file(options, session.loaded()));
+  spare_outputs(options, output_file(options, session.loaded()) + ".part");
+  FileOfRun file(output_file(options, session.loaded()));
   RunResult result;
   result.reading_seconds = session.the_case().reading_seconds();
   result.setup_seconds = session.the_case().setup_seconds();
@@ -106,8 +150,8 @@ int run_command(const Options& options) {
     find_mesh_errors(source_of(options), session.registry(), session.the_case(), levels,
                      {&interrupt_flag(), {}}, result);
   context.plugins = session.registry().opened();
-  write_result(file, session.loaded(), session.assembler(), result, context);
-  result.output_file = file.final_path().string();
+  result.output_file = named_by_outcome(*file, result.solution, session.terminal());
+  write_result(*file, session.loaded(), session.assembler(), result, context);
 
   session.terminal().clear();
   std::puts(options.json ? run_json(session.loaded(), session.plan(), result).c_str()

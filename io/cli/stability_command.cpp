@@ -4,12 +4,12 @@
 #include "io/cli/prefix.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/terminal.hpp"
+#include "io/files/whole_file.hpp"
 #include "io/scene/dynamics.hpp"
 #include "io/stability/matrix.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -84,11 +84,6 @@ std::vector<StabilityColumn> find_columns(const StabilitySuite& suite, const Opt
   return columns;
 }
 
-void write_page(const std::string& file, const std::string& page) {
-  std::ofstream out(file);
-  if (!(out << page) || !out.flush()) throw std::runtime_error(file + ": cannot be written");
-}
-
 /// Whether the first column got all of it right.
 bool first_is_right(const std::vector<Row>& rows) {
   return std::all_of(rows.begin(), rows.end(),
@@ -130,7 +125,7 @@ int stability_command(const Options& options) {
   if (o.update_references && !interrupt_flag()) references.save();
 
   const MatrixTitle title{folder.string(), o.draw};
-  if (!o.html.empty()) write_page(o.html, matrix_html(title, rows));
+  if (!o.html.empty()) write_whole(o.html, matrix_html(title, rows));
   std::puts((options.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
   if (interrupt_flag()) return kInterrupted;
   return first_is_right(rows) ? kDone : kNotConverged;

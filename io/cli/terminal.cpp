@@ -106,7 +106,7 @@ void Terminal::clear() {
 const std::atomic<bool>& interrupt_flag() { return interrupted; }
 
 void catch_interrupts() {
-  for (const int signal : {SIGINT, SIGTERM})
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
     std::signal(signal, [](int number) {
       interrupted = true;
       std::signal(number, SIG_DFL);

@@ -39,7 +39,7 @@ class Terminal {
   double first_residual_ = 0;
 };
 
-/// Set by the first SIGINT or SIGTERM; a second one ends the program at once.
+/// Set by the first SIGINT, SIGTERM, SIGHUP or SIGQUIT; a second one ends the program at once.
 const std::atomic<bool>& interrupt_flag();
 void catch_interrupts();
 

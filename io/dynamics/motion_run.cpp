@@ -21,15 +21,14 @@ class MotionRun {
       : case_(the_case), loaded_(the_case.loaded()), context_(context), options_(options) {}
 
   MotionResult run() {
-    std::optional<MarchState> from;
-    if (options_.resume) from = read_killed();
+    if (options_.resume) killed_state_ = read_killed();
     const MarchWatch watch{[&](const Snapshot& at) { write(at); },
                            [&](const StepRecord& step, std::span<const double>) {
                              if (options_.on_step) options_.on_step(step);
                              return false;
                            }};
-    result_.march = case_.march(watch, options_.interrupt, from ? &*from : nullptr);
-    if (!file_ && killed_) finish_killed(*from);
+    result_.march = case_.march(watch, options_.interrupt, killed_state_ ? &*killed_state_ : nullptr);
+    if (!file_ && killed_) finish_killed();
     if (file_) finish();
     return std::move(result_);
   }
@@ -54,12 +53,17 @@ class MotionRun {
     ++result_.outputs;
   }
   void open_file() {
-    file_.emplace(options_.output, layout_, killed_ ? &*killed_ : nullptr, result_.outputs);
+    if (!killed_) {
+      file_.emplace(options_.output, layout_);
+      return;
+    }
+    const auto checkpoint = [&](Tree& tree) { write_checkpoint(tree, *killed_state_, options_.identity); };
+    file_.emplace(options_.output, layout_, SeriesFile::Killed{*killed_, result_.outputs, checkpoint});
   }
 
   /// The run was killed after its last output: the file only needs to be finished.
-  void finish_killed(const MarchState& from) {
-    describe_layout_of_killed(from);
+  void finish_killed() {
+    describe_layout_of_killed(*killed_state_);
     recall(read_state(*killed_, layout_, result_.outputs - 1).row);
     open_file();
   }
@@ -165,22 +169,25 @@ class MotionRun {
   }
 
   void finish() {
-    result_.output_file = file_->final_path().string();
     if (result_.march.status == MarchStatus::interrupted) {
-      result_.output_file += ".part";
+      result_.output_file = file_->final_path().string() + ".part";
       return;
     }
-    file_->finish([&](Tree& tree) {
-      tree.set_attribute("/netloft/status", "outcome", std::string_view(name_of(result_.march.status)));
-      tree.set_attribute("/netloft/status", "sentence", std::string_view(result_.march.reason));
-      write_origins(tree, loaded_, context_, result_.march.statistics);
-      tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
-      tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
-      write_gear(tree, loaded_, result_.gear);
-      for (const auto& s : result_.scalars)
-        tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
-    });
-    write_xdmf(file_->final_path());
+    const auto name = name_beside_better(file_->final_path(), name_of(result_.march.status));
+    result_.output_file = name.string();
+    file_->finish(
+        [&](Tree& tree) {
+          tree.set_attribute("/netloft/status", "outcome", std::string_view(name_of(result_.march.status)));
+          tree.set_attribute("/netloft/status", "sentence", std::string_view(result_.march.reason));
+          write_origins(tree, loaded_, context_, result_.march.statistics);
+          tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
+          tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
+          write_gear(tree, loaded_, result_.gear);
+          for (const auto& s : result_.scalars)
+            tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
+        },
+        name);
+    write_xdmf(name);
   }
 
   Case& case_;
@@ -189,6 +196,7 @@ class MotionRun {
   const MotionOptions& options_;
   SeriesFile::Layout layout_;
   std::optional<Reader> killed_;
+  std::optional<MarchState> killed_state_;
   std::optional<SeriesFile> file_;
   MotionResult result_;
 };

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/dynamics/xdmf.hpp"
 
+#include "io/files/whole_file.hpp"
 #include "io/hdf5/read.hpp"
 #include "io/hdf5/step_views.hpp"
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <sstream>
 
 namespace netloft::io {
 
@@ -60,7 +61,7 @@ void write_xdmf(const std::filesystem::path& result) {
   const auto times = reader.times();
   if (times.size() < 2) return;
   const std::string file = result.filename().string();
-  std::ofstream out(std::filesystem::path(result).replace_extension(".xdmf"));
+  std::ostringstream out;
   out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
       << "<Grid Name=\"series\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   const std::string shared = topology(reader);
@@ -72,6 +73,7 @@ void write_xdmf(const std::filesystem::path& result) {
         << "</Grid>\n";
   }
   out << "</Grid></Domain></Xdmf>\n";
+  write_whole(std::filesystem::path(result).replace_extension(".xdmf"), out.str());
 }
 
 }  // namespace netloft::io

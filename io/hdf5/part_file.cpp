@@ -41,12 +41,21 @@ Lock try_lock(int fd) {
 bool is_still_named(int fd, const fs::path& path) {
   struct stat by_fd {};
   struct stat by_name {};
-  return fstat(fd, &by_fd) == 0 && stat(path.c_str(), &by_name) == 0 && by_fd.st_ino == by_name.st_ino &&
+  return fstat(fd, &by_fd) == 0 && lstat(path.c_str(), &by_name) == 0 && by_fd.st_ino == by_name.st_ino &&
          by_fd.st_dev == by_name.st_dev;
 }
 
+/// A symbolic link is not followed: what it points at may be anybody's. Nor is a device opened, which may
+/// block.
 Descriptor open_or_create(const fs::path& part) {
-  Descriptor fd(open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  std::error_code none;
+  const auto kind = fs::symlink_status(part, none).type();
+  if (kind == fs::file_type::symlink)
+    throw FileError("cannot write " + part.string() +
+                    ": it is a symbolic link; remove it or choose another name with -o");
+  if (fs::exists(part, none) && kind != fs::file_type::regular)
+    throw FileError("cannot write " + part.string() + ": it is a folder, a device or similar");
+  Descriptor fd(open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (fd.get() < 0) throw FileError("cannot write " + part.string() + ": " + system_reason());
   return fd;
 }
@@ -118,15 +127,15 @@ PartFile::PartFile(fs::path final_path, fs::path part_path)
 }
 
 bool PartFile::exchange_names(PartFile& other) {
-  if (!exchange_name_with(other.part_)) return false;
-  other.part_.swap(former_part_);
+  if (renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, other.part_.c_str(), RENAME_EXCHANGE) != 0) return false;
+  part_.swap(other.part_);
   return true;
 }
 
-bool PartFile::exchange_name_with(const fs::path& part) {
-  if (renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, part.c_str(), RENAME_EXCHANGE) != 0) return false;
-  former_part_ = std::exchange(part_, part);
-  return true;
+void PartFile::take_name_of(const fs::path& part) {
+  if (rename(part_.c_str(), part.c_str()) != 0)
+    throw FileError("cannot rename " + part_.string() + " to " + part.string() + ": " + system_reason());
+  part_ = part;
 }
 
 void PartFile::flush() {
@@ -134,17 +143,47 @@ void PartFile::flush() {
   with_context("cannot write " + part_.string(), [&] { check(H5Fflush(file_, H5F_SCOPE_GLOBAL)); });
 }
 
+void PartFile::sync() {
+  flush();
+  sync_descriptor();
+}
+
+void PartFile::sync_descriptor() const {
+  if (fsync(lock_.get()) != 0 && errno != EINVAL)
+    throw FileError("cannot write " + part_.string() + ": " + system_reason());
+}
+
+void PartFile::finish_as(fs::path final_path) {
+  require_usable(final_path);
+  final_ = std::move(final_path);
+  finish();
+}
+
+void PartFile::discard() {
+  if (finished_) return;
+  unlink(part_.c_str());
+  finished_ = true;
+}
+
 void PartFile::finish() {
   if (finished_) return;
   flush();
   with_context("cannot write " + part_.string(), [&] { file_.close(); });
-  if (fsync(lock_.get()) != 0 && errno != EINVAL)
-    throw FileError("cannot write " + part_.string() + ": " + system_reason());
+  sync_descriptor();
   keep_as_backup(final_);
   if (rename(part_.c_str(), final_.c_str()) != 0)
     throw FileError("cannot rename " + part_.string() + " to " + final_.string() + ": " + system_reason());
   lock_.close();
   finished_ = true;
+}
+
+void require_no_writer(const fs::path& part) {
+  std::error_code none;
+  if (!fs::exists(part, none)) return;
+  const Descriptor fd(open(part.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  if (fd.get() >= 0 && try_lock(fd.get()) == Lock::kWriterAlive)
+    throw FileError("cannot write " + part.string() +
+                    ": another process is writing it now; wait for it or choose another name");
 }
 
 }  // namespace netloft::io

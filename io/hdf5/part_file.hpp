@@ -42,24 +42,35 @@ class PartFile {
   /// Two growing files exchange names, on the disk and in these objects, in one atomic operation. Returns
   /// false if the file system does not support it.
   bool exchange_names(PartFile& other);
-  /// Exchanges names with a file that has no writer.
-  bool exchange_name_with(const std::filesystem::path& part);
+  /// Takes the name of a file that has no writer, in one instant.
+  void take_name_of(const std::filesystem::path& part);
 
   hid_t id() const { return file_; }
   const std::filesystem::path& part_path() const { return part_; }
   const std::filesystem::path& final_path() const { return final_; }
 
   void flush();
+  /// Flushes, and waits until all of it is on the disk.
+  void sync();
   void finish();
+  /// The same under another name than the one it was made for.
+  void finish_as(std::filesystem::path final_path);
+  /// Removes the .part, which is not worth keeping; nothing can be written afterwards.
+  void discard();
   bool is_finished() const { return finished_; }
 
  private:
+  void sync_descriptor() const;
+
   std::filesystem::path final_;
-  std::filesystem::path part_, former_part_;
+  std::filesystem::path part_;
   // destroyed after file_, so that no other process takes the .part while HDF5 is still closing it
   Descriptor lock_;
   Handle file_;
   bool finished_ = false;
 };
+
+/// Throws FileError if a process is writing the .part now.
+void require_no_writer(const std::filesystem::path& part);
 
 }  // namespace netloft::io

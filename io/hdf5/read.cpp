@@ -26,6 +26,8 @@ Handle open_file(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw FileError("cannot read " + path.string() + ": there is no such file");
   if (fs::is_directory(path, ignored)) throw FileError("cannot read " + path.string() + ": it is a folder");
+  if (!fs::is_regular_file(path, ignored))
+    throw FileError("cannot read " + path.string() + ": it is a pipe, a device or similar, not a file");
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id >= 0) return Handle(id, H5Fclose);
   const std::string reason = hdf5_message();

@@ -14,6 +14,10 @@ ResultFile::ResultFile(std::filesystem::path final_path)
 ResultFile::ResultFile(std::filesystem::path final_path, std::filesystem::path part_path)
     : part_(std::move(final_path), std::move(part_path)), tree_(part_.id(), part_.part_path().string()) {
   tree_.set_attribute("/netloft", "schema", kSchema);
+  tree_.set_attribute("/netloft/status", "outcome", std::string_view("running"));
+  tree_.set_attribute("/netloft/status", "sentence",
+                      std::string_view("the run that writes this file has not ended, or was killed"));
+  part_.flush();  // from here on it opens
 }
 
 void ResultFile::begin(const Mesh& mesh, std::vector<FieldSpec> changing,
@@ -34,6 +38,11 @@ void ResultFile::write_state(double time, std::span<const double> points,
 void ResultFile::finish() {
   grid_.reset();
   part_.finish();
+}
+
+void ResultFile::finish_as(std::filesystem::path final_path) {
+  grid_.reset();
+  part_.finish_as(std::move(final_path));
 }
 
 }  // namespace netloft::io

@@ -48,6 +48,10 @@ class ResultFile {
 
   /// Flushes, closes, and gives the file its final name; nothing can be written afterwards.
   void finish();
+  /// The same under another name than the one it was made for.
+  void finish_as(std::filesystem::path final_path);
+  /// Removes the .part, which is not worth keeping.
+  void discard() { part_.discard(); }
 
   /// The file and its names, for a twin file: see PartFile.
   PartFile& part() { return part_; }

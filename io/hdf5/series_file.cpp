@@ -13,23 +13,36 @@ const std::string kSeries = "/netloft/series/";
 
 }  // namespace
 
-SeriesFile::SeriesFile(std::filesystem::path final_path, Layout layout, const Reader* killed,
-                       std::size_t states)
+SeriesFile::SeriesFile(std::filesystem::path final_path, Layout layout)
     : final_(std::move(final_path)),
       part_(final_.string() + ".part"),
       twin_part_(final_.string() + ".twin.part"),
       layout_(std::move(layout)) {
-  if (!killed) {
-    front_ = make(part_), twin_ = make(twin_part_);
-    return;
+  front_ = make(part_), twin_ = make(twin_part_);
+}
+
+SeriesFile::SeriesFile(std::filesystem::path final_path, Layout layout, const Killed& killed)
+    : final_(std::move(final_path)),
+      part_(final_.string() + ".part"),
+      twin_part_(final_.string() + ".twin.part"),
+      layout_(std::move(layout)) {
+  require_no_writer(twin_part_);
+  front_ = make(final_.string() + ".resumed.part");
+  try {
+    copy(killed, *front_);
+    front_->part().sync();
+    front_->part().take_name_of(part_);
+  } catch (...) {
+    front_->discard();
+    throw;
   }
-  front_ = make(twin_part_);
-  copy(*killed, states, *front_);
-  if (!front_->part().exchange_name_with(part_))
-    throw FileError("cannot go on in " + part_.string() + ": its file system cannot exchange names");
-  std::filesystem::remove(twin_part_);  // the killed file, which the reader keeps open
   twin_ = make(twin_part_);
-  copy(*killed, states, *twin_);
+  try {
+    copy(killed, *twin_);
+  } catch (...) {
+    twin_->discard();
+    throw;
+  }
 }
 
 std::unique_ptr<ResultFile> SeriesFile::make(const std::filesystem::path& part) const {
@@ -64,13 +77,22 @@ void SeriesFile::write_into(ResultFile& file, const SeriesState& state,
   file.write_state(state.time, state.points, fields);
 }
 
-void SeriesFile::copy(const Reader& from, std::size_t states, ResultFile& to) const {
-  for (std::size_t i = 0; i < states; ++i) write_into(to, read_state(from, layout_, i), {});
+void SeriesFile::copy(const Killed& killed, ResultFile& to) const {
+  for (std::size_t i = 0; i < killed.states; ++i)
+    write_into(to, read_state(killed.reader, layout_, i),
+               i + 1 == killed.states ? killed.extra : std::function<void(Tree&)>{});
 }
 
-void SeriesFile::finish(const std::function<void(Tree&)>& rest) {
-  if (twin_) std::filesystem::remove(twin_->part_path());
-  twin_.reset();
+void SeriesFile::finish(const std::function<void(Tree&)>& rest, const std::filesystem::path& as) {
+  if (!twin_) twin_.swap(front_);
+  write_views(*twin_);
+  rest(twin_->tree());
+  twin_->finish_as(as.empty() ? final_ : as);
+  if (front_) front_->discard();
+  twin_.reset(), front_.reset();
+}
+
+void SeriesFile::write_views(ResultFile& file) const {
   const std::size_t cells = layout_.mesh.n_cells(), points = layout_.mesh.n_points;
   std::vector<SlottedArray> arrays = {{"Points", points, 3}};
   for (const auto& f : layout_.changing) {
@@ -78,9 +100,7 @@ void SeriesFile::finish(const std::function<void(Tree&)>& rest) {
     arrays.push_back(
         {(on_points ? "PointData/" : "CellData/") + f.name, on_points ? points : cells, f.components});
   }
-  write_step_views(front_->part().id(), front_->n_states(), arrays);
-  rest(front_->tree());
-  front_->finish();
+  write_step_views(file.part().id(), file.n_states(), arrays);
 }
 
 SeriesState read_state(const Reader& reader, const SeriesFile::Layout& layout, std::size_t i) {

@@ -39,22 +39,32 @@ class SeriesFile {
     std::vector<SeriesColumn> columns;
   };
 
-  /// `killed` is a .part to continue, whose first `states` states are copied first; it keeps its name until
-  /// all of them are in the new file.
-  SeriesFile(std::filesystem::path final_path, Layout layout, const Reader* killed = nullptr,
-             std::size_t states = 0);
+  SeriesFile(std::filesystem::path final_path, Layout layout);
+
+  /// A .part to continue: its first `states` states are copied first, and `extra` belongs to the last of
+  /// them.
+  struct Killed {
+    const Reader& reader;
+    std::size_t states;
+    std::function<void(Tree&)> extra;
+  };
+  /// The killed file and its twin are not touched before a third copy is whole and on the disk. When that
+  /// fails, they are as they were.
+  SeriesFile(std::filesystem::path final_path, Layout layout, const Killed& killed);
 
   /// `extra` writes the data that belong to the state (the point from which to continue) into each copy.
   void write(const SeriesState& state, const std::function<void(Tree&)>& extra);
 
-  /// Writes the rest into the remaining copy and gives it its final name.
-  void finish(const std::function<void(Tree&)>& rest);
+  /// Writes the rest into the twin, gives that its final name, and removes the other copy: until then
+  /// NAME.hdf.part is whole. `as` is another final name than that of the constructor; empty for that one.
+  void finish(const std::function<void(Tree&)>& rest, const std::filesystem::path& as = {});
   const std::filesystem::path& final_path() const { return final_; }
 
  private:
   std::unique_ptr<ResultFile> make(const std::filesystem::path& part) const;
   void write_into(ResultFile& file, const SeriesState& state, const std::function<void(Tree&)>& extra) const;
-  void copy(const Reader& from, std::size_t states, ResultFile& to) const;
+  void copy(const Killed& killed, ResultFile& to) const;
+  void write_views(ResultFile& file) const;
 
   std::filesystem::path final_, part_, twin_part_;
   Layout layout_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/write_result.hpp"
 
+#include "io/hdf5/read.hpp"
 #include "io/report/picture.hpp"
 #include "io/report/provenance.hpp"
 #include "io/report/write_parts.hpp"
@@ -154,7 +155,29 @@ void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result
                    "sum of all forces on the gear, those of the holds included");
 }
 
+/// How good an outcome is; the names are those of name_of().
+int rank_of(const std::string& outcome) {
+  if (outcome == "converged" || outcome == "finished") return 2;
+  return outcome == "unstable" ? 1 : 0;
+}
+
+std::string outcome_in(const std::filesystem::path& result) {
+  try {
+    return Reader(result).text_attribute("/netloft/status", "outcome");
+  } catch (const FileError&) {
+    return {};  // no result of ours, which is kept as NAME.hdf~ like any
+  }
+}
+
 }  // namespace
+
+std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome) {
+  if (!std::filesystem::exists(wanted) || rank_of(outcome_in(wanted)) <= rank_of(outcome)) return wanted;
+  std::string suffix = outcome;
+  std::replace(suffix.begin(), suffix.end(), ' ', '-');
+  std::filesystem::path own = wanted;
+  return own.replace_filename(wanted.stem().string() + "." + suffix + wanted.extension().string());
+}
 
 void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context,
                    const Statistics& statistics) {
@@ -190,7 +213,7 @@ void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& 
   if (const auto memory = assembler.memory(); !memory.empty())
     tree.write_reals("/netloft/memory", memory, "1", "state of the elements, one after another: friction");
   for (const auto& s : result.scalars) tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc);
-  file.finish();
+  file.finish_as(result.output_file);
 }
 
 }  // namespace netloft::io

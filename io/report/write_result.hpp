@@ -20,7 +20,12 @@ void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& cont
 /// Writes figures of a gear below /netloft/gear, under their names; a scene without a gear has none.
 void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedScalar>& figures);
 
-/// Writes the complete result of a run into `file`, as described in io/hdf5/LAYOUT.md, and finishes it.
+/// The name of a result with this outcome: `wanted`, or NAME.not-converged.hdf beside it if the result that
+/// is there is better. A worse result never replaces a better one.
+std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome);
+
+/// Writes the complete result of a run into `file`, as described in io/hdf5/LAYOUT.md, and finishes it as
+/// `result.output_file`.
 void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
                   const RunResult& result, const RunContext& context);
 

@@ -5,6 +5,9 @@
 #include "io/scene/keys.hpp"
 #include "io/scene/parameter_reader.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace netloft::io {
 
 namespace {
@@ -82,10 +85,32 @@ void read_component(TableReader& table, const char* key, bool& refused, const Re
   }
 }
 
+/// Keys of earlier versions, and what took their place.
+void report_successors(TableReader& table) {
+  constexpr std::array<std::array<const char*, 2>, 2> kSuccessors = {
+      {{"continuation", "strategy = \"auto\" solves easier variants first; \"direct\" does not"},
+       {"look"
+        "s",
+        "analysis.auto.restarts, or --strategy auto:restarts=6"}}};
+  for (const auto& [key, successor] : kSuccessors)
+    if (table.has(key)) table.error(key, "is no longer a key of [analysis]", successor);
+}
+
+/// A strategy that is named as a solver gets a hint; whether it is one is asked of its plugin.
+bool is_strategy(Registry& registry, const std::string& name) {
+  try {
+    registry.strategy(name);
+    return true;
+  } catch (const PluginRefused&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
   const Values values = read_parameters(analysis_keys(), table);
+  report_successors(table);
   std::vector<std::string> faults;
   const ParameterBlock block(analysis_keys(), sizeof(AnalysisKeys), values, faults);
   for (const auto& name : registry.available()) table.has(name);
@@ -97,6 +122,12 @@ Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
   }
   if (a.strategy.empty()) {
     table.error("strategy", "is empty; the name of a strategy is wanted, such as auto");
+    return a;
+  }
+  if (const auto names = registry.available();
+      std::find(names.begin(), names.end(), a.solver) != names.end() && is_strategy(registry, a.solver)) {
+    table.error("solver", "\"" + a.solver + "\" is a strategy, not a solver",
+                "--strategy " + a.solver + ", or strategy = \"" + a.solver + "\" in [analysis]");
     return a;
   }
   bool settles = false;

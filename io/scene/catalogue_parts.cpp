@@ -58,8 +58,10 @@ std::vector<std::filesystem::path> own_folders(Value& scene, const std::filesyst
   std::vector<std::filesystem::path> own;
   TableReader root(scene, diagnostics);
   for (const auto& name :
-       root.texts("catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}}))
+       root.texts("catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}})) {
     own.push_back(folder / name);
+    if (const auto fault = folder_fault(own.back()); !fault.empty()) root.error("catalogue", fault);
+  }
   return own;
 }
 

@@ -64,6 +64,7 @@ class SceneReader {
     if (gear_) gear_->follow_holds();
     out_.analysis = read_analysis(root_.table("analysis", Presence::optional), registry_, refused_);
     read_results();
+    if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry();
     root_.finish();
     if (diagnostics_.errors() == 0) check_held();
     return std::move(out_);
@@ -366,6 +367,23 @@ class SceneReader {
           "take",
           "nothing of " + in_quotes(request.of) + " is held there, so there is no " + request.quantity,
           "reactions are of what a [[hold]] holds");
+  }
+
+  /// Half a gear stands for a whole one only if nothing tells port from starboard.
+  void check_symmetry() {
+    const std::string cure = "[gear] extent = \"whole\"";
+    const auto across = [](const auto& all) {
+      return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.velocity[1] != 0; });
+    };
+    if (across(out_.scene.current.samples) || across(out_.scene.current.drifts)) {
+      TableReader water = root_.table("water", Presence::optional);
+      water.error("current", "flows across the plane y = 0, of which half a gear is the mirror image", cure);
+    }
+    for (const auto& part : out_.scene.parts)
+      for (const auto& [name, value] : part.parameters)
+        if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
+          diagnostics_.error(out_.place_of(part.name),
+                             part.name + ": " + name + " is not zero, and tells port from starboard", cure);
   }
 
   void check_held() {

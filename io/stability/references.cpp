@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/stability/references.hpp"
 
+#include "io/files/whole_file.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -56,7 +59,7 @@ void References::keep(const std::string& name, const std::string& size, const Re
 
 /// One answer a line, so that a change shows what changed.
 void References::save() const {
-  std::ofstream out(file_);
+  std::ostringstream out;
   out << "{";
   const char* comma = "\n";
   for (const auto& [name, sizes] : all_) {
@@ -67,7 +70,7 @@ void References::save() const {
     out << "}";
   }
   out << "\n}\n";
-  if (!out.flush()) throw std::runtime_error(file_.string() + ": cannot be written");
+  write_whole(file_, out.str());
 }
 
 }  // namespace netloft::io

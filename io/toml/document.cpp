@@ -30,6 +30,8 @@ struct FileText {
 FileText read_file(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return {{}, "is a directory; a TOML file is expected"};
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+    return {{}, "is a pipe, a device or similar, which may never end; a TOML file is expected"};
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file) return {{}, std::string("cannot be opened: ") + std::strerror(errno)};
   FileText result;

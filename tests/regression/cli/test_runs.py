@@ -253,7 +253,8 @@ class OtherCommands(InFreshFolder):
 
     def test_no_command(self):
         ended = self.netloft()
-        self.assertEqual((ended.code, ended.out), (2, ""))
+        self.assertEqual((ended.code, ended.err), (0, ""))
+        self.assertEqual(ended.out, self.netloft("--help").out)
 
     def test_plan_gives_reasons_and_writes_nothing(self):
         ended = self.netloft("plan", str(PANEL))

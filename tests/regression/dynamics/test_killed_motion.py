@@ -21,7 +21,7 @@ import h5py
 import numpy as np
 
 NETLOFT, SOURCE = sys.argv[1], Path(sys.argv[2])
-TRIALS = int(sys.argv[3]) if len(sys.argv) > 3 else 10
+TRIALS = int(sys.argv[3]) if len(sys.argv) > 3 else 4  # tests/nightly: 100
 SCENE = SOURCE / "gear-library" / "scenes" / "dynamics" / "released-rope.toml"
 SEED = 20240607
 

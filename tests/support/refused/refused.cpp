@@ -40,7 +40,8 @@ enum Flaw {
   FLAW_exits,
   FLAW_two_strategies,
   FLAW_no_run,
-  FLAW_strategy_outside
+  FLAW_strategy_outside,
+  FLAW_wild_table
 };
 
 #define JOIN(a, b) a##b
@@ -173,6 +174,7 @@ netloft_plugin plugin() {
   p.name = has(FLAW_wrong_name) ? "other" : TEXT_OF(FLAW);
   p.version = "1", p.doc = "a plugin", p.compiler = "";
   p.elements = elements(), p.element_count = 2;
+  if (has(FLAW_wild_table)) p.elements = reinterpret_cast<const netloft_element*>(std::uintptr_t{0x1230});
   p.strategies = strategies(), p.strategy_count = 2;  // minor version 0 ends before them
   return p;
 }

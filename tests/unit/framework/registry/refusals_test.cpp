@@ -67,6 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"other_major", "build the plugin again with this program's headers"},
         Case{"newer_minor", "built for the newer plugin interface"},
         Case{"crashes", "crashed while it was opened (Aborted)"},
+        Case{"wild_table", "crashed while it was opened (Segmentation fault)"},
         Case{"exits", "ended the program while it was opened"},
         Case{"longer_and_newer", "built for the newer plugin interface"},
         Case{"fast_math_compiled", "compiled with -ffast-math"},

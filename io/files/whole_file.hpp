@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+
+namespace netloft::io {
+
+/// A file that cannot be written; what() is a sentence for the user.
+class WriteError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Makes `content` the content of the file `path`, or throws WriteError and leaves what was there. It is
+/// written beside as PATH.new, synced, and renamed. A link to a file is replaced, not followed; a folder, a
+/// device and a link to one are refused.
+void write_whole(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace netloft::io

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Half a gear stands for a whole one only where nothing tells port from starboard."""
+import unittest
+
+from program import SOURCE, InFreshFolder
+
+FLUME = SOURCE / "gear-library" / "scenes" / "83-112-flume-3.0kn.toml"
+
+
+class HalfGears(InFreshFolder):
+    def refused(self, *settings):
+        words = [word for setting in settings for word in ("--set", setting)]
+        ended = self.netloft("plan", str(FLUME), *words)
+        self.assertEqual(ended.code, 2, ended.out)
+        self.assertIn('extent = "whole"', ended.err)
+        return ended.err
+
+    def test_refuse_a_current_across(self):
+        self.assertIn("water.current: flows across the plane y = 0", self.refused('water.current=["3 kn", "1 kn", 0]'))
+        self.refused('water.current={ z = [0, -50], x = [1, 1], y = [0, 0.5] }')
+
+    def test_refuse_a_bed_that_slopes_across(self):
+        self.assertIn("seabed.slope_y is not zero", self.refused("parts.bed.seabed.slope_y=0.1"))
+
+    def test_take_what_is_symmetric(self):
+        self.assertEqual(self.netloft("plan", str(FLUME), "--set", "parts.bed.seabed.slope_x=0.1").code, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Streams, signals and files that are none: each gets a sentence and an exit code, and nothing blocks."""
+import os
+import resource
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+
+from program import PROGRAM, SOURCE, InFreshFolder
+
+SCENES = SOURCE / "gear-library" / "scenes"
+PANEL = [str(SCENES / "dead-weight-panel.toml"), "--set", "parts.net.cells=[8,8]"]
+MOTION = [str(SCENES / "dynamics" / "released-rope.toml"), "--set", "analysis.output_interval=0.02"]
+
+
+class Streams(InFreshFolder):
+    def into(self, stream, *words):
+        return subprocess.run(self.command(*words), cwd=self.folder, stdout=stream, stderr=subprocess.PIPE, timeout=120,
+                              env=self.environment(), check=False)
+
+    def test_standard_output_that_cannot_be_written_is_an_error(self):
+        commands = (["schema"], ["describe", "rope/bar"], ["list"], ["run", *PANEL, "--json"], ["--help"])
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            for words in commands:
+                with self.subTest(command=words[0]):
+                    ended = self.into(full, *words)
+                    self.assertEqual(ended.returncode, 1)
+                    self.assertIn(b"standard output cannot be written: No space left on device", ended.stderr)
+
+    def test_a_closed_standard_output_does_not_end_up_in_the_result(self):
+        ended = subprocess.run(["sh", "-c", 'exec "$@" >&-', "sh", *self.command("run", *PANEL, "-o", "p.hdf")],
+                               cwd=self.folder, stderr=subprocess.PIPE, timeout=120, env=self.environment(), check=False)
+        self.assertEqual(ended.returncode, 1)
+        self.assertIn(b"standard output cannot be written", ended.stderr)
+        with h5py.File(self.folder / "p.hdf") as f:
+            self.assertEqual(f["netloft/status"].attrs["outcome"], "converged")
+        self.assertNotIn(b"written to p.hdf", (self.folder / "p.hdf").read_bytes())
+
+    def test_a_pipe_as_input_is_refused(self):
+        for name in ("pipe.toml", "pipe.hdf", "pipe.so"):
+            os.mkfifo(self.folder / name)
+        for words in (["run", "pipe.toml"], ["check", "pipe.toml"], ["diff", "pipe.hdf", "pipe.hdf"], ["test", "./pipe.so"]):
+            with self.subTest(command=words[0]):
+                ended = self.netloft(*words)
+                self.assertIn(ended.code, (2, 4))
+                self.assertRegex(ended.err, r"pipe\.(toml|hdf|so):? (it )?is ")
+
+
+class Signals(InFreshFolder):
+    def test_a_hangup_and_a_quit_are_interrupts(self):
+        for number in (signal.SIGHUP, signal.SIGQUIT):
+            with self.subTest(signal=number.name):
+                run = subprocess.Popen(self.command("run", *MOTION, "-o", f"{number.name}.hdf"), cwd=self.folder,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=self.environment())
+                while run.poll() is None and not (self.folder / f"{number.name}.hdf.part").exists():
+                    time.sleep(0.01)
+                run.send_signal(number)
+                out, _ = run.communicate(timeout=60)
+                self.assertEqual(run.returncode, 130)
+                self.assertIn(b"--resume goes on from there", out)
+
+    def test_a_limit_on_the_size_of_files_is_an_error(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
+        ended = self.netloft("run", *PANEL, "-o", "p.hdf", preexec_fn=limit)
+        self.assertEqual(ended.code, 1)
+        self.assertIn("cannot write p.hdf.part", ended.err)
+        self.assertIn("File too large", ended.err)
+        self.assertEqual(self.files(), {})
+
+
+class Commands(InFreshFolder):
+    def test_an_unknown_command_is_named(self):
+        wrong = self.netloft("shema")
+        self.assertEqual((wrong.code, wrong.err), (2, 'netloft: there is no command "shema"; did you mean "schema"?\n'))
+        self.assertIn('there is no command "xyzzy"; `netloft --help` lists them', self.netloft("xyzzy").err)
+        self.assertEqual(self.netloft("shema", "--json").json()["status"], "wrong input")
+
+    def test_no_command_at_all_gets_the_help(self):
+        alone = self.netloft()
+        self.assertEqual(alone.code, 0)
+        self.assertIn("Subcommands:", alone.out)
+
+    def test_a_strategy_that_is_named_as_solver_gets_a_hint(self):
+        wrong = self.netloft("run", *PANEL, "--solver", "auto")
+        self.assertEqual(wrong.code, 2)
+        self.assertIn('"auto" is a strategy, not a solver', wrong.err)
+        self.assertIn("--strategy auto", wrong.err)
+
+    def test_keys_of_earlier_versions_name_their_successors(self):
+        for key, successor in (("continuation=true", "strategy"), ("looks=6", "restarts=6")):
+            wrong = self.netloft("run", *PANEL, "--set", f"analysis.{key}")
+            self.assertEqual(wrong.code, 2)
+            self.assertIn("is no longer a key of [analysis]", wrong.err)
+            self.assertIn(successor, wrong.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * A full disk without a disk: LD_PRELOAD this library, and writes to regular files fail.
+ *
+ *   NETLOFT_DISK_BYTES=n   files may grow by n bytes in all; what would need more fails with ENOSPC
+ *   NETLOFT_FAIL_WRITE=k   the k-th write (from 1) and all later ones fail with ENOSPC; 0 counts them only
+ *   NETLOFT_COUNT_FILE=f   at the end the number of writes is written into f
+ *   NETLOFT_SHORT_READS=1  every read of a regular file returns at most half of what was asked for
+ */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static atomic_long grown, writes;
+
+static long limit(const char *name) {
+  const char *text = getenv(name);
+  return text ? atol(text) : -1;
+}
+
+static int is_file(int fd, struct stat *status) { return fstat(fd, status) == 0 && S_ISREG(status->st_mode); }
+
+/* Whether the disk takes `count` more bytes at `offset` of the file. */
+static int takes(int fd, size_t count, off_t offset) {
+  struct stat status;
+  if (!is_file(fd, &status)) return 1;
+  const long fail_at = limit("NETLOFT_FAIL_WRITE"), bytes = limit("NETLOFT_DISK_BYTES");
+  const long number = atomic_fetch_add(&writes, 1) + 1;
+  if (fail_at > 0 && number >= fail_at) return 0;
+  const off_t more = offset + (off_t)count - status.st_size;
+  if (bytes < 0 || more <= 0) return 1;
+  if (atomic_load(&grown) + more > bytes) return 0;
+  atomic_fetch_add(&grown, more);
+  return 1;
+}
+
+static off_t place_of(int fd) {
+  const off_t at = lseek(fd, 0, SEEK_CUR);
+  return at < 0 ? 0 : at;
+}
+
+ssize_t write(int fd, const void *data, size_t count) {
+  static ssize_t (*real)(int, const void *, size_t);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "write");
+  if (takes(fd, count, place_of(fd))) return real(fd, data, count);
+  errno = ENOSPC;
+  return -1;
+}
+
+static ssize_t write_at(int fd, const void *data, size_t count, off_t offset) {
+  static ssize_t (*real)(int, const void *, size_t, off_t);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "pwrite64");
+  if (takes(fd, count, offset)) return real(fd, data, count, offset);
+  errno = ENOSPC;
+  return -1;
+}
+
+ssize_t pwrite(int fd, const void *data, size_t count, off_t offset) { return write_at(fd, data, count, offset); }
+ssize_t pwrite64(int fd, const void *data, size_t count, off_t offset) { return write_at(fd, data, count, offset); }
+
+static size_t shortened(int fd, size_t count) {
+  struct stat status;
+  return limit("NETLOFT_SHORT_READS") == 1 && count > 1 && is_file(fd, &status) ? count / 2 : count;
+}
+
+ssize_t read(int fd, void *data, size_t count) {
+  static ssize_t (*real)(int, void *, size_t);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "read");
+  return real(fd, data, shortened(fd, count));
+}
+
+static ssize_t read_at(int fd, void *data, size_t count, off_t offset) {
+  static ssize_t (*real)(int, void *, size_t, off_t);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "pread64");
+  return real(fd, data, shortened(fd, count), offset);
+}
+
+ssize_t pread(int fd, void *data, size_t count, off_t offset) { return read_at(fd, data, count, offset); }
+ssize_t pread64(int fd, void *data, size_t count, off_t offset) { return read_at(fd, data, count, offset); }
+
+__attribute__((destructor)) static void report(void) {
+  const char *file = getenv("NETLOFT_COUNT_FILE");
+  FILE *out = file ? fopen(file, "w") : NULL;
+  if (!out) return;
+  fprintf(out, "%ld\n", atomic_load(&writes));
+  fclose(out);
+}
