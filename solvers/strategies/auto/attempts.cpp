@@ -11,8 +11,13 @@ namespace {
 
 /// What of a scene decides which attempts suit it.
 struct Kind {
-  bool sticks, has_slack_members, has_members, has_meshes, is_stiff, is_conservative;
+  bool sticks, has_slack_members, has_members, has_meshes, is_conservative;
 };
+
+/// By how much the stiffest part would stretch if it carried all that drives the gear; 1 where nothing does.
+double stretch_of_stiffest(Study& study) {
+  return study.load() == 0 ? 1 : study.load() / std::max(study.load(), study.stiffness());
+}
 
 Kind kind_of(Study& study, const Options& options) {
   Kind kind{};
@@ -22,7 +27,6 @@ Kind kind_of(Study& study, const Options& options) {
   kind.has_slack_members =
       kind.has_members && (study.flows() ? study.members() > study.size() : stretch <= options.slack);
   kind.has_meshes = study.levels() > 1;
-  kind.is_stiff = stretch < options.stiff;
   kind.is_conservative = study.conservative();
   return kind;
 }
@@ -42,13 +46,13 @@ const Row kTable[] = {
     {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0", "direct",
       "a coarser mesh costs a fraction and leads near"},
      [](const Kind& k) { return k.has_meshes && !k.sticks; }},
+    {{"tension-stages", "tension/stages", "", "direct",
+      "with tensions as unknowns stiff members turn at once"},
+     [](const Kind& k) { return k.has_members && !k.sticks; }},
     {{"direct", "direct", "", "direct", "the start may be near"}, [](const Kind&) { return true; }},
     {{"pseudo-time", "pseudo-time", "", "pseudo-time",
       "forces without an energy: a motion passes by what is unstable"},
      [](const Kind& k) { return !k.is_conservative && !k.sticks; }},
-    {{"tension-stages", "tension/stages", "", "direct",
-      "with tensions as unknowns stiff members turn at once"},
-     [](const Kind& k) { return k.has_members && !k.sticks; }},
     {{"stiffness-steps", "stiffness-steps", "", "direct", "soft members turn where stiff ones hold fast"},
      [](const Kind&) { return true; }},
     {{"pseudo-time", "pseudo-time", "", "pseudo-time", "a motion passes by what is unstable"},
@@ -58,10 +62,6 @@ const Row kTable[] = {
 };
 
 }  // namespace
-
-double stretch_of_stiffest(Study& study) {
-  return study.load() == 0 ? 1 : study.load() / std::max(study.load(), study.stiffness());
-}
 
 void check_parts(const Options& options) {
   std::vector<std::string> known{"restarts", "compensated"};
@@ -93,11 +93,6 @@ std::vector<Attempt> attempts_for(Study& study, const Options& options) {
   for (Attempt& attempt : attempts)
     if (!attempt.parameters.empty() && *options.without)
       attempt.parameters += ";without=" + std::string(options.without);
-  const auto soft = std::find_if(attempts.begin(), attempts.end(),
-                                 [](const Attempt& a) { return std::string(a.name) == "stiffness-steps"; });
-  const auto direct =
-      std::find_if(attempts.begin(), soft, [](const Attempt& a) { return std::string(a.name) == "direct"; });
-  if (kind.is_stiff && soft != attempts.end()) std::rotate(direct, soft, soft + 1);
   return attempts;
 }
 

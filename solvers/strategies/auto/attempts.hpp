@@ -21,9 +21,6 @@ struct Attempt {
 /// The attempts that suit a scene, in the order in which they are tried.
 std::vector<Attempt> attempts_for(Study& study, const Options& options);
 
-/// By how much the stiffest part would stretch if it carried all that drives the gear; 1 where nothing does.
-double stretch_of_stiffest(Study& study);
-
 /// Throws std::invalid_argument, naming the parts there are, where the user leaves out what is none of them.
 void check_parts(const Options& options);
 

@@ -26,9 +26,6 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
          "stretch of the stiffest part under all of the load, up to which tension only is tried where "
          "nothing flows",
          {.lo = 0, .hi = 1, .fallback = 0.1});
-  s.real("stiff", &Options::stiff, "1",
-         "stretch below which the way from soft to stiff comes before the direct one",
-         {.lo = 0, .hi = 1, .fallback = 1e-4});
   s.real("perturbation", &Options::perturbation, "1",
          "of an unstable equilibrium that is left, over the size of an element",
          {.lo = 0, .hi = 10, .fallback = 0.02});

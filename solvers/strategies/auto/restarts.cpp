@@ -29,9 +29,7 @@ Stage solve_from(Study& study, const Options& options, int turn, const Stage& be
     return study.work_left() > 0 ? study.call("direct", "", ask, convex.u) : Stage{};
   }
   const double fraction = turn % 2 == 1 ? options.near : options.far;
-  const bool is_stiff = stretch_of_stiffest(study) < options.stiff;
-  return study.call(is_stiff ? "stiffness-steps" : "direct", "", ask,
-                    perturbed(best.u, fraction * study.element_size(), turn));
+  return study.call("direct", "", ask, perturbed(best.u, fraction * study.element_size(), turn));
 }
 
 }  // namespace
