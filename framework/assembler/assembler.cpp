@@ -88,6 +88,8 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
     : scene_nodes_(scene.node_count()),
       water_(scene.water),
       current_(scene.current),
+      ground_(scene.ground),
+      ground_passes_(scene.ground != std::array<double, 3>{}),
       tangent_(plan.tangent),
       families_(std::move(families)),
       numbering_(nodes),

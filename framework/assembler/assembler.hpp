@@ -156,6 +156,8 @@ class Assembler {
   std::size_t scene_nodes_;
   SceneWater water_;
   Current current_;
+  std::array<double, 3> ground_;
+  bool ground_passes_;
   TangentChoice tangent_;
   std::vector<std::unique_ptr<ElementFamily>> families_;
   Numbering numbering_;

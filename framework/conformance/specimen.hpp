@@ -27,9 +27,10 @@ struct States {
   std::vector<double> x, v, a, current, current_dz;
   std::vector<double> memory = {};  // [state_width][64], what elements remember; empty: nothing yet
   std::vector<double> x_low = {};   // digits that x has no room for; empty: not known
+  std::vector<double> ground = {};  // [3] velocity of the ground, one for all lanes; empty: it stands
 };
 
-/// All fields of States, for loops.
+/// The fields of States that have lanes, for loops.
 inline constexpr std::vector<double> States::*kFields[] = {
     &States::x,          &States::v,      &States::a,    &States::current,
     &States::current_dz, &States::memory, &States::x_low};

@@ -216,7 +216,8 @@ int RunningStudy::call(const char* strategy, const char* parameters, netloft_sta
   close();
   const netloft_stage seen = seen_from_host(*stage);
   const StrategyType& type = host_.sites().source().registry->strategy(strategy);
-  const Values values = parse_parameters(type.parameters, parameters ? parameters : "");
+  Values values = host_.given_of(type.type);
+  values.merge(parse_parameters(type.parameters, parameters ? parameters : ""));  // the user's own hold
   std::vector<std::string> faults;
   const ParameterBlock block(type.parameters, type.strategy.parameter_bytes, values, faults);
   if (!faults.empty()) throw std::invalid_argument(faults.front());

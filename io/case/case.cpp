@@ -86,6 +86,7 @@ StudyOptions Case::study_options(const Limits& limits, const Watch& watch) {
   StudyOptions options;
   options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
   options.limits = limits, options.limits.interrupt = watch.interrupt;
+  options.given = loaded_.analysis.given;
   options.work = loaded_.analysis.work, options.on_iteration = watch.on_iteration;
   return options;
 }

@@ -13,7 +13,7 @@ namespace netloft::io {
 namespace {
 
 // The tables of a scene beside those of a plan, and the keys of its [gear] about the model.
-constexpr const char* kOfScenes[] = {"water", "parts", "hold", "analysis", "results", "elements"};
+constexpr const char* kOfScenes[] = {"water", "tow", "parts", "hold", "analysis", "results", "elements"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
 constexpr const char* kOfPlans[] = {"gear", "panels", "ropes", "hang", "floats", "points"};
 

@@ -17,6 +17,19 @@ std::span<const netloft_parameter> water_keys() {
   return table.rows();
 }
 
+std::span<const netloft_parameter> tow_keys() {
+  static const auto table = [] {
+    ParameterTable<TowKeys> t;
+    t.real("speed", &TowKeys::speed, "m/s",
+           "speed over the ground, at which water and ground pass the gear, aft; 0: the ground stands",
+           {.lo = 0, .hi = 50});
+    t.real("leeway", &TowKeys::leeway, "rad", "angle at which they pass it, from x towards y",
+           {.lo = -1.6, .hi = 1.6, .fallback = 0});
+    return t;
+  }();
+  return table.rows();
+}
+
 std::span<const netloft_parameter> analysis_keys() {
   static const auto table = [] {
     ParameterTable<AnalysisKeys> t;

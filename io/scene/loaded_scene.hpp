@@ -54,6 +54,7 @@ struct Analysis {
   double work = 0;     // budget of the strategy, in the units of framework/problem/work.hpp
   std::string solver;  // the plugin that solves stages, or steps in time
   Values solver_parameters;
+  std::map<std::string, Values> given;  // what the scene says of components by type, "newton/newton"
   Limits limits;
   TangentChoice tangent = TangentChoice::exact;
 };

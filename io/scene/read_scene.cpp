@@ -17,6 +17,7 @@
 #include "io/scene/part_names.hpp"
 #include "io/scene/result_request.hpp"
 #include "io/scene/riders.hpp"
+#include "io/scene/tow.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -67,6 +68,7 @@ class SceneReader {
     if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry();
     root_.finish();
     if (diagnostics_.errors() == 0) check_held();
+    if (diagnostics_.errors() == 0) check_ground();
     return std::move(out_);
   }
 
@@ -78,6 +80,7 @@ class SceneReader {
     const ParameterBlock block(water_keys(), sizeof(SceneWater), values, faults);
     if (faults.empty()) out_.scene.water = *static_cast<const SceneWater*>(block.data());
     out_.scene.current = read_current(water);
+    if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
   }
 
   void read_parts() {
@@ -379,6 +382,10 @@ class SceneReader {
       TableReader water = root_.table("water", Presence::optional);
       water.error("current", "flows across the plane y = 0, of which half a gear is the mirror image", cure);
     }
+    if (out_.scene.ground[1] != 0) {
+      TableReader tow = root_.table("tow");
+      tow.error("leeway", "leads across the plane y = 0, of which half a gear is the mirror image", cure);
+    }
     for (const auto& part : out_.scene.parts)
       for (const auto& [name, value] : part.parameters)
         if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
@@ -389,6 +396,19 @@ class SceneReader {
   void check_held() {
     for (const auto& fault : find_loose_parts(out_.scene, nodes_per_element()))
       diagnostics_.error(out_.place_of(fault.part), fault.message);
+  }
+
+  /// Friction of what the gear is towed over points aft only if the ground passes, too.
+  void check_ground() {
+    for (std::size_t p = 0; !says_tow_ && p < draft_.types.size(); ++p)
+      if (is_rubbed_by_standing_ground(out_.scene, out_.scene.parts[p], *draft_.types[p]))
+        diagnostics_.warning(
+            out_.parts[p].place,
+            out_.scene.parts[p].name +
+                ": its friction is that of a ground that stands, in "
+                "water that flows; a towed gear passes both",
+            "[tow] speed = \"3 kn\" lets both pass, instead of water.current; [tow] speed = 0 says "
+            "that the ground stands");
   }
 
   /// A [[join]] that was made, and where it stands.
@@ -411,6 +431,7 @@ class SceneReader {
   std::vector<std::pair<std::string, TableReader>> riders_;
   std::vector<Join> joins_;
   std::map<std::string, Place> hold_names_;
+  bool says_tow_ = false;
   std::optional<Joiner> joiner_;
 };
 

@@ -51,6 +51,7 @@ enum Trait : std::uint32_t {
   of_members = NETLOFT_OF_MEMBERS,
   is_weight = NETLOFT_IS_WEIGHT,
   is_drag = NETLOFT_IS_DRAG,
+  reads_ground = NETLOFT_READS_GROUND,
 };
 
 /// What an output means to reports that compare parts of different types.

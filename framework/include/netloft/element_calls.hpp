@@ -94,6 +94,7 @@ State<Nodes> gather(const netloft_tile& t, std::size_t lane) {
   gather<Nodes>(t.a, lane, s.a);
   gather<Nodes>(t.current, lane, s.current);
   gather<Nodes>(t.current_dz, lane, s.current_dz);
+  if (t.ground) s.ground = {t.ground[0], t.ground[1], t.ground[2]};
   s.water = {t.water_density, t.gravity, t.water_viscosity};
   s.time = t.time, s.cu = t.cu, s.cv = t.cv, s.ca = t.ca;
   s.wants_tangent = t.want & (NETLOFT_WANT_TANGENT | NETLOFT_WANT_CONVEX | NETLOFT_WANT_METRIC);

@@ -35,6 +35,7 @@ template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
   Points<double, Nodes> x_low{};  // low-order part of x [m]; zero if it is not known
+  Vec3<double> ground{};          // velocity of the ground [m/s]; zero where it stands
   Water water{};
   double time = 0;
   double cu = 1, cv = 0, ca = 0;  // factors of dforce/dx, dforce/dv, dforce/da in the tangent

@@ -59,6 +59,12 @@ KEYS = [
     Wrong("parts is no table", "scene.toml:1:9", "parts is an array of 1; a table is expected", content="parts = [1]\n"),
     Wrong("no parts", "scene.toml:1:1", 'missing key "parts"', content="[water]\n"),
     Wrong("parts without a part", "scene.toml:1:1", "there are no parts", content="[parts]\n"),
+    edit("tow without a speed", "[water]", "[tow]\nleeway = 0.1\n[water]", "1:1", 'missing key "speed" in tow'),
+    edit("tow backwards", "[water]", '[tow]\nspeed = "-3 kn"\n[water]', "2:9", "tow.speed = -1.5433333333333334 m/s is outside [0, 50] m/s"),
+    edit("tow in tons", "[water]", '[tow]\nspeed = "3 t"\n[water]', "2:9", "tow.speed"),
+    edit("tow: a misspelt key", "[water]", '[tow]\nspeed = 1\nleway = 1\n[water]', "3:1", 'unknown key "leway" in tow',
+         'did you mean "leeway"?'),
+    edit("tow is no table", "[water]", "tow = 1.5\n[water]", "1:7", "tow is the number 1.5; a table is expected"),
     edit("duplicate key", "gravity = 9.81", "gravity = 9.81\ngravity = 9.8", "4:11", "cannot redefine existing"),
 ]
 
