@@ -5,13 +5,18 @@ namespace netloft::io {
 
 std::span<const netloft_parameter> water_keys() {
   static const auto table = [] {
-    ParameterTable<SceneWater> t;
-    t.real("density", &SceneWater::density, "kg/m3", "density of the water; 0 is air",
+    ParameterTable<WaterKeys> t;
+    t.real("density", &WaterKeys::density, "kg/m3", "density of the water; 0 is air",
            {.lo = 0, .hi = 3000, .fallback = 1025});
-    t.real("gravity", &SceneWater::gravity, "m/s2", "acceleration of gravity, downwards",
+    t.real("gravity", &WaterKeys::gravity, "m/s2", "acceleration of gravity, downwards",
            {.lo = 0, .hi = 100, .fallback = 9.80665});
-    t.real("viscosity", &SceneWater::viscosity, "m2/s", "kinematic viscosity of the water",
+    t.real("viscosity", &WaterKeys::viscosity, "m2/s", "kinematic viscosity of the water",
            {.lo = 1e-9, .hi = 1, .fallback = 1.19e-6});
+    t.real(
+        "model_scale", &WaterKeys::model_scale, "1",
+        "lengths of the gear over those of its model in a tank, which is computed by Froude's rule: Reynolds "
+        "numbers are smaller by this to the power 1.5",
+        {.lo = 1, .hi = 1000, .fallback = 1});
     return t;
   }();
   return table.rows();

@@ -22,6 +22,11 @@ struct AnalysisKeys {
   std::int64_t tangent = 0;
 };
 
+/// `[water]`, but for the current.
+struct WaterKeys : SceneWater {
+  double model_scale = 1;  // [1]
+};
+
 /// `[tow]`.
 struct TowKeys {
   double speed = 0;   // [m/s]

@@ -20,6 +20,7 @@
 #include "io/scene/tow.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -77,10 +78,17 @@ class SceneReader {
     TableReader water = root_.table("water", Presence::optional);
     const Values values = read_parameters(water_keys(), water);
     std::vector<std::string> faults;
-    const ParameterBlock block(water_keys(), sizeof(SceneWater), values, faults);
-    if (faults.empty()) out_.scene.water = *static_cast<const SceneWater*>(block.data());
+    const ParameterBlock block(water_keys(), sizeof(WaterKeys), values, faults);
+    if (faults.empty()) take_water(*static_cast<const WaterKeys*>(block.data()));
     out_.scene.current = read_current(water);
     if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
+  }
+
+  /// A model at 1 : s in water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the
+  /// gear in water of viscosity ν s^1.5, and where nothing stretches all else is similar (W. Froude).
+  void take_water(const WaterKeys& keys) {
+    out_.scene.water = keys;
+    out_.scene.water.viscosity *= std::pow(keys.model_scale, 1.5);
   }
 
   void read_parts() {
