@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "io/hdf5/fold.hpp"
+
 namespace netloft::io {
 namespace fs = std::filesystem;
 namespace {
@@ -32,7 +34,7 @@ Handle open_file(const fs::path& path) {
   if (id >= 0) return Handle(id, H5Fclose);
   const std::string reason = hdf5_message();
   if (H5Fis_hdf5(path.c_str()) == 0)
-    throw FileError("cannot read " + path.string() + ": it is not an HDF5 file");
+    throw FileError("cannot read " + path.string() + ": it is not an HDF5 file, nor the journal of a motion");
   throw FileError("cannot read " + path.string() + ": " + explain(reason));
 }
 
@@ -102,7 +104,7 @@ herr_t append_name(hid_t, const char* name, const H5L_info_t*, void* data) {
 
 Reader::Reader(fs::path path) : path_(std::move(path)) {
   silence_hdf5();
-  file_ = open_file(path_);
+  file_ = is_journal(path_) ? unfold(path_) : open_file(path_);
 }
 
 bool Reader::has(const std::string& path) const {

@@ -11,8 +11,8 @@
 
 namespace netloft::io {
 
-/// Reads a finished result or a .part that a dead writer left. Every error is a FileError that names file and
-/// path.
+/// Reads a finished result, or what a motion that runs or was killed has written so far. Every error is a
+/// FileError that names file and path.
 class Reader {
  public:
   explicit Reader(std::filesystem::path path);
