@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/hdf5/fold.hpp"
+#include "io/hdf5/result_file.hpp"
 
 namespace netloft::io {
 namespace fs = std::filesystem;
@@ -105,6 +106,15 @@ herr_t append_name(hid_t, const char* name, const H5L_info_t*, void* data) {
 Reader::Reader(fs::path path) : path_(std::move(path)) {
   silence_hdf5();
   file_ = is_journal(path_) ? unfold(path_) : open_file(path_);
+}
+
+void Reader::require_known_format() const {
+  if (!has_attribute("/netloft", "schema")) return;
+  const double format = real_attribute("/netloft", "schema");
+  if (format > kResultFormat)
+    throw FileError(path_.string() + " was written by a newer netloft, in format " +
+                    std::to_string(static_cast<long>(format)) + "; this program reads format " +
+                    std::to_string(kResultFormat));
 }
 
 bool Reader::has(const std::string& path) const {

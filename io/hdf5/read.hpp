@@ -17,6 +17,10 @@ class Reader {
  public:
   explicit Reader(std::filesystem::path path);
 
+  /// Throws FileError if /netloft was written in a newer format than this program knows; an older one is read
+  /// as far as it goes.
+  void require_known_format() const;
+
   bool has(const std::string& path) const;
   /// Returns false also if there is no such path.
   bool is_group(const std::string& path) const;

@@ -2,12 +2,6 @@
 #include "io/hdf5/result_file.hpp"
 
 namespace netloft::io {
-namespace {
-
-constexpr int kSchema = 1;  // incremented when readers of /netloft must change
-
-}  // namespace
-
 ResultFile::ResultFile(std::filesystem::path final_path)
     : ResultFile(final_path, final_path.string() + ".part") {}
 
@@ -48,7 +42,7 @@ void ResultFile::finish_as(std::filesystem::path final_path) {
 }
 
 void begin_result(Tree& tree, std::string_view outcome, std::string_view sentence) {
-  tree.set_attribute("/netloft", "schema", kSchema);
+  tree.set_attribute("/netloft", "schema", kResultFormat);
   tree.set_attribute("/netloft/status", "outcome", outcome);
   tree.set_attribute("/netloft/status", "sentence", sentence);
 }

@@ -12,6 +12,8 @@
 
 namespace netloft::io {
 
+inline constexpr int kResultFormat = 1;  // incremented when readers of /netloft must change
+
 /// The result of one run: what ParaView shows under /VTKHDF, everything else under /netloft (LAYOUT.md).
 ///
 ///   ResultFile file("codend.hdf");                 // grows as codend.hdf.part
