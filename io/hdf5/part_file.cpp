@@ -7,6 +7,8 @@
 
 #include <cerrno>
 
+#include "io/hdf5/seal.hpp"
+
 namespace netloft::io {
 namespace fs = std::filesystem;
 namespace {
@@ -80,7 +82,11 @@ void PartFile::discard() {
 void PartFile::finish() {
   if (finished_) return;
   flush();
-  with_context("cannot write " + part_.string(), [&] { file_.close(); });
+  with_context("cannot write " + part_.string(), [&] {
+    const auto ranges = find_ranges(file_);
+    file_.close();
+    append_seal(lock_.get(), ranges);
+  });
   if (fsync(lock_.get()) != 0 && errno != EINVAL)
     throw FileError("cannot write " + part_.string() + ": " + system_reason());
   keep_as_backup(final_);

@@ -10,7 +10,8 @@ namespace netloft::io {
 /// An HDF5 file that grows as NAME.hdf.part and takes its name only when it is complete.
 ///
 ///   construct   NAME.hdf.part is created, or a dead writer's one replaced; a live writer's one is an error
-///   finish()    NAME.hdf -> NAME.hdf~, NAME.hdf.part -> NAME.hdf; NAME.hdf exists throughout if it did
+///   finish()    checksums are appended (seal.hpp), then NAME.hdf -> NAME.hdf~, NAME.hdf.part -> NAME.hdf;
+///               NAME.hdf exists throughout if it did
 ///   before destroy     without finish(): the .part stays as it was flushed last
 ///
 /// HDF5 keeps readers out by the same lock as other writers, unless they set HDF5_USE_FILE_LOCKING=FALSE.

@@ -7,6 +7,7 @@
 
 #include "io/hdf5/fold.hpp"
 #include "io/hdf5/result_file.hpp"
+#include "io/hdf5/seal.hpp"
 
 namespace netloft::io {
 namespace fs = std::filesystem;
@@ -31,6 +32,7 @@ Handle open_file(const fs::path& path) {
   if (fs::is_directory(path, ignored)) throw FileError("cannot read " + path.string() + ": it is a folder");
   if (!fs::is_regular_file(path, ignored))
     throw FileError("cannot read " + path.string() + ": it is a pipe, a device or similar, not a file");
+  check_seal(path);
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id >= 0) return Handle(id, H5Fclose);
   const std::string reason = hdf5_message();
