@@ -2,6 +2,7 @@
 """What was found once is not lost: by a full disk, by a kill, by running again, by a worse result."""
 import os
 import re
+import shutil
 import signal
 import subprocess
 import time
@@ -131,6 +132,64 @@ class Writers(InFreshFolder):
                 self.assertEqual(ended.code, 1, ended.err)
                 self.assertIn("cannot be written: No space left on device", ended.err)
                 self.assertEqual(self.files(), before)
+
+
+@unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")
+class OnAFullDisk(InFreshFolder):
+    """Each write in turn is the first that fails."""
+
+    def count_writes(self, *words):
+        self.assertEqual(self.netloft(*words, environment=self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_FAIL_WRITE="0",
+                                                                           NETLOFT_COUNT_FILE=str(self.folder / "count"))).code, 0)
+        count = int((self.folder / "count").read_text())
+        (self.folder / "count").unlink()
+        return count
+
+    def fail(self, number, *words):
+        return self.netloft(*words, environment=self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_FAIL_WRITE=str(number)))
+
+    def test_the_page_of_the_suite_stays_as_it_was(self):
+        words = ["stability", str(SOURCE / "tests" / "stability"), "--size", "small", "--case", "hanging-panel/flat-sketch", "--solver", "newton",
+                 "--html", "matrix.html"]
+        self.assertGreater(self.count_writes(*words), 0)
+        self.write("matrix.html", "old")
+        ended = self.fail(1, *words)
+        self.assertEqual(ended.code, 1, ended.err)
+        self.assertIn("matrix.html cannot be written: No space left on device", ended.err)
+        self.assertEqual(self.files(), {"matrix.html": b"old"})
+
+    def test_a_component_that_cannot_be_begun_can_be_begun_later(self):
+        words = ["new", "element", "otter"]
+        writes = self.count_writes(*words)
+        whole = self.files()
+        self.assertGreaterEqual(writes, len(whole))
+        for number in range(1, writes + 1):
+            with self.subTest(write=number):
+                shutil.rmtree(self.folder / "otter")
+                ended = self.fail(number, *words)
+                self.assertEqual(ended.code, 1, ended.err)
+                self.assertRegex(ended.err, r"otter/\S+ cannot be written: No space left on device")
+                self.assertFalse((self.folder / "otter").exists(), "half a component is in the way of a whole one")
+                again = self.netloft(*words)
+                self.assertEqual(again.code, 0, again.err)
+                self.assertEqual(self.files(), whole)
+
+    def test_a_motion_whose_index_cannot_be_written_is_finished_later(self):
+        words = ["run", str(ROPE), "-o", "r.hdf"]
+        writes = self.count_writes(*words)
+        whole = self.files()
+        self.assertEqual(sorted(whole), ["r.hdf", "r.xdmf"])
+        for name in whole:
+            (self.folder / name).unlink()
+        ended = self.fail(writes, *words)  # the index is written last
+        self.assertEqual(ended.code, 1, ended.err)
+        self.assertIn("r.xdmf cannot be written: No space left on device", ended.err)
+        self.assertEqual(sorted(self.files()), ["r.hdf", "r.hdf.part"])
+        self.assertEqual(states_in(self.folder / "r.hdf"), 51)
+        again = self.netloft(*words, "--resume")
+        self.assertEqual(again.code, 0, again.err)
+        self.assertEqual(sorted(self.files()), ["r.hdf", "r.hdf~", "r.xdmf"])
+        self.assertEqual(self.files()["r.xdmf"], whole["r.xdmf"])
 
 
 class WorseResults(InFreshFolder):
