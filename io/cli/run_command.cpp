@@ -36,6 +36,18 @@ std::string output_file(const Options& options, const LoadedScene& loaded) {
   return name;
 }
 
+/// HDF5 files of that name are of equilibria, which are written once they are found; but earlier versions
+/// wrote motions so, too.
+bool is_worthless_hdf5(const std::string& part) {
+  silence_hdf5();
+  if (H5Fis_hdf5(part.c_str()) <= 0) return false;
+  try {
+    return !Reader(part).has("/netloft/checkpoint");
+  } catch (const FileError&) {
+    return true;
+  }
+}
+
 /// Outputs of a motion that was killed are replaced only by who says so.
 void spare_outputs(const Options& options, const std::string& part) {
   std::error_code none;
@@ -45,9 +57,9 @@ void spare_outputs(const Options& options, const std::string& part) {
   require_no_writer(part);
   const std::string cure = "; --overwrite replaces it, -o writes elsewhere";
   try {
-    const Reader left(part);
-    if (left.has("/netloft/checkpoint/time"))
-      throw UsageError{part + " holds " + std::to_string(left.times().size()) +
+    if (is_worthless_hdf5(part)) return;
+    if (const auto left = SeriesJournal::read(part); left.size() > 0)
+      throw UsageError{part + " holds " + std::to_string(left.size()) +
                        " outputs of a run that did not end; --resume goes on from them" + cure};
   } catch (const FileError& e) {
     throw UsageError{std::string(e.what()) + ". A run that did not end left it" + cure};
