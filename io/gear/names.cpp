@@ -155,4 +155,15 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
   return {};
 }
 
+const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const Place& place,
+                             const std::string& path, Diagnostics& diagnostics) {
+  const Rope* rope = plan.find_rope(name);
+  std::vector<std::string> names;
+  for (const auto& r : plan.ropes) names.push_back(r.name);
+  if (!rope)
+    diagnostics.error(place, path + ": there is no rope \"" + name + "\"",
+                      plan.find_panel(name) ? "\"" + name + "\" is a panel" : near_names(name, names));
+  return rope;
+}
+
 }  // namespace netloft::io
