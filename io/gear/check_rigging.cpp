@@ -322,7 +322,22 @@ void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnosti
       say_loose(rope, hung, diagnostics);
 }
 
+/// A gear has one headline and one footrope.
+void check_roles(const NetPlan& plan, Diagnostics& diagnostics) {
+  std::map<std::string, const Rope*> first;
+  for (const auto& rope : plan.ropes) {
+    if (rope.role != "headline" && rope.role != "footrope") continue;
+    const auto [earlier, is_new] = first.emplace(rope.role, &rope);
+    if (!is_new)
+      diagnostics.error(rope.role_place,
+                        fmt::format("{}: {} is the {} already, at {}", rope.name, earlier->second->name,
+                                    rope.role, diagnostics.where(earlier->second->role_place)),
+                        "role = \"fishing-line\" or \"ground-rope\" of the other, if it is one");
+  }
+}
+
 void check_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  check_roles(plan, diagnostics);
   for (const auto& rope : plan.ropes) {
     check_rope_length(plan, rope, limits, diagnostics);
     for (const auto& end : rope.between)

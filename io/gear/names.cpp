@@ -144,8 +144,10 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
     if (is_one_of(corner_names(*panel))) return panel->name;
     for (const auto& corner : corner_names(*panel)) known.push_back(panel->name + "." + corner);
   } else if (const Rope* rope = plan.find_rope(dotted.owner)) {
-    if (is_one_of({"start", "middle", "end"})) return rope->name;
-    known = {rope->name + ".start", rope->name + ".middle", rope->name + ".end"};
+    if (is_one_of({"middle", "end"}) || (dotted.rest == "start" && rope->stands != Standing::middle))
+      return rope->name;
+    known = {rope->name + ".middle", rope->name + ".end"};
+    if (rope->stands != Standing::middle) known.insert(known.begin(), rope->name + ".start");
   } else {
     if (plan.find_point(name)) return name;
     append_names(known, plan.points);

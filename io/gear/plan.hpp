@@ -87,12 +87,18 @@ struct Rope {
   std::string name;
   Standing stands = Standing::alone;
   std::string part_name;
-  Value rope;                          // a table: diameter, EA, density, …
-  double length = 0;                   // unstretched [m]
+  Value rope;         // a table: diameter, EA, density, …
+  double length = 0;  // unstretched [m]
+  std::string role;   // one of rope_roles(); empty: none
+  Place role_place;
   std::array<std::string, 2> between;  // points at its ends; empty: none
   bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
   Place place, between_place;
 };
+
+/// Words for what a rope is in a gear. Figures of the mouth are found where a headline and a footrope are
+/// named.
+const std::vector<std::string>& rope_roles();
 
 /// An edge hung on a rope. Along the rope, edges follow one another in the order of its hangings.
 struct Hanging {

@@ -273,6 +273,9 @@ ChosenPart read_part_choice(TableReader& table, const char* key, const char* kin
   }
   if (!names_a_part(*said)) {
     if (said->kind() != Kind::table) table.error(key, "give the name of a part of the catalogue, or a table");
+    if (const Table* numbers = said->as<Table>(); numbers && numbers->members.empty())
+      table.error(key, "is an empty table, which says nothing of it",
+                  "its numbers, or the name of a part of the catalogue");
     return {"", said->kind() == Kind::table ? *said : Value{said->place, Table{}}};
   }
   const CataloguePart* part =

@@ -205,6 +205,16 @@ const Wrong kSewing[] = {
      "warning: headline: 60 m long, 4.8 m of it are given to edges: 55.2 m hang on no netting"},
     {"RopeThickerThanLong", "density = 1000 }\nlength = \"6 m\"", "density = 1000 }\nlength = \"12 mm\"",
      "headline: 0.012 m thick and 0.012 m long", 2},
+    {"RoleUnknown", "length = \"6 m\"", "length = \"6 m\"\nrole = \"headrope\"", "ropes.headline.role"},
+    {"RoleOfOneSide", "length = \"20 m\"", "length = \"20 m\"\nrole = \"footrope\"",
+     "ropes.bridle.role: a footrope runs from one side of the mouth to the other"},
+    {"TwoHeadlines", "[points.door]",
+     "[ropes.second]\nstands = \"middle\"\nrole = \"headline\"\nlength = \"2 m\"\n"
+     "rope = { diameter = \"12 mm\", EA = \"100 kN\", density = 1000 }\n"
+     "between = [\"headline.middle\", \"door\"]\n[points.door]",
+     "error: second: headline is the headline already, at plan.toml:"},
+    {"StartOfARopeInTheMiddle", "[\"door\", \"headline.end\"]", "[\"door\", \"headline.start\"]",
+     "there is no point \"headline.start\""},
     {"HalfAFloat", "\"11 along headline\"", "\"11.5 along headline\"",
      "error: floats.top.spread: 11.5 pieces"},
     {"OddNumberOnTwoSides", "\"11 along headline\"", "\"3 at headline.end\"",
