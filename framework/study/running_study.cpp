@@ -150,15 +150,16 @@ void RunningStudy::run(const StrategyType& type, const void* parameters) {
                                 " wants what this scene has not: " + traits_of_study(lacking));
   const int status = type.strategy.run(parameters, &interface_);
   close();
-  if (status != NETLOFT_OK && !has_any())
-    throw std::runtime_error("the strategy " + type.type + " failed" +
-                             (message_[0] ? std::string(": ") + message_ : ""));
+  if (status == NETLOFT_OK) return;
+  failure_ = "the strategy " + type.type + " failed" + (message_[0] ? std::string(": ") + message_ : "");
+  if (!has_any()) throw std::runtime_error(failure_);
 }
 
 Solution RunningStudy::best() const {
   if (equilibria_.has_any()) return equilibria_.best();
   Solution s = closest_ ? *closest_ : Solution{};
   if (!closest_) s.reason = "the strategy solved no stage of the scene itself";
+  if (!failure_.empty()) s.reason += "; " + failure_;
   s.does_not_settle = unsettled_ > 0 && !(interface_.traits & NETLOFT_CONSERVATIVE);
   if (s.does_not_settle) s.reason += "; followed in time it did not come to rest";
   if (work_left() == 0 && !host_.is_interrupted()) s.reason += "; the budget of work is used up";

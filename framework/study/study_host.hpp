@@ -91,6 +91,7 @@ class RunningStudy {
   std::vector<double> growing_;       // of the last stage
   std::vector<Solution> stationary_;  // of the scene itself, not yet answered
   std::optional<Solution> closest_;   // of those that are no equilibria
+  std::string failure_;               // of the strategy itself, which ended with an error
   int unsettled_ = 0;                 // stages that did not come to rest
   EquilibriumChoice equilibria_;
   // A method of the strategy's own at work: its stage, and on what.

@@ -105,6 +105,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   if (s.stability != Stability::unknown) fmt::format_to(out, ", {} equilibrium", name_of(s.stability));
   fmt::format_to(out, "\n  {}\n", s.reason);
   for (const auto& sentence : s.diagnostics) fmt::format_to(out, "  {}\n", sentence);
+  for (const auto& sentence : result.warnings) fmt::format_to(out, "  warning: {}\n", sentence);
   shapes_text(s.shapes, out);
   fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, work {:.4g}, {:.3g} s\n",
                  plan.unknowns, s.statistics.iterations, s.statistics.factorisations, s.work,

@@ -77,9 +77,11 @@ std::span<const netloft_parameter> gear_keys() {
     t.choice("extent", &GearKeys::extent,
              "the whole gear, or its starboard half, for gears and currents that are symmetric about y = 0",
              {"whole", "half"});
-    t.integer("nodes", &GearKeys::nodes,
-              "about as many nodes in all that is modelled; what is finer than its neighbours adds to them",
-              20, 1000000, 2000);
+    t.integer(
+        "nodes", &GearKeys::nodes,
+        "about as many nodes in all that is modelled, at least 20; what is finer than its neighbours adds to "
+        "them; 0: by size",
+        0, 1000000, 2000);
     t.real("size", &GearKeys::size, "m", "instead: length of the sides of triangles; 0: by nodes",
            {.lo = 0, .hi = 1000, .fallback = 0});
     return t;

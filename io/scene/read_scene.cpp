@@ -6,6 +6,7 @@
 #include "io/gear/check.hpp"
 #include "io/gear/read_plan.hpp"
 #include "io/scene/analysis.hpp"
+#include "io/scene/beds.hpp"
 #include "io/scene/catalogue_parts.hpp"
 #include "io/scene/current.hpp"
 #include "io/scene/draft.hpp"
@@ -13,10 +14,12 @@
 #include "io/scene/gear_parts.hpp"
 #include "io/scene/holder.hpp"
 #include "io/scene/keys.hpp"
+#include "io/scene/one_sided_holds.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/result_request.hpp"
 #include "io/scene/riders.hpp"
+#include "io/scene/thickness.hpp"
 #include "io/scene/tow.hpp"
 
 #include <algorithm>
@@ -65,11 +68,15 @@ class SceneReader {
     read_holds();
     if (gear_) gear_->follow_holds();
     out_.analysis = read_analysis(root_.table("analysis", Presence::optional), registry_, refused_);
+    if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) check_guides();
     read_results();
     if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry();
     root_.finish();
-    if (diagnostics_.errors() == 0) check_held();
-    if (diagnostics_.errors() == 0) check_ground();
+    if (diagnostics_.errors() > 0) return std::move(out_);
+    check_held();
+    check_ground();
+    check_beds(out_, diagnostics_);
+    one_sided_.report(draft_, diagnostics_);
     return std::move(out_);
   }
 
@@ -139,6 +146,8 @@ class SceneReader {
       for (const auto& key : table.keys()) table.raw(key);  // nobody knows what may stand here
     }
     geometry.names.name = name, geometry.names.place = table.place();
+    if (const auto fault = thickness_fault(part, geometry); fault && diagnostics_.errors() == errors_before)
+      table.error(fault->key, fault->message, kThicknessCure);
     draft_.add_part(std::move(part), std::move(geometry), type, diagnostics_.errors() == errors_before);
   }
 
@@ -314,18 +323,29 @@ class SceneReader {
       if (!set || !draft_.is_sound[set->part] || diagnostics_.errors() > errors_before) continue;
       out_.holds.push_back(holder.hold(entry, draft_.scene_nodes(*set), table));
       guide(read_course(table), entry, out_.holds.back(), table);
+      if (gear_ && out_.gear->times == 1) one_sided_.add(entry, table.place("on"));
     }
   }
 
   /// Lets what a hold holds go along a course.
   void guide(Course course, const HoldEntry& entry, const Hold& hold, TableReader& table) {
     if (course.knots.empty()) return;
+    guides_.push_back(table);
     const char* key = table.has("velocity") ? "velocity" : "displacement";
     const bool is_turned = entry.frame || std::any_of(hold.nodes.begin(), hold.nodes.end(), [&](auto node) {
                              return out_.scene.frames.contains(node);
                            });
     if (is_turned) table.error(key, "does not go with along and plane", "hold it by axes to move it");
     out_.scene.guides.push_back({hold.nodes, hold.axes, std::move(course)});
+  }
+
+  /// Nothing moves in a static analysis, unless somebody looks at a motion that way for once.
+  void check_guides() {
+    TableReader analysis = root_.table("analysis", Presence::optional);
+    if (diagnostics_.where(analysis.place("kind")).starts_with("--set")) return;
+    for (auto& hold : guides_)
+      hold.error(hold.has("velocity") ? "velocity" : "displacement", "nothing moves in a static analysis",
+                 "kind = \"dynamic\" in [analysis], or leave it out");
   }
 
   void check_hold_name(const HoldEntry& entry, TableReader& table) {
@@ -438,6 +458,8 @@ class SceneReader {
   std::vector<const ElementType*> companions_;
   std::vector<std::pair<std::string, TableReader>> riders_;
   std::vector<Join> joins_;
+  std::vector<TableReader> guides_;  // holds that move
+  OneSidedHolds one_sided_;
   std::map<std::string, Place> hold_names_;
   bool says_tow_ = false;
   std::optional<Joiner> joiner_;
@@ -465,11 +487,13 @@ LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std:
   const Document document = Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
   Value root = document.root();
-  const auto catalogues = put_catalogue_parts(root, file.parent_path(), registry, diagnostics);
+  std::map<std::string, Strength> strengths;
+  const auto catalogues = put_catalogue_parts(root, file.parent_path(), registry, diagnostics, strengths);
   const auto plan = read_plan_of(document, file.parent_path(), diagnostics);
   if (diagnostics.errors() && plan) return {};  // nothing in a scene can be judged without its gear
   LoadedScene loaded =
       SceneReader(root, plan ? &*plan : nullptr, file.stem().string(), registry, diagnostics, refused).read();
+  loaded.strengths.merge(strengths);
   append_new(loaded.files, document.files());
   append_new(loaded.files, catalogues);
   if (plan) append_new(loaded.files, plan->files);

@@ -82,6 +82,15 @@ TEST(AStudy, IsNotConvergedWithoutAnAnswer) {
   const Solution s = study(taut_bars(), [](Study&) {});
   EXPECT_EQ(s.status, SolveStatus::not_converged);
   EXPECT_NE(s.reason.find("no stage"), std::string::npos) << s.reason;
+  EXPECT_EQ(s.u, std::vector<double>(3, 0.0)) << "a place for every node, where it was sketched";
+}
+
+TEST(AStudy, SaysThatItsStrategyFailed) {
+  const Solution s = study(compressed_bars(), [](Study& of) {
+    of.solve({.name = "straight", .work = 1e-6}, of.start());
+    throw std::runtime_error("the tide turned");
+  });
+  EXPECT_NE(s.reason.find("test/by-hand failed: the tide turned"), std::string::npos) << s.reason;
 }
 
 TEST(AStudy, PrefersAStableAnswerToAnUnstableOne) {
