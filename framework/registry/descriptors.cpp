@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/descriptors.hpp"
 
+#include "framework/parameters/parameters.hpp"
+
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -43,24 +45,6 @@ void check_names(const Rows& rows, const std::string& owner, const char* what, F
                    owner + ": " + what + " \"" + shown(row.name) + "\" has no sentence that says what it is");
     if (named(row.name) && !seen.insert(row.name).second)
       faults.add(owner + ": two " + plural(what) + " are called \"" + row.name + "\"; names must be unique");
-  }
-}
-
-std::size_t bytes_of(std::uint32_t kind) {
-  switch (kind) {
-    case NETLOFT_REAL:
-      return sizeof(double);
-    case NETLOFT_INTEGER:
-    case NETLOFT_CHOICE:
-      return sizeof(std::int64_t);
-    case NETLOFT_BOOLEAN:
-      return 1;
-    case NETLOFT_TEXT:
-      return sizeof(const char*);
-    case NETLOFT_TABLE:
-      return sizeof(netloft_table);
-    default:
-      return 0;
   }
 }
 
