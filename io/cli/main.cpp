@@ -2,6 +2,7 @@
 #include "framework/registry/nearest.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
+#include "io/cli/last_words.hpp"
 #include "io/cli/prefix.hpp"
 
 #include <CLI/CLI.hpp>
@@ -309,6 +310,7 @@ int fail(const Options& o, const std::string& message, int code) {
 }
 
 int guarded(const Options& o) {
+  explain_crashes();
   try {
     return dispatch(o);
   } catch (const UsageError& e) {
