@@ -41,7 +41,10 @@ Specimen::Specimen(const ElementType& type, const Sample& sample)
   for (const auto& values : sample.parameters)
     parameters_.emplace_back(type.parameters, type.element.parameter_bytes, values, faults);
   if (!faults.empty()) throw Refused(0, faults.front());
-  for (const auto& block : parameters_) blocks.push_back(block.data());
+  for (auto& block : parameters_) {
+    for (const auto& range : sample.spoilt) block.spoil(range);
+    blocks.push_back(block.data());
+  }
   for (const auto& datum : sample.data) data.push_back(datum.data());
 
   char message[kMessage] = "";

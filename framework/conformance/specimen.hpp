@@ -19,6 +19,7 @@ struct Sample {
   std::vector<std::uint32_t> part;
   std::vector<std::vector<double>> data;  // [datum] -> [element][width]
   std::uint32_t law_kind = 0;             // where a slot takes it; else the first kind that the slot takes
+  std::vector<ByteRange> spoilt = {};     // bytes of the parameters that no row declares, overwritten
 };
 
 /// The world as up to 64 elements see it, arrays [dof][64] like those of a tile. Empty: null.

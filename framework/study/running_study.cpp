@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/registry/plugin_call.hpp"
 #include "framework/study/study_host.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ struct Callback {
   /// A C function that forwards to a member of the RunningStudy behind `host`; no exception passes.
   template <auto Member>
   static Result call(void* host, Args... args) noexcept {
+    const HostCall back;
     auto& study = *static_cast<RunningStudy*>(host);
     try {
       return (study.*Member)(args...);
@@ -89,6 +91,11 @@ std::size_t count_members(const Assembler& assembler) {
   return count;
 }
 
+int call_strategy(const StrategyType& type, const void* parameters, netloft_study& study) {
+  const PluginCall call({type.type.c_str(), "run", nullptr, CallFrame::Kind::method});
+  return type.strategy.run(parameters, &study);
+}
+
 double imbalance(const Solution& s) {
   const double ratio = s.balance.residual / s.balance.scale;
   return std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity();
@@ -137,7 +144,10 @@ void RunningStudy::fill_interface(const double* start) {
   s.assess = Callback<int, netloft_stage*>::call<&RunningStudy::assess>;
   s.problem = Callback<int, netloft_stage*, netloft_problem*>::call<&RunningStudy::problem>;
   s.members = Callback<int, netloft_stage*, netloft_members*>::call<&RunningStudy::members>;
-  s.work_left = [](void* study) { return static_cast<RunningStudy*>(study)->work_left(); };
+  s.work_left = [](void* study) {
+    const HostCall back;
+    return static_cast<RunningStudy*>(study)->work_left();
+  };
   s.answer = Callback<int, const double*>::call<&RunningStudy::answer>;
 }
 
@@ -148,7 +158,7 @@ void RunningStudy::run(const StrategyType& type, const void* parameters) {
   if (lacking)
     throw std::invalid_argument("the strategy " + type.type +
                                 " wants what this scene has not: " + traits_of_study(lacking));
-  const int status = type.strategy.run(parameters, &interface_);
+  const int status = call_strategy(type, parameters, interface_);
   close();
   if (status == NETLOFT_OK) return;
   failure_ = "the strategy " + type.type + " failed" + (message_[0] ? std::string(": ") + message_ : "");

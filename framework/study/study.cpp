@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/study/study.hpp"
 
+#include "framework/registry/plugin_call.hpp"
 #include "framework/study/study_host.hpp"
 
 #include <cassert>
@@ -56,6 +57,7 @@ std::string explain_strategy(const SiteSource& source, const StudyOptions& optio
   const ParameterBlock parameters = block_of(strategy);
   RunningStudy study(host, as_written(), options.limits.tolerance, options.work, nullptr);
   std::string text(4096, '\0');
+  const PluginCall call({strategy.type->type.c_str(), "explain", nullptr, CallFrame::Kind::method});
   const int status = strategy.type->strategy.explain(parameters.data(), &study.interface(), text.data(),
                                                      static_cast<std::uint32_t>(text.size()));
   text.resize(status == NETLOFT_OK ? text.find('\0') : 0);

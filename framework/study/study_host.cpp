@@ -64,6 +64,7 @@ Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) const 
   if (stage.path > 0) limits.path = stage.path;
   limits.model = &site.model, limits.work = stage.work;
   limits.seconds = seconds_left();
+  if (!is_as_written(stage.variant)) limits.kept = nullptr;
   limits.ask_growth = is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
   return limits;
 }

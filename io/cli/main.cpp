@@ -2,6 +2,7 @@
 #include "framework/registry/nearest.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
+#include "io/cli/last_words.hpp"
 #include "io/cli/memory_room.hpp"
 #include "io/cli/prefix.hpp"
 
@@ -316,6 +317,7 @@ bool solves(const Options& o) {
 }
 
 int guarded(const Options& o) {
+  explain_crashes();
   if (const std::string lack = lack_of_memory(); solves(o) && !lack.empty()) return fail(o, lack, kOther);
   try {
     return dispatch(o);
