@@ -15,7 +15,7 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
       {.lo = 0, .hi = 1e15, .fallback = 1e-4, .fallback_of = "rope.EA", .role = netloft::Role::compression});
   bar.real("rope.diameter", &Bar::Parameters::diameter, "m", "diameter of the rope", {.lo = 0, .hi = 10});
   bar.real("rope.density", &Bar::Parameters::density, "kg/m3", "density of the rope's material",
-           {.lo = 0, .hi = 3e4});
+           {.lo = 0, .hi = 1e5});
   bar.real(
       "rope.constant_tension", &Bar::Parameters::constant_tension, "N",
       "tension that a winch or a weight over a pulley holds at any length, instead of the spring; 0: none",
@@ -33,6 +33,10 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.table("rope.length_share", &Bar::Parameters::length_share,
             "unstretched length over that at the start, as rope is paid out or hauled",
             {{"t", "s"}, {"share", "1"}});
+  bar.real("rope.surface", &Bar::Parameters::surface, "1",
+           "how much of its buoyancy and drag is lost above z = 0: 1 all of it, 0 none, in water without a "
+           "surface",
+           {.lo = 0, .hi = 1, .fallback = 0});
   bar.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the rope");
   bar.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
   bar.term<Bar::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
@@ -48,6 +52,12 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.term<Bar::Drag,
            netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the unstretched rope, by its law, half per node");
+  bar.term<Bar::DryDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
+                             netloft::from_outside | netloft::is_drag>(
+      "dry-drag", "drag that is lost above the surface", "rope.surface");
+  bar.term<Bar::DryBuoyancy, netloft::conservative | netloft::symmetric | netloft::needs_gravity |
+                                 netloft::from_outside | netloft::is_weight>(
+      "dry-buoyancy", "buoyancy that is lost above the surface", "rope.surface");
   bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "rope.damping");
   bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::needs_motion>(

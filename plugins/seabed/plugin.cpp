@@ -14,7 +14,7 @@ NETLOFT_PLUGIN("seabed", "0.1.0", "The ground on which a gear lies and is dragge
   e.real("seabed.stiffness", &Plane::Parameters::stiffness, "N/m2",
          "force per metre of rope and metre of depth", {.lo = 0, .hi = 1e9, .fallback = 1e5});
   e.real("seabed.softness", &Plane::Parameters::softness, "m",
-         "depth over which the seabed reaches that stiffness", {.lo = 1e-9, .hi = 10, .fallback = 1e-3});
+         "depth over which the seabed reaches that stiffness", {.lo = 0, .hi = 10, .fallback = 1e-3});
   e.real("seabed.friction", &Plane::Parameters::friction, "1", "friction force over normal force",
          {.lo = 0, .hi = 10, .fallback = 0});
   e.real("seabed.shear_stiffness", &Plane::Parameters::shear_stiffness, "N/m2",
