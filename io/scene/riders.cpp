@@ -30,10 +30,10 @@ class RiderMaker {
     const int errors_before = table_.diagnostics().errors();
     read_names();
     if (table_.diagnostics().errors() > errors_before) return;
-    const double number = on_nodes_ ? read_number() : 1;
-    for (std::size_t n = 0; n < names_.size(); ++n) stand_on(n);
+    for (std::size_t n = 0; n < names_.size(); ++n)
+      for (const auto& at : draft_.expand(mention_of_item(names_[n], table_, "on", n))) stand_on(n, at);
     drop_repeats(nodes_);
-    if (on_nodes_ && !nodes_.empty()) ride_on_nodes(nodes_, carried_, number, rider_);
+    if (on_nodes_) stand_on_nodes();
     read_missing_data();
   }
 
@@ -45,18 +45,27 @@ class RiderMaker {
       names_ = table_.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
   }
 
-  double read_number() {
-    return table_.real(
-        "number",
-        {.doc = "pieces, shared out along what it stands on", .range = between(0, 1e6), .fallback = 1.0});
+  /// `number` pieces shared out, or `each` on every node.
+  void stand_on_nodes() {
+    const Range pieces = between(0, 1e6);
+    const double number = table_.real(
+        "number", {.doc = "pieces, shared out along what it stands on", .range = pieces, .fallback = 1.0});
+    if (!table_.has("each")) {
+      if (!nodes_.empty()) ride_on_nodes(nodes_, carried_, number, rider_);
+      return;
+    }
+    if (table_.has("number"))
+      table_.error("each", "stands beside a number; pieces are shared out or stand on every node",
+                   "leave one of them out");
+    const double each = table_.real("each", {.doc = "pieces on every node", .range = pieces});
+    ride_on_every_node(nodes_, each, rider_);
   }
 
-  void stand_on(std::size_t n) {
-    const std::string& name = names_[n];
-    const Mention at = mention_of_item(name, table_, "on", n);
+  void stand_on(std::size_t n, const Mention& at) {
+    const std::string& name = at.name;
     if (const auto begin = names_.begin(), here = begin + static_cast<std::ptrdiff_t>(n);
-        std::find(begin, here, name) != here)
-      table_.diagnostics().error(at.place, at.path + ": " + in_quotes(name) + " is named twice");
+        std::find(begin, here, names_[n]) != here)
+      table_.diagnostics().error(at.place, at.path + ": " + in_quotes(names_[n]) + " is named twice");
     const auto set = draft_.find_nodes(at);
     if (!set || !draft_.is_sound[set->part] || !draft_.types[set->part]) return;
     const bool is_whole = name.find('.') == std::string::npos;

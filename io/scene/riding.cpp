@@ -48,6 +48,12 @@ void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<do
   }
 }
 
+void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider) {
+  rider.nodes = nodes;
+  rider.data["pieces"].assign(nodes.size(), pieces);
+  rider.data["length"].assign(nodes.size(), 0.0);
+}
+
 void ride_on_elements(const Part& part, Part& rider) {
   rider.nodes.insert(rider.nodes.end(), part.nodes.begin(), part.nodes.end());
   for (const auto& [name, values] : part.data) {

@@ -18,6 +18,9 @@ std::vector<double> carried_length(const Scene& scene, const Part& part, const E
 void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<double>& carried, double number,
                    Part& rider);
 
+/// One element on each of `nodes`, each of `pieces`, whatever the node carries: the datum `length` is zero.
+void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider);
+
 /// The elements of another part, with their data.
 void ride_on_elements(const Part& part, Part& rider);
 
