@@ -218,16 +218,26 @@ class SceneWriter {
     rope.add("EA", within(c.EA, 0, 1e15, c.place, "the stiffness of the cable"));
     rope.add("EA_compression", within(c.EA_compression, 0, 1e15, c.place, "its stiffness in compression"));
     rope.add("density", within(c.density, 0, 1e5, c.place, "the density of the cable"));
-    rope.add_unless_zero("EI", within(c.EI, 0, 1e12, c.place, "its bending stiffness"));
+    if (c.EI > 0)
+      rope.add("EI", within(c.EI, 0, 1e12, c.place, "its bending stiffness"))
+          .add("curvature", quoted("nodes"));
     rope.add_unless_zero("constant_tension", within(c.constant_tension, 0, 1e12, c.place, "its tension"));
     line("rope", rope.add("surface", 1).text());
     write_drag(c.cd, c.friction, c.place);
-    if (c.EI > 0)
-      note(c.place, what,
-           "bends by an energy, EI over the radius of the circle that touches both bars; FEMNET's goes "
-           "through three nodes");
+    if (c.EI > 0) note_of_bending(c, number);
     if (c.constant_tension > 0)
       note(c.place, what, "its tension is constant, also where FEMNET lets it fall");
+  }
+
+  /// FEMNET bends bars on the plane of symmetry against their mirror images.
+  void note_of_bending(const Cable& c, std::size_t number) {
+    const auto& nodes = out_.mesh.find(cable_name(number))->nodes;
+    const bool reaches_mirror = std::any_of(nodes.begin(), nodes.end(), [&](auto n) {
+      return gear_.types[static_cast<std::size_t>(file_.nodes[n].type)].symmetry != Triple{};
+    });
+    if (reaches_mirror)
+      leave_out(c.place, "cable " + std::to_string(number + 1),
+                "bending against the mirror image of a cable is not modelled here");
   }
 
   /// Of what stands at a node on planes of symmetry, so much is of this half of the gear.
@@ -310,11 +320,36 @@ class SceneWriter {
     leave_out(t.place, what, "friction of a bed that moves with the current is not carried over for now");
   }
 
+  /// Clamps are as stiff as the weaker cable, and act where the first bends.
   void write_clamps() {
-    for (const auto& clamp : gear_.clamps)
-      leave_out(clamp.place,
-                "cables " + std::to_string(clamp.first + 1) + " and " + std::to_string(clamp.second + 1),
-                "their clamp is not modelled here");
+    for (std::size_t i = 0; i < gear_.clamps.size(); ++i) {
+      const Clamp& clamp = gear_.clamps[i];
+      const auto first = static_cast<std::size_t>(clamp.first),
+                 second = static_cast<std::size_t>(clamp.second);
+      const std::string what = "cables " + std::to_string(first + 1) + " and " + std::to_string(second + 1);
+      const double EI = std::min(gear_.cables[first].EI, gear_.cables[second].EI);
+      if (!do_meet(first, second) || !(EI > 0)) {
+        note(clamp.place, what,
+             EI > 0 ? "do not meet: they cannot be clamped" : "do not bend: their clamp does nothing");
+        continue;
+      }
+      begin_part("clamp-" + std::to_string(i + 1), "rope/clamp");
+      line("on", "[" + quoted(cable_name(first)) + ", " + quoted(cable_name(second)) + "]");
+      const double turn =
+          within(180 - clamp.angle, 0, 180, clamp.place, "180 degrees less the angle of the clamp");
+      line("clamp", InlineTable()
+                        .add("EI", within(EI, 0, 1e12, clamp.place, "the stiffness of the clamp"))
+                        .add("angle", turn * std::numbers::pi / 180)
+                        .add("curvature", quoted("nodes"))
+                        .text());
+    }
+  }
+
+  bool do_meet(std::size_t first, std::size_t second) const {
+    const MeshRegion *a = out_.mesh.find(cable_name(first)), *b = out_.mesh.find(cable_name(second));
+    return a && b && first != second && std::any_of(a->nodes.begin(), a->nodes.end(), [&](auto node) {
+             return std::find(b->nodes.begin(), b->nodes.end(), node) != b->nodes.end();
+           });
   }
 
   void write_catch() {

@@ -199,7 +199,10 @@ class SceneReader {
       case Layout::panel_in_bars:
         return read_panel_in_bars(table);
       default:
-        return read_point(table);
+        if (type.nodes() == 1) return read_point(table);
+        table.error("type", "has no place of its own: it stands between parts that meet",
+                    "name them: on = [\"first\", \"second\"]");
+        return {};
     }
   }
 

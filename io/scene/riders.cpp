@@ -34,6 +34,7 @@ class RiderMaker {
       for (const auto& at : draft_.expand(mention_of_item(names_[n], table_, "on", n))) stand_on(n, at);
     drop_repeats(nodes_);
     if (on_nodes_) stand_on_nodes();
+    if (type_.element.stencil == NETLOFT_BAR_PAIR) stand_between_ropes();
     read_missing_data();
   }
 
@@ -71,8 +72,27 @@ class RiderMaker {
     const bool is_whole = name.find('.') == std::string::npos;
     if (on_nodes_)
       add_nodes(*set);
+    else if (type_.element.stencil == NETLOFT_BAR_PAIR && is_whole && is_rope(set->part))
+      ropes_.push_back(set->part);
     else if (!is_whole || !add_elements(set->part))
       table_.error("on", in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
+  }
+
+  bool is_rope(std::size_t part) const { return draft_.types[part]->element.stencil == NETLOFT_BAR; }
+
+  /// Elements on pairs of bars that are not of one rope.
+  void stand_between_ropes() {
+    if (table_.diagnostics().errors()) return;
+    if (ropes_.size() != 2)
+      return table_.error("on", "names " + std::to_string(ropes_.size()) + " ropes; " + type_.type +
+                                    " stands between two that meet");
+    const auto& parts = draft_.out.scene.parts;
+    ride_on_meeting_bars(parts[ropes_[0]], parts[ropes_[1]], rider_);
+    if (rider_.nodes.empty())
+      table_.error("on",
+                   in_quotes(parts[ropes_[0]].name) + " and " + in_quotes(parts[ropes_[1]].name) +
+                       " do not meet in a node",
+                   "join them where they meet");
   }
 
   void add_nodes(const Joiner::Ends& set) {
@@ -122,6 +142,7 @@ class RiderMaker {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
   std::vector<double> carried_;
+  std::vector<std::size_t> ropes_;  // parts, of elements on pairs of bars
 };
 
 }  // namespace

@@ -1,10 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/bar.hpp"
 #include "plugins/rope/bending.hpp"
+#include "plugins/rope/clamp.hpp"
 #include "plugins/rope/sag.hpp"
 
 using netloft::rope::Bar;
 using netloft::rope::Bending;
+using netloft::rope::Clamp;
+
+namespace {
+
+constexpr const char* kCurvature =
+    "circle of which the curvature is: one that touches both bars at their middles, or one through three "
+    "nodes";
+
+void add_clamp(netloft::Plugin& plugin) {
+  auto& clamp = plugin.element<Clamp>("clamp", "Clamp that keeps the angle between two ropes that meet");
+  clamp.real("clamp.EI", &Clamp::Parameters::EI, "N m2", "bending stiffness of the clamp",
+             {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
+  clamp.real("clamp.angle", &Clamp::Parameters::angle, "rad",
+             "angle by which the second rope turns away from the first at rest; 0: in line",
+             {.lo = 0, .hi = 3.14159265358979, .fallback = 0});
+  clamp.choice("clamp.curvature", &Clamp::Parameters::curvature, kCurvature, {"bars", "nodes"});
+  clamp.data("rest_length", &Clamp::Data::rest_length, "m", "unstretched length of both bars");
+  clamp.term<Clamp::Elastic, netloft::conservative | netloft::symmetric>(
+      "clamp", "moment against a change of the angle", "clamp.EI");
+  clamp.output("turning_angle", "rad", "angle by which the second bar turns away from the first",
+               [](auto&, auto&, auto& s) { return Bending::turning_angle(s); });
+}
+
+}  // namespace
 
 NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   auto& bar = plugin.element<Bar>("bar", "Straight elastic bar of a rope between two nodes, weak when slack");
@@ -75,9 +100,12 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bending.rides_on("bar");
   bending.real("rope.EI", &Bending::Parameters::EI, "N m2", "bending stiffness of the rope",
                {.lo = 0, .hi = 1e12, .fallback = 0, .role = netloft::Role::stiffness});
+  bending.choice("rope.curvature", &Bending::Parameters::curvature, kCurvature, {"bars", "nodes"});
   bending.data("rest_length", &Bending::Data::rest_length, "m", "unstretched length of both bars");
   bending.term<Bending::Elastic, netloft::conservative | netloft::symmetric>(
       "bending", "moment against the curvature of the rope", "rope.EI");
   bending.output("turning_angle", "rad", "angle by which the second bar turns away from the first",
                  [](auto&, auto&, auto& s) { return Bending::turning_angle(s); });
+
+  add_clamp(plugin);
 }
