@@ -104,9 +104,9 @@ std::optional<double> DonScanner::try_real(bool whole) {
   const auto digits = take_number(whole);
   if (!digits) {
     std::string word;
-    for (std::size_t i = here() == '-' || here() == '+' ? 1 : 0; i < 4 && is_letter(here(i)); ++i)
+    for (std::size_t i = here() == '-' || here() == '+' ? 1 : 0; i < 10 && is_letter(here(i)); ++i)
       word += static_cast<char>(std::tolower(here(i)));
-    if (word.starts_with("nan") || word.starts_with("inf"))
+    if (word == "nan" || word == "inf" || word == "infinity")
       fail(begun, "a number is expected, and \"" + word + "\" is none");
     return {};
   }
@@ -154,7 +154,7 @@ int DonScanner::next_integer(const char* what) {
   if (has_failed_) return 0;
   skip_blanks();
   const Place begun = place();
-  const auto value = try_real(true);
+  const auto value = try_real();
   if (!value || std::abs(*value) > kMostCounted)
     fail(begun, std::string("a whole number is expected here: ") + what);
   return has_failed_ ? 0 : static_cast<int>(*value);

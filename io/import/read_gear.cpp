@@ -83,8 +83,12 @@ class GearReader {
     Panel p;
     p.place = in_.place();
     const int corners = in_.count("the number of corners");
+    if (corners < 3)
+      in_.fail(in_.place(), "a panel with " + std::to_string(corners) + " corners; it needs at least 3");
     in_.skip_worded_line();
     for (int i = 0; i < corners && !in_.has_failed(); ++i) p.corners.push_back(read_corner());
+    if (in_.try_real())
+      diagnostics_.warning(in_.place(), "more rows of corners stand here than there are corners");
     p.EA = in_single(in_.real("the stiffness of twines"));
     p.EA_compression = in_single(in_.real("the stiffness of twines in compression"));
     p.opening = in_single(in_.real("the opening stiffness of meshes"));

@@ -157,7 +157,7 @@ class SceneWriter {
     twine.add("diameter", within(p.diameter, 0, 1, p.place, "the diameter of twines"));
     twine.add("EA", within(EA, 0, 1e12, p.place, "the stiffness of twines"));
     twine.add("EA_compression", within(EA_compression, 0, 1e12, p.place, "their stiffness in compression"));
-    twine.add("density", within(p.density, 0, 1e5, p.place, "the density of twines"));
+    twine.add("density", within(p.density, 0, 1e6, p.place, "the density of twines"));
     if (p.opening > 0) {
       const double H = p.EI != 0 ? 6 * p.EI / p.side : p.opening;
       twine.add("opening_stiffness", within(H, 0, 1e6, p.place, "the opening stiffness"));
@@ -191,7 +191,7 @@ class SceneWriter {
     twine.add("EA", within(bar.EA / p.twines, 0, 1e12, p.place, "the stiffness of twines"));
     twine.add("EA_compression",
               within(bar.EA_compression / p.twines, 0, 1e12, p.place, "their stiffness in compression"));
-    twine.add("density", within(p.density, 0, 1e5, p.place, "the density of twines"));
+    twine.add("density", within(p.density, 0, 1e6, p.place, "the density of twines"));
     line("twine", twine.add("surface", 1).text());
     write_drag(p.cd, p.friction * std::sqrt(p.twines), p.place);
   }
@@ -217,7 +217,7 @@ class SceneWriter {
     rope.add("diameter", within(c.diameter, 0, 10, c.place, "the diameter of the cable"));
     rope.add("EA", within(c.EA, 0, 1e15, c.place, "the stiffness of the cable"));
     rope.add("EA_compression", within(c.EA_compression, 0, 1e15, c.place, "its stiffness in compression"));
-    rope.add("density", within(c.density, 0, 1e5, c.place, "the density of the cable"));
+    rope.add("density", within(c.density, 0, 1e6, c.place, "the density of the cable"));
     if (c.EI > 0)
       rope.add("EI", within(c.EI, 0, 1e12, c.place, "its bending stiffness"))
           .add("curvature", quoted("nodes"));
@@ -289,7 +289,7 @@ class SceneWriter {
       return within(std::abs(t.box[axis]), 0, 1e3, t.place, "a length of the box");
     };
     const auto drag = [&](std::size_t axis) {
-      return within(t.drag[axis], 0, 100, t.place, "a drag coefficient of the box");
+      return within(t.drag[axis], 0, 1e4, t.place, "a drag coefficient of the box");
     };
     begin_load("box", "float/box", number);
     InlineTable box;
@@ -310,8 +310,8 @@ class SceneWriter {
     if (t.sense[2] != 1) return;
     begin_load("bed", "seabed/plane", number);
     line("seabed", InlineTable()
-                       .add("depth", within(-t.limit[2], -1e4, 1e4, t.place, "the depth of the bed"))
-                       .add("stiffness", within(k, 0, 1e9, t.place, "the stiffness of the bed"))
+                       .add("depth", within(-t.limit[2], -1e6, 1e6, t.place, "the depth of the bed"))
+                       .add("stiffness", within(k, 0, 1e12, t.place, "the stiffness of the bed"))
                        .add("softness", 0)
                        .text());
     if (!environment().bed_moves || environment().bed_friction == 0 || !has_current()) return;
@@ -354,8 +354,43 @@ class SceneWriter {
 
   void write_catch() {
     const Environment& e = environment();
+    std::string on;
+    for (std::size_t p = 0; p < gear_.panels.size(); ++p)
+      if (const auto* region = out_.mesh.find(panel_name(p)); region && region->kind == RegionKind::triangles)
+        on += (on.empty() ? "" : ", ") + quoted(region->name);
     if (e.catch_volume <= e.catch_accuracy || !has_current()) return;
-    leave_out({}, "the catch", "is not modelled here");
+    if (on.empty()) return note({}, "the catch", "there is no netting in triangles for it to press on");
+    begin_part("catch", "catch/front", "on all netting behind a plane across the current");
+    line("on", "[" + on + "]");
+    line("catch",
+         InlineTable()
+             .add("volume", within(e.catch_volume, 0, 1e5, {}, "the volume of the catch"))
+             .add("speed", std::abs(e.speed))
+             .add("drag_coefficient", within(e.catch_coefficient, 0, 1e3, {}, "the coefficient of the catch"))
+             .add("direction", std::remainder(flow_angle(), 2 * std::numbers::pi))
+             .add("front", first_front())
+             .text());
+    note({}, "the catch",
+         "netting behind it has drag here as elsewhere; FEMNET leaves that away, and turns the drag of other "
+         "netting towards x");
+  }
+
+  /// Direction to which the water flows [rad].
+  double flow_angle() const {
+    return environment().direction * std::numbers::pi / 180 +
+           (environment().speed < 0 ? std::numbers::pi : 0);
+  }
+
+  /// A plane that leaves a fifth of the drawing behind it, for a start.
+  double first_front() const {
+    double low = 1e6, high = -1e6;
+    for (const auto& t : file_.triangles)
+      for (const auto node : t.nodes) {
+        const auto& at = file_.nodes[node].at;
+        const double along = at[0] * std::cos(flow_angle()) + at[1] * std::sin(flow_angle());
+        low = std::min(low, along), high = std::max(high, along);
+      }
+    return high - 0.2 * (high - low);
   }
 
   void write_hold(std::size_t number) {

@@ -16,7 +16,7 @@ void add_box(netloft::Plugin& plugin) {
   b.real("box.length_y", &Box::Parameters::length_y, "m", "side along y", side);
   b.real("box.height", &Box::Parameters::height, "m", "height", side);
   b.boolean("box.hangs", &Box::Parameters::hangs, "its upper face is at the node, not its lower one", false);
-  const netloft::Real drag{.lo = 0, .hi = 100, .fallback = 0};
+  const netloft::Real drag{.lo = 0, .hi = 1e4, .fallback = 0};
   b.real("box.drag_x", &Box::Parameters::drag_x, "1", "drag coefficient of the flow along x", drag);
   b.real("box.drag_y", &Box::Parameters::drag_y, "1", "drag coefficient of the flow along y", drag);
   b.real("box.drag_z", &Box::Parameters::drag_z, "1", "drag coefficient of the vertical flow", drag);

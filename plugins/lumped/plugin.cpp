@@ -13,7 +13,7 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
       {.lo = 0, .hi = 1e12, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
   net.real("twine.diameter", &Net::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   net.real("twine.density", &Net::Parameters::density, "kg/m3", "density of the twine's material",
-           {.lo = 0, .hi = 1e5});
+           {.lo = 0, .hi = 1e6});
   net.real("twine.damping", &Net::Parameters::damping, "N s",
            "damping of stretch: tension per strain rate, EA times a relaxation time",
            {.lo = 0, .hi = 1e9, .fallback = 0, .role = netloft::Role::damping});

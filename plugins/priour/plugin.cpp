@@ -16,7 +16,7 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
       {.lo = 0, .hi = 1e12, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
   t.real("twine.diameter", &Triangle::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   t.real("twine.density", &Triangle::Parameters::density, "kg/m3", "density of the twine's material",
-         {.lo = 0, .hi = 1e5});
+         {.lo = 0, .hi = 1e6});
   t.real("twine.EI", &Triangle::Parameters::EI, "N m2", "bending stiffness of one twine",
          {.lo = 0, .hi = 1e6, .fallback = 0, .role = netloft::Role::stiffness});
   t.real(

@@ -32,6 +32,10 @@ Status Clamp::Elastic::evaluate(const Parameters& p, const Data& d, const State<
   const Turn q(s);
   if (!q.is_inside(d.rest_length)) return Status::outside_domain;
   const double sine = norm(cross(q.t[0], q.t[1])), delta = std::atan2(sine, q.c) - p.angle;
+  if (!(sine > kInLine) && q.c > 0) {
+    out.energy = over_angle(p, d, delta).E;
+    return Status::ok;
+  }
   if (!(sine > kInLine) || !(0.5 + 0.5 * std::cos(delta) > kFolded)) return Status::outside_domain;
   const OfCosine f = over_angle(p, d, delta);
   add_of_cosine(q, {f.E, -f.E1 / sine, (f.E2 - f.E1 * q.c / sine) / (sine * sine)}, s, out);  // (4)

@@ -13,7 +13,8 @@ namespace netloft::rope {
 ///   dE/dc = −E_φ/s,  d²E/dc² = E_φφ/s² − E_φ c/s³,  s = sin φ                                     (4)
 /// EI [N m²] bending stiffness, L [m] unstretched bars; (2) and (3) are bending (1) and (3) of a rope that is
 /// bent at rest, and those themselves for β = 0. Of two bars in line the plane in which a clamp with β > 0
-/// would turn them is not known, and of bars folded back upon each other neither: outside the domain.
+/// would turn them is not known: they get no force, until something else bends them. Bars folded back upon
+/// each other are outside the domain.
 struct Clamp {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;
   enum Curvature : std::int64_t { of_bars, of_nodes };

@@ -40,7 +40,7 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
       {.lo = 0, .hi = 1e15, .fallback = 1e-4, .fallback_of = "rope.EA", .role = netloft::Role::compression});
   bar.real("rope.diameter", &Bar::Parameters::diameter, "m", "diameter of the rope", {.lo = 0, .hi = 10});
   bar.real("rope.density", &Bar::Parameters::density, "kg/m3", "density of the rope's material",
-           {.lo = 0, .hi = 1e5});
+           {.lo = 0, .hi = 1e6});
   bar.real(
       "rope.constant_tension", &Bar::Parameters::constant_tension, "N",
       "tension that a winch or a weight over a pulley holds at any length, instead of the spring; 0: none",

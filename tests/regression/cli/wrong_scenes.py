@@ -86,7 +86,7 @@ RANGES = [
     edit("absurd cells", "cells = [4, 4]", "cells = [1000000000, 4]", "8:10", "is outside [1, 100000]"),
     edit("too many triangles", "cells = [4, 4]", "cells = [100000, 100000]", "8:9", "makes 20000000000 triangles"),
     edit("more than 64 bits", "cells = 4\n", "cells = 100000000000000000000\n", "15:30", "not representable in 64 bits"),
-    edit("absurd density", "density = 2000", "density = 1e300", "10:55", "1e300 kg/m3 is outside [0, 1e5]"),
+    edit("absurd density", "density = 2000", "density = 1e300", "10:55", "1e300 kg/m3 is outside [0, 1e6]"),
     edit("absurd sketch", "[[-2, 0, 0]", "[[-1e300, 0, 0]", "9:12", "parts.net.sketch[0][0] = -1e300 m is outside"),
 ]
 
