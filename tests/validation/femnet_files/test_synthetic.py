@@ -1,101 +1,71 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small gears in FEMNET's format, imported, solved by the default strategy, and held against what FEMNET found.
 
-Positions have to agree within 1e-6 m and tensions within 1e-6 N where the two solve the same equations. NETLOFT_PROGRAM names the program.
+Positions have to agree within 1e-6 m and tensions within 1e-6 N where the two solve the same equations. Where they do not, the
+difference of formulation stands in DIFFERENT with its size, which must not grow.
 """
 import json
-import os
-import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
-import h5py
 import numpy as np
 
-PROGRAM = os.environ["NETLOFT_PROGRAM"]
+from imported import Gear
+
 HERE = Path(__file__).parent
 SAME = ("01_two_bars", "02_netting_panel", "03_node_force_symmetry", "06_netting2ropes", "08_free_surface", "09_hauling")
 METRES, NEWTONS = 1e-6, 1e-6
+# Bending with unstretched lengths; drag of netting beside a catch: io/import/README.md. [m]
+DIFFERENT = {"07_bending_rest_angle": 2e-5, "05_catch_front": 0.048}
 
 
-class Gear:
-    """A gear imported and solved in a folder of its own."""
-
-    def __init__(self, case):
-        with tempfile.TemporaryDirectory() as folder:
-            self.said = self.netloft(folder, "import", "femnet", HERE / f"{case}.don", "-o", "gear.toml")
-            self.netloft(folder, "run", "gear.toml", "-o", "gear.hdf")
-            self.mesh = (Path(folder) / "gear.mesh").read_text()
-            with h5py.File(Path(folder) / "gear.hdf") as f:
-                self.read(f)
-        self.expected = json.loads((HERE / f"{case}.expected.json").read_text())
-
-    @staticmethod
-    def netloft(folder, *words):
-        ended = subprocess.run([PROGRAM, *map(str, words)], cwd=folder, capture_output=True, text=True, timeout=120)
-        assert ended.returncode == 0, ended.stdout + ended.stderr
-        return ended.stderr
-
-    def read(self, f):
-        points, cells = f["VTKHDF/NumberOfPoints"][0], f["VTKHDF/NumberOfCells"][0]
-        self.points = f["VTKHDF/Points"][:points]
-        offsets, nodes = f["VTKHDF/Offsets"][:cells + 1], f["VTKHDF/Connectivity"][:]
-        self.cells = [nodes[offsets[c]:offsets[c + 1]] for c in range(cells)]
-        self.tension = {name: f[f"VTKHDF/CellData/{name}"][:cells] for name in f["VTKHDF/CellData"]}
-
-    def furthest(self):
-        """Largest distance of a node of FEMNET's from the node here that is nearest."""
-        there = np.array(self.expected["positions_m"])
-        assert len(there) == len(self.points)
-        return max(np.linalg.norm(self.points - x, axis=1).min() for x in there)
-
-    def bar_tensions(self):
-        return np.sort([self.tension["tension"][c] for c, nodes in enumerate(self.cells) if len(nodes) == 2])
-
-    def twine_tensions(self):
-        return np.sort([self.tension[name][c] for c, nodes in enumerate(self.cells) if len(nodes) == 3
-                        for name in ("tension_u", "tension_v")])
+def solved(case, **how):
+    return Gear(HERE / f"{case}.don", **how), json.loads((HERE / f"{case}.expected.json").read_text())
 
 
 class Synthetic(unittest.TestCase):
     def test_gears_stand_where_femnet_has_them(self):
         for case in SAME:
             with self.subTest(case):
-                gear = Gear(case)
+                gear, there = solved(case)
                 self.assertNotIn("left out:", gear.said)
-                self.assertLess(gear.furthest(), METRES)
+                self.assertLess(gear.furthest(there["positions_m"]), METRES)
+
+    def test_differences_of_formulation_are_as_large_as_is_said(self):
+        for case, size in DIFFERENT.items():
+            with self.subTest(case):
+                gear, there = solved(case)
+                self.assertNotIn("left out:", gear.said)
+                self.assertLess(gear.furthest(there["positions_m"]), size)
+                self.assertGreater(gear.furthest(there["positions_m"]), 0.5 * size)
 
     def test_ropes_pull_as_they_do_in_femnet(self):
         for case in ("01_two_bars", "03_node_force_symmetry", "08_free_surface", "09_hauling"):
             with self.subTest(case):
-                gear = Gear(case)
-                np.testing.assert_allclose(gear.bar_tensions(), np.sort(gear.expected["bar_tensions_N"]), rtol=0, atol=NEWTONS)
+                gear, there = solved(case)
+                np.testing.assert_allclose(gear.bar_tensions(), np.sort(there["bar_tensions_N"]), rtol=0, atol=NEWTONS)
 
     def test_twines_pull_as_they_do_in_femnet(self):
         for case in ("02_netting_panel", "03_node_force_symmetry"):
             with self.subTest(case):
-                gear = Gear(case)
-                there = np.sort(np.ravel(gear.expected["twine_tensions_N"]))
-                np.testing.assert_allclose(gear.twine_tensions(), there, rtol=0, atol=NEWTONS)
+                gear, there = solved(case)
+                twines = np.sort(np.ravel(there["twine_tensions_N"]))
+                np.testing.assert_allclose(gear.twine_tensions(), twines, rtol=0, atol=NEWTONS)
 
     def test_a_bar_of_five_twines_pulls_with_five_times_the_tension_of_one(self):
-        gear = Gear("06_netting2ropes")
-        # FEMNET prints the sum of a bar's twines, here the tension is that of one.
-        there = np.sort(gear.expected["bar_tensions_N"])
-        here = np.sort(np.concatenate([5 * np.array([t for c, t in self.of_part(gear, "twines")]),
-                                       [t for c, t in self.of_part(gear, "bars")]]))
-        self.assertEqual(len(there), len(here))
-        np.testing.assert_allclose(here, there, rtol=0, atol=NEWTONS)
+        """FEMNET prints the sum of a bar's twines, here the tension is that of one."""
+        gear, there = solved("06_netting2ropes")
+        rows = [line for line in gear.mesh.splitlines() if line[:1].isdigit() and len(line.split()) == 4]
+        twines = [float(line.split()[3]) > 1 for line in rows]
+        here = np.sort([gear.data["tension"][c] * (5 if twines[c] else 1) for c in range(len(rows))])
+        np.testing.assert_allclose(here, np.sort(there["bar_tensions_N"]), rtol=0, atol=NEWTONS)
 
-    @staticmethod
-    def of_part(gear, kind):
-        """Cells of the regions of a kind, which come in the order of the mesh: tension of each."""
-        lines = gear.mesh.splitlines()
-        begin = next(i for i, line in enumerate(lines) if line.startswith(f"[{kind} "))
-        count = next(i for i, line in enumerate(lines[begin + 1:]) if not line.strip() or line.startswith("["))
-        before = sum(1 for line in lines[:begin] if line and line[0].isdigit() and len(line.split()) == 4)
-        return [(c, gear.tension["tension"][c]) for c in range(before, before + count)]
+    def test_the_front_of_a_catch_is_where_femnet_has_it(self):
+        """Of the shape that FEMNET found, all nodes held: the front is what is left to find."""
+        there = json.loads((HERE / "05_catch_front.expected.json").read_text())
+        held = '\n[[hold]]\non = "panel-1"\n[results]\nfront = { of = "catch", take = "max front" }\n'
+        gear, _ = solved("05_catch_front", at=there["positions_m"], more=held)
+        self.assertAlmostEqual(gear.scalars["front"], there["front_xi_m"], delta=1e-8)
 
 
 if __name__ == "__main__":
