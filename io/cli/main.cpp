@@ -169,7 +169,9 @@ void add_result_commands(CLI::App& app, Options& o) {
       ->type_name("FILE.html");
   auto* convert = app.add_subcommand("export", "write a result for other programs");
   convert->add_option("RESULT", o.target, "result file (.hdf)")->required();
-  convert->add_option("FILE", o.output, "its ending says what: .glb is binary glTF, .csv a table")
+  convert
+      ->add_option("FILE", o.output,
+                   "its ending says what: .glb is binary glTF, .csv a table, .mesh a mesh for scenes")
       ->required();
   convert->add_option("--table", o.kind, "of a .csv: nodes or elements; else nodes")
       ->check(CLI::IsMember({"nodes", "elements"}));

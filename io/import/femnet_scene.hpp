@@ -14,7 +14,7 @@ struct Names {
 /// A gear file and its mesh as a scene and a mesh of ours.
 struct Imported {
   std::string scene;
-  Mesh mesh;
+  InputMesh mesh;
   std::vector<Finding> findings;  // those of the gear, and what could not be carried over
 };
 
@@ -25,7 +25,7 @@ Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& na
 /// The mesh of a gear: a region for each panel and cable that has elements, sets of nodes by type, for the
 /// types that hold or carry something. Corners of triangles are turned round, because FEMNET counts them
 /// clockwise as seen from outside.
-Mesh make_mesh(const GearFile& gear, const MeshFile& file);
+InputMesh make_mesh(const GearFile& gear, const MeshFile& file);
 
 /// "panel-3", "cable-12", "type-4", from numbers that begin with 0.
 std::string panel_name(std::size_t panel);

@@ -10,7 +10,7 @@ namespace {
 
 bool is_zero(const Triple& t) { return t == Triple{}; }
 
-void add_bars_of_cable(std::size_t cable, const MeshFile& file, Mesh& mesh) {
+void add_bars_of_cable(std::size_t cable, const MeshFile& file, InputMesh& mesh) {
   std::vector<const MeshFile::Bar*> bars;
   for (const auto& b : file.bars)
     if (b.cable == static_cast<int>(cable) + 1) bars.push_back(&b);
@@ -24,7 +24,7 @@ void add_bars_of_cable(std::size_t cable, const MeshFile& file, Mesh& mesh) {
   mesh.regions.push_back(std::move(region));
 }
 
-void add_triangles(std::size_t panel, const MeshFile& file, Mesh& mesh) {
+void add_triangles(std::size_t panel, const MeshFile& file, InputMesh& mesh) {
   MeshRegion region{RegionKind::triangles, panel_name(panel)};
   for (const auto& t : file.triangles) {
     if (t.panel != static_cast<int>(panel)) continue;
@@ -36,7 +36,7 @@ void add_triangles(std::size_t panel, const MeshFile& file, Mesh& mesh) {
   if (region.size() > 0) mesh.regions.push_back(std::move(region));
 }
 
-void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, Mesh& mesh) {
+void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
   MeshRegion region{RegionKind::twines, panel_name(panel)};
   for (const auto& b : file.bars) {
     if (b.cable != -static_cast<int>(panel) - 1) continue;
@@ -49,7 +49,7 @@ void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, M
   mesh.regions.push_back(std::move(region));
 }
 
-void add_sets(const GearFile& gear, const MeshFile& file, Mesh& mesh) {
+void add_sets(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
   for (std::size_t type = 0; type < gear.types.size(); ++type) {
     if (!is_special(gear.types[type])) continue;
     MeshSet set{type_name(type)};
@@ -123,8 +123,8 @@ std::vector<Loose> find_loose(const GearFile& gear, const MeshFile& file) {
   return loose;
 }
 
-Mesh make_mesh(const GearFile& gear, const MeshFile& file) {
-  Mesh mesh;
+InputMesh make_mesh(const GearFile& gear, const MeshFile& file) {
+  InputMesh mesh;
   for (const auto& n : file.nodes) mesh.positions.insert(mesh.positions.end(), n.at.begin(), n.at.end());
   for (std::size_t p = 0; p < gear.panels.size(); ++p) {
     add_triangles(p, file, mesh);

@@ -17,7 +17,7 @@ const char* name_of(RegionKind kind) {
   }
 }
 
-const MeshRegion* Mesh::find(const std::string& region) const {
+const MeshRegion* InputMesh::find(const std::string& region) const {
   const auto at =
       std::find_if(regions.begin(), regions.end(), [&](const auto& r) { return r.name == region; });
   return at == regions.end() ? nullptr : &*at;
@@ -39,7 +39,7 @@ std::string comment_of(const std::string& source) {
   return source.empty() ? "" : text + "\n";
 }
 
-void write_nodes(const Mesh& mesh, std::string& out) {
+void write_nodes(const InputMesh& mesh, std::string& out) {
   out += "\n[nodes]  # x y z [m], counted from 0\n";
   for (std::size_t n = 0; n < mesh.node_count(); ++n)
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -69,7 +69,7 @@ void write_set(const MeshSet& set, std::string& out) {
 
 }  // namespace
 
-std::string mesh_text(const Mesh& mesh, const std::string& source) {
+std::string mesh_text(const InputMesh& mesh, const std::string& source) {
   std::string out = "netloft mesh 1\n" + comment_of(source);
   write_nodes(mesh, out);
   for (const auto& region : mesh.regions) write_region(region, out);

@@ -35,7 +35,7 @@ struct MeshSet {
 
 /// A gear divided into triangles and bars by somebody else: nodes, and regions on them. Regions that use the
 /// same node are connected there.
-struct Mesh {
+struct InputMesh {
   std::vector<double> positions;  // x y z of each node [m]
   std::vector<MeshRegion> regions;
   std::vector<MeshSet> sets;
@@ -49,10 +49,10 @@ bool is_mesh_text(std::string_view text);
 
 /// Reads a mesh out of a text (README.md of this folder). Errors are located and go to `diagnostics`, where
 /// the text is `file`; after an error what could be read is returned.
-Mesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
+InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
 /// The text that read_mesh() reads as this mesh. `source` is a comment of one or more lines.
-std::string mesh_text(const Mesh& mesh, const std::string& source);
+std::string mesh_text(const InputMesh& mesh, const std::string& source);
 
 /// The shortest text that reads as this number.
 std::string spell_number(double value);

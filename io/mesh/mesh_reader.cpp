@@ -33,7 +33,7 @@ class MeshReader {
   MeshReader(std::string_view text, int file, Diagnostics& diagnostics)
       : rows_(text, file, '#'), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
 
-  Mesh read() {
+  InputMesh read() {
     read_first_row();
     while (!has_ended_ && errors() < kMostErrors) {
       const auto row = rows_.next_row();
@@ -206,7 +206,7 @@ class MeshReader {
   TextRows rows_;
   Diagnostics& diagnostics_;
   int errors_before_;
-  Mesh mesh_;
+  InputMesh mesh_;
   Section section_ = Section::none;
   bool has_ended_ = false;
   std::size_t elements_ = 0;
@@ -219,7 +219,7 @@ class MeshReader {
 
 bool is_mesh_text(std::string_view text) { return text.starts_with("netloft mesh"); }
 
-Mesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics) {
+InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics) {
   return MeshReader(text, file, diagnostics).read();
 }
 

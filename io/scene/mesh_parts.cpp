@@ -42,7 +42,7 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
   return in ? std::optional(std::move(text).str()) : std::nullopt;
 }
 
-std::string names_of_regions(const Mesh& mesh, RegionKind kind) {
+std::string names_of_regions(const InputMesh& mesh, RegionKind kind) {
   std::string names;
   for (const auto& region : mesh.regions)
     if (region.kind == kind) names += (names.empty() ? "" : ", ") + region.name;
@@ -51,7 +51,8 @@ std::string names_of_regions(const Mesh& mesh, RegionKind kind) {
 
 /// Own numbers of the nodes of a region, in the order of the mesh.
 struct OwnNodes {
-  OwnNodes(const Mesh& mesh, const MeshRegion& region) : nodes(region.nodes), own(mesh.node_count(), kNone) {
+  OwnNodes(const InputMesh& mesh, const MeshRegion& region)
+      : nodes(region.nodes), own(mesh.node_count(), kNone) {
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (std::uint32_t i = 0; i < nodes.size(); ++i) own[nodes[i]] = i;
@@ -61,7 +62,7 @@ struct OwnNodes {
   std::vector<std::uint32_t> own;    // by node of the mesh
 };
 
-void add_nodes(const Mesh& mesh, const MeshRegion& region, const OwnNodes& numbers, Geometry& out) {
+void add_nodes(const InputMesh& mesh, const MeshRegion& region, const OwnNodes& numbers, Geometry& out) {
   for (const auto node : numbers.nodes)
     for (std::size_t axis = 0; axis < 3; ++axis)
       out.positions.push_back(mesh.positions[3 * std::size_t{node} + axis]);
@@ -134,7 +135,7 @@ Geometry MeshParts::read(const ElementType& type, const std::string& name, std::
     table.error("mesh", "has no nodes for elements that stand on points", "write on = \"part.set\" instead");
     return out;
   }
-  const Mesh* mesh = find_mesh(table);
+  const InputMesh* mesh = find_mesh(table);
   table.has("region");  // known, also where there is no mesh to have it
   const MeshRegion* region = mesh ? find_region(*mesh, kind_for(layout), name, table) : nullptr;
   const MeshRegion none{kind_for(layout), name, {}, std::vector<double>(2)};
@@ -149,7 +150,7 @@ Geometry MeshParts::read(const ElementType& type, const std::string& name, std::
   return out;
 }
 
-const Mesh* MeshParts::find_mesh(TableReader& table) {
+const InputMesh* MeshParts::find_mesh(TableReader& table) {
   const std::string name = table.text("mesh", {.doc = kMesh.doc});
   if (name.empty()) {
     if (table.kind("mesh") == Kind::text) table.error("mesh", "is empty (" + kMesh.doc + ")");
@@ -165,12 +166,12 @@ const Mesh* MeshParts::find_mesh(TableReader& table) {
   const int file = diagnostics_.add_source(name, *text);
   const int errors_before = diagnostics_.errors();
   files_.push_back({name, *text, fnv1a64(*text)});
-  auto mesh = std::make_unique<Mesh>(read_mesh(*text, file, diagnostics_));
+  auto mesh = std::make_unique<InputMesh>(read_mesh(*text, file, diagnostics_));
   if (diagnostics_.errors() == errors_before) at->second = std::move(mesh);
   return at->second.get();
 }
 
-const MeshRegion* MeshParts::find_region(const Mesh& mesh, RegionKind kind, const std::string& name,
+const MeshRegion* MeshParts::find_region(const InputMesh& mesh, RegionKind kind, const std::string& name,
                                          TableReader& table) {
   const bool is_said = table.has("region");
   const std::string wanted = is_said ? table.text("region", {.doc = kRegion.doc}) : name;
@@ -191,7 +192,7 @@ bool MeshParts::has_failed() const {
 
 void MeshParts::connect(Joiner& joiner) const {
   using Ends = Joiner::Ends;
-  std::map<std::pair<const Mesh*, std::uint32_t>, std::pair<std::size_t, std::uint32_t>> first;
+  std::map<std::pair<const InputMesh*, std::uint32_t>, std::pair<std::size_t, std::uint32_t>> first;
   std::map<std::pair<std::size_t, std::size_t>, std::pair<Ends, Ends>> common;  // by two parts
   for (const auto& s : standing_)
     for (std::uint32_t own = 0; own < s.nodes.size(); ++own) {

@@ -38,17 +38,17 @@ class MeshParts {
  private:
   struct Standing {
     std::size_t part;
-    const Mesh* mesh;
+    const InputMesh* mesh;
     std::vector<std::uint32_t> nodes;  // of the mesh, by own number
   };
 
-  const Mesh* find_mesh(TableReader& table);
-  const MeshRegion* find_region(const Mesh& mesh, RegionKind kind, const std::string& name,
+  const InputMesh* find_mesh(TableReader& table);
+  const MeshRegion* find_region(const InputMesh& mesh, RegionKind kind, const std::string& name,
                                 TableReader& table);
 
   std::filesystem::path folder_;
   Diagnostics& diagnostics_;
-  std::map<std::string, std::unique_ptr<Mesh>> meshes_;  // by name; null: it cannot be read
+  std::map<std::string, std::unique_ptr<InputMesh>> meshes_;  // by name; null: it cannot be read
   std::vector<Standing> standing_;
   std::vector<SourceFile> files_;
 };

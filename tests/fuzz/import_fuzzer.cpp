@@ -24,10 +24,10 @@ void try_mesh(const std::string& text) {
   use(diagnostics.render(false).size());
 }
 
-void read_again(const Mesh& mesh) {
+void read_again(const InputMesh& mesh) {
   Diagnostics diagnostics;
   const std::string text = mesh_text(mesh, "a source");
-  const Mesh again = read_mesh(text, diagnostics.add_source("gear.mesh", text), diagnostics);
+  const InputMesh again = read_mesh(text, diagnostics.add_source("gear.mesh", text), diagnostics);
   if (diagnostics.errors() && mesh.node_count() > 0) std::abort();
   if (again.node_count() != mesh.node_count()) std::abort();
 }

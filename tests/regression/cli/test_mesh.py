@@ -76,6 +76,19 @@ class Meshes(InFreshFolder):
                                                            "force = { z = 10 }\n[[hold]]"))
         self.assertAlmostEqual(self.figures("bare.toml")["pull"] - self.figures("pulled.toml")["pull"], 5 * 2 * 10, delta=1e-6)
 
+    def test_a_result_is_an_input(self):
+        """Its mesh has the same ropes and panels; where it was at rest, it is at rest."""
+        self.write("divided.toml", GOOD)
+        before = self.figures("divided.toml")
+        ended = self.netloft("export", "divided.hdf", "shape.mesh")
+        self.assertEqual(ended.code, 0, ended.err)
+        text = (self.folder / "shape.mesh").read_text()
+        self.assertIn("# rope: length = 3", text)
+        scene = SCENE.replace("gear.mesh", "shape.mesh").replace('"*.top"', '"net.node-0"')
+        scene = re.sub(r"middle_z.*\n", "", scene).replace('"net.node-0"', "[" + ", ".join(f'"net.node-{i}"' for i in range(5)) + "]")
+        self.write("again.toml", scene.replace('"newton"', '"newton"\nmax_iterations = 3'))
+        self.assertAlmostEqual(self.figures("again.toml")["lowest_z"], before["lowest_z"], delta=1e-8)
+
     def wrong(self, scene, text, where, says):
         self.write("scene.toml", scene)
         self.write("gear.mesh", text)

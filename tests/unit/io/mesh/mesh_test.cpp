@@ -27,7 +27,7 @@ struct Read {
       : file(diagnostics.add_source("gear.mesh", text)), mesh(read_mesh(text, file, diagnostics)) {}
   Diagnostics diagnostics;
   int file;
-  Mesh mesh;
+  InputMesh mesh;
 };
 
 TEST(Mesh, IsReadWithItsRegionsAndSets) {
@@ -44,7 +44,7 @@ TEST(Mesh, IsReadWithItsRegionsAndSets) {
 }
 
 TEST(Mesh, IsTheSameWhenWrittenAndReadAgain) {
-  const Mesh first = Read(kMesh).mesh;
+  const InputMesh first = Read(kMesh).mesh;
   const std::string text = mesh_text(first, "a source\nof two lines");
   const Read again(text);
   ASSERT_EQ(again.diagnostics.errors(), 0) << again.diagnostics.render(false);
