@@ -26,6 +26,7 @@ int draw_command(const Options& options);       // a net plan or a result as a p
 int draw_result_command(const Options& options);
 int report_command(const Options& options);  // the report of a result again
 int export_command(const Options& options);  // a result for other programs
+int import_command(const Options& options);  // a gear of another program as a scene
 int view_command(const Options& options);    // results as a page
 
 }  // namespace netloft::io

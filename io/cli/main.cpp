@@ -172,7 +172,9 @@ void add_result_commands(CLI::App& app, Options& o) {
       ->type_name("FILE.html");
   auto* convert = app.add_subcommand("export", "write a result for other programs");
   convert->add_option("RESULT", o.target, "result file (.hdf)")->required();
-  convert->add_option("FILE", o.output, "its ending says what: .glb is binary glTF, .csv a table")
+  convert
+      ->add_option("FILE", o.output,
+                   "its ending says what: .glb is binary glTF, .csv a table, .mesh a mesh for scenes")
       ->required();
   convert->add_option("--table", o.kind, "of a .csv: nodes or elements; else nodes")
       ->check(CLI::IsMember({"nodes", "elements"}));
@@ -251,6 +253,33 @@ void add_stability_command(CLI::App& app, Options& o) {
   add_plugin_options(*command, o);
 }
 
+void add_import_command(CLI::App& app, Options& o) {
+  auto* command = app.add_subcommand(
+      "import",
+      "write a gear of another program as a scene; what cannot be carried over is said line by line");
+  command->add_option("FORMAT", o.kind, "femnet: GEAR.don with its mesh GEAR.mdg")
+      ->check(CLI::IsMember({"femnet"}));
+  auto* gear = command->add_option("GEAR", o.target, "file of the gear");
+  command->add_option("--mesh", o.mesh_file, "file of its mesh; else the one of the same name beside it")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("FILE");
+  command
+      ->add_option("-o,--output", o.output,
+                   "scene; else the gear's name with .toml, in this folder. Its mesh is written beside it")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("FILE.toml");
+  command
+      ->add_option(
+          "--check", o.folder,
+          "write nothing: say of all gears in a folder, and those below, what they need and how many convert")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("FOLDER")
+      ->excludes(gear);
+  command->add_option("--color", o.color, "colour on standard error")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+  command->add_flag("--json", o.json, "one JSON object on standard output");
+}
+
 void add_commands(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
   add_scene_options(*run, o);
@@ -280,6 +309,7 @@ void add_commands(CLI::App& app, Options& o) {
   add_diff_command(app, o);
   add_result_commands(app, o);
   add_refine_command(app, o);
+  add_import_command(app, o);
   add_stability_command(app, o);
   app.require_subcommand(1);
 }
@@ -302,6 +332,7 @@ int dispatch(const Options& o) {
   if (o.command == "report") return report_command(o);
   if (o.command == "view") return view_command(o);
   if (o.command == "export") return export_command(o);
+  if (o.command == "import") return import_command(o);
   return test_command(o);
 }
 

@@ -43,6 +43,7 @@ struct Options {
   bool json = false;
   std::string color = "auto";
   bool html = false, csv = false;  // report
+  std::string mesh_file, folder;   // import: --mesh, --check
   PictureOptions picture;          // of view and draw
   CompareOptions compare;          // of that command alone
   StabilityOptions stability;      // of that command alone

@@ -8,6 +8,7 @@
 #include "io/hdf5/handle.hpp"
 #include "io/picture/gltf.hpp"
 #include "io/picture/sheet.hpp"
+#include "io/result/result_mesh.hpp"
 #include "io/result/result_report.hpp"
 #include "io/result/tables.hpp"
 #include "io/view/page.hpp"
@@ -100,8 +101,11 @@ int export_result(const Options& options) {
       write_and_say(options, options.output,
                     options.kind == "elements" ? elements_csv(result, state) : nodes_csv(result, state),
                     {options.target});
+    else if (ending == ".mesh")
+      write_and_say(options, options.output, mesh_of(result, state), {options.target});
     else
-      throw UsageError{options.output + ": the ending says what is written, and there are .glb and .csv"};
+      throw UsageError{options.output +
+                       ": the ending says what is written, and there are .glb, .csv and .mesh"};
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }

@@ -7,6 +7,7 @@
 #include "io/scene/dynamics.hpp"
 #include "io/scene/geometry.hpp"
 #include "io/scene/keys.hpp"
+#include "io/scene/mesh_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,8 @@ Json count_limits(Json array, const Count& count) {
   return array;
 }
 
+Json text(const std::string& doc) { return {{"type", "string"}, {"description", doc}}; }
+
 Json geometry_schema(const GeometryKey& key) {
   const Json number = quantity(key.unit, key.range.lo, key.range.hi, key.doc);
   const Json integer = {
@@ -133,6 +136,7 @@ Json geometry_schema(const GeometryKey& key) {
     case GeometryKey::Shape::integers:
       return count_limits({{"type", "array"}, {"items", integer}, {"description", key.doc}}, key.count);
     case GeometryKey::Shape::word:
+      if (key.words.empty()) return text(key.doc);
       return {{"enum", key.words}, {"default", key.words[0]}, {"description", key.doc}};
     case GeometryKey::Shape::points:
       if (key.count.most == 1) return point;
@@ -155,8 +159,6 @@ void put_data(Json& part, const ElementType& e, bool required) {
                        exactly(datum.width)),
           required);
 }
-
-Json text(const std::string& doc) { return {{"type", "string"}, {"description", doc}}; }
 
 /// `drag = "hydro/morison"`, or a table with the law and its parameters.
 void put_laws(Json& part, const ElementType& e) {
@@ -214,6 +216,15 @@ Json part_schema(const ElementType& e, const PluginContent& plugin) {
   return end_part(std::move(part), e, plugin);
 }
 
+/// A part on a region of a mesh.
+Json mesh_part_schema(const ElementType& e, const PluginContent& plugin) {
+  Json part = begin_part(e);
+  part["title"] = e.type + " on a mesh";
+  for (const auto& key : mesh_keys(layout_of(e))) put(part, key.name, geometry_schema(key), key.required);
+  put_data(part, e, true);
+  return end_part(std::move(part), e, plugin);
+}
+
 /// A part that stands on others, which may give it its data.
 Json rider_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
@@ -223,15 +234,21 @@ Json rider_schema(const ElementType& e, const PluginContent& plugin) {
       {{"description", "what it stands on"},
        {"anyOf", {name, {{"type", "array"}, {"items", name}, {"minItems", 1}}}}},
       true);
-  if (e.element.stencil == NETLOFT_NODE)
+  if (e.element.stencil == NETLOFT_NODE) {
     put(part, "number", quantity("1", 0, 1e6, "pieces, shared out along what it stands on"), false);
+    put(part, "each", quantity("1", 0, 1e6, "pieces on every node, instead of a number"), false);
+  }
   put_data(part, e, false);
   return end_part(std::move(part), e, plugin);
 }
 
 Json hold_schema() {
   Json hold = object();
-  put(hold, "on", text("what is held: a part, an edge or a point (net.fore)"), true);
+  const Json name = text("what is held: a part, an edge or a point (net.fore)");
+  put(hold, "on",
+      {{"description", "what is held"},
+       {"anyOf", {name, {{"type", "array"}, {"items", name}, {"minItems", 1}}}}},
+      true);
   put(hold, "axes",
       {{"type", "string"}, {"pattern", "^[xyz]+$"}, {"description", "along which it cannot move"}}, false);
   const Json direction = {
@@ -316,12 +333,16 @@ class PartSchema {
     std::replace(name.begin(), name.end(), '/', '-');
     definitions[name] = part_schema(e, plugin);
     definitions[name + "-on"] = rider_schema(e, plugin);
+    definitions[name + "-mesh"] = mesh_part_schema(e, plugin);
     types_.push_back(e.type);
     offers_.push_back(reference(name)), offers_.push_back(reference(name + "-on"));
+    offers_.push_back(reference(name + "-mesh"));
+    const Json with_nodes = {
+        {"if", {{"required", {"mesh"}}}}, {"then", reference(name + "-mesh")}, {"else", reference(name)}};
     checks_.push_back(
         {{"if", {{"properties", {{"type", {{"const", e.type}}}}}, {"required", {"type"}}}},
          {"then",
-          {{"if", {{"required", {"on"}}}}, {"then", reference(name + "-on")}, {"else", reference(name)}}}});
+          {{"if", {{"required", {"on"}}}}, {"then", reference(name + "-on")}, {"else", with_nodes}}}});
   }
   Json schema() const {
     return {{"type", "object"},

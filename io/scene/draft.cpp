@@ -3,6 +3,7 @@
 
 #include "io/scene/part_names.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace netloft::io {
@@ -86,6 +87,21 @@ std::optional<std::size_t> Draft::part_number(const std::string& name) const {
   for (std::size_t p = 0; p < geometries.size(); ++p)
     if (geometries[p].names.name == name) return p;
   return {};
+}
+
+std::vector<Mention> Draft::expand(const Mention& m) {
+  if (!m.name.starts_with("*.")) return {m};
+  const std::string set = m.name.substr(2);
+  std::vector<Mention> all;
+  std::vector<std::string> there;
+  for (const auto& geometry : geometries) {
+    if (geometry.names.sets.contains(set)) all.push_back({geometry.names.name + "." + set, m.place, m.path});
+    for (const auto& [name, nodes] : geometry.names.sets) there.push_back(name);
+  }
+  const bool all_sound = std::find(is_sound.begin(), is_sound.end(), false) == is_sound.end();
+  if (all.empty() && all_sound)
+    diagnostics_.error(m.place, m.path + ": no part has " + in_quotes(set), name_hint(set, there));
+  return all;
 }
 
 std::optional<std::size_t> Draft::find_part(const Mention& m, const std::string& name) {

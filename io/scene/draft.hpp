@@ -43,6 +43,9 @@ class Draft {
   std::vector<std::uint32_t> scene_nodes(const Joiner::Ends& ends) const;
   void refuse_rider(const Mention& m, const std::string& name);
   std::optional<std::size_t> part_number(const std::string& name) const;
+  /// "*.middle" as the names of this edge or point of all parts that have it; other names as they are. If
+  /// nothing has it, it is said where it was mentioned.
+  std::vector<Mention> expand(const Mention& m);
 
   LoadedScene out;
   std::vector<Geometry> geometries;            // as out.scene.parts

@@ -115,11 +115,16 @@ bool agree(const std::array<double, 3>& a, const std::array<double, 3>& b, int a
 
 HoldEntry read_hold(TableReader& table) {
   HoldEntry entry;
-  entry.on = table.text("on", {.doc = "what is held: a part, an edge or a point (net.fore)"});
+  const char* doc = "what is held: a part, an edge or a point (net.fore), or an array of them";
+  if (table.kind("on") == Kind::array)
+    entry.on = table.texts("on", {.doc = doc, .count = {.least = 1}});
+  else
+    entry.on = {table.text("on", {.doc = doc})};
   entry.axes = read_axes(table);
   read_frame(table, entry);
   read_at(table, entry);
-  entry.name = table.text("name", {.doc = "name of the reaction", .fallback = entry.on});
+  entry.name =
+      table.text("name", {.doc = "name of the reaction", .fallback = entry.on.empty() ? "" : entry.on[0]});
   return entry;
 }
 
@@ -134,7 +139,7 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
     if (!points.empty() && !is_told)
       is_told = !put(nodes[i], {points[i], entry.axes, table.place("at")}, table);
     if (entry.frame ? !turn(nodes[i], *entry.frame) : !holds_along_world_axes(nodes[i], entry.axes)) {
-      table.error("on", "a node of \"" + entry.on + "\" is held in another way already",
+      table.error("on", "a node of \"" + entry.name + "\" is held in another way already",
                   "hold it in one place, or leave it out of one of the sets");
       return held;
     }

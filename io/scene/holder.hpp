@@ -10,7 +10,8 @@ namespace netloft::io {
 
 /// One `[[hold]]` as it is written.
 struct HoldEntry {
-  std::string on, name;
+  std::vector<std::string> on;
+  std::string name;
   std::uint8_t axes = kAllAxes;
   std::optional<std::array<double, 9>> frame;  // its own axes, for `along` and `plane`
   bool as_sketched = false;                    // at = "sketch"

@@ -9,7 +9,9 @@ namespace netloft::io {
 /// askew.
 class OneSidedHolds {
  public:
-  void add(const HoldEntry& entry, const Place& place) { holds_.push_back({entry.on, entry.axes, place}); }
+  void add(const HoldEntry& entry, const Place& place) {
+    for (const std::string& on : entry.on) holds_.push_back({on, entry.axes, place});
+  }
   /// Warns of those whose mirror image is there and is not held alike.
   void report(Draft& draft, Diagnostics& diagnostics) const;
 

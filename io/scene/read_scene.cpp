@@ -14,6 +14,7 @@
 #include "io/scene/gear_parts.hpp"
 #include "io/scene/holder.hpp"
 #include "io/scene/keys.hpp"
+#include "io/scene/mesh_parts.hpp"
 #include "io/scene/one_sided_holds.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace netloft::io {
 
@@ -40,7 +42,7 @@ void drop_repeats(std::vector<std::uint32_t>& nodes) {
 class SceneReader {
  public:
   /// `plan`: of a gear that stands in the scene; null without.
-  SceneReader(const Value& root, const NetPlan* plan, std::string name, Registry& registry,
+  SceneReader(const Value& root, const NetPlan* plan, const std::filesystem::path& file, Registry& registry,
               Diagnostics& diagnostics, bool& refused)
       : root_(root, diagnostics),
         registry_(registry),
@@ -48,8 +50,9 @@ class SceneReader {
         refused_(refused),
         elements_(registry, refused),
         draft_(diagnostics),
-        out_(draft_.out) {
-    out_.scene.name = std::move(name);
+        out_(draft_.out),
+        meshes_(file.parent_path(), diagnostics) {
+    out_.scene.name = file.stem().string();
     root_.has("catalogue");  // read with the parts that are named
     if (plan) gear_.emplace(*plan, root_, elements_, draft_);
   }
@@ -72,6 +75,7 @@ class SceneReader {
     read_results();
     if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry();
     root_.finish();
+    out_.files = meshes_.files();
     if (diagnostics_.errors() > 0) return std::move(out_);
     check_held();
     check_ground();
@@ -140,7 +144,7 @@ class SceneReader {
     part.name = name, part.type = type_name;
     if (type) {
       elements_.read(*type, table, part);
-      geometry = read_geometry(*type, table);
+      geometry = read_geometry(*type, name, table);
       read_extra_data(*type, geometry, table);
     } else {
       for (const auto& key : table.keys()) table.raw(key);  // nobody knows what may stand here
@@ -148,7 +152,9 @@ class SceneReader {
     geometry.names.name = name, geometry.names.place = table.place();
     if (const auto fault = thickness_fault(part, geometry); fault && diagnostics_.errors() == errors_before)
       table.error(fault->key, fault->message, kThicknessCure);
-    draft_.add_part(std::move(part), std::move(geometry), type, diagnostics_.errors() == errors_before);
+    const bool is_sound =
+        diagnostics_.errors() == errors_before && !(table.has("mesh") && meshes_.has_failed());
+    draft_.add_part(std::move(part), std::move(geometry), type, is_sound);
   }
 
   /// Parts on other parts, once the scene has its nodes.
@@ -203,7 +209,8 @@ class SceneReader {
     return read_name(table, "type", "element type, plugin/element, such as priour/triangle");
   }
 
-  Geometry read_geometry(const ElementType& type, TableReader& table) {
+  Geometry read_geometry(const ElementType& type, const std::string& name, TableReader& table) {
+    if (table.has("mesh")) return meshes_.read(type, name, draft_.geometries.size(), table);
     switch (layout_of(type)) {
       case Layout::line:
         return read_line(table);
@@ -212,7 +219,10 @@ class SceneReader {
       case Layout::panel_in_bars:
         return read_panel_in_bars(table);
       default:
-        return read_point(table);
+        if (type.nodes() == 1) return read_point(table);
+        table.error("type", "has no place of its own: it stands between parts that meet",
+                    "name them: on = [\"first\", \"second\"]");
+        return {};
     }
   }
 
@@ -231,6 +241,7 @@ class SceneReader {
 
   void read_joins() {
     joiner_.emplace(draft_.geometries);
+    meshes_.connect(*joiner_);
     if (gear_) gear_->join(*joiner_);
     for (auto& table : root_.tables("join")) {
       if (gear_ && is_seam(table)) continue;
@@ -280,6 +291,7 @@ class SceneReader {
   void check_joins() {
     if (!joiner_->find_collapse(nodes_per_element())) return;
     Joiner again(draft_.geometries);
+    meshes_.connect(again);
     if (gear_) gear_->join(again);
     for (const auto& join : joins_) {
       join.make(again);
@@ -318,13 +330,29 @@ class SceneReader {
       const int errors_before = diagnostics_.errors();
       const HoldEntry entry = read_hold(table);
       check_hold_name(entry, table);
-      if (entry.on.empty() && table.kind("on") != Kind::text) continue;
-      const auto set = draft_.find_nodes(mention(entry.on, table, "on"));
-      if (!set || !draft_.is_sound[set->part] || diagnostics_.errors() > errors_before) continue;
-      out_.holds.push_back(holder.hold(entry, draft_.scene_nodes(*set), table));
+      if (table.kind("on") != Kind::text && table.kind("on") != Kind::array) continue;
+      const auto nodes = find_held(entry, table);
+      if (nodes.empty() || diagnostics_.errors() > errors_before) continue;
+      out_.holds.push_back(holder.hold(entry, nodes, table));
       guide(read_course(table), entry, out_.holds.back(), table);
       if (gear_ && out_.gear->times == 1) one_sided_.add(entry, table.place("on"));
     }
+  }
+
+  /// Nodes of all that a hold names; empty where something is wrong with it.
+  std::vector<std::uint32_t> find_held(const HoldEntry& entry, TableReader& table) {
+    std::vector<std::uint32_t> nodes;
+    std::size_t sets = 0;
+    for (std::size_t i = 0; i < entry.on.size(); ++i)
+      for (const auto& m : draft_.expand(mention_of_item(entry.on[i], table, "on", i))) {
+        const auto set = draft_.find_nodes(m);
+        if (!set || !draft_.is_sound[set->part]) return {};
+        const auto own = draft_.scene_nodes(*set);
+        nodes.insert(nodes.end(), own.begin(), own.end());
+        ++sets;
+      }
+    if (sets > 1) drop_repeats(nodes);
+    return nodes;
   }
 
   /// Lets what a hold holds go along a course.
@@ -454,6 +482,7 @@ class SceneReader {
   ElementChoice elements_;
   Draft draft_;
   LoadedScene& out_;  // of the draft
+  MeshParts meshes_;
   std::optional<GearParts> gear_;
   std::vector<const ElementType*> companions_;
   std::vector<std::pair<std::string, TableReader>> riders_;
@@ -492,9 +521,10 @@ LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std:
   const auto plan = read_plan_of(document, file.parent_path(), diagnostics);
   if (diagnostics.errors() && plan) return {};  // nothing in a scene can be judged without its gear
   LoadedScene loaded =
-      SceneReader(root, plan ? &*plan : nullptr, file.stem().string(), registry, diagnostics, refused).read();
+      SceneReader(root, plan ? &*plan : nullptr, file, registry, diagnostics, refused).read();
   loaded.strengths.merge(strengths);
-  append_new(loaded.files, document.files());
+  const auto meshes = std::exchange(loaded.files, document.files());
+  append_new(loaded.files, meshes);
   append_new(loaded.files, catalogues);
   if (plan) append_new(loaded.files, plan->files);
   return loaded;

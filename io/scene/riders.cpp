@@ -30,10 +30,11 @@ class RiderMaker {
     const int errors_before = table_.diagnostics().errors();
     read_names();
     if (table_.diagnostics().errors() > errors_before) return;
-    const double number = on_nodes_ ? read_number() : 1;
-    for (std::size_t n = 0; n < names_.size(); ++n) stand_on(n);
+    for (std::size_t n = 0; n < names_.size(); ++n)
+      for (const auto& at : draft_.expand(mention_of_item(names_[n], table_, "on", n))) stand_on(n, at);
     drop_repeats(nodes_);
-    if (on_nodes_ && !nodes_.empty()) ride_on_nodes(nodes_, carried_, number, rider_);
+    if (on_nodes_) stand_on_nodes();
+    if (type_.element.stencil == NETLOFT_BAR_PAIR) stand_between_ropes();
     read_missing_data();
   }
 
@@ -45,25 +46,53 @@ class RiderMaker {
       names_ = table_.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
   }
 
-  double read_number() {
-    return table_.real(
-        "number",
-        {.doc = "pieces, shared out along what it stands on", .range = between(0, 1e6), .fallback = 1.0});
+  /// `number` pieces shared out, or `each` on every node.
+  void stand_on_nodes() {
+    const Range pieces = between(0, 1e6);
+    const double number = table_.real(
+        "number", {.doc = "pieces, shared out along what it stands on", .range = pieces, .fallback = 1.0});
+    if (!table_.has("each")) {
+      if (!nodes_.empty()) ride_on_nodes(nodes_, carried_, number, rider_);
+      return;
+    }
+    if (table_.has("number"))
+      table_.error("each", "stands beside a number; pieces are shared out or stand on every node",
+                   "leave one of them out");
+    const double each = table_.real("each", {.doc = "pieces on every node", .range = pieces});
+    ride_on_every_node(nodes_, each, rider_);
   }
 
-  void stand_on(std::size_t n) {
-    const std::string& name = names_[n];
-    const Mention at = mention_of_item(name, table_, "on", n);
+  void stand_on(std::size_t n, const Mention& at) {
+    const std::string& name = at.name;
     if (const auto begin = names_.begin(), here = begin + static_cast<std::ptrdiff_t>(n);
-        std::find(begin, here, name) != here)
-      table_.diagnostics().error(at.place, at.path + ": " + in_quotes(name) + " is named twice");
+        std::find(begin, here, names_[n]) != here)
+      table_.diagnostics().error(at.place, at.path + ": " + in_quotes(names_[n]) + " is named twice");
     const auto set = draft_.find_nodes(at);
     if (!set || !draft_.is_sound[set->part] || !draft_.types[set->part]) return;
     const bool is_whole = name.find('.') == std::string::npos;
     if (on_nodes_)
       add_nodes(*set);
+    else if (type_.element.stencil == NETLOFT_BAR_PAIR && is_whole && is_rope(set->part))
+      ropes_.push_back(set->part);
     else if (!is_whole || !add_elements(set->part))
       table_.error("on", in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
+  }
+
+  bool is_rope(std::size_t part) const { return draft_.types[part]->element.stencil == NETLOFT_BAR; }
+
+  /// Elements on pairs of bars that are not of one rope.
+  void stand_between_ropes() {
+    if (table_.diagnostics().errors()) return;
+    if (ropes_.size() != 2)
+      return table_.error("on", "names " + std::to_string(ropes_.size()) + " ropes; " + type_.type +
+                                    " stands between two that meet");
+    const auto& parts = draft_.out.scene.parts;
+    ride_on_meeting_bars(parts[ropes_[0]], parts[ropes_[1]], rider_);
+    if (rider_.nodes.empty())
+      table_.error("on",
+                   in_quotes(parts[ropes_[0]].name) + " and " + in_quotes(parts[ropes_[1]].name) +
+                       " do not meet in a node",
+                   "join them where they meet");
   }
 
   void add_nodes(const Joiner::Ends& set) {
@@ -113,6 +142,7 @@ class RiderMaker {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
   std::vector<double> carried_;
+  std::vector<std::size_t> ropes_;  // parts, of elements on pairs of bars
 };
 
 }  // namespace

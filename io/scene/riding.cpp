@@ -48,6 +48,26 @@ void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<do
   }
 }
 
+void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider) {
+  rider.nodes = nodes;
+  rider.data["pieces"].assign(nodes.size(), pieces);
+  rider.data["length"].assign(nodes.size(), 0.0);
+}
+
+void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider) {
+  for (std::size_t a = 0; 2 * a < first.nodes.size(); ++a)
+    for (std::size_t b = 0; 2 * b < second.nodes.size(); ++b)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t end = i / 2, begin = i % 2;  // of a, of b
+        if (first.nodes[2 * a + end] != second.nodes[2 * b + begin]) continue;
+        rider.nodes.insert(rider.nodes.end(), {first.nodes[2 * a + 1 - end], first.nodes[2 * a + end],
+                                               second.nodes[2 * b + 1 - begin]});
+        for (const auto& [name, values] : first.data)
+          if (const auto* others = find_data(second, name.c_str()))
+            rider.data[name].insert(rider.data[name].end(), {values[a], (*others)[b]});
+      }
+}
+
 void ride_on_elements(const Part& part, Part& rider) {
   rider.nodes.insert(rider.nodes.end(), part.nodes.begin(), part.nodes.end());
   for (const auto& [name, values] : part.data) {

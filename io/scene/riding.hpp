@@ -18,6 +18,13 @@ std::vector<double> carried_length(const Scene& scene, const Part& part, const E
 void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<double>& carried, double number,
                    Part& rider);
 
+/// One element on each of `nodes`, each of `pieces`, whatever the node carries: the datum `length` is zero.
+void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider);
+
+/// A pair for every bar of `first` and bar of `second` that meet in a node, its nodes in the order of the way
+/// from one to the other; data of bars, one of each.
+void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider);
+
 /// The elements of another part, with their data.
 void ride_on_elements(const Part& part, Part& rider);
 

@@ -1,7 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/catch/front.hpp"
 #include "plugins/catch/pressure.hpp"
 
+using netloft::catches::Front;
 using netloft::catches::Pressure;
+
+namespace {
+
+void add_front(netloft::Plugin& plugin) {
+  auto& f = plugin.element<Front>("front", "Pressure on all netting behind a plane across the flow");
+  f.real("catch.volume", &Front::Parameters::volume, "m3",
+         "volume of the catch, for which the plane is found; 0: it is given",
+         {.lo = 0, .hi = 1e5, .fallback = 0});
+  f.real("catch.front", &Front::Parameters::front, "m",
+         "place of the plane along the flow; of a volume, where it is first looked for",
+         {.lo = -1e6, .hi = 1e6, .fallback = 0});
+  f.real("catch.direction", &Front::Parameters::direction, "rad",
+         "direction to which the water flows, from x towards y", {.lo = -6.3, .hi = 6.3, .fallback = 0});
+  f.real("catch.pressure", &Front::Parameters::pressure, "Pa", "pressure on the netting from inside",
+         {.lo = 0, .hi = 1e7, .fallback = 0});
+  f.real("catch.speed", &Front::Parameters::speed, "m/s",
+         "speed of the water through the gear, which adds the pressure of the flow it stops",
+         {.lo = 0, .hi = 50, .fallback = 0});
+  f.real("catch.drag_coefficient", &Front::Parameters::drag_coefficient, "1",
+         "pressure divided by the dynamic pressure of that speed", {.lo = 0, .hi = 1e3, .fallback = 1.4});
+  f.global("front", "m", "place of the plane along the flow", "catch.volume", Front::first_front);
+  f.term<Front::Push, netloft::from_outside | netloft::is_drag>("pressure",
+                                                                "outward force of the catch on the netting");
+  f.output("pressure", "Pa", "pressure on the netting, reduced for triangles that the plane cuts",
+           [](auto& p, auto& d, auto& s) { return Front::on(p, d, s); });
+  f.output("volume", "m3", "contribution of the triangle to the volume of the catch",
+           [](auto& p, auto& d, auto& s) { return Front::volume(p, d, s); });
+  f.output("front", "m", "place of the plane along the flow", [](auto&, auto&, auto& s) { return s.x[3].x; });
+}
+
+}  // namespace
 
 NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
   auto& c =
@@ -34,4 +67,6 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
            [](auto& p, auto& d, auto& s) { return Pressure::volume(p, d, s); });
   c.output("front", "1", "meshes along the panel that the catch fills, from its aft edge",
            [](auto&, auto&, auto& s) { return s.x[3].x; });
+
+  add_front(plugin);
 }

@@ -27,10 +27,11 @@ struct Lanes {
   double twine[kLanes];                       // N l₀, all that is in the water [m]
   double volume[kLanes], density[kLanes], diameter[kLanes];
   double damping[kLanes], added_mass[kLanes];  // N η, C_a
+  double surface[kLanes];                      // σ of surface.hpp
 };
 
 /// Fills one lane. The multiplicity N enters here and nowhere else. `P` has EA, EA_compression, diameter,
-/// density, damping and added_mass of one bar.
+/// density, damping, added_mass and surface of one bar.
 template <class P>
 void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::size_t lane) {
   lanes.l0[lane] = rest_length;
@@ -42,6 +43,7 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.diameter[lane] = p.diameter;
   lanes.damping[lane] = parallel * p.damping;
   lanes.added_mass[lane] = p.added_mass;
+  lanes.surface[lane] = p.surface;
 }
 
 /// The bars of an element as its one member; `P` has EA and EA_compression of one bar.

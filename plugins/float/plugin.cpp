@@ -1,7 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/float/box.hpp"
 #include "plugins/float/float.hpp"
 
+using netloft::floats::Box;
 using netloft::floats::Float;
+
+namespace {
+
+void add_box(netloft::Plugin& plugin) {
+  auto& b =
+      plugin.element<Box>("box", "Upright box that stands on a node or hangs below it, partly immersed");
+  b.real("box.mass", &Box::Parameters::mass, "kg", "mass of one box", {.lo = 0, .hi = 1e7, .fallback = 0});
+  const netloft::Real side{.lo = 0, .hi = 1e3, .fallback = 0};
+  b.real("box.length_x", &Box::Parameters::length_x, "m", "side along x", side);
+  b.real("box.length_y", &Box::Parameters::length_y, "m", "side along y", side);
+  b.real("box.height", &Box::Parameters::height, "m", "height", side);
+  b.boolean("box.hangs", &Box::Parameters::hangs, "its upper face is at the node, not its lower one", false);
+  const netloft::Real drag{.lo = 0, .hi = 1e4, .fallback = 0};
+  b.real("box.drag_x", &Box::Parameters::drag_x, "1", "drag coefficient of the flow along x", drag);
+  b.real("box.drag_y", &Box::Parameters::drag_y, "1", "drag coefficient of the flow along y", drag);
+  b.real("box.drag_z", &Box::Parameters::drag_z, "1", "drag coefficient of the vertical flow", drag);
+  b.real("box.added_mass", &Box::Parameters::added_mass, "kg", "added mass, the same along all axes",
+         {.lo = 0, .hi = 1e7, .fallback = 0});
+  b.data("pieces", &Box::Data::pieces, "1", "number of boxes at this node");
+  b.term<Box::Buoyancy, netloft::conservative | netloft::symmetric | netloft::needs_gravity |
+                            netloft::from_outside | netloft::is_weight>("buoyancy",
+                                                                        "buoyancy of what is immersed");
+  b.term<Box::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
+                          netloft::needs_gravity | netloft::is_weight>("weight", "weight in air", "box.mass");
+  b.term<Box::Drag, netloft::reads_velocity | netloft::reads_current | netloft::needs_flow |
+                        netloft::from_outside | netloft::is_drag>(
+      "drag", "force of the water on what is immersed", "box.drag_x box.drag_y box.drag_z");
+  b.term<Box::Inertia, netloft::symmetric | netloft::reads_acceleration | netloft::needs_motion>(
+      "inertia", "mass and added mass");
+}
+
+}  // namespace
 
 NETLOFT_PLUGIN("float", "0.1.0", "Floats and weights at nodes") {
   auto& f =
@@ -33,4 +67,5 @@ NETLOFT_PLUGIN("float", "0.1.0", "Floats and weights at nodes") {
                           netloft::is_drag>("drag", "force of the flowing water", "float.drag_coefficient");
   f.term<Float::Inertia, netloft::symmetric | netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass and added mass");
+  add_box(plugin);
 }

@@ -35,9 +35,9 @@ void add_screen_at_one_reynolds_number(netloft::Plugin& plugin, const char* name
 NETLOFT_PLUGIN("hydro", "0.1.0", "Forces of flowing water on twines, ropes and netting") {
   auto& m = plugin.law<Morison>("morison", "Drag across and along a twine, with constant coefficients");
   m.real("normal", &Morison::Parameters::normal, "1", "drag coefficient of the flow across, on the diameter",
-         {.lo = 0, .hi = 10, .fallback = 1.2});
+         {.lo = 0, .hi = 100, .fallback = 1.2});
   m.real("tangential", &Morison::Parameters::tangential, "1",
-         "drag coefficient of the flow along, on the diameter", {.lo = 0, .hi = 10, .fallback = 0.08});
+         "drag coefficient of the flow along, on the diameter", {.lo = 0, .hi = 100, .fallback = 0.08});
   m.real("shielding", &Morison::Parameters::shielding, "1", kShielding, {.lo = 0, .hi = 2, .fallback = 1});
 
   auto& r = plugin.law<MorisonReynolds>(

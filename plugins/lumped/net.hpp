@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "plugins/common/bars_in_water.hpp"
+#include "plugins/common/surface.hpp"
 
 namespace netloft::lumped {
 
@@ -16,7 +17,7 @@ struct Net {
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
-    double damping = 0, added_mass = 0;
+    double damping = 0, added_mass = 0, surface = 0;
   };
   struct Data {
     double rest_length = 0;  // l₀ [m]
@@ -51,6 +52,17 @@ struct Net {
   struct Drag {
     static Status tile(const Family<Net>& f, netloft_tile& t) {
       return bars::add_drag(f.lanes(t), f.law(0), t);
+    }
+  };
+  struct DryDrag {
+    static Status tile(const Family<Net>& f, netloft_tile& t) {
+      const Lanes& p = f.lanes(t);
+      return surface::take_dry_drag<2>(p, t, [&](netloft_tile& in) { bars::add_drag(p, f.law(0), in); });
+    }
+  };
+  struct DryBuoyancy {
+    static Status tile(const Family<Net>& f, netloft_tile& t) {
+      return surface::take_dry_buoyancy(f.lanes(t), t);
     }
   };
   struct Damping {

@@ -7,19 +7,23 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
   auto& net =
       plugin.element<Net>("net", "Bar along the twines of netting that stands for several, mass at its ends");
   net.real("twine.EA", &Net::Parameters::EA, "N", "axial stiffness of one twine",
-           {.lo = 0, .hi = 1e9, .role = netloft::Role::stiffness});
+           {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
   net.real(
       "twine.EA_compression", &Net::Parameters::EA_compression, "N", "axial stiffness of a slack twine",
-      {.lo = 0, .hi = 1e9, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
+      {.lo = 0, .hi = 1e12, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
   net.real("twine.diameter", &Net::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   net.real("twine.density", &Net::Parameters::density, "kg/m3", "density of the twine's material",
-           {.lo = 0, .hi = 3e4});
+           {.lo = 0, .hi = 1e6});
   net.real("twine.damping", &Net::Parameters::damping, "N s",
            "damping of stretch: tension per strain rate, EA times a relaxation time",
            {.lo = 0, .hi = 1e9, .fallback = 0, .role = netloft::Role::damping});
   net.real("twine.added_mass", &Net::Parameters::added_mass, "1",
            "added mass across a twine over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
+  net.real("twine.surface", &Net::Parameters::surface, "1",
+           "how much of its buoyancy and drag is lost above z = 0: 1 all of it, 0 none, in water without a "
+           "surface",
+           {.lo = 0, .hi = 1, .fallback = 0});
   net.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the twines");
   net.data("rest_length", &Net::Data::rest_length, "m", "unstretched length of the bar");
   net.data("parallel", &Net::Data::parallel, "1", "twines side by side that the bar stands for");
@@ -33,6 +37,12 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
   net.term<Net::Drag,
            netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the unstretched twines, by its law, half per node", "twine.diameter");
+  net.term<Net::DryDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
+                             netloft::from_outside | netloft::is_drag>(
+      "dry-drag", "drag that is lost above the surface", "twine.surface");
+  net.term<Net::DryBuoyancy, netloft::conservative | netloft::symmetric | netloft::needs_gravity |
+                                 netloft::from_outside | netloft::is_weight>(
+      "dry-buoyancy", "buoyancy that is lost above the surface", "twine.surface");
   net.term<Net::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
   net.term<Net::Inertia, netloft::reads_acceleration | netloft::needs_motion>(

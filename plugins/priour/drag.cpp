@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/priour/drag.hpp"
 
+#include "plugins/common/surface.hpp"
+
 #include <netloft/law.hpp>
 
 namespace netloft::priour {
@@ -160,6 +162,10 @@ Status Drag::tile(const Family<Triangle>& family, netloft_tile& t) {
       }
   if (t.tangent) add_tangent(F, t);
   return Status::ok;
+}
+
+Status DryDrag::tile(const Family<Triangle>& family, netloft_tile& t) {
+  return surface::take_dry_drag<3>(family.lanes(t), t, [&](netloft_tile& in) { Drag::tile(family, in); });
 }
 
 void Drag::output(const Family<Triangle>& family, const netloft_tile& t, double* values) {

@@ -10,13 +10,13 @@ using namespace netloft::priour;
 NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   auto& t = plugin.element<Triangle>("triangle", "Triangle of netting with straight, parallel twines inside");
   t.real("twine.EA", &Triangle::Parameters::EA, "N", "axial stiffness of one twine",
-         {.lo = 0, .hi = 1e9, .role = netloft::Role::stiffness});
+         {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
   t.real(
       "twine.EA_compression", &Triangle::Parameters::EA_compression, "N", "axial stiffness of a slack twine",
-      {.lo = 0, .hi = 1e9, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
+      {.lo = 0, .hi = 1e12, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
   t.real("twine.diameter", &Triangle::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   t.real("twine.density", &Triangle::Parameters::density, "kg/m3", "density of the twine's material",
-         {.lo = 0, .hi = 3e4});
+         {.lo = 0, .hi = 1e6});
   t.real("twine.EI", &Triangle::Parameters::EI, "N m2", "bending stiffness of one twine",
          {.lo = 0, .hi = 1e6, .fallback = 0, .role = netloft::Role::stiffness});
   t.real(
@@ -36,6 +36,9 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
          {.lo = 0, .hi = 10, .fallback = 1});
   t.integer("twine.number", &Triangle::Parameters::number,
             "twines side by side in every bar: 2 in double netting", 1, 9, 1);
+  t.real("twine.surface", &Triangle::Parameters::surface, "1",
+         "how much of its drag is lost above z = 0: 1 all of it, 0 none, in water without a surface",
+         {.lo = 0, .hi = 1, .fallback = 0});
   t.law("drag", NETLOFT_TWINE_LAW | NETLOFT_SCREEN_LAW, "hydro/morison",
         "force of the water on the netting, twine by twine or as a screen");
   t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
@@ -56,6 +59,9 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
                                 "twine.knot_size");
   t.term<Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the netting, by its law, a third per corner", "twine.diameter");
+  t.term<DryDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
+                      netloft::from_outside | netloft::is_drag>(
+      "dry-drag", "drag that is lost above the surface", "twine.surface");
   t.term<Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
   t.term<Inertia, netloft::reads_acceleration | netloft::needs_motion>(

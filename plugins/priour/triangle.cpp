@@ -75,7 +75,7 @@ void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_
   lanes.density[lane] = p.density;
   lanes.diameter[lane] = p.diameter;
   lanes.damping[lane] = p.damping;
-  lanes.added_mass[lane] = p.added_mass;
+  lanes.added_mass[lane] = p.added_mass, lanes.surface[lane] = p.surface;
   lanes.H[lane] = p.opening_stiffness;
   lanes.H_of_EI[lane] = 12 * p.EI / d.bar_length;
   lanes.alpha0[lane] = p.opening_angle;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "plugins/common/bars_in_water.hpp"
+#include "plugins/common/surface.hpp"
 
 namespace netloft::rope {
 
@@ -16,7 +17,7 @@ struct Bar {
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
-    double constant_tension = 0, damping = 0, added_mass = 0, sag = 0;
+    double constant_tension = 0, damping = 0, added_mass = 0, sag = 0, surface = 0;
     netloft_table length_share{};  // t [s], σ
   };
   struct Data {
@@ -75,6 +76,19 @@ struct Bar {
     static Status tile(const Family<Bar>& f, netloft_tile& t) {
       Lanes room;
       return bars::add_drag(now(f.lanes(t), t, room), f.law(0), t);
+    }
+  };
+  struct DryDrag {
+    static Status tile(const Family<Bar>& f, netloft_tile& t) {
+      Lanes room;
+      const Lanes& p = now(f.lanes(t), t, room);
+      return surface::take_dry_drag<2>(p, t, [&](netloft_tile& in) { bars::add_drag(p, f.law(0), in); });
+    }
+  };
+  struct DryBuoyancy {
+    static Status tile(const Family<Bar>& f, netloft_tile& t) {
+      Lanes room;
+      return surface::take_dry_buoyancy(now(f.lanes(t), t, room), t);
     }
   };
   struct Damping {

@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <netloft/element.hpp>
+#include "plugins/rope/turn.hpp"
 
 #include <array>
 
 namespace netloft::rope {
 
-/// Resistance of a rope to bending, between two neighbouring bars of unstretched lengths L₁, L₂.
-///   w₁ = x₁ − x₀,  w₂ = x₂ − x₁,  t = w/l,  c = t₁·t₂ = cos φ,  φ the turning angle       (1)
-///   E = −κ ln((1 + c)/2),  κ = 4 EI/(L₁ + L₂)                                              (2)
-///   dE/dφ = EI/R,  R = (L₁ + L₂)/(4 tan(φ/2))                                              (3)
-///   ∂c/∂w₁ = (I − t₁t₁ᵀ) t₂/l₁ = g₁,  ∂c/∂w₂ = (I − t₂t₂ᵀ) t₁/l₂ = g₂                      (4)
-///   ∂²c/∂w₁∂w₁ = −(t₁g₁ᵀ + g₁t₁ᵀ)/l₁ − c (I − t₁t₁ᵀ)/l₁²                                   (5)
-///   ∂²c/∂w₁∂w₂ = (I − t₁t₁ᵀ)(I − t₂t₂ᵀ)/(l₁ l₂)                                            (6)
-/// EI [N m²] bending stiffness. R is the radius of the circle that touches both bars at their middles when
-/// they are equally long. Expressed in c, nothing is singular in a straight rope; 1 + c is computed from the
-/// chord t₂ − t₁, which avoids cancellation there. A rope folded back upon itself (φ → π) or a bar of no
-/// length has no curvature: outside the domain. Bars that meet at a joint of ropes do not bend each other.
-/// Source: the trawl-gear paper, eq. (1).
+/// Resistance of a rope to bending, between two neighbouring bars of unstretched lengths L₁, L₂ that turn by
+/// φ, c = cos φ by turn (1):
+///   E = −κ ln((1 + c)/2),  κ = 4 EI/(L₁ + L₂)                                              (1)
+///   dE/dφ = EI/R,  R = (L₁ + L₂)/(4 tan(φ/2))                                              (2)
+/// R is the radius of the circle that touches both bars at their middles when they are equally long. Or, of
+/// the circle through the three nodes, of which the chord is √Q:
+///   E = (2 EI/(L₁L₂)) (L₁ + L₂ − √Q) = 8 EI h/(L₁ + L₂ + √Q),  h = (1 − c)/2               (3)
+///   Q = L₁² + L₂² + 2 L₁L₂ c,  dE/dφ = 2 EI sin φ/√Q = EI/R                                (4)
+/// EI [N m²] bending stiffness. Both are EI φ/L for small angles; (3) is weaker at large ones, by the factor
+/// cos(φ/2) of equal bars. Expressed in c, nothing is singular in a straight rope. A rope folded back upon
+/// itself (φ → π) or a bar of no length has no curvature: outside the domain. Bars that meet at a joint of
+/// ropes do not bend each other. Source: (1) the trawl-gear paper, eq. (1); (4) the moment of FEMNET
+/// (D. Priour) with unstretched lengths, which makes it the slope of an energy.
 struct Bending {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;
+  enum Curvature : std::int64_t { of_bars, of_nodes };
 
   struct Parameters {
     double EI = 0;
+    std::int64_t curvature = of_bars;
   };
   struct Data {
     std::array<double, 2> rest_length{};  // L₁, L₂ [m]
@@ -39,7 +42,10 @@ struct Bending {
     template <class T>
     static T oracle(const Parameters& p, const Data& d, const Water&, const Points<T, 3>& x) {
       const Vec3<T> w1 = x[1] - x[0], w2 = x[2] - x[1];
-      return -kappa(p, d) * log(0.5 * (1.0 + dot(w1, w2) / (norm(w1) * norm(w2))));
+      const T c = dot(w1, w2) / (norm(w1) * norm(w2));
+      if (p.curvature == of_bars) return -kappa(p, d) * log(0.5 * (1.0 + c));
+      const double a = d.rest_length[0], b = d.rest_length[1];
+      return (2 * p.EI / (a * b)) * (a + b - sqrt(a * a + b * b + (2 * a * b) * c));
     }
   };
 };

@@ -1,10 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/bar.hpp"
 #include "plugins/rope/bending.hpp"
+#include "plugins/rope/clamp.hpp"
 #include "plugins/rope/sag.hpp"
 
 using netloft::rope::Bar;
 using netloft::rope::Bending;
+using netloft::rope::Clamp;
+
+namespace {
+
+constexpr const char* kCurvature =
+    "circle of which the curvature is: one that touches both bars at their middles, or one through three "
+    "nodes";
+
+void add_clamp(netloft::Plugin& plugin) {
+  auto& clamp = plugin.element<Clamp>("clamp", "Clamp that keeps the angle between two ropes that meet");
+  clamp.real("clamp.EI", &Clamp::Parameters::EI, "N m2", "bending stiffness of the clamp",
+             {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
+  clamp.real("clamp.angle", &Clamp::Parameters::angle, "rad",
+             "angle by which the second rope turns away from the first at rest; 0: in line",
+             {.lo = 0, .hi = 3.14159265358979, .fallback = 0});
+  clamp.choice("clamp.curvature", &Clamp::Parameters::curvature, kCurvature, {"bars", "nodes"});
+  clamp.data("rest_length", &Clamp::Data::rest_length, "m", "unstretched length of both bars");
+  clamp.term<Clamp::Elastic, netloft::conservative | netloft::symmetric>(
+      "clamp", "moment against a change of the angle", "clamp.EI");
+  clamp.output("turning_angle", "rad", "angle by which the second bar turns away from the first",
+               [](auto&, auto&, auto& s) { return Bending::turning_angle(s); });
+}
+
+}  // namespace
 
 NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   auto& bar = plugin.element<Bar>("bar", "Straight elastic bar of a rope between two nodes, weak when slack");
@@ -15,7 +40,7 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
       {.lo = 0, .hi = 1e15, .fallback = 1e-4, .fallback_of = "rope.EA", .role = netloft::Role::compression});
   bar.real("rope.diameter", &Bar::Parameters::diameter, "m", "diameter of the rope", {.lo = 0, .hi = 10});
   bar.real("rope.density", &Bar::Parameters::density, "kg/m3", "density of the rope's material",
-           {.lo = 0, .hi = 3e4});
+           {.lo = 0, .hi = 1e6});
   bar.real(
       "rope.constant_tension", &Bar::Parameters::constant_tension, "N",
       "tension that a winch or a weight over a pulley holds at any length, instead of the spring; 0: none",
@@ -33,6 +58,10 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.table("rope.length_share", &Bar::Parameters::length_share,
             "unstretched length over that at the start, as rope is paid out or hauled",
             {{"t", "s"}, {"share", "1"}});
+  bar.real("rope.surface", &Bar::Parameters::surface, "1",
+           "how much of its buoyancy and drag is lost above z = 0: 1 all of it, 0 none, in water without a "
+           "surface",
+           {.lo = 0, .hi = 1, .fallback = 0});
   bar.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the rope");
   bar.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
   bar.term<Bar::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
@@ -48,6 +77,12 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.term<Bar::Drag,
            netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the unstretched rope, by its law, half per node");
+  bar.term<Bar::DryDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
+                             netloft::from_outside | netloft::is_drag>(
+      "dry-drag", "drag that is lost above the surface", "rope.surface");
+  bar.term<Bar::DryBuoyancy, netloft::conservative | netloft::symmetric | netloft::needs_gravity |
+                                 netloft::from_outside | netloft::is_weight>(
+      "dry-buoyancy", "buoyancy that is lost above the surface", "rope.surface");
   bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "rope.damping");
   bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
@@ -65,9 +100,12 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bending.rides_on("bar");
   bending.real("rope.EI", &Bending::Parameters::EI, "N m2", "bending stiffness of the rope",
                {.lo = 0, .hi = 1e12, .fallback = 0, .role = netloft::Role::stiffness});
+  bending.choice("rope.curvature", &Bending::Parameters::curvature, kCurvature, {"bars", "nodes"});
   bending.data("rest_length", &Bending::Data::rest_length, "m", "unstretched length of both bars");
   bending.term<Bending::Elastic, netloft::conservative | netloft::symmetric>(
       "bending", "moment against the curvature of the rope", "rope.EI");
   bending.output("turning_angle", "rad", "angle by which the second bar turns away from the first",
                  [](auto&, auto&, auto& s) { return Bending::turning_angle(s); });
+
+  add_clamp(plugin);
 }

@@ -6,20 +6,20 @@ using netloft::seabed::Plane;
 NETLOFT_PLUGIN("seabed", "0.1.0", "The ground on which a gear lies and is dragged") {
   auto& e = plugin.element<Plane>("plane", "A plane seabed under nodes, with friction that sticks");
   e.real("seabed.depth", &Plane::Parameters::depth, "m", "depth of the seabed below z = 0, at x = y = 0",
-         {.lo = -1e4, .hi = 1e4});
+         {.lo = -1e6, .hi = 1e6});
   e.real("seabed.slope_x", &Plane::Parameters::slope_x, "1", "rise of the seabed along x",
          {.lo = -10, .hi = 10, .fallback = 0});
   e.real("seabed.slope_y", &Plane::Parameters::slope_y, "1", "rise of the seabed along y",
          {.lo = -10, .hi = 10, .fallback = 0});
   e.real("seabed.stiffness", &Plane::Parameters::stiffness, "N/m2",
-         "force per metre of rope and metre of depth", {.lo = 0, .hi = 1e9, .fallback = 1e5});
+         "force per metre of rope and metre of depth", {.lo = 0, .hi = 1e12, .fallback = 1e5});
   e.real("seabed.softness", &Plane::Parameters::softness, "m",
-         "depth over which the seabed reaches that stiffness", {.lo = 1e-9, .hi = 10, .fallback = 1e-3});
+         "depth over which the seabed reaches that stiffness", {.lo = 0, .hi = 10, .fallback = 1e-3});
   e.real("seabed.friction", &Plane::Parameters::friction, "1", "friction force over normal force",
          {.lo = 0, .hi = 10, .fallback = 0});
   e.real("seabed.shear_stiffness", &Plane::Parameters::shear_stiffness, "N/m2",
          "force per metre of rope and metre along the seabed, until it slides",
-         {.lo = 1e-3, .hi = 1e9, .fallback = 1, .fallback_of = "seabed.stiffness"});
+         {.lo = 1e-3, .hi = 1e12, .fallback = 1, .fallback_of = "seabed.stiffness"});
   e.data("length", &Plane::Data::length, "m", "rope or twine that the node carries");
   e.data("pieces", &Plane::Data::pieces, "1",
          "number of pieces at the node, each counted as a metre if the node carries no length");

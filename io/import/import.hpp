@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/toml/diagnostics.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// A gear of another program as texts of ours.
+struct ImportedGear {
+  std::string scene, mesh;
+  std::size_t nodes = 0, elements = 0;
+  std::vector<std::string> left_out;  // a line each: the answer is not that of the file
+};
+
+/// What is to be imported, and what it is to become.
+struct ImportRequest {
+  std::filesystem::path gear;  // GEAR.don
+  std::filesystem::path mesh;  // empty: GEAR.mdg beside it
+  std::string own_mesh;        // name of the mesh in the scene
+};
+
+/// Reads a gear of FEMNET with its mesh. Errors, warnings and what is left out go to `diagnostics` with their
+/// places; after an error the texts are empty.
+ImportedGear import_femnet(const ImportRequest& request, Diagnostics& diagnostics);
+
+/// What the gears of a folder, and of those below, need.
+struct FolderCheck {
+  struct Gear {
+    std::string name;
+    bool is_read = false;
+    std::vector<std::string> lines;  // errors, or what is left out
+  };
+  std::vector<Gear> gears;
+  std::map<std::string, int> needs;  // of what is left out: in how many gears
+  int whole = 0;                     // gears that convert without a line left out
+};
+FolderCheck check_folder(const std::filesystem::path& folder);
+
+}  // namespace netloft::io

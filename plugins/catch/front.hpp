@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+#include <array>
+
+namespace netloft::catches {
+
+/// Pressure of the flow that the catch stops, on all netting behind a plane across the flow, from inside:
+///   p = p₀ + C_d ½ ρ V²                                                                        (1)
+///   n = (x₂−x₁)×(x₃−x₁)                        outwards, twice the area                          (2)
+///   e = (cos ψ, sin ψ, 0),  s_i = e·x_i − ξ    way of a corner behind the plane                  (3)
+///   I(s) = ∫ max(s, 0) over the triangle, over its area,  w_i = ∂I/∂s_i                           (4)
+///   r_i = −(w_i p/2) n                         residual on each corner                           (5)
+///   v = I n·e/2                                what the triangle adds to the volume behind ξ     (6)
+///   r_ξ = k (V₀ − Σ v) = 0,  k = p/∛V₀,  which grows with ξ                                     (7)
+/// With one corner a behind, t_b = s_a/(s_a − s_b), t_c alike:
+///   I = s_a t_b t_c/3,  w_a = t_b t_c (1 − (t_b+t_c)/3),  w_b = t_b² t_c/3,  w_c = t_b t_c²/3     (8)
+/// with one ahead, I = s̄ + I(−s) and w_i = ⅓ − w_i(−s), s̄ the mean; with three behind, I = s̄, w_i = ⅓.
+/// p₀ [Pa] a pressure that is given, V [m/s] speed of the water, C_d drag coefficient of the catch; ψ
+/// direction to which the water flows, ξ [m] place of the plane along it, V₀ [m³] the volume of the catch, of
+/// half of it in half a gear. ξ is the same for all triangles of a part: given, or an unknown with (7), which
+/// by the theorem of Gauss is the volume between the plane and the netting where that is closed behind the
+/// plane. Corners counter-clockwise seen from outside. Source: the catch of FEMNET (D. Priour), where ξ is
+/// found by bisection and its tangent left out.
+struct Front {
+  static constexpr auto stencil = NETLOFT_TRIANGLE;
+  static constexpr int globals = 1;  // ξ
+
+  struct Parameters {
+    double pressure = 0, speed = 0, drag_coefficient = 0, volume = 0, front = 0, direction = 0;
+  };
+  struct Data {};
+  struct Whole {
+    double triangles = 0;
+  };
+  /// I and w of (4).
+  template <class T>
+  struct Behind {
+    T I{};
+    std::array<T, 3> w{};
+  };
+
+  static void check(const Parameters& p, const Data&);
+  static void gather(const Parameters&, const Data&, Whole& whole) { ++whole.triangles; }
+  static double first_front(const Parameters& p, const Whole&) { return p.front; }
+  template <class T>
+  static Behind<T> behind(const std::array<T, 3>& s);
+  static double full(const Parameters& p, const Water& w);                    // p [Pa]
+  static double volume(const Parameters& p, const Data&, const State<4>& s);  // v [m³]
+  static double on(const Parameters& p, const Data&, const State<4>& s);      // p Σ w [Pa]
+
+  struct Push {
+    static Status evaluate(const Parameters& p, const Data&, const Whole& whole, const State<4>& s,
+                           Local<4>& out);
+  };
+};
+
+/// (8); `a` is alone on its side.
+template <class T>
+Front::Behind<T> corner_behind(const std::array<T, 3>& s, std::size_t a) {
+  const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+  const T tb = s[a] / (s[a] - s[b]), tc = s[a] / (s[a] - s[c]);
+  Front::Behind<T> out;
+  out.I = (1.0 / 3) * (s[a] * tb * tc);
+  out.w[a] = tb * tc * (1.0 - (1.0 / 3) * (tb + tc));
+  out.w[b] = (1.0 / 3) * (tb * tb * tc);
+  out.w[c] = (1.0 / 3) * (tb * tc * tc);
+  return out;
+}
+
+template <class T>
+Front::Behind<T> Front::behind(const std::array<T, 3>& s) {
+  const int count = (s[0] > T(0)) + (s[1] > T(0)) + (s[2] > T(0));
+  if (count == 0) return {};
+  Behind<T> all;
+  all.I = (1.0 / 3) * (s[0] + s[1] + s[2]);
+  all.w.fill(T(1.0 / 3));
+  if (count == 3) return all;
+  std::size_t lone = 0;
+  while ((s[lone] > T(0)) != (count == 1)) ++lone;
+  if (count == 1) return corner_behind(s, lone);
+  const Behind<T> ahead = corner_behind(std::array<T, 3>{-s[0], -s[1], -s[2]}, lone);
+  all.I += ahead.I;
+  for (std::size_t i = 0; i < 3; ++i) all.w[i] -= ahead.w[i];
+  return all;
+}
+
+}  // namespace netloft::catches

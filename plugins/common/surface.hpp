@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::surface {
+
+/// What twines and ropes lose above the surface of the water, z = 0. Each node of an element counts as a cube
+/// of side h, of which the part below the surface is wet:
+///   h³ = V/N,  w = clamp((h/2 − z)/h, 0, 1)                        (1)
+///   r_p = −σ (1 − w_p) r_p^drag                                    (2)
+///   r_p = σ (1 − w_p) (V/N) ρ_w g e_z          of bars             (3)
+/// V [m³] volume of the element's twines or rope, N its nodes, r^drag the residual of its drag, σ how much of
+/// it counts: 1, or 0 in water without a surface. Source: partial immersion of bars and netting in FEMNET
+/// (D. Priour), where netting keeps its weight in water.
+struct Cube {
+  double side;  // h [m]
+  double dry(double z) const { return side > 0 ? std::clamp(0.5 + z / side, 0.0, 1.0) : 0; }
+  /// d(1 − w)/dz.
+  double slope(double z) const { return 2 * std::abs(z) < side ? 1 / side : 0; }
+  /// Integral of 1 − w up to z.
+  double dry_height(double z) const {
+    const double emerged = std::clamp(z + 0.5 * side, 0.0, side);
+    return side > 0 ? 0.5 * emerged * emerged / side + std::max(z - 0.5 * side, 0.0) : 0;
+  }
+};
+
+constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
+
+/// Whether the cube of a node is under water, or no surface counts for it. `Lanes` has volume and surface.
+template <int N, class Lanes>
+bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
+  const double z = t.x[at(3 * node + 2, i)];
+  return p.surface[i] == 0 || (!(z > 0) && !(8 * -z * z * z < p.volume[i] / N));
+}
+
+/// Most tiles are under water, and cost no more than this.
+template <int N, class Lanes>
+bool is_wet(const Lanes& p, const netloft_tile& t) {
+  for (int node = 0; node < N; ++node)
+    for (std::size_t i = 0; i < t.count; ++i)
+      if (!is_wet<N>(p, t, node, i)) return false;
+  return true;
+}
+
+/// The drag of a tile of elements of N nodes, and what of it is lost.
+template <int N>
+struct Drag {
+  static constexpr int dofs = 3 * N;
+  double force[dofs * kLanes] = {}, tangent[dofs * dofs * kLanes] = {};
+
+  /// A tile in which the drag leaves its answer here.
+  netloft_tile answer_of(const netloft_tile& t) {
+    netloft_tile inner = t;
+    inner.energy = nullptr, inner.force = force, inner.tangent = t.tangent ? tangent : nullptr;
+    return inner;
+  }
+  /// (2) of a node, with the share `dry` and its slope over z.
+  void take_from(netloft_tile& t, int node, std::size_t lane, double dry, double slope) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int row = 3 * node + axis;
+      if (t.force) t.force[at(row, lane)] -= dry * force[at(row, lane)];
+      if (!t.tangent) continue;
+      for (int c = 0; c < dofs; ++c)
+        t.tangent[at(dofs * row + c, lane)] -= dry * tangent[at(dofs * row + c, lane)];
+      t.tangent[at(dofs * row + 3 * node + 2, lane)] -= t.cu * slope * force[at(row, lane)];
+    }
+  }
+};
+
+/// Adds (2). `drag(tile)` adds the drag of the elements as if they were under water.
+template <int N, class Lanes, class UnderWater>
+Status take_dry_drag(const Lanes& p, netloft_tile& t, UnderWater&& drag_of) {
+  if (is_wet<N>(p, t)) return Status::ok;
+  Drag<N> drag;
+  netloft_tile inner = drag.answer_of(t);
+  drag_of(inner);
+  for (int node = 0; node < N; ++node)
+    for (std::size_t i = 0; i < t.count; ++i) {
+      if (is_wet<N>(p, t, node, i)) continue;
+      const Cube cube{std::cbrt(p.volume[i] / N)};
+      const double z = t.x[at(3 * node + 2, i)], share = p.surface[i];
+      drag.take_from(t, node, i, share * cube.dry(z), share * cube.slope(z));
+    }
+  return Status::ok;
+}
+
+/// Adds (3) of bars.
+template <class Lanes>
+Status take_dry_buoyancy(const Lanes& p, netloft_tile& t) {
+  if (is_wet<2>(p, t)) return Status::ok;
+  for (int node = 0; node < 2; ++node)
+    for (std::size_t i = 0; i < t.count; ++i) {
+      if (is_wet<2>(p, t, node, i)) continue;
+      const Cube cube{std::cbrt(0.5 * p.volume[i])};
+      const int row = 3 * node + 2;
+      const double z = t.x[at(row, i)], lift = 0.5 * p.surface[i] * p.volume[i] * t.water_density * t.gravity;
+      if (t.energy) t.energy[i] += lift * cube.dry_height(z);
+      if (t.force) t.force[at(row, i)] += lift * cube.dry(z);
+      if (t.tangent) t.tangent[at(row * (row + 1) / 2 + row, i)] += t.cu * lift * cube.slope(z);
+    }
+  return Status::ok;
+}
+
+}  // namespace netloft::surface

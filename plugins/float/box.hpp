@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+namespace netloft::floats {
+
+/// A box at a node, upright whatever the gear does: it stands on the node or hangs below it, and displaces
+/// water as far as it is below the surface, z = 0. s of them are at the node: one half on a plane of
+/// symmetry.
+///   d = clamp(−z_b, 0, H),  z_b = z of the node, or z − H where the box hangs      immersed height   (1)
+///   E = s ρ g A D(z),  −dD/dz = d,  r = −s ρ g A d e_z,  A = L_x L_y                buoyancy          (2)
+///   E = s m g z                                                                     weight            (3)
+///   F_i = s k_i d |W| W_i,  k_x = ½ ρ C_x L_y, k_y = ½ ρ C_y L_x, k_z = ½ ρ C_z A/H   drag            (4)
+///   r = s (m + m_a) ẍ                                                               inertia           (5)
+/// L_x, L_y, H [m] sides, m [kg] mass, m_a [kg] added mass, C drag coefficients along the axes, W [m/s]
+/// velocity of the water relative to the node. Vertical drag grows with the immersed share d/H. Source:
+/// hydrostatics; Morison's equation axis by axis.
+struct Box {
+  static constexpr auto stencil = NETLOFT_NODE;
+
+  struct Parameters {
+    double mass = 0, length_x = 0, length_y = 0, height = 0;
+    double drag_x = 0, drag_y = 0, drag_z = 0, added_mass = 0;
+    bool hangs = false;
+  };
+  struct Data {
+    double pieces = 0;  // s
+  };
+  /// d of (1) and its derivative with z.
+  struct Depth {
+    double d, slope;
+  };
+
+  static void check(const Parameters& p, const Data& d);
+  static Depth immersed(const Parameters& p, double z);
+
+  struct Buoyancy {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+  struct Weight {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+  struct Drag {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+  struct Inertia {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+};
+
+}  // namespace netloft::floats

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+#include <array>
+
+namespace netloft::forces {
+
+/// A force at a node that does not change, whatever the shape of the gear: what a door pulls that is not
+/// modelled, or a winch.
+///   E = −s F·x,  r = −s F                                                 (1)
+/// F [N] in the axes of the world; s of them stand at the node: one half on a plane of symmetry.
+struct Constant {
+  static constexpr auto stencil = NETLOFT_NODE;
+
+  struct Parameters {
+    double x = 0, y = 0, z = 0;  // F
+  };
+  struct Data {
+    double pieces = 0;  // s
+  };
+
+  static void check(const Parameters&, const Data& d);
+
+  struct Pull {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+};
+
+}  // namespace netloft::forces

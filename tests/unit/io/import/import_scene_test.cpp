@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What becomes of a gear: parts, loads, holds, and what is said of what has no counterpart.
+#include "tests/unit/io/import/samples.hpp"
+
+namespace netloft::io::femnet {
+namespace {
+
+ImportedSample imported(const std::string& name) { return {sample(name + ".don"), sample(name + ".mdg")}; }
+
+TEST(FemnetScene, HalvesWhatStandsOnThePlaneOfSymmetry) {
+  const auto gear = imported("03_node_force_symmetry");
+  EXPECT_TRUE(gear.holds("[parts.force-3]\ntype = \"force/constant\"\non = \"*.type-3\"\neach = 0.5"));
+  EXPECT_TRUE(gear.holds("[parts.force-5]\ntype = \"force/constant\"\non = \"*.type-5\"\neach = 1"));
+  EXPECT_TRUE(gear.holds("[[hold]]\non = \"*.type-3\"\nname = \"type-3\"\naxes = \"y\""));
+}
+
+TEST(FemnetScene, TurnsTrianglesSoThatTheirOuterFaceIsSeenCounterClockwise) {
+  const auto gear = imported("05_catch_front");
+  const MeshFile::Triangle& there = gear.mesh.triangles.at(0);
+  const MeshRegion& here = *gear.imported.mesh.find("panel-1");
+  EXPECT_EQ(here.nodes[0], there.nodes[0]);
+  EXPECT_EQ(here.nodes[1], there.nodes[2]);
+  EXPECT_EQ(here.nodes[2], there.nodes[1]);
+  EXPECT_EQ(here.numbers[2], there.UV[4]);
+  EXPECT_EQ(here.numbers[3], there.UV[5]);
+}
+
+TEST(FemnetScene, MakesOneBarOfSeveralTwines) {
+  const auto gear = imported("06_netting2ropes");
+  EXPECT_TRUE(gear.holds("type = \"lumped/net\""));
+  const MeshRegion& region = *gear.imported.mesh.find("panel-1");
+  EXPECT_EQ(region.kind, RegionKind::twines);
+  EXPECT_EQ(region.numbers[0], 5);  // five mesh sides, one bar
+  EXPECT_EQ(region.numbers[1], 5);
+}
+
+TEST(FemnetScene, HasNoDragOfNettingWhereTheFileWantsNone) {
+  const std::string none = sample("02_netting_panel.don") + "\ninput drag_forces_type 3\n";
+  EXPECT_TRUE(ImportedSample(none, sample("02_netting_panel.mdg")).holds("normal = 0, tangential = 0"));
+  EXPECT_FALSE(imported("02_netting_panel").holds("normal = 0, tangential = 0"));
+}
+
+TEST(FemnetScene, ClampsCablesThatMeet) {
+  const auto gear = imported("07_bending_rest_angle");
+  EXPECT_TRUE(gear.holds("[parts.clamp-1]\ntype = \"rope/clamp\"\non = [\"cable-1\", \"cable-2\"]"));
+  EXPECT_TRUE(gear.holds("EI = 60, angle = 1.047197551196597"));  // the weaker one; 60 degrees
+}
+
+TEST(FemnetScene, HoldsWhatNothingHolds) {
+  const std::string loose =
+      changed(sample("01_two_bars.don"), "Displacement X,Y,Z: 1  1  1", "Displacement X,Y,Z: 1  0  1");
+  const ImportedSample gear(loose, sample("01_two_bars.mdg"));
+  EXPECT_TRUE(gear.holds("[[hold]]\non = \"*.loose-1\"\nname = \"loose-1\"\naxes = \"y\""));
+  EXPECT_NE(gear.imported.scene.find("# note, line 0, node 1: is held along y"), std::string::npos)
+      << gear.imported.scene;
+}
+
+TEST(FemnetScene, GivesANegativeMassAsAForce) {
+  const std::string light = changed(sample("01_two_bars.don"), "No du type: 2\nMass X,Y,Z (kg): 0  0  0",
+                                    "No du type: 2\nMass X,Y,Z (kg): 0 0 -2");
+  EXPECT_TRUE(ImportedSample(light, sample("01_two_bars.mdg")).holds("force = { z = 19.62 }"));
+}
+
+TEST(FemnetScene, AsksForWhatTheAuthorWantedPrinted) {
+  EXPECT_TRUE(
+      imported("01_two_bars").holds("[results]\nmiddle-z-m = { of = \"cable-1.node-1\", take = \"z\" }"));
+}
+
+TEST(FemnetScene, SaysWhatItLeavesOut) {
+  const ImportedSample gear(sample("01_two_bars.don") + "\ninput tarp 1\n", sample("01_two_bars.mdg"));
+  ASSERT_EQ(gear.imported.findings.size(), 1u);
+  EXPECT_EQ(gear.imported.findings[0].kind, Finding::Kind::left_out);
+  EXPECT_TRUE(gear.holds("# left out, line 98, keyword tarp: is not modelled here")) << gear.imported.scene;
+}
+
+}  // namespace
+}  // namespace netloft::io::femnet

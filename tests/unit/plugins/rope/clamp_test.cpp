@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// rope/clamp, and rope/bending by the circle through three nodes: against their energies differentiated by
+// dual numbers, and against moments in closed form.
+#include "plugins/rope/clamp.hpp"
+
+#include "plugins/rope/bending.hpp"
+#include "tests/unit/plugins/kernel_oracle.hpp"
+
+namespace {
+
+using namespace netloft;
+using rope::Bending;
+using rope::Clamp;
+
+constexpr Water kWater{1025, 9.81};
+constexpr std::array<double, 2> kLengths{0.8, 1.1};
+
+/// Two bars of these lengths, the second turned by phi in a tilted plane.
+State<3> turned(double phi, double l1 = 0.8, double l2 = 1.1) {
+  const Vec3<double> e{0.6, 0.48, 0.64}, f{-0.8, 0.36, 0.48};  // orthonormal
+  State<3> s;
+  const Vec3<double> a{0.3, -0.2, -5}, b = a + l1 * e;
+  s.x = {a, b, b + (l2 * std::cos(phi)) * e + (l2 * std::sin(phi)) * f}, s.wants_tangent = true;
+  return s;
+}
+
+/// Largest error of force and tangent over the largest entry of each.
+template <class E>
+double error_of(const typename E::Parameters& p, const State<3>& s) {
+  Points<Dual<9>, 3> x;
+  for (int i = 0; i < 9; ++i)
+    x[static_cast<std::size_t>(i / 3)][i % 3] =
+        Dual<9>::variable(s.x[static_cast<std::size_t>(i / 3)][i % 3], i);
+  const auto e = E::Elastic::oracle(p, {kLengths}, kWater, x);
+  Local<3> out;
+  EXPECT_EQ(E::Elastic::evaluate(p, {kLengths}, s, out), Status::ok);
+  double force = 0, tangent = 0, force_size = 0, tangent_size = 0;
+  std::size_t k = 0;
+  for (int r = 0; r < 9; ++r) {
+    const double f = e.gradient[static_cast<std::size_t>(r)];
+    force = std::max(force, std::abs(out.force[static_cast<std::size_t>(r / 3)][r % 3] - f));
+    force_size = std::max(force_size, std::abs(f));
+    for (int c = 0; c <= r; ++c, ++k) {
+      tangent = std::max(tangent, std::abs(out.tangent[r][c] - e.hessian[k]));
+      tangent_size = std::max(tangent_size, std::abs(e.hessian[k]));
+    }
+  }
+  EXPECT_NEAR(out.energy, e.value, 1e-12 * (1 + std::abs(e.value)));
+  return std::max(force / force_size, tangent / tangent_size);
+}
+
+TEST(RopeClamp, MatchesItsOracleAtEveryAngle) {
+  for (const auto curvature : {Clamp::of_bars, Clamp::of_nodes})
+    for (const double phi : {0.2, 0.6, 1.0, 1.5, 2.5, 3.0})
+      EXPECT_LT(error_of<Clamp>({3.7, 1.1, curvature}, turned(phi, 0.9, 0.7)), 1e-9) << phi;
+}
+
+TEST(RopeClamp, HasNoMomentAtItsOwnAngle) {
+  for (const auto curvature : {Clamp::of_bars, Clamp::of_nodes}) {
+    Local<3> out;
+    ASSERT_EQ(Clamp::Elastic::evaluate({3.7, 1.1, curvature}, {kLengths}, turned(1.1), out), Status::ok);
+    EXPECT_NEAR(out.energy, 0, 1e-14);
+    for (const auto& f : out.force) EXPECT_LT(norm(f), 1e-14);
+  }
+}
+
+/// Moment about the middle node: force on the last node times its arm.
+double moment(const Clamp::Parameters& p, double phi) {
+  Local<3> out;
+  EXPECT_EQ(Clamp::Elastic::evaluate(p, {kLengths}, turned(phi), out), Status::ok);
+  return norm(out.force[2]) * kLengths[1];
+}
+
+TEST(RopeClamp, HasTheMomentOfItsCircle) {
+  const double a = kLengths[0], b = kLengths[1], delta = 0.7;
+  EXPECT_NEAR(moment({3.7, 1.1, Clamp::of_bars}, 1.1 + delta), 4 * 3.7 / (a + b) * std::tan(delta / 2),
+              1e-12);
+  EXPECT_NEAR(moment({3.7, 1.1, Clamp::of_nodes}, 1.1 + delta),
+              2 * 3.7 * std::sin(delta) / std::sqrt(a * a + b * b + 2 * a * b * std::cos(delta)), 1e-12);
+}
+
+TEST(RopeClamp, BendsLikeARopeWhereItIsStraightAtRest) {
+  for (const double phi : {0.0, 1e-6, 0.4, 2.0}) {
+    Local<3> clamp, rope;
+    ASSERT_EQ(Clamp::Elastic::evaluate({3.7, 0, Clamp::of_nodes}, {kLengths}, turned(phi), clamp),
+              Status::ok);
+    ASSERT_EQ(Bending::Elastic::evaluate({3.7, Bending::of_nodes}, {kLengths}, turned(phi), rope),
+              Status::ok);
+    EXPECT_EQ(clamp.energy, rope.energy);
+    for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(norm(clamp.force[n] - rope.force[n]), 0);
+  }
+}
+
+TEST(RopeClamp, HasNoPlaneToTurnBarsInLineIn) {
+  Local<3> in_line, folded;
+  ASSERT_EQ(Clamp::Elastic::evaluate({3.7, 1.1, 0}, {kLengths}, turned(0), in_line), Status::ok);
+  for (const auto& f : in_line.force) EXPECT_EQ(norm(f), 0);
+  EXPECT_EQ(Clamp::Elastic::evaluate({3.7, 1.1, 0}, {kLengths}, turned(std::acos(-1.0)), folded),
+            Status::outside_domain);
+}
+
+TEST(RopeBendingByNodes, MatchesItsOracleAtEveryAngle) {
+  for (const double phi : {0.01, 0.5, 1.6, 3.0})
+    EXPECT_LT(error_of<Bending>({3.7, Bending::of_nodes}, turned(phi, 0.9, 0.7)), 1e-10) << phi;
+}
+
+}  // namespace

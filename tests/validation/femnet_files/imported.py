@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gears of FEMNET, imported by the program and looked at or solved in a folder of their own. NETLOFT_PROGRAM names the program."""
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+PROGRAM = os.environ["NETLOFT_PROGRAM"]
+
+
+class Gear:
+    """`at`: places of the nodes of the mesh instead of those in the file; `more`: lines added to the scene; `codes`: exit codes of a run."""
+
+    def __init__(self, gear, at=None, more="", codes=(0,)):
+        with tempfile.TemporaryDirectory() as folder:
+            self.folder = Path(folder)
+            self.said = self.netloft("import", "femnet", gear, "-o", "gear.toml")
+            if at is not None:
+                self.move(at)
+            with open(self.folder / "gear.toml", "a") as scene:
+                scene.write(more)
+            self.report = self.netloft("run", "gear.toml", "-o", "gear.hdf", codes=codes)
+            self.mesh = (self.folder / "gear.mesh").read_text()
+            with h5py.File(next(self.folder.glob("gear*.hdf"))) as f:
+                self.read(f)
+
+    def netloft(self, *words, codes=(0,)):
+        ended = subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=240)
+        assert ended.returncode in codes, ended.stdout + ended.stderr
+        return ended.stdout + ended.stderr
+
+    def move(self, at):
+        lines = (self.folder / "gear.mesh").read_text().splitlines()
+        begin = next(i for i, line in enumerate(lines) if line.startswith("[nodes]")) + 1
+        lines[begin:begin + len(at)] = [" ".join(repr(float(x)) for x in point) for point in at]
+        (self.folder / "gear.mesh").write_text("\n".join(lines) + "\n")
+
+    def read(self, f):
+        points, cells = f["VTKHDF/NumberOfPoints"][0], f["VTKHDF/NumberOfCells"][0]
+        self.points = f["VTKHDF/Points"][:points]
+        self.residual = f["VTKHDF/PointData/residual"][:points]
+        self.reaction = f["VTKHDF/PointData/reaction"][:points]
+        offsets, nodes = f["VTKHDF/Offsets"][:cells + 1], f["VTKHDF/Connectivity"][:]
+        self.cells = [nodes[offsets[c]:offsets[c + 1]] for c in range(cells)]
+        self.scalars = {name: value[()] for name, value in f.get("netloft/scalars", {}).items()}
+        self.data = {name: f[f"VTKHDF/CellData/{name}"][:cells] for name in f["VTKHDF/CellData"]}
+
+    def furthest(self, there):
+        """Largest distance of a place from the node here that is nearest."""
+        return max(np.linalg.norm(self.points - x, axis=1).min() for x in np.asarray(there))
+
+    def of_cells(self, name, nodes):
+        """A number of all cells with so many nodes, sorted."""
+        return np.sort([self.data[name][c] for c, own in enumerate(self.cells) if len(own) == nodes])
+
+    def bar_tensions(self):
+        return self.of_cells("tension", 2)
+
+    def twine_tensions(self):
+        return np.sort(np.concatenate([self.of_cells("tension_u", 3), self.of_cells("tension_v", 3)]))
