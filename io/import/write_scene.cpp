@@ -113,9 +113,20 @@ class SceneWriter {
     const Environment& e = environment();
     std::string text = "\n[water]\ndensity = " + spell_number(e.water_density) + "\ngravity = 9.81\n";
     if (!has_current()) return text;
+    if (is_rubbed()) return text + tow();
     const double psi = e.direction * std::numbers::pi / 180;
     const double x = e.speed * std::cos(psi), y = e.direction == 180 ? 0 : e.speed * std::sin(psi);
     return text + "current = [" + spell_number(x) + ", " + spell_number(y) + ", 0]\n";
+  }
+
+  /// Whether a bed that moves with the water rubs the gear.
+  bool is_rubbed() const { return environment().bed_moves && environment().bed_friction != 0 && has_current(); }
+
+  /// A bed that moves with the current: water and ground pass the gear alike.
+  std::string tow() const {
+    const double degrees = std::remainder(environment().direction, 360);
+    std::string text = "\n[tow]\nspeed = " + spell_number(environment().speed) + "\n";
+    return degrees == 0 ? text : text + "leeway = " + quoted(spell_number(degrees) + " deg") + "\n";
   }
 
   void begin_part(const std::string& name, const std::string& type, const std::string& comment = {}) {
@@ -309,15 +320,13 @@ class SceneWriter {
       leave_out(t.place, what, "limits other than a bed below the node are not modelled here");
     if (t.sense[2] != 1) return;
     begin_load("bed", "seabed/plane", number);
-    line("seabed", InlineTable()
-                       .add("depth", within(-t.limit[2], -1e6, 1e6, t.place, "the depth of the bed"))
-                       .add("stiffness", within(k, 0, 1e12, t.place, "the stiffness of the bed"))
-                       .add("softness", 0)
-                       .text());
-    if (!environment().bed_moves || environment().bed_friction == 0 || !has_current()) return;
-    const std::string mu = spell_number(environment().bed_friction);
-    body_ += "# the bed moves with the current: friction = " + mu + "\n";
-    leave_out(t.place, what, "friction of a bed that moves with the current is not carried over for now");
+    InlineTable bed;
+    bed.add("depth", within(-t.limit[2], -1e6, 1e6, t.place, "the depth of the bed"))
+        .add("stiffness", within(k, 0, 1e12, t.place, "the stiffness of the bed"))
+        .add("softness", 0);
+    if (is_rubbed())
+      bed.add("friction", within(environment().bed_friction, 0, 10, t.place, "the friction of the bed"));
+    line("seabed", bed.text());
   }
 
   /// Clamps are as stiff as the weaker cable, and act where the first bends.

@@ -29,7 +29,7 @@ std::span<const netloft_parameter> tow_keys() {
            "speed over the ground, at which water and ground pass the gear, aft; 0: the ground stands",
            {.lo = 0, .hi = 50});
     t.real("leeway", &TowKeys::leeway, "rad", "angle at which they pass it, from x towards y",
-           {.lo = -1.6, .hi = 1.6, .fallback = 0});
+           {.lo = -3.1416, .hi = 3.1416, .fallback = 0});
     return t;
   }();
   return table.rows();
