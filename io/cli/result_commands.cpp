@@ -25,7 +25,9 @@ namespace {
 
 std::string output_of(const Options& options, const std::string& source, const char* ending) {
   if (!options.output.empty()) return options.output;
-  return std::filesystem::path(source).stem().string() + ending;
+  std::filesystem::path name = std::filesystem::path(source).filename();
+  if (name.extension() == ".part") name = name.stem();  // the journal of a motion
+  return name.stem().string() + ending;
 }
 
 /// Writes a file and says so.

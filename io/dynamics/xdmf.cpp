@@ -14,28 +14,26 @@ namespace {
 
 /// An array of all states: every state has its own rows, beginning at offsets[state].
 struct SteppedArray {
-  std::string name, path, center;
-  std::vector<std::size_t> shape;
+  std::string name, center;
+  std::uint64_t place;  // of the array in the file [bytes]
+  std::size_t rows, columns;
   std::vector<std::int64_t> offsets;
-  std::size_t rows;
 };
 
-std::string in_words(const std::vector<std::size_t>& numbers) {
-  std::string text;
-  for (const std::size_t n : numbers) text += (text.empty() ? "" : " ") + std::to_string(n);
-  return text;
+/// The rows of a state as plain numbers in the file. Selections of rows by HDF5 are no way: XDMF 3 counts
+/// their beginning along the other dimension than XDMF 2.
+std::string item(const std::string& file, const SteppedArray& array, std::size_t step) {
+  const auto first = static_cast<std::size_t>(array.offsets.at(step)) * array.columns;
+  return fmt::format(
+      "<DataItem Format=\"Binary\" NumberType=\"Float\" Precision=\"8\" Endian=\"Little\" Seek=\"{}\" "
+      "Dimensions=\"{}{}\">{}</DataItem>",
+      array.place + 8 * first, array.rows, array.columns == 1 ? "" : fmt::format(" {}", array.columns), file);
 }
 
-/// The rows of a state: where they begin in the array, their stride, how many they are.
-std::string item(const std::string& file, const SteppedArray& array, std::size_t step) {
-  std::vector<std::size_t> first(array.shape.size(), 0), stride(array.shape.size(), 1), count = array.shape;
-  first[0] = static_cast<std::size_t>(array.offsets.at(step)), count[0] = array.rows;
-  return fmt::format(
-      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{0}\"><DataItem Format=\"XML\" NumberType=\"Int\" "
-      "Dimensions=\"3 {1}\">{2} {3} {0}</DataItem><DataItem Format=\"HDF\" NumberType=\"Float\" "
-      "Precision=\"8\" Dimensions=\"{4}\">{5}:{6}</DataItem></DataItem>",
-      in_words(count), count.size(), in_words(first), in_words(stride), in_words(array.shape), file,
-      array.path);
+SteppedArray array_at(const Reader& reader, const std::string& path, const std::string& offsets_path,
+                      std::size_t rows) {
+  const auto shape = reader.shape(path);
+  return {{}, {}, reader.place(path), rows, shape.size() == 1 ? 1 : shape[1], reader.integers(offsets_path)};
 }
 
 /// Fields that change: the first state lies behind the newest one. Those that do not change lie at 0.
@@ -43,11 +41,12 @@ std::vector<SteppedArray> changing_fields(const Reader& reader) {
   std::vector<SteppedArray> arrays;
   for (const auto& [group, center] : {std::pair{"PointData", "Node"}, {"CellData", "Cell"}})
     for (const auto& name : reader.list(std::string("/VTKHDF/") + group)) {
-      const std::string path = std::string("/VTKHDF/") + group + "/" + name;
-      const auto offsets = reader.integers(std::string("/VTKHDF/Steps/") + group + "Offsets/" + name);
-      if (offsets.empty() || offsets[0] == 0) continue;
-      const auto rows = static_cast<std::size_t>(offsets[0]);
-      arrays.push_back({name, path, center, reader.shape(path), offsets, rows});
+      const std::string offsets = std::string("/VTKHDF/Steps/") + group + "Offsets/" + name;
+      const auto rows = reader.integers(offsets).at(0);
+      if (rows == 0) continue;
+      arrays.push_back(array_at(reader, std::string("/VTKHDF/") + group + "/" + name, offsets,
+                                static_cast<std::size_t>(rows)));
+      arrays.back().name = name, arrays.back().center = center;
     }
   return arrays;
 }
@@ -77,7 +76,7 @@ std::string fields(const std::vector<SteppedArray>& arrays, std::size_t step, co
   for (const auto& array : arrays)
     text +=
         fmt::format("<Attribute Name=\"{}\" Center=\"{}\" AttributeType=\"{}\">{}</Attribute>\n", array.name,
-                    array.center, array.shape.size() == 1 ? "Scalar" : "Vector", item(file, array, step));
+                    array.center, array.columns == 1 ? "Scalar" : "Vector", item(file, array, step));
   return text;
 }
 
@@ -93,12 +92,8 @@ void write_xdmf(const std::filesystem::path& result) {
       << "<Grid Name=\"series\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   const std::string shared = topology(reader);
   const auto arrays = changing_fields(reader);
-  const SteppedArray points{"",
-                            "/VTKHDF/Points",
-                            "",
-                            reader.shape("/VTKHDF/Points"),
-                            reader.integers("/VTKHDF/Steps/PointOffsets"),
-                            static_cast<std::size_t>(reader.integer("/VTKHDF/NumberOfPoints"))};
+  const SteppedArray points = array_at(reader, "/VTKHDF/Points", "/VTKHDF/Steps/PointOffsets",
+                                       static_cast<std::size_t>(reader.integer("/VTKHDF/NumberOfPoints")));
   for (std::size_t i = 0; i < times.size(); ++i)
     out << fmt::format("<Grid Name=\"step {}\"><Time Value=\"{:.17g}\"/>\n", i, times[i]) << shared
         << "<Geometry GeometryType=\"XYZ\">" << item(file, points, i) << "</Geometry>\n"

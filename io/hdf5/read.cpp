@@ -163,6 +163,12 @@ Handle Reader::dataset(const std::string& path) const {
 
 std::vector<std::size_t> Reader::shape(const std::string& path) const { return extents_of(dataset(path)); }
 
+std::uint64_t Reader::place(const std::string& path) const {
+  const haddr_t place = H5Dget_offset(dataset(path));
+  if (place == HADDR_UNDEF) throw FileError(at(path) + " does not lie in one piece");
+  return place;
+}
+
 template <class Number>
 std::vector<Number> Reader::numbers(const std::string& path, hid_t memory_type) const {
   const Handle data = dataset(path);

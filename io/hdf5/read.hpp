@@ -29,6 +29,9 @@ class Reader {
   /// Extents of a dataset; empty for a scalar.
   std::vector<std::size_t> shape(const std::string& path) const;
 
+  /// Where the numbers of a dataset that lies in one piece begin in the file [bytes].
+  std::uint64_t place(const std::string& path) const;
+
   /// All numbers of a dataset, row by row; a scalar gives one number.
   std::vector<double> reals(const std::string& path) const;
   std::vector<std::int64_t> integers(const std::string& path) const;

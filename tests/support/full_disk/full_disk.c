@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * A full disk without a disk: LD_PRELOAD this library, and writes to regular files fail.
+ * A full disk without a disk, and other faults of the system: LD_PRELOAD this library, and writes to regular files fail.
  *
  *   NETLOFT_DISK_BYTES=n   files may grow by n bytes in all; what would need more fails with ENOSPC
  *   NETLOFT_FAIL_WRITE=k   the k-th write (from 1) and all later ones fail with ENOSPC; 0 counts them only
  *   NETLOFT_COUNT_FILE=f   at the end the number of writes is written into f
  *   NETLOFT_SHORT_READS=1  every read of a regular file returns at most half of what was asked for
+ *   NETLOFT_SHORT_WRITES=1 every write to a regular file takes at most half of what it is given
+ *   NETLOFT_CLOCK_BACK=s   the clock on the wall goes back by s seconds whenever it is read
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -14,6 +16,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
 
 static atomic_long grown, writes;
@@ -39,6 +43,11 @@ static int takes(int fd, size_t count, off_t offset) {
   return 1;
 }
 
+static size_t shortened(const char *name, int fd, size_t count) {
+  struct stat status;
+  return limit(name) == 1 && count > 1 && is_file(fd, &status) ? count / 2 : count;
+}
+
 static off_t place_of(int fd) {
   const off_t at = lseek(fd, 0, SEEK_CUR);
   return at < 0 ? 0 : at;
@@ -47,6 +56,7 @@ static off_t place_of(int fd) {
 ssize_t write(int fd, const void *data, size_t count) {
   static ssize_t (*real)(int, const void *, size_t);
   if (!real) *(void **)&real = dlsym(RTLD_NEXT, "write");
+  count = shortened("NETLOFT_SHORT_WRITES", fd, count);
   if (takes(fd, count, place_of(fd))) return real(fd, data, count);
   errno = ENOSPC;
   return -1;
@@ -55,6 +65,7 @@ ssize_t write(int fd, const void *data, size_t count) {
 static ssize_t write_at(int fd, const void *data, size_t count, off_t offset) {
   static ssize_t (*real)(int, const void *, size_t, off_t);
   if (!real) *(void **)&real = dlsym(RTLD_NEXT, "pwrite64");
+  count = shortened("NETLOFT_SHORT_WRITES", fd, count);
   if (takes(fd, count, offset)) return real(fd, data, count, offset);
   errno = ENOSPC;
   return -1;
@@ -63,25 +74,49 @@ static ssize_t write_at(int fd, const void *data, size_t count, off_t offset) {
 ssize_t pwrite(int fd, const void *data, size_t count, off_t offset) { return write_at(fd, data, count, offset); }
 ssize_t pwrite64(int fd, const void *data, size_t count, off_t offset) { return write_at(fd, data, count, offset); }
 
-static size_t shortened(int fd, size_t count) {
-  struct stat status;
-  return limit("NETLOFT_SHORT_READS") == 1 && count > 1 && is_file(fd, &status) ? count / 2 : count;
-}
-
 ssize_t read(int fd, void *data, size_t count) {
   static ssize_t (*real)(int, void *, size_t);
   if (!real) *(void **)&real = dlsym(RTLD_NEXT, "read");
-  return real(fd, data, shortened(fd, count));
+  return real(fd, data, shortened("NETLOFT_SHORT_READS", fd, count));
 }
 
 static ssize_t read_at(int fd, void *data, size_t count, off_t offset) {
   static ssize_t (*real)(int, void *, size_t, off_t);
   if (!real) *(void **)&real = dlsym(RTLD_NEXT, "pread64");
-  return real(fd, data, shortened(fd, count), offset);
+  return real(fd, data, shortened("NETLOFT_SHORT_READS", fd, count), offset);
 }
 
 ssize_t pread(int fd, void *data, size_t count, off_t offset) { return read_at(fd, data, count, offset); }
 ssize_t pread64(int fd, void *data, size_t count, off_t offset) { return read_at(fd, data, count, offset); }
+
+static long seconds_back(void) {
+  static atomic_long readings;
+  const long step = limit("NETLOFT_CLOCK_BACK");
+  return step > 0 ? step * (atomic_fetch_add(&readings, 1) + 1) : 0;
+}
+
+int clock_gettime(clockid_t clock, struct timespec *now) {
+  static int (*real)(clockid_t, struct timespec *);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "clock_gettime");
+  const int status = real(clock, now);
+  if (status == 0 && clock == CLOCK_REALTIME) now->tv_sec -= seconds_back();
+  return status;
+}
+
+time_t time(time_t *place) {
+  struct timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  if (place) *place = now.tv_sec;
+  return now.tv_sec;
+}
+
+int gettimeofday(struct timeval *restrict place, void *restrict zone) {
+  struct timespec now;
+  (void)zone;
+  clock_gettime(CLOCK_REALTIME, &now);
+  place->tv_sec = now.tv_sec, place->tv_usec = now.tv_nsec / 1000;
+  return 0;
+}
 
 __attribute__((destructor)) static void report(void) {
   const char *file = getenv("NETLOFT_COUNT_FILE");

@@ -1,0 +1,447 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Kills, full disks and other faults at every command that writes or reads results; counts what they harm.
+
+    campaign.py NETLOFT SOURCE_FOLDER FULL_DISK.so [--kills 60] [--minutes M] [--seed 1] [--writes 12] [--only WORD]
+
+prints a Markdown table with a row for each fault and command, and exits with 1 unless all counts of harm are 0:
+    lost            what was there before the fault, or was confirmed, is not there, or not all of it
+    unreadable      a file that counts cannot be read, or the command does not succeed once the fault is over
+    silently wrong  a number differs from that of a run without faults, and nothing says so
+    without a word  the command failed and gave no reason
+"""
+import argparse
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from journal import Damaged, Journal
+
+HARMS = ("lost", "unreadable", "silently wrong", "without a word")
+NOBODY = 65534
+
+
+class Harm(Exception):
+    """How the fault harmed, by one of HARMS, and what was seen."""
+
+
+def numbers_of(file):
+    """Every number of a result but what tells of time and machine."""
+    found = {}
+    with h5py.File(file) as f:
+        def add(name, item):
+            is_result = name.startswith("VTKHDF") or name.split("/")[1:2] not in (["cost"], ["provenance"], ["convergence"])
+            if isinstance(item, h5py.Dataset) and item.dtype.kind in "fiu" and is_result:
+                found[name] = item[()].tobytes()
+        f.visititems(add)
+    return found
+
+
+class Program:
+    def __init__(self, words):
+        self.netloft, self.library = words.netloft, words.library
+
+    def environment(self, faults):
+        preload = {"LD_PRELOAD": self.library} if faults else {}
+        return {**os.environ, "OMP_THREAD_LIMIT": "1", **preload, **{f"NETLOFT_{k}": str(v) for k, v in faults.items()}}
+
+    def begin(self, words, folder, faults=None, **how):
+        return subprocess.Popen([self.netloft, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                stderr=subprocess.DEVNULL, env=self.environment(faults or {}), **how)
+
+    def run(self, words, folder, faults=None, **how):
+        return subprocess.run([self.netloft, *words], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              timeout=120, check=False, env=self.environment(faults or {}), **how)
+
+    def succeed(self, words, folder):
+        ended = self.run(words, folder)
+        if ended.returncode not in (0, 3):
+            raise Harm("unreadable", f"{' '.join(words)}: {ended.stderr.strip()}")
+        return ended
+
+
+class Case:
+    """A command in a folder; subclasses say what was there before and what must be there after a fault."""
+
+    def __init__(self, name, words, program):
+        self.name, self.words, self.program = name, words, program
+
+    def prepare(self, folder):
+        """Fills the folder, as it is before each try."""
+
+    def observe(self, folder):
+        """What is confirmed, the instant before a kill."""
+
+    def judge(self, folder, confirmed, ran_twice=False):
+        """Raises Harm unless all is well after a fault."""
+
+    def learn(self, folder):
+        """Looks at what a run without faults leaves; returns how long it takes."""
+        self.prepare(folder)
+        self.program.succeed(self.words, folder)
+        begun = time.monotonic()
+        self.program.succeed(self.words, folder)
+        return time.monotonic() - begun
+
+
+class Result(Case):
+    """`run` of an equilibrium, where an earlier result of another one is in its place."""
+
+    def __init__(self, name, words, earlier, program):
+        super().__init__(name, words, program)
+        self.earlier = earlier
+
+    def learn(self, folder):
+        self.program.succeed(self.earlier, folder)
+        self.old = (folder / "p.hdf").read_bytes()
+        self.old_numbers = numbers_of(folder / "p.hdf")
+        seconds = super().learn(folder)
+        self.new_numbers = numbers_of(folder / "p.hdf")
+        assert self.old_numbers != self.new_numbers
+        return seconds
+
+    def prepare(self, folder):
+        (folder / "p.hdf").write_bytes(self.old)
+
+    def judge(self, folder, confirmed, ran_twice=False):
+        if not (folder / "p.hdf").exists():
+            raise Harm("lost", "p.hdf is gone")
+        self.program.succeed(["report", "p.hdf"], folder)
+        numbers = numbers_of(folder / "p.hdf")
+        if numbers not in (self.old_numbers, self.new_numbers):
+            raise Harm("silently wrong", "p.hdf holds neither result")
+        if numbers == self.new_numbers and not ran_twice and (folder / "p.hdf~").read_bytes() != self.old:
+            raise Harm("lost", "the earlier result is not p.hdf~")
+        self.program.succeed(self.words, folder)
+        if numbers_of(folder / "p.hdf") != self.new_numbers:
+            raise Harm("silently wrong", "p.hdf after the next run")
+
+
+class Motion(Case):
+    """`run` of a motion, or `run --resume` of one that was killed at `from_outputs`."""
+
+    def __init__(self, name, words, from_outputs, program):
+        super().__init__(name, words, program)
+        self.from_outputs, self.there = from_outputs, 0
+
+    def learn(self, folder):
+        begun = time.monotonic()
+        self.program.succeed(self.words, folder)
+        seconds = time.monotonic() - begun
+        self.whole = numbers_of(folder / "r.hdf")
+        self.journal = None
+        (folder / "r.hdf.new").mkdir()  # with this in its way a motion stays a journal
+        self.program.run([*self.words, "--overwrite"], folder)
+        (folder / "r.hdf.new").rmdir()
+        self.series = Journal(folder / "r.hdf.part").series()
+        if self.from_outputs:
+            self.journal, self.there = self.cut(folder / "r.hdf.part")
+            self.words = [*self.words, "--resume"]
+        return seconds
+
+    def cut(self, part):
+        """A kill in the middle of an output: what is behind the last whole one is its remainder."""
+        whole = part.read_bytes()
+        content = whole[:int(len(whole) * self.from_outputs / len(self.series["time"]))]
+        part.write_bytes(content)
+        return content, len(Journal(part).outputs)
+
+    def prepare(self, folder):
+        if self.journal:
+            (folder / "r.hdf.part").write_bytes(self.journal)
+
+    def observe(self, folder):
+        try:
+            return len(Journal(folder / "r.hdf.part").outputs)
+        except (OSError, Damaged):
+            return 0
+
+    def judge(self, folder, confirmed, ran_twice=False):
+        least = max(confirmed or 0, self.there)
+        part, whole = folder / "r.hdf.part", folder / "r.hdf"
+        if whole.exists():
+            self.program.succeed(["report", "r.hdf"], folder)
+            if numbers_of(whole) != self.whole:
+                raise Harm("silently wrong", "r.hdf")
+        elif not part.exists() or part.stat().st_size == 0:
+            if least > 0:
+                raise Harm("lost", f"{least} outputs")
+        else:
+            self.judge_journal(folder, part, least)
+        self.finish(folder, part)
+
+    def judge_journal(self, folder, part, least):
+        try:
+            held = Journal(part).series()
+        except Damaged as damage:
+            raise Harm("unreadable", f"r.hdf.part: {damage}") from damage
+        count = len(held["time"]) if held else 0
+        if count < least:
+            raise Harm("lost", f"{count} outputs of {least}")
+        for name, values in held.items():
+            if values.tobytes() != self.series[name][:count].tobytes():
+                raise Harm("silently wrong", f"{name} in r.hdf.part")
+        if count:
+            self.program.succeed(["report", "r.hdf.part"], folder)
+
+    def finish(self, folder, part):
+        words = [word for word in self.words if word != "--resume"]
+        is_left = self.observe(folder) > 0
+        self.program.succeed([*words, *(["--resume"] if is_left else [])] if is_left or not (folder / "r.hdf").exists()
+                             else ["report", "r.hdf"], folder)
+        if numbers_of(folder / "r.hdf") != self.whole or (is_left and part.exists()):
+            raise Harm("silently wrong", "r.hdf after --resume")
+
+
+class Page(Case):
+    """A command that reads results and writes one other file, or none."""
+
+    def __init__(self, name, words, output, sources, program, is_whole=None):
+        super().__init__(name, words, program)
+        self.output, self.sources, self.is_whole = output, sources, is_whole
+
+    def prepare(self, folder):
+        for name, content in self.sources.items():
+            (folder / name).write_bytes(content)
+        if self.output:
+            (folder / self.output).write_bytes(b"old")
+
+    def learn(self, folder):
+        seconds = super().learn(folder)
+        self.new = (folder / self.output).read_bytes() if self.output else None
+        return seconds
+
+    def judge(self, folder, confirmed, ran_twice=False):
+        for name, content in self.sources.items():
+            if (folder / name).read_bytes() != content:
+                raise Harm("lost", f"{name} was changed")
+        if not self.output:
+            return
+        if not (folder / self.output).exists():
+            raise Harm("lost", self.output)
+        content = (folder / self.output).read_bytes()
+        if content not in (b"old", self.new) and not (self.is_whole and self.is_whole(content, self.new)):
+            raise Harm("silently wrong", f"{self.output} is neither the old nor the new one")
+
+
+def is_whole_table(content, like):
+    """Times differ from run to run; lines and columns do not."""
+    shape = [line.count(b",") for line in content.split(b"\n")]
+    return shape == [line.count(b",") for line in like.split(b"\n")]
+
+
+class Tally:
+    def __init__(self):
+        self.by_name = {}
+
+    @property
+    def rows(self):
+        return list(self.by_name.values())
+
+    def count(self, fault, case, tries):
+        """`tries` yields functions, each of which does one try and raises Harm if it was harmed."""
+        row = self.by_name.setdefault((fault, case), {"fault": fault, "case": case, "tries": 0, **{harm: 0 for harm in HARMS}})
+        for attempt in tries:
+            row["tries"] += 1
+            try:
+                attempt()
+            except Harm as harm:
+                row[harm.args[0]] += 1
+                print(f"{fault}, {case}, try {row['tries']}: {harm.args[0]}: {harm.args[1]}", file=sys.stderr)
+
+    def table(self):
+        lines = ["| fault | command | tries | " + " | ".join(HARMS) + " |", "|---" * (3 + len(HARMS)) + "|"]
+        total = {"fault": "all", "case": "", **{key: sum(row[key] for row in self.rows) for key in ("tries", *HARMS)}}
+        for row in (*self.rows, total):
+            lines.append("| " + " | ".join(str(value) for value in row.values()) + " |")
+        return "\n".join(lines)
+
+    def is_clean(self):
+        return not any(row[harm] for row in self.rows for harm in HARMS)
+
+
+def in_fresh_folder(action):
+    with tempfile.TemporaryDirectory() as folder:
+        return action(Path(folder))
+
+
+def kill_tries(case, seconds, number, rng):
+    """Kills at random instants of the command; one that comes when it has ended is drawn again."""
+    def has_hit(folder):
+        case.prepare(folder)
+        run = case.program.begin(case.words, folder)
+        time.sleep(rng.uniform(0, seconds))
+        confirmed = case.observe(folder)
+        run.send_signal(signal.SIGKILL)
+        if run.wait() != -signal.SIGKILL:
+            return False
+        case.judge(folder, confirmed)
+        return True
+
+    def attempt():
+        while not in_fresh_folder(has_hit):
+            pass
+    for _ in range(number):
+        yield attempt
+
+
+def count_writes(case, folder):
+    case.prepare(folder)
+    count = folder / "count"
+    case.program.run(case.words, folder, {"FAIL_WRITE": 0, "COUNT_FILE": count})
+    return int(count.read_text())
+
+
+def full_disk_tries(case, most, rng):
+    writes = in_fresh_folder(lambda folder: count_writes(case, folder))
+
+    def attempt(folder, number):
+        case.prepare(folder)
+        ended = case.program.run(case.words, folder, {"FAIL_WRITE": number})
+        if ended.returncode == 0:
+            raise Harm("silently wrong", f"write {number} of {writes} failed, and it says that all is well")
+        if "No space left on device" not in ended.stderr:
+            raise Harm("without a word", f"write {number} of {writes}: {ended.stderr.strip()}")
+        case.judge(folder, None)
+    chosen = range(1, writes + 1) if writes <= most else sorted(rng.sample(range(1, writes + 1), most))
+    for number in chosen:
+        yield lambda number=number: in_fresh_folder(lambda folder: attempt(folder, number))
+
+
+def oddity_tries(case, faults):
+    """Faults that a program has to live with: it succeeds all the same."""
+    def attempt(folder):
+        case.prepare(folder)
+        ended = case.program.run(case.words, folder, faults)
+        if ended.returncode not in (0, 3):
+            raise Harm("unreadable", ended.stderr.strip())
+        case.judge(folder, None)
+    yield lambda: in_fresh_folder(attempt)
+
+
+def read_only_tries(case):
+    """A folder in which nobody may make a file."""
+    def attempt(folder):
+        case.prepare(folder)
+        for path in folder.iterdir():
+            path.chmod(0o444)
+        folder.chmod(0o555)
+        ended = case.program.run(case.words, folder, **({"user": NOBODY, "group": NOBODY} if os.geteuid() == 0 else {}))
+        folder.chmod(0o755)
+        for path in folder.iterdir():
+            path.chmod(0o644)
+        writes = getattr(case, "output", True)
+        if writes and (ended.returncode == 0 or "Permission denied" not in ended.stderr):
+            raise Harm("without a word", f"exit {ended.returncode}: {ended.stderr.strip()}")
+        if not writes and ended.returncode not in (0, 3):
+            raise Harm("unreadable", ended.stderr.strip())
+        case.judge(folder, None)
+    yield lambda: in_fresh_folder(attempt)
+
+
+def two_writer_tries(case, seconds, number, rng):
+    def attempt(folder):
+        case.prepare(folder)
+        ended = [None, None]
+
+        def write(which, delay):
+            time.sleep(delay)
+            ended[which] = case.program.run(case.words, folder)
+        writers = [threading.Thread(target=write, args=(i, rng.uniform(0, seconds / 2))) for i in range(2)]
+        for writer in writers:
+            writer.start()
+        for writer in writers:
+            writer.join()
+        if all(e.returncode != 0 for e in ended):
+            raise Harm("lost", "neither came to its end: " + " | ".join(e.stderr.strip() for e in ended))
+        if any(e.returncode != 0 and not e.stderr.strip() for e in ended):
+            raise Harm("without a word", "one of two writers")
+        case.judge(folder, None, ran_twice=all(e.returncode == 0 for e in ended))
+    for _ in range(number):
+        yield lambda: in_fresh_folder(attempt)
+
+
+def make_cases(words, program, folder):
+    scenes = Path(words.source) / "gear-library" / "scenes"
+    panel = [str(scenes / "dead-weight-panel.toml"), "--set", "parts.net.cells=[8,8]"]
+    rope = ["run", str(scenes / "dynamics" / "released-rope.toml"), "--set", "analysis.output_interval=0.01", "-o", "r.hdf"]
+    program.succeed(["run", *panel, "-o", "p.hdf"], folder)
+    source = {"p.hdf": (folder / "p.hdf").read_bytes()}
+    solve = ["compare", *panel, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--csv", "out.csv"]
+    return [Result("run, equilibrium", ["run", *panel, "-o", "p.hdf"], ["run", *panel, "-o", "p.hdf", "--set", "water.gravity=5"], program),
+            Motion("run, motion", rope, 0, program),
+            Motion("run --resume", rope, 200, program),
+            Page("report", ["report", "p.hdf"], None, source, program),
+            Page("report --html", ["report", "p.hdf", "--html", "-o", "out.html"], "out.html", source, program),
+            Page("diff", ["diff", "p.hdf", "p.hdf"], None, source, program),
+            Page("view", ["view", "p.hdf", "-o", "out.html"], "out.html", source, program),
+            Page("draw", ["draw", "p.hdf", "-o", "out.svg"], "out.svg", source, program),
+            Page("export", ["export", "p.hdf", "out.glb"], "out.glb", source, program),
+            Page("compare --csv", solve, "out.csv", {}, program, is_whole_table)]
+
+
+def try_faults(words, case, seconds, tally, rng):
+    if getattr(case, "output", True):
+        tally.count("disk full from the k-th write on", case.name, full_disk_tries(case, words.writes, rng))
+    tally.count("short reads and writes", case.name, oddity_tries(case, {"SHORT_READS": 1, "SHORT_WRITES": 1}))
+    tally.count("clock goes back", case.name, oddity_tries(case, {"CLOCK_BACK": 3600}))
+    tally.count("folder is read-only", case.name, read_only_tries(case))
+    if isinstance(case, (Result, Motion)):
+        tally.count("two writers", case.name, two_writer_tries(case, seconds, max(1, words.kills // 100), rng))
+
+
+def kill_all(words, cases, seconds, tally, rng):
+    """In turns, so that an end before all kills are done leaves as many of each command."""
+    end = time.monotonic() + 60 * words.minutes
+    for number in range(words.kills):
+        if time.monotonic() > end:
+            return
+        case = cases[number % len(cases)]
+        tally.count("killed", case.name, kill_tries(case, seconds[case.name], 1, rng))
+
+
+def try_all(words, cases, tally):
+    rng = random.Random(words.seed)
+    seconds = {case.name: in_fresh_folder(case.learn) for case in cases}
+    for case in cases:
+        tally.count("killed", case.name, ())
+        try_faults(words, case, seconds[case.name], tally, rng)
+    kill_all(words, cases, seconds, tally, rng)
+
+
+def parse(arguments):
+    p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    p.add_argument("netloft", help="the program")
+    p.add_argument("source", help="the source folder")
+    p.add_argument("library", help="build/…/tests/support/full_disk.so")
+    p.add_argument("--kills", type=int, default=60, help="kills in all")
+    p.add_argument("--minutes", type=float, default=1e6, help="no more kills after these")
+    p.add_argument("--seed", type=int, default=1)
+    p.add_argument("--writes", type=int, default=12, help="at most so many writes of a command that fail in turn")
+    p.add_argument("--only", default="", help="only commands whose name contains this")
+    words = p.parse_args(arguments)
+    words.netloft, words.source, words.library = (os.path.abspath(path) for path in (words.netloft, words.source, words.library))
+    return words
+
+
+def main(arguments):
+    words = parse(arguments)
+    program, tally = Program(words), Tally()
+    cases = in_fresh_folder(lambda folder: make_cases(words, program, folder))
+    try_all(words, [case for case in cases if words.only in case.name], tally)
+    print(tally.table())
+    return 0 if tally.is_clean() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
