@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/element_choice.hpp"
 
+#include "io/scene/idle_keys.hpp"
 #include "io/scene/parameter_reader.hpp"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ void ElementChoice::read(const ElementType& type, TableReader& table, Part& part
   part.type = type.type;
   part.parameters = read_parameters(parameters_with_companions(type), table);
   part.laws = read_laws(type, table);
+  check_idle_keys(part, table);
 }
 
 /// A part's parameters are those of its elements and of all that ride on them, each name once.

@@ -5,6 +5,7 @@
 #include "io/catalogue/part_kinds.hpp"
 #include "io/gear/start_shape.hpp"
 #include "io/gear/twine_coordinates.hpp"
+#include "io/scene/idle_keys.hpp"
 #include "io/scene/inventory.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
@@ -190,6 +191,8 @@ void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
     put(*twine.as<Table>(), "number", {plan.place, std::int64_t{plan.twines}});
   add_part("netting", panel.name, "panels." + plan.name, std::move(twine), !plan.twine_name.empty(),
            std::move(geometry), mesh.nodes);
+  if (plan.orientation == "t90")
+    check_turned_netting(draft_.out.scene.parts.back(), plan.place, diagnostics_);
 }
 
 void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {

@@ -21,6 +21,7 @@ std::uint8_t read_axes(TableReader& table) {
       table.error("axes", "\"" + text.substr(0, 20) + "\" is not made of the letters x, y and z");
       return kAllAxes;
     }
+    if (axes & (1 << (c - 'x'))) table.error("axes", std::string("names ") + c + " twice");
     axes = static_cast<std::uint8_t>(axes | (1 << (c - 'x')));
   }
   if (!axes) table.error("axes", "holds nothing", "leave the key out to hold all of x, y and z");

@@ -13,6 +13,7 @@
 #include "io/scene/element_choice.hpp"
 #include "io/scene/gear_parts.hpp"
 #include "io/scene/holder.hpp"
+#include "io/scene/idle_keys.hpp"
 #include "io/scene/keys.hpp"
 #include "io/scene/mesh_parts.hpp"
 #include "io/scene/one_sided_holds.hpp"
@@ -150,11 +151,20 @@ class SceneReader {
       for (const auto& key : table.keys()) table.raw(key);  // nobody knows what may stand here
     }
     geometry.names.name = name, geometry.names.place = table.place();
+    if (is_turned(table) && diagnostics_.errors() == errors_before)
+      check_turned_netting(part, table.table("panel").place("netting"), diagnostics_);
     if (const auto fault = thickness_fault(part, geometry); fault && diagnostics_.errors() == errors_before)
       table.error(fault->key, fault->message, kThicknessCure);
     const bool is_sound =
         diagnostics_.errors() == errors_before && !(table.has("mesh") && meshes_.has_failed());
     draft_.add_part(std::move(part), std::move(geometry), type, is_sound);
+  }
+
+  static bool is_turned(TableReader& part) {
+    const Value* panel = part.kind("panel") == Kind::table ? part.raw("panel") : nullptr;
+    const Member* netting = panel ? panel->as<Table>()->find("netting") : nullptr;
+    const std::string* word = netting ? netting->value.as<std::string>() : nullptr;
+    return word && *word == "t90";
   }
 
   /// Parts on other parts, once the scene has its nodes.

@@ -9,7 +9,7 @@ rooms=(framework plugins solvers io)
 breaches=0
 
 checks=(check_top_level check_arrows check_readmes check_first_lines check_documents check_component_names
-        check_linear_algebra check_function_lengths check_words)
+        check_linear_algebra check_function_lengths check_words check_promises)
 
 main() {
   local check
@@ -31,7 +31,7 @@ breach() {
 }
 
 check_top_level() {
-  local allowed=' CMakeLists.txt framework plugins solvers io tests gear-library README.md CMakePresets.json LICENSE CHANGELOG.md CONTRIBUTING.md bootstrap cmake '
+  local allowed=' CMakeLists.txt framework plugins solvers io tests gear-library README.md CMakePresets.json LICENSE CHANGELOG.md CONTRIBUTING.md SECURITY.md bootstrap cmake '
   local file name
   while read -r name; do
     [[ $name == .* || $allowed == *" $name "* ]] || breach "$name: does not belong to the top level"
@@ -165,6 +165,28 @@ exists_beside() {
   local folder=.
   [[ $1 != */* ]] || folder=${1%/*}
   [[ -e $folder/$2 || -e $2 || -e framework/include/$2 || -e $folder/netloft/$2 || -e gear-library/scenes/$2 ]]
+}
+
+# Every promise of SECURITY.md names tests that exist: Suite.Name of C++, test_name of Python, "a wrong scene", 'in a page'.
+check_promises() {
+  local promises=0 hit line name found
+  while IFS= read -r hit; do
+    line=${hit#*:} line=${line%%:*} promises=$((promises + 1))
+    [[ $hit == *'`'* ]] || breach "SECURITY.md:$line: a promise without a test"
+    while IFS= read -r name; do
+      case $name in
+        test_*) found="def $name\\(" ;;
+        *.*) found="TEST(_F|_P)?\\(${name%%.*}, ${name#*.}\\)" ;;
+        *) found='' ;;
+      esac
+      if [[ -n $found ]]; then
+        grep_in tests/ '\.(cpp|py)$' -qE "$found" || breach "SECURITY.md:$line: there is no test $name"
+      else
+        grep_in tests/ '\.(py|mjs)$' -qF "$name" || breach "SECURITY.md:$line: there is no test $name"
+      fi
+    done < <(grep -oE '`[^`]+`' <<<"${hit##* | }" | tr -d '`' || true)
+  done < <(grep_in SECURITY.md '' -E '^\| [A-Z]')
+  ((promises >= 10)) || breach 'SECURITY.md: promises are missing'
 }
 
 # A function that is longer than 40 lines does more than one thing, unless it is a table.

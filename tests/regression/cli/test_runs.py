@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Right use: what a run prints, where, with which exit code, and what it leaves in the folder."""
 import json
+import math
 import os
 import resource
 import shutil
@@ -353,6 +354,51 @@ class OtherCommands(InFreshFolder):
         process.stderr.read()
         process.stderr.close()
         self.assertIn(process.wait(timeout=60), (0, 1, -signal.SIGPIPE))
+
+
+class TurnedNetting(InFreshFolder):
+    """A frame of 4 x 4 meshes of 1 m bars at half angle 0.4 whose twines are unstretched, and a taut rope that is free in its middle."""
+    FRAME = """\
+[water]
+gravity = 0
+[parts.net]
+type = "priour/triangle"
+panel = { across = 4, along = 4, bar = 1, netting = "NETTING" }
+cells = [1, 1]
+sketch = [[0, 0, 0], [WIDTH, 0, 0], [WIDTH, 0, -HEIGHT], [0, 0, -HEIGHT]]
+twine = { diameter = 0.01, EA = 1e4, density = 1025, opening_stiffness = 1 }
+[parts.rope]
+type = "rope/bar"
+length = 1
+cells = 2
+sketch = [[0, 0, 0], [0, 1.1, 0]]
+rope = { diameter = 0.01, EA = 10, density = 1025 }
+[[join]]
+points = ["net.fore-left", "rope.start"]
+[[hold]]
+on = "net"
+[[hold]]
+on = "rope.end"
+"""
+
+    def energy(self, netting, stiffness="1"):
+        frame = self.FRAME.replace("NETTING", netting).replace("WIDTH", str(8 * math.sin(0.4))).replace("HEIGHT", str(8 * math.cos(0.4)))
+        self.write("frame.toml", frame.replace("opening_stiffness = 1", f"opening_stiffness = {stiffness}"))
+        run = self.netloft("run", "frame.toml", "--json", "--overwrite")
+        self.assertEqual(run.code, 0, run.err)
+        return run.json()["energy"], run.err
+
+    def test_meshes_that_resist_opening_feel_that_they_are_turned(self):
+        """H (angle from the run of the knots)^2 at each of 2 x 4 x 4 knots: 0.4 along the netting, pi/2 - 0.4 across."""
+        diamond, t90 = self.energy("diamond")[0], self.energy("t90")[0]
+        self.assertAlmostEqual(t90 - diamond, 32 * ((math.pi / 2 - 0.4) ** 2 - 0.4 ** 2), delta=1e-9)
+        self.assertAlmostEqual(diamond - self.energy("diamond", "0")[0], 32 * 0.4 ** 2, delta=1e-9)
+
+    def test_meshes_that_resist_nothing_get_a_warning(self):
+        energy, said = self.energy("t90", "0")
+        self.assertIn("frame.toml:5:53: warning: net: t90 netting whose meshes resist no opening hangs as diamond netting does", said)
+        self.assertEqual(energy, self.energy("diamond", "0")[0])
+        self.assertEqual(self.energy("t90")[1], "")
 
 
 if __name__ == "__main__":

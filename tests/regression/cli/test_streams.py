@@ -87,6 +87,20 @@ class Signals(InFreshFolder):
         self.assertEqual(self.netloft("run", *PANEL, "-o", "p.hdf", preexec_fn=limit).code, 0)
 
 
+class PluginsBesideScenes(InFreshFolder):
+    def test_a_plugin_beside_a_scene_is_not_opened_unasked(self):
+        (self.folder / "gear").mkdir()
+        self.write("gear/otter.so", b"\x7fELF, or so")
+        self.write("gear/scene.toml", '[parts.board]\ntype = "otter/board"\n')
+        unasked = self.netloft("run", "gear/scene.toml")
+        self.assertEqual(unasked.code, 4)
+        self.assertIn('there is no plugin "otter"', unasked.err)
+        self.assertNotIn("gear/otter.so", unasked.err)
+        asked = self.netloft("run", "gear/scene.toml", "--scene-plugins")
+        self.assertEqual(asked.code, 4)
+        self.assertIn("gear/otter.so", asked.err)
+
+
 class Limits(InFreshFolder):
     def test_an_integrator_as_solver_obeys_the_limit_of_iterations(self):
         for solver in ("central-difference", "newmark:corrector=fixed-point"):

@@ -280,6 +280,9 @@ GUIDES = [
 
 BED = '[parts.bed]\ntype = "seabed/plane"\non = "rope"\nseabed = { depth = 5 }\n'
 NOTHING = [
+    edit("an axis twice", HOLD, HOLD + '\naxes = "xyx"', "24:8", "hold[0].axes: names x twice"),
+    edit("an angle that nothing holds", 'EA = "10 kN", ', 'EA = "10 kN", opening_angle = 0.3, ', "10:9",
+         "opening_angle has no effect", "EI or opening_stiffness"),
     edit("velocity where nothing moves", HOLD, HOLD + "\nvelocity = { t = [0, 1], x = [0, 1] }", "24:12",
          "nothing moves in a static analysis", 'kind = "dynamic"'),
     edit("displacement where nothing moves", HOLD, HOLD + "\ndisplacement = { t = [0, 1], x = [0, 1] }", "24:16",
