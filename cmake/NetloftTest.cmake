@@ -12,6 +12,6 @@ function(netloft_test name)
   # CHOLMOD opens OpenMP regions that spin when the cores are taken. Of OpenBLAS's kernels for small matrices those for
   # Cooperlake allocate at every call; those for Haswell run on every machine with AVX2 and do not. Two properties, because
   # gtest_discover_tests hands on one entry of each.
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES PROPERTIES TIMEOUT 300 ENVIRONMENT "OMP_THREAD_LIMIT=1"
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_TYPES NO_PRETTY_VALUES PROPERTIES TIMEOUT 300 ENVIRONMENT "OMP_THREAD_LIMIT=1"
                        ENVIRONMENT_MODIFICATION "OPENBLAS_CORETYPE=set:Haswell")
 endfunction()

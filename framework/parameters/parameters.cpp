@@ -204,9 +204,9 @@ ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::si
     else
       store(p, value);
   }
-  for (const auto& [name, value] : values)
-    if (std::none_of(table.begin(), table.end(), [&](const auto& p) { return name == p.name; }))
-      faults.push_back(unknown(name, table));
+  for (const auto& one : values)
+    if (std::none_of(table.begin(), table.end(), [&](const auto& p) { return one.first == p.name; }))
+      faults.push_back(unknown(one.first, table));
 }
 
 void ParameterBlock::spoil(const ByteRange& range) {

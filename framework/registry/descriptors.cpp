@@ -27,6 +27,29 @@ class Faults {
   std::string file_, text_;
 };
 
+/// Every version of every struct ends where a pointer may begin; one that would cut a pointer in two is none.
+/// Throws std::length_error.
+template <class T>
+std::uint32_t check_size(const T* from) {
+  std::uint32_t size = 0;
+  std::memcpy(&size, from, sizeof size);
+  if (size < kLeastRow || size % alignof(T) != 0)
+    throw std::length_error("has a table whose rows are " + std::to_string(size) + " bytes long");
+  return size;
+}
+
+/// Rows one after the other, all as long as the first.
+template <class T>
+std::vector<T> read_rows(const T* from, std::uint32_t count) {
+  if (!from || count == 0 || count > kMostRows) return read_array(from, count);
+  const std::uint32_t size = check_size(from);
+  const char* at = reinterpret_cast<const char*>(from);
+  for (std::uint32_t i = 1; i < count; ++i)
+    if (check_size(reinterpret_cast<const T*>(at + std::size_t{i} * size)) != size)
+      throw std::length_error("has a table whose rows are not equally long");
+  return read_array(from, count);
+}
+
 bool named(const char* text) { return text && *text; }
 std::string shown(const char* text) { return named(text) ? text : "(no name)"; }
 
@@ -170,10 +193,10 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   ElementType e;
   e.element = raw;
   e.type = plugin + "/" + shown(raw.name);
-  e.parameters = read_array(raw.parameters, raw.parameter_count);
-  e.data = read_array(raw.data, raw.datum_count);
-  e.terms = read_array(raw.terms, raw.term_count);
-  e.outputs = read_array(raw.outputs, raw.output_count);
+  e.parameters = read_rows(raw.parameters, raw.parameter_count);
+  e.data = read_rows(raw.data, raw.datum_count);
+  e.terms = read_rows(raw.terms, raw.term_count);
+  e.outputs = read_rows(raw.outputs, raw.output_count);
   faults.require(is_stencil(raw.stencil), e.type + " stands on a stencil this program does not know (" +
                                               std::to_string(raw.stencil) + ")");
   faults.require(raw.create && raw.destroy, e.type + " has no create or no destroy");
@@ -181,8 +204,8 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   check_parameters(e.parameters, raw.parameter_bytes, e.type, faults);
   check_names(e.data, e.type, "datum", faults);
   check_names(e.outputs, e.type, "output", faults);
-  e.laws = read_array(raw.laws, raw.law_count);
-  e.globals = read_array(raw.globals, raw.global_count);
+  e.laws = read_rows(raw.laws, raw.law_count);
+  e.globals = read_rows(raw.globals, raw.global_count);
   check_laws(e, e.type, faults);
   check_globals(e, e.type, faults);
   check_terms(e, e.type, faults);
@@ -194,7 +217,7 @@ SolverType read_solver(const netloft_solver& raw, const std::string& plugin, Fau
   SolverType s;
   s.solver = raw;
   s.type = plugin + "/" + shown(raw.name);
-  s.parameters = read_array(raw.parameters, raw.parameter_count);
+  s.parameters = read_rows(raw.parameters, raw.parameter_count);
   faults.require(raw.solve != nullptr, s.type + " has no solve");
   check_parameters(s.parameters, raw.parameter_bytes, s.type, faults);
   return s;
@@ -204,7 +227,7 @@ LawType read_law(const netloft_law& raw, const std::string& plugin, Faults& faul
   LawType l;
   l.law = raw;
   l.type = plugin + "/" + shown(raw.name);
-  l.parameters = read_array(raw.parameters, raw.parameter_count);
+  l.parameters = read_rows(raw.parameters, raw.parameter_count);
   faults.require(raw.evaluate != nullptr, l.type + " has no function");
   faults.require(raw.kind == NETLOFT_TWINE_LAW || raw.kind == NETLOFT_SCREEN_LAW,
                  l.type + " is a law of a kind this program does not know");
@@ -216,7 +239,7 @@ IntegratorType read_integrator(const netloft_integrator& raw, const std::string&
   IntegratorType i;
   i.integrator = raw;
   i.type = plugin + "/" + shown(raw.name);
-  i.parameters = read_array(raw.parameters, raw.parameter_count);
+  i.parameters = read_rows(raw.parameters, raw.parameter_count);
   faults.require(raw.step && raw.order && raw.stable_step, i.type + " has no step, order or stable_step");
   check_parameters(i.parameters, raw.parameter_bytes, i.type, faults);
   return i;
@@ -226,7 +249,7 @@ StrategyType read_strategy(const netloft_strategy& raw, const std::string& plugi
   StrategyType s;
   s.strategy = raw;
   s.type = plugin + "/" + shown(raw.name);
-  s.parameters = read_array(raw.parameters, raw.parameter_count);
+  s.parameters = read_rows(raw.parameters, raw.parameter_count);
   faults.require(raw.run != nullptr, s.type + " has no run");
   check_parameters(s.parameters, raw.parameter_bytes, s.type, faults);
   return s;
@@ -254,7 +277,7 @@ namespace {
 template <class Raw, class Read, class Type>
 void read_all(const Raw* raw, std::uint32_t count, const std::string& stem, const char* what, Read&& read,
               std::vector<Type>& to, Faults& faults) {
-  const auto rows = read_array(raw, count);
+  const auto rows = read_rows(raw, count);
   check_names(rows, stem, what, faults);
   for (const auto& row : rows) to.push_back(read(row, stem, faults));
 }
@@ -274,10 +297,25 @@ void read_components(const netloft_plugin& p, const std::string& stem, PluginCon
 
 }  // namespace
 
+namespace {
+
+constexpr const char* kCure = "; build the plugin again, or look for what wrote over its tables";
+
+netloft_plugin read_head(const netloft_plugin* plugin, const std::string& file) {
+  try {
+    check_size(plugin);
+    return read_struct(plugin);
+  } catch (const std::length_error& e) {
+    throw PluginRefused(file + ": " + e.what() + kCure);
+  }
+}
+
+}  // namespace
+
 PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem) {
   if (!plugin)
     throw PluginRefused(file + ": the plugin could not describe itself (netloft_plugin_v1 returned null)");
-  const netloft_plugin p = read_struct(plugin);
+  const netloft_plugin p = read_head(plugin, file);
   check_version(p, file);
 
   Faults faults(file);
@@ -289,7 +327,7 @@ PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file,
   try {
     read_components(p, stem, content, faults);
   } catch (const std::length_error& e) {
-    faults.add(std::string(e.what()) + "; build the plugin again, or look for what wrote over its tables");
+    faults.add(e.what() + std::string(kCure));
   }
   faults.raise();
   return content;

@@ -245,6 +245,7 @@ std::string Reader::text_attribute(const std::string& path, const std::string& n
     const Handle type(H5Aget_type(attribute), H5Tclose);
     if (H5Tget_class(type) != H5T_STRING) throw FileError("it is not text");
     const Handle space(H5Aget_space(attribute), H5Sclose);
+    if (check(H5Sget_simple_extent_npoints(space)) != 1) throw FileError("it is not one text");
     return fetch_strings(
                type, space, 1,
                [&](hid_t memory_type, void* buffer) { check(H5Aread(attribute, memory_type, buffer)); })
@@ -291,7 +292,11 @@ std::vector<double> Reader::slot(const std::string& path, const std::string& off
                     std::to_string(step));
   std::vector<std::size_t> extents = extents_of(data);
   extents.resize(2, 1);
-  const std::array<hsize_t, 2> start = {static_cast<hsize_t>(integers(offsets).at(step)), 0};
+  const std::vector<std::int64_t> starts = integers(offsets);
+  if (starts.size() <= step || starts[step] < 0)
+    throw FileError(path_.string() + " is damaged: " + offsets + " does not say where state " +
+                    std::to_string(step) + " begins");
+  const std::array<hsize_t, 2> start = {static_cast<hsize_t>(starts[step]), 0};
   const std::array<hsize_t, 2> size = {static_cast<hsize_t>(integer(count)), extents[1]};
   with_context("cannot read " + at(path), [&] {
     if (size[0] > extents[0]) throw FileError("it is damaged: it has fewer rows than " + count);

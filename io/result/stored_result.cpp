@@ -11,6 +11,7 @@ namespace {
 
 const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::ptrdiff_t kDeepest = 16;  // of groups within groups: one that holds itself has no end
 // Fields that are made of others: the larger tension of the two twine directions, and the opening of meshes.
 constexpr const char *kTension = "tension", *kOpening = "opening";
 
@@ -119,7 +120,10 @@ void StoredResult::read_mesh() {
   require(!times.empty(), path, "it counts no states");
   mesh.n_points = static_cast<std::size_t>(reader_.integer("/VTKHDF/NumberOfPoints"));
   mesh.n_cells = static_cast<std::size_t>(reader_.integer("/VTKHDF/NumberOfCells"));
-  const auto to_index = [](double value) { return static_cast<std::uint32_t>(value); };
+  constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
+  const auto to_index = [](double value) {
+    return value >= 0 && value < kNoIndex ? static_cast<std::uint32_t>(value) : kNoIndex;
+  };
   const auto by_cell = reader_.field(Location::kCell, "part", 0);
   for (const double part : by_cell) mesh.cell_part.push_back(to_index(part));
   for (const double part : reader_.field(Location::kPoint, "part", 0))
@@ -129,8 +133,9 @@ void StoredResult::read_mesh() {
   for (auto* of : {&mesh.cell_part, &mesh.node_part})
     for (const auto part : *of)
       while (part >= parts.size() && part < 100000) parts.push_back(nameless_part());
-  require(mesh.cell_part.size() == mesh.n_cells && mesh.node_part.size() == mesh.n_points, path,
-          "its parts do not fit its mesh");
+  require(mesh.cell_part.size() == mesh.n_cells && mesh.node_part.size() == mesh.n_points &&
+              mesh.node_number.size() == mesh.n_points,
+          path, "its parts do not fit its mesh");
   for (auto* of : {&mesh.cell_part, &mesh.node_part})
     require(std::all_of(of->begin(), of->end(), [&](auto part) { return part < parts.size(); }), path,
             "it has a part without a number");
@@ -144,16 +149,19 @@ void StoredResult::read_cells() {
   const bool has_corners = reader_.has("/VTKHDF/CellData/panel_corners");
   if (!has_corners)
     notes.push_back("it was written by an older version, without the places of cells on their panels");
-  const auto corners = has_corners ? reader_.field(Location::kCell, "panel_corners", 0)
+  const auto corners = has_corners ? whole(reader_.field(Location::kCell, "panel_corners", 0),
+                                           6 * mesh.n_cells, "places on panels")
                                    : std::vector<double>(6 * mesh.n_cells, kNone);
+  const std::size_t count = connectivity.size();
   for (std::size_t c = 0; c < mesh.n_cells; ++c) {
-    const auto first = static_cast<std::size_t>(offsets[c]);
-    const std::size_t nodes = static_cast<std::size_t>(offsets[c + 1]) - first;
-    require(nodes <= 3 && first + nodes <= connectivity.size(), path, "its cells are cut off");
+    const auto first = static_cast<std::size_t>(offsets[c]), end = static_cast<std::size_t>(offsets[c + 1]);
+    require(first <= end && end <= count && end - first <= 3, path, "its cells are cut off");
+    const std::size_t nodes = end - first;
     std::array<std::uint32_t, 3> corner{};
     for (std::size_t k = 0; k < nodes; ++k) {
-      corner[k] = static_cast<std::uint32_t>(connectivity[first + k]);
-      require(corner[k] < mesh.n_points, path, "a cell stands on a node that it has not");
+      const auto node = static_cast<std::size_t>(connectivity[first + k]);
+      require(node < mesh.n_points, path, "a cell stands on a node that it has not");
+      corner[k] = static_cast<std::uint32_t>(node);
     }
     const auto cell = static_cast<std::uint32_t>(c);
     if (nodes == 3) {
@@ -191,15 +199,30 @@ void StoredResult::read_fields() {
 void StoredResult::find_contacts() {
   for (const auto& field : fields) {
     if (field.name != "normal_force") continue;
-    const auto force = reader_.field(Location::kCell, field.name, times.size() - 1);
+    const auto force = whole(reader_.field(Location::kCell, field.name, times.size() - 1), mesh.n_cells,
+                             "field " + field.name);
     for (const auto cell : mesh.dot_cells)
       if (std::isfinite(force[cell])) parts[mesh.cell_part[cell]].is_contact = true;
   }
 }
 
+/// As many numbers as the mesh has room for, or the file is damaged.
+std::vector<double> StoredResult::whole(std::vector<double> values, std::size_t count,
+                                        const std::string& what) const {
+  require(values.size() == count, path,
+          "its " + what + " holds " + std::to_string(values.size()) + " numbers, its mesh has " +
+              std::to_string(count));
+  return values;
+}
+
+std::vector<double> StoredResult::points(std::size_t state) const {
+  return whole(reader_.points(state), 3 * mesh.n_points, "shape");
+}
+
 std::vector<double> StoredResult::field(const std::string& name, std::size_t state) const {
   if (name == kOpening) {
-    auto opening = reader_.field(Location::kCell, "half_angle", state);
+    auto opening =
+        whole(reader_.field(Location::kCell, "half_angle", state), mesh.n_cells, "field half_angle");
     for (double& value : opening) value = std::sin(value);
     return opening;
   }
@@ -213,18 +236,19 @@ std::vector<double> StoredResult::field(const std::string& name, std::size_t sta
     }
     return values;
   }
-  return reader_.field(Location::kCell, name, state);
+  return whole(reader_.field(Location::kCell, name, state), mesh.n_cells, "field " + name);
 }
 
 std::vector<double> StoredResult::node_field(const std::string& name, std::size_t state) const {
   if (!reader_.has("/VTKHDF/PointData/" + name)) return {};
-  return reader_.field(Location::kPoint, name, state);
+  return whole(reader_.field(Location::kPoint, name, state), 3 * mesh.n_points, "field " + name);
 }
 
 void StoredResult::read_scalars(const std::string& group, const std::string& errors,
                                 std::vector<NamedScalar>& into, const std::string& below) {
   const std::string folder = kRoot + group + below;
   if (!reader_.has(folder)) return;
+  require(std::count(below.begin(), below.end(), '/') < kDeepest, path, folder + " holds itself");
   for (const auto& member : reader_.list(folder)) {
     const std::string name = below + member, at = kRoot + group + name;
     if (reader_.is_group(at)) {
@@ -281,6 +305,7 @@ void StoredResult::read_surroundings() {
 void StoredResult::read_series(const std::string& below) {
   const std::string folder = kRoot + "series/" + below;
   if (!reader_.has(folder)) return;
+  require(std::count(below.begin(), below.end(), '/') < kDeepest, path, folder + " holds itself");
   for (const auto& member : reader_.list(folder)) {
     const std::string at = folder + member;
     if (reader_.is_group(at)) {

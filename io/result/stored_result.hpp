@@ -99,7 +99,7 @@ class StoredResult {
   /// The name of the scene: that of the scene file without its ending, or of the result.
   std::string title() const;
   bool is_answer() const { return outcome == "converged" || outcome == "finished"; }
-  std::vector<double> points(std::size_t state) const { return reader_.points(state); }
+  std::vector<double> points(std::size_t state) const;
   /// A field by its name in `fields`, by cell; NaN where a cell has none.
   std::vector<double> field(const std::string& name, std::size_t state) const;
   /// A field on the nodes, three numbers each; empty if the file has none of that name.
@@ -118,6 +118,7 @@ class StoredResult {
   void read_forces();
   void read_surroundings();
   void read_series(const std::string& below = "");
+  std::vector<double> whole(std::vector<double> values, std::size_t count, const std::string& what) const;
   void read_convergence();
   void read_origins();
   double known(const std::string& path) const;

@@ -69,7 +69,7 @@ class Crashes(Hostile):
 
 
 class EndlessLoops(Hostile):
-    """Each takes two seconds of patience, so that they run at the same time."""
+    """Each has two seconds before it is ended, so that they run at the same time."""
     LIMIT = ["--set", "analysis.max_seconds=0.2"]
     RUNS = {"element": ["element.toml", *LIMIT], "asks": ["line.toml", "--solver", "hostile/asks", *LIMIT],
             "strategy": ["line.toml", "--strategy", "hostile/insists", *LIMIT],

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 namespace netloft {
 namespace {
 
@@ -48,6 +50,21 @@ TEST(Tables, WithRowsTooShortForASizeAreRefused) {
   netloft_law one = law();
   one.size = 0;
   EXPECT_NE(refusal(&one, 2).find("has a table whose rows are 0 bytes long"), std::string::npos);
+}
+
+// Half a pointer is a wild one. Found by table_fuzzer.
+TEST(Tables, WithRowsThatEndWithinAPointerAreRefused) {
+  netloft_law one = law();
+  one.size = offsetof(netloft_law, parameters) + 4;
+  EXPECT_NE(refusal(&one, 1).find("bytes long"), std::string::npos);
+}
+
+TEST(Tables, HaveRowsAsLongAsTheFirst) {
+  netloft_law two[2] = {law(), law()};
+  two[1].name = "second";
+  EXPECT_EQ(refusal(two, 2), "");
+  two[1].size = sizeof two[1] + 8;
+  EXPECT_NE(refusal(two, 2).find("rows are not equally long"), std::string::npos);
 }
 
 }  // namespace

@@ -21,14 +21,7 @@ template <class L>
 class ScreenLaw : public testing::Test {};
 using Laws = testing::Types<Loland, Aarsnes, KristiansenFaltinsen>;
 
-class LawNames {
- public:
-  template <class L>
-  static std::string GetName(int) {
-    return std::is_same_v<L, Loland> ? "Loland" : std::is_same_v<L, Aarsnes> ? "Aarsnes" : "Kristiansen";
-  }
-};
-TYPED_TEST_SUITE(ScreenLaw, Laws, LawNames);
+TYPED_TEST_SUITE(ScreenLaw, Laws);
 
 TYPED_TEST(ScreenLaw, LanesMatchTheDualNumbersOfTheFormula) {
   for (const auto& p : {kOpen, kWake})

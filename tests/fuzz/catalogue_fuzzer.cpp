@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nonsense for whoever reads a catalogue: each input is the one file of a folder of parts.
+#include "io/catalogue/catalogue.hpp"
+#include "tests/fuzz/scratch_file.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace netloft;
+  fuzz::write_scratch("parts.toml", data, size);
+  io::Diagnostics diagnostics;
+  const io::Catalogue parts = io::Catalogue::load({fuzz::scratch_folder()}, diagnostics);
+  fuzz::use(diagnostics.render(false).size());
+  for (const auto& part : parts.parts()) {
+    const auto* found = parts.find(part.name, {part.kind->name});
+    fuzz::use(found ? found->numbers.size() : 0);
+  }
+  return 0;
+}

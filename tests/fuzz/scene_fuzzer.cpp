@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nonsense for whoever reads a scene: each input is a scene file, with the shipped plugins at hand. What is
+// read without an error is planned and assembled, if it is small.
+#include "framework/assembler/assembler.hpp"
+#include "framework/scene/plan.hpp"
+#include "io/scene/read_scene.hpp"
+#include "tests/fuzz/scratch_file.hpp"
+
+namespace {
+
+using namespace netloft;
+
+constexpr std::size_t kMostNodes = 2000;  // that a fuzzer has time for
+
+void assemble(const io::LoadedScene& loaded, Registry& registry) {
+  if (loaded.scene.node_count() > kMostNodes) return;
+  try {
+    const Plan plan = make_plan(loaded.scene, registry, loaded.analysis.tangent, loaded.analysis.kind);
+    const Assembler assembler(loaded.scene, plan, 1);
+    fuzz::use(assembler.numbering().dofs());
+  } catch (const SceneError& e) {
+    fuzz::use(e.faults.size());
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static Registry registry = [] {
+    Registry plugins;
+    plugins.add_folder(NETLOFT_PLUGIN_DIR);
+    return plugins;
+  }();
+  io::Diagnostics diagnostics;
+  bool refused = false;
+  const auto scene =
+      io::read_scene(fuzz::write_scratch("scene.toml", data, size), {}, registry, diagnostics, refused);
+  fuzz::use(diagnostics.render(false).size());
+  if (diagnostics.errors() == 0) assemble(scene, registry);
+  return 0;
+}
