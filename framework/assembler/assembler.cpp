@@ -88,6 +88,8 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
     : scene_nodes_(scene.node_count()),
       water_(scene.water),
       current_(scene.current),
+      ground_(scene.ground),
+      ground_passes_(scene.ground != std::array<double, 3>{}),
       tangent_(plan.tangent),
       families_(std::move(families)),
       numbering_(nodes),
@@ -319,10 +321,9 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
     if (t.force) t.want |= NETLOFT_WANT_FORCE;
     if (t.tangent) t.want |= NETLOFT_WANT_TANGENT;
     if (t.want)
-      if (const int status = term.evaluate(f.self(), &t); status != NETLOFT_OK) return status;
+      if (const int status = f.evaluate(term, t); status != NETLOFT_OK) return status;
     if (request.values && moving && !matrix_here)
-      if (const int status = call_matrix_term(term, f.self(), f.type().dofs(), t, request.matrix, w);
-          status != NETLOFT_OK)
+      if (const int status = call_matrix_term(f, term, t, request.matrix, w); status != NETLOFT_OK)
         return status;
   }
   return NETLOFT_OK;
@@ -344,8 +345,9 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
 
 /// Calls a term for a matrix other than its exact tangent: the convex part or the metric, which the term
 /// offers or the host makes from the exact tangent, or the symmetric part of a full square.
-int Assembler::call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& t,
+int Assembler::call_matrix_term(const ElementFamily& f, const netloft_term& term, netloft_tile& t,
                                 MatrixKind kind, Workspace& w) {
+  const int dofs = f.type().dofs();
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
   const auto n = static_cast<std::size_t>(dofs);
   const bool offered = (kind == MatrixKind::convex && (term.traits & NETLOFT_HAS_CONVEX)) ||
@@ -354,11 +356,11 @@ int Assembler::call_matrix_term(const netloft_term& term, const void* self, int 
   t.want = offered ? want_of(kind) : std::uint32_t{NETLOFT_WANT_TANGENT};
   if (offered) {
     t.tangent = w.open_tangent(symmetric, n, t.count);
-    return term.evaluate(self, &t);
+    return f.evaluate(term, t);
   }
   std::fill_n(w.scratch.begin(), (symmetric ? packed(n) : n * n) * kLanes, 0.0);
   t.tangent = w.scratch.data();
-  if (const int status = term.evaluate(self, &t); status != NETLOFT_OK) return status;
+  if (const int status = f.evaluate(term, t); status != NETLOFT_OK) return status;
   double* triangle = w.open_tangent(true, n, t.count);
   if (kind == MatrixKind::exact) {
     add_symmetric_part(w.scratch.data(), n, triangle);

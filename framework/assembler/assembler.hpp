@@ -130,7 +130,7 @@ class Assembler {
   void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
   int call_terms(std::size_t family, netloft_tile& tile, const Request& request, Workspace& w);
-  int call_matrix_term(const netloft_term& term, const void* self, int dofs, netloft_tile& tile,
+  int call_matrix_term(const ElementFamily& family, const netloft_term& term, netloft_tile& tile,
                        MatrixKind kind, Workspace& w);
   void scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w);
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
@@ -156,6 +156,8 @@ class Assembler {
   std::size_t scene_nodes_;
   SceneWater water_;
   Current current_;
+  std::array<double, 3> ground_;
+  bool ground_passes_;
   TangentChoice tangent_;
   std::vector<std::unique_ptr<ElementFamily>> families_;
   Numbering numbering_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/family.hpp"
 
+#include "framework/registry/plugin_call.hpp"
+
 namespace netloft {
 
 ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node)
@@ -16,7 +18,19 @@ ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::ui
 }
 
 ElementFamily::~ElementFamily() {
-  if (self_) type_->element.destroy(self_);
+  if (!self_) return;
+  const PluginCall call({type_->type.c_str(), "destroy", nullptr, CallFrame::Kind::element});
+  type_->element.destroy(self_);
+}
+
+int ElementFamily::evaluate(const netloft_term& term, netloft_tile& tile) const {
+  const PluginCall call({type_->type.c_str(), "term", term.name, CallFrame::Kind::element});
+  return term.evaluate(self_, &tile);
+}
+
+int ElementFamily::output(netloft_tile& tile, double* values) const {
+  const PluginCall call({type_->type.c_str(), "outputs", nullptr, CallFrame::Kind::element});
+  return type_->element.output(self_, &tile, values);
 }
 
 void ElementFamily::gather_parameters(const Scene& scene) {
@@ -101,7 +115,11 @@ void ElementFamily::create(const Scene& scene) {
   in.law_count = static_cast<std::uint32_t>(laws_.size()), in.laws = laws_.data();
   global_starts_.assign(parts_.size() * type_->globals.size(), 0.0);
   in.globals = global_starts_.data();
-  if (type_->element.create(&in, &self_) == NETLOFT_OK) return;
+  const auto make = [&] {
+    const PluginCall call({type_->type.c_str(), "create", nullptr, CallFrame::Kind::element});
+    return type_->element.create(&in, &self_);
+  };
+  if (make() == NETLOFT_OK) return;
   self_ = nullptr;
   const std::size_t e = std::min<std::size_t>(in.at_fault, size() - 1);
   throw SceneError(

@@ -33,6 +33,9 @@ class ElementFamily {
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
+  /// Calls one of the element's terms, or asks for its outputs; plugin_call.hpp then names the element.
+  int evaluate(const netloft_term& term, netloft_tile& tile) const;
+  int output(netloft_tile& tile, double* values) const;
 
   /// The shared unknowns of a part: one node per part, none if the type has no shared unknowns.
   struct GlobalNode {

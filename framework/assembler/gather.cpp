@@ -50,6 +50,7 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
   if (motion.a && f.reads(NETLOFT_READS_ACCELERATION)) t.a = w.a.data();
   if (!w.current.empty() && f.reads(NETLOFT_READS_CURRENT))
     t.current = w.current.data(), t.current_dz = w.current_dz.data();
+  if (ground_passes_ && f.reads(NETLOFT_READS_GROUND)) t.ground = ground_.data();
   t.state = memories_[family].kept(tile);
   t.message = w.message, t.message_size = sizeof w.message;
   return t;

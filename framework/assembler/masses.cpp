@@ -52,7 +52,7 @@ bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::s
       auto& scratch = workspaces_[0]->scratch;
       std::fill_n(scratch.begin(), (symmetric ? packed(dofs) : dofs * dofs) * kLanes, 0.0);
       t.force = nullptr, t.tangent = scratch.data(), t.want = NETLOFT_WANT_TANGENT;
-      return term.evaluate(f.self(), &t);
+      return f.evaluate(term, t);
     };
     const auto add = [&](std::size_t, const netloft_tile& t, const Workspace& w) {
       for (std::size_t r = 0; r < dofs; ++r)

@@ -13,8 +13,7 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
   std::fill(residual.begin(), residual.end(), 0.0);
   const ElementFamily& f = *families_[family];
   const bool done = visit_tiles(
-      x, motion, family,
-      [&](std::size_t, netloft_tile& t) { return f.active_terms()[term].evaluate(f.self(), &t); },
+      x, motion, family, [&](std::size_t, netloft_tile& t) { return f.evaluate(f.active_terms()[term], t); },
       [&](std::size_t tile, const netloft_tile&, Workspace& w) {
         scatter(group_of(family), tile, {.residual = residual.data()}, w);
       });
@@ -32,7 +31,7 @@ bool Assembler::term_energy(std::span<const double> x, std::size_t family, std::
   const auto evaluate = [&](std::size_t, netloft_tile& t) {
     std::fill_n(workspaces_[0]->energy, kLanes, 0.0);
     t.energy = workspaces_[0]->energy, t.force = nullptr, t.want = NETLOFT_WANT_ENERGY;
-    return wanted.evaluate(f.self(), &t);
+    return f.evaluate(wanted, t);
   };
   return visit_tiles(x, motion, family, evaluate,
                      [&](std::size_t, const netloft_tile& t, const Workspace& w) {
@@ -47,8 +46,7 @@ bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::siz
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   std::size_t part = 0;
   return visit_tiles(
-      x, motion, family,
-      [&](std::size_t, netloft_tile& t) { return f.active_terms()[term].evaluate(f.self(), &t); },
+      x, motion, family, [&](std::size_t, netloft_tile& t) { return f.evaluate(f.active_terms()[term], t); },
       [&](std::size_t, const netloft_tile& t, const Workspace& w) {
         for (std::size_t lane = 0; lane < t.count; ++lane) {
           while (t.first + lane >= f.part_begin()[part + 1]) ++part;
@@ -66,7 +64,7 @@ bool Assembler::outputs(std::span<const double> x, std::size_t family,
   std::vector<double> lines(count * kLanes);
   bool all_known = true;
   const auto evaluate = [&](std::size_t, netloft_tile& t) {
-    if (f.type().element.output(f.self(), &t, lines.data()) == NETLOFT_OK) return NETLOFT_OK;
+    if (f.output(t, lines.data()) == NETLOFT_OK) return NETLOFT_OK;
     std::fill(lines.begin(), lines.end(), std::numeric_limits<double>::quiet_NaN());
     all_known = false;
     return NETLOFT_OK;
@@ -92,7 +90,7 @@ bool Assembler::remember_family(std::size_t family, std::span<const double> x, c
     t.state_new = memories_[family].next(tile);
     for (const auto& term : f.active_terms())
       if (term.traits & NETLOFT_READS_STATE)
-        if (const int status = term.evaluate(f.self(), &t); status != NETLOFT_OK) return status;
+        if (const int status = f.evaluate(term, t); status != NETLOFT_OK) return status;
     return int{NETLOFT_OK};
   };
   return visit_tiles(x, motion, family, evaluate, [](std::size_t, const netloft_tile&, const Workspace&) {});

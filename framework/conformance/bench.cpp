@@ -57,6 +57,8 @@ void Bench::make_states() {
     remember(s);
     tiles.push_back(std::move(s));
   }
+  for (std::size_t tile = 1; tile < tiles.size(); tile += 2)  // a ground that passes half of the elements
+    tiles[tile].ground = {sampler.uniform(0.5, 2), sampler.uniform(-1, 1), 0};
 }
 
 /// Draws the states again that are outside the domain of some term.

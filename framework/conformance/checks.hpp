@@ -32,6 +32,10 @@ Finding finite_at_rest(Bench&);
 Finding defaults_are_allowed(Bench&);
 Finding refuses_wrong_parameters(Bench&);
 
+// Does it read what its table declares, and no more? (declaration_checks.cpp)
+Finding reads_what_it_declares(Bench&);
+std::string undeclared_text(const ByteRange& range);
+
 // Does it keep to its place and its inputs? (manners_checks.cpp)
 Finding no_hidden_state(Bench&);
 Finding nothing_written_past_count(Bench&);

@@ -89,6 +89,24 @@ Finding law_has_no_hidden_state(LawBench& b) {
   });
 }
 
+/// Answers may not change when bytes that no row of the table declares hold something else.
+Finding law_reads_what_it_declares(LawBench& b) {
+  const auto ranges = undeclared(b.type.parameters, b.type.law.parameter_bytes);
+  if (ranges.empty()) return nothing_to_ask("its table declares every byte of its parameters");
+  return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
+    const LawAnswer before = b.evaluate(part, f, true);
+    for (const auto& range : ranges) {
+      b.parameters[part].spoil(range);
+      const LawAnswer after = b.evaluate(part, f, true);
+      b.parameters[part].clear(range);
+      for (std::size_t lane = 0; lane < f.count; ++lane)
+        if (before.ok != after.ok || !same_lane(before, lane, after, lane))
+          return "the force reads " + undeclared_text(range);
+    }
+    return {};
+  });
+}
+
 Finding law_is_the_same_in_any_lane(LawBench& b) {
   return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
     Flows turned = f;  // lane i stands where 63 - i stood
@@ -335,6 +353,10 @@ const std::vector<Check<LawBench>>& law_table() {
        law_has_no_hidden_state,
        {"outputs-finite"},
        "no static or mutable variables: an answer may depend on nothing but the flow"},
+      {"reads-what-it-declares",
+       law_reads_what_it_declares,
+       {"no-hidden-state"},
+       "declare every member that is read; the layer of law.hpp leaves the others at their defaults"},
       {"same-in-any-lane",
        law_is_the_same_in_any_lane,
        {"no-hidden-state"},

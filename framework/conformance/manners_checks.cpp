@@ -184,12 +184,19 @@ struct Shuffled {
   std::vector<States> states;
 };
 
+/// The same elements over one ground, which is a tile's: they may change places between tiles then.
+States over(States s, const std::vector<double>& ground) {
+  s.ground = ground;
+  return s;
+}
+
 std::string differs_when_shuffled(const Bench& b, const Specimen& other, const Shuffled& shuffled,
                                   const netloft_term& term, std::uint32_t want) {
   std::vector<Answer> answers;
-  for (const auto& s : b.tiles) answers.push_back(b.specimen->evaluate(term, s, want));
+  const auto& ground = b.tiles.back().ground;
+  for (const auto& s : b.tiles) answers.push_back(b.specimen->evaluate(term, over(s, ground), want));
   for (const auto& s : shuffled.states) {
-    const Answer moved_answer = other.evaluate(term, s, want);
+    const Answer moved_answer = other.evaluate(term, over(s, ground), want);
     for (std::size_t lane = 0; lane < s.count; ++lane) {
       const std::size_t from = shuffled.order[s.first + lane];
       if (!same_lane(moved_answer, lane, answers[from / kLanes], from % kLanes))

@@ -41,7 +41,10 @@ Specimen::Specimen(const ElementType& type, const Sample& sample)
   for (const auto& values : sample.parameters)
     parameters_.emplace_back(type.parameters, type.element.parameter_bytes, values, faults);
   if (!faults.empty()) throw Refused(0, faults.front());
-  for (const auto& block : parameters_) blocks.push_back(block.data());
+  for (auto& block : parameters_) {
+    for (const auto& range : sample.spoilt) block.spoil(range);
+    blocks.push_back(block.data());
+  }
   for (const auto& datum : sample.data) data.push_back(datum.data());
 
   char message[kMessage] = "";
@@ -81,7 +84,7 @@ netloft_tile Specimen::tile(const States& states, Factors factors) const {
   t.cu = factors.cu, t.cv = factors.cv, t.ca = factors.ca;
   t.water_density = 1025, t.gravity = 9.81, t.water_viscosity = 1.19e-6;
   t.x = pointer(states.x), t.v = pointer(states.v), t.a = pointer(states.a);
-  t.x_low = pointer(states.x_low);
+  t.x_low = pointer(states.x_low), t.ground = pointer(states.ground);
   t.current = pointer(states.current), t.current_dz = pointer(states.current_dz);
   t.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
   return t;
@@ -117,6 +120,7 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   if (!(term.traits & NETLOFT_READS_ACCELERATION)) t.a = nullptr;
   if (!(term.traits & NETLOFT_READS_CURRENT)) t.current = t.current_dz = nullptr;
   if (!(term.traits & NETLOFT_READS_STATE)) t.state = nullptr;
+  if (!(term.traits & NETLOFT_READS_GROUND)) t.ground = nullptr;
   t.state_new = remembered(term) ? memory : nullptr;
   t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
   t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;

@@ -19,6 +19,7 @@ struct Sample {
   std::vector<std::uint32_t> part;
   std::vector<std::vector<double>> data;  // [datum] -> [element][width]
   std::uint32_t law_kind = 0;             // where a slot takes it; else the first kind that the slot takes
+  std::vector<ByteRange> spoilt = {};     // bytes of the parameters that no row declares, overwritten
 };
 
 /// The world as up to 64 elements see it, arrays [dof][64] like those of a tile. Empty: null.
@@ -27,9 +28,10 @@ struct States {
   std::vector<double> x, v, a, current, current_dz;
   std::vector<double> memory = {};  // [state_width][64], what elements remember; empty: nothing yet
   std::vector<double> x_low = {};   // digits that x has no room for; empty: not known
+  std::vector<double> ground = {};  // [3] velocity of the ground, one for all lanes; empty: it stands
 };
 
-/// All fields of States, for loops.
+/// The fields of States that have lanes, for loops.
 inline constexpr std::vector<double> States::*kFields[] = {
     &States::x,          &States::v,      &States::a,    &States::current,
     &States::current_dz, &States::memory, &States::x_low};

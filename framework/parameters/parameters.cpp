@@ -157,6 +157,37 @@ std::optional<std::string> fault_of(const netloft_parameter& p, const Value& val
   return {};
 }
 
+std::size_t bytes_of(std::uint32_t kind) {
+  switch (kind) {
+    case NETLOFT_REAL:
+      return sizeof(double);
+    case NETLOFT_INTEGER:
+    case NETLOFT_CHOICE:
+      return sizeof(std::int64_t);
+    case NETLOFT_BOOLEAN:
+      return 1;
+    case NETLOFT_TEXT:
+      return sizeof(const char*);
+    case NETLOFT_TABLE:
+      return sizeof(netloft_table);
+    default:
+      return 0;
+  }
+}
+
+std::vector<ByteRange> undeclared(std::span<const netloft_parameter> table, std::size_t bytes) {
+  std::vector<bool> declared(bytes, false);
+  for (const auto& p : table)
+    for (std::size_t i = p.offset; i < std::min(bytes, p.offset + bytes_of(p.kind)); ++i) declared[i] = true;
+  std::vector<ByteRange> ranges;
+  for (std::size_t i = 0; i < bytes; ++i) {
+    if (declared[i]) continue;
+    if (ranges.empty() || ranges.back().end != i) ranges.push_back({i, i});
+    ranges.back().end = i + 1;
+  }
+  return ranges;
+}
+
 ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes,
                                const Values& values, std::vector<std::string>& faults)
     // all zero; new[] of bytes is aligned for any fundamental type
@@ -176,6 +207,15 @@ ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::si
   for (const auto& [name, value] : values)
     if (std::none_of(table.begin(), table.end(), [&](const auto& p) { return name == p.name; }))
       faults.push_back(unknown(name, table));
+}
+
+void ParameterBlock::spoil(const ByteRange& range) {
+  constexpr std::byte kSpoilt{0x55};  // 1.2e103 as a double, 6e18 as an integer
+  std::fill(bytes_.get() + range.begin, bytes_.get() + range.end, kSpoilt);
+}
+
+void ParameterBlock::clear(const ByteRange& range) {
+  std::fill(bytes_.get() + range.begin, bytes_.get() + range.end, std::byte{0});
 }
 
 double ParameterBlock::number(const netloft_parameter& p) const {

@@ -31,6 +31,17 @@ std::string allowed(const netloft_parameter& parameter);
 /// The default in words: "required", "1e-4 x twine.EA", "classic".
 std::string default_of(const netloft_parameter& parameter);
 
+/// Room that a value of a kind takes in a parameter struct; zero for a kind that is not known.
+std::size_t bytes_of(std::uint32_t kind);
+
+/// Bytes of a parameter struct from `begin` up to `end`.
+struct ByteRange {
+  std::size_t begin, end;
+};
+
+/// The bytes of a parameter struct that no row of its table declares, in order; padding is among them.
+std::vector<ByteRange> undeclared(std::span<const netloft_parameter> table, std::size_t bytes);
+
 /// The parameter struct that a plugin reads, filled with values and defaults. Copies have memory of their
 /// own.
 class ParameterBlock {
@@ -42,6 +53,9 @@ class ParameterBlock {
   ParameterBlock& operator=(ParameterBlock&&) = default;
 
   const void* data() const { return bytes_.get(); }
+  /// Overwrites bytes that no row declares, which a plugin must not read; or makes them zero again.
+  void spoil(const ByteRange& range);
+  void clear(const ByteRange& range);
   /// The value of a real, integer, choice or boolean parameter as stored.
   double number(const netloft_parameter& parameter) const;
 

@@ -119,10 +119,10 @@ SolveStatus status_of(const Assessment& a, const StaticProblem& problem) {
                                                             : SolveStatus::not_converged;
 }
 
-/// Where the tangent was first found not to be positive definite, of an energy's.
+/// Where the tangent of an energy was first found not to be positive definite.
 std::string first_not_convex(const StaticProblem& problem, const Assembler& assembler, const Scene& scene) {
-  if (!problem.conservative()) return "";
-  return assembler.node_name(scene, assembler.numbering().node(std::max(0, problem.last_factor().column)));
+  return "its tangent is not positive definite, first met at " +
+         assembler.node_name(scene, assembler.numbering().node(std::max(0, problem.last_factor().column)));
 }
 
 /// Counts of `now` that `before` had not.
@@ -153,15 +153,15 @@ Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembl
   a.balance = problem.balance(a.x, a.residual);
   if (outcome == NETLOFT_STEP_TOO_SHORT && !a.balance.balanced)
     a.balance.balanced = a.balance.at_round_off = no_step_helps(a, problem, {u.begin(), u.end()});
-  std::string place;
+  std::string why_unstable;
   if (a.balance.balanced && problem.conservative())
-    a.stability = find_stability(problem, u), place = first_not_convex(problem, assembler, scene);
+    a.stability = find_stability(problem, u), why_unstable = first_not_convex(problem, assembler, scene);
   else if (a.balance.balanced && ask_growth)
-    find_what_grows(a, problem, assembler, make);
+    find_what_grows(a, problem, assembler, make), why_unstable = what_grows(a, assembler, scene);
   if (a.balance.balanced) find_correction(a, problem, assembler, scene, {u.begin(), u.end()});
   a.status = status_of(a, problem);
   a.at_fault = assembler.node_name(scene, a.balance.worst);
-  a.reason = reason_of(a, ending, a.at_fault, place);
+  a.reason = reason_of(a, ending, a.at_fault, why_unstable);
   a.judging.add(since(before, problem.statistics()));
   return a;
 }

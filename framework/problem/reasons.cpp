@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/reasons.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -18,15 +19,6 @@ std::string newtons(double force) {
 std::string seconds(double time) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g s", time);
-  return text;
-}
-
-/// "a small disturbance grows tenfold in 2.3 s, swinging with a period of 5.9 s"
-std::string what_grows(const Assessment& a) {
-  std::string text = "a small disturbance grows";
-  if (a.growth_rate > 0) text += " tenfold in " + seconds(std::log(10) / a.growth_rate);
-  if (a.growth_frequency > 0)
-    text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growth_frequency);
   return text;
 }
 
@@ -72,6 +64,18 @@ std::string why_it_stopped(const StaticProblem& problem) {
   }
 }
 
+/// How far each node goes for a displacement of the unknowns.
+std::vector<double> node_moves(std::span<const double> u, const Assembler& assembler) {
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const std::size_t node = assembler.numbering().node(static_cast<std::int32_t>(i));
+    if (node >= squares.size()) squares.resize(node + 1, 0.0);
+    squares[node] += u[i] * u[i];
+  }
+  for (double& square : squares) square = std::sqrt(square);
+  return squares;
+}
+
 }  // namespace
 
 std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
@@ -102,20 +106,33 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
   }
 }
 
+std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
+  std::string text = "a small disturbance grows";
+  if (a.growth_rate > 0) text += " tenfold in " + seconds(std::log(10) / a.growth_rate);
+  if (a.growth_frequency > 0)
+    text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growth_frequency);
+  if (a.growing.empty()) return text;
+  const auto moves = node_moves(a.growing, assembler);
+  const auto most = std::max_element(moves.begin(), moves.end());
+  const auto many =
+      std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= 0.1 * *most; });
+  return text + ", most at " + assembler.node_name(scene, static_cast<std::uint32_t>(most - moves.begin())) +
+         "; " + std::to_string(many) + " of " + std::to_string(moves.size()) +
+         " nodes move a tenth as far or more";
+}
+
 std::string balance_text(const Balance& balance, const std::string& worst) {
   return "largest residual " + newtons(balance.residual) + " at " + worst + ", largest load " +
          newtons(balance.scale);
 }
 
 std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
-                      const std::string& place) {
+                      const std::string& why_unstable) {
   const std::string balance = balance_text(a.balance, worst);
   if (!a.balance.balanced) return ending + "; " + balance + why_not_balanced(a);
   const std::string balanced = balance + why_round_off(a) + what_of_stability(a);
   if (a.stability != Stability::unstable) return balanced;
-  const std::string why =
-      place.empty() ? what_grows(a) : "its tangent is not positive definite, first met at " + place;
-  return "a stationary point, but not a stable one: " + why + "; " + balanced;
+  return "a stationary point, but not a stable one: " + why_unstable + "; " + balanced;
 }
 
 }  // namespace netloft

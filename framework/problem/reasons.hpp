@@ -8,10 +8,14 @@ namespace netloft {
 std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
                          const Scene& scene);
 
+/// "a small disturbance grows tenfold in 2.3 s, swinging with a period of 5.9 s, most at net node 4; 12 of
+/// 900 nodes move a tenth as far or more"
+std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
+
 /// The sentence on an assessment whose status and stability are known. `ending` is why the solver returned,
-/// `place` the first node at which the tangent is not positive definite.
+/// `why_unstable` what says that it is not stable.
 std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
-                      const std::string& place);
+                      const std::string& why_unstable);
 
 /// "largest residual 3.2e-05 N at net node 4, largest load 120 N"
 std::string balance_text(const Balance& balance, const std::string& worst);

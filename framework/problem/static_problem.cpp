@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/static_problem.hpp"
 
+#include "framework/registry/plugin_call.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +16,7 @@ struct Callback {
   /// A C function that forwards to a member of the StaticProblem behind `host`; no exception passes.
   template <auto Member>
   static int call(void* host, Args... args) noexcept {
+    const HostCall back;
     auto& problem = *static_cast<StaticProblem*>(host);
     try {
       return (problem.*Member)(args...);
@@ -60,6 +63,11 @@ std::uint32_t traits_of(const Assembler& assembler) {
     for (const auto& term : family->active_terms()) conservative &= (term.traits & NETLOFT_CONSERVATIVE) != 0;
   return (conservative ? std::uint32_t{NETLOFT_CONSERVATIVE} : 0) |
          (assembler.pattern().symmetric ? std::uint32_t{NETLOFT_SYMMETRIC} : 0);
+}
+
+netloft_outcome call_solver(const SolverType& solver, const void* parameters, netloft_problem& problem) {
+  const PluginCall call({solver.type.c_str(), "solve", nullptr, CallFrame::Kind::method});
+  return static_cast<netloft_outcome>(solver.solver.solve(parameters, &problem));
 }
 
 StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
@@ -359,6 +367,7 @@ int StaticProblem::progress(const double* u, double energy, const double* residu
   std::snprintf(record.note, sizeof record.note, "%s", note ? note : "");
   if (history_.size() < history_.capacity()) history_.push_back(record);
   if (on_iteration_) on_iteration_(record);
+  if (limits_.kept && base_.empty() && !step_.state) limits_.kept->keep({u, u_.size()}, b.residual, b.scale);
   if (arrived)
     stop_ = Stop::arrived;
   else if (limits_.interrupt && limits_.interrupt->load())

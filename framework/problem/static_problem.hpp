@@ -17,13 +17,28 @@ namespace netloft {
 /// NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC, where all forces of a scene are.
 std::uint32_t traits_of(const Assembler& assembler);
 
+/// Lets `solver` work on a problem, and says on whose account as long as it does (plugin_call.hpp).
+netloft_outcome call_solver(const SolverType& solver, const void* parameters, netloft_problem& problem);
+
+/// The accepted point of the scene itself that came closest to balance so far, for whoever has to end a
+/// solver that does not come back.
+struct KeptPoint {
+  std::vector<double> u;           // displacements of the unknowns [m]; empty: there was none
+  double residual = 0, scale = 0;  // [N]
+  void keep(std::span<const double> at, double at_residual, double at_scale) {
+    if (!u.empty() && !(at_residual * scale < residual * at_scale)) return;
+    u.assign(at.begin(), at.end()), residual = at_residual, scale = at_scale;
+  }
+};
+
 /// When to stop.
 struct Limits {
   double tolerance = 1e-10;  // largest nodal residual over the largest nodal load
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // of the processor that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  bool ask_growth = true;  // whether a small disturbance grows, where forces have no energy
+  KeptPoint* kept = nullptr;  // where points of the scene itself are kept; null: nowhere
+  bool ask_growth = true;     // whether a small disturbance grows, where forces have no energy
   // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // null: work is not limited

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/time_march.hpp"
 
+#include "framework/registry/plugin_call.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -78,13 +80,10 @@ class March {
 
   /// Longest step that is stable, whatever happens.
   void find_limit() {
-    const auto stable = [&](double omega) {
-      return integrator_.type->integrator.stable_step(integrator_.parameters, omega);
-    };
     limit_ = settings_.longest_step;
-    if (stable(1) > 0) result_.stable_step = stable(problem_.highest_frequency_at(state_.u));
-    if (stable(1) > 0 && (settings_.adaptive || settings_.step == 0))
-      limit_ = std::min(limit_, kBelowLimit * stable(problem_.highest_frequency()));
+    if (stable_step(1) > 0) result_.stable_step = stable_step(problem_.highest_frequency_at(state_.u));
+    if (stable_step(1) > 0 && (settings_.adaptive || settings_.step == 0))
+      limit_ = std::min(limit_, kBelowLimit * stable_step(problem_.highest_frequency()));
   }
 
   /// As given; else the time in which the start's acceleration leads as far as a step's error may be.
@@ -131,11 +130,20 @@ class March {
     m.t = state_.t, m.h = h;
     m.u = state_.u.data(), m.v = state_.v.data(), m.a = state_.a.data();
     m.u_new = next_.u.data(), m.v_new = next_.v.data(), m.a_new = next_.a.data(), m.error = error_.data();
-    const int status = integrator_.type->integrator.step(integrator_.parameters, &m);
+    const int status = call_step(m);
     if (status != NETLOFT_OK) return status;
     double sum = 0;
     for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
     return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
+  }
+
+  int call_step(netloft_motion& motion) const {
+    const PluginCall call({integrator_.type->type.c_str(), "step", nullptr, CallFrame::Kind::method});
+    return integrator_.type->integrator.step(integrator_.parameters, &motion);
+  }
+  double stable_step(double omega) const {
+    const PluginCall call({integrator_.type->type.c_str(), "stable_step", nullptr, CallFrame::Kind::method});
+    return integrator_.type->integrator.stable_step(integrator_.parameters, omega);
   }
 
   double error_over_tolerated() const {
@@ -167,7 +175,7 @@ class March {
 
   /// Steps that one which is looked at stands for: several where stability makes them short and many.
   int look_every() const {
-    const bool any_is_stable = integrator_.type->integrator.stable_step(integrator_.parameters, 1) == 0;
+    const bool any_is_stable = stable_step(1) == 0;
     return settings_.budget || any_is_stable ? 1 : kLookEvery;
   }
   bool is_looked_at() const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/transient_problem.hpp"
 
+#include "framework/registry/plugin_call.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +16,7 @@ struct Callback {
   /// A C function that forwards to a member of the TransientProblem behind `host`; no exception passes.
   template <auto Member>
   static int call(void* host, Args... args) noexcept {
+    const HostCall back;
     auto& problem = *static_cast<TransientProblem*>(host);
     try {
       return (problem.*Member)(args...);
@@ -123,7 +126,7 @@ int TransientProblem::solve(double t, const double* v0, double cv, const double*
   algebra_.begin({t, {v0, size()}, {a0, size()}, cv, ca, mass_, &state_, least_load_});
   netloft_problem& problem = algebra_.interface();
   std::copy_n(u, size(), problem.u);
-  const auto outcome = static_cast<netloft_outcome>(solver_.type->solver.solve(solver_.parameters, &problem));
+  const auto outcome = call_solver(*solver_.type, solver_.parameters, problem);
   if (outcome == NETLOFT_STOPPED && algebra_.stop() == StaticProblem::Stop::arrived) {
     std::copy_n(problem.u, size(), u);
     return NETLOFT_OK;

@@ -39,7 +39,7 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
     problem.count_from(problem.positions(start));
   else
     std::copy(start.begin(), start.end(), p.u);
-  const auto outcome = static_cast<netloft_outcome>(solver.solver.solve(parameters, &p));
+  const auto outcome = call_solver(solver, parameters, p);
   const double solver_cpu = cpu_seconds() - cpu;
   const Statistics statistics = problem.statistics();
   const std::string factorisation = problem.factorisation_name();

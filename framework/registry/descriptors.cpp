@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/descriptors.hpp"
 
+#include "framework/parameters/parameters.hpp"
+
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -43,24 +45,6 @@ void check_names(const Rows& rows, const std::string& owner, const char* what, F
                    owner + ": " + what + " \"" + shown(row.name) + "\" has no sentence that says what it is");
     if (named(row.name) && !seen.insert(row.name).second)
       faults.add(owner + ": two " + plural(what) + " are called \"" + row.name + "\"; names must be unique");
-  }
-}
-
-std::size_t bytes_of(std::uint32_t kind) {
-  switch (kind) {
-    case NETLOFT_REAL:
-      return sizeof(double);
-    case NETLOFT_INTEGER:
-    case NETLOFT_CHOICE:
-      return sizeof(std::int64_t);
-    case NETLOFT_BOOLEAN:
-      return 1;
-    case NETLOFT_TEXT:
-      return sizeof(const char*);
-    case NETLOFT_TABLE:
-      return sizeof(netloft_table);
-    default:
-      return 0;
   }
 }
 
@@ -265,6 +249,31 @@ void check_version(const netloft_plugin& p, const std::string& file) {
 
 }  // namespace
 
+namespace {
+
+template <class Raw, class Read, class Type>
+void read_all(const Raw* raw, std::uint32_t count, const std::string& stem, const char* what, Read&& read,
+              std::vector<Type>& to, Faults& faults) {
+  const auto rows = read_array(raw, count);
+  check_names(rows, stem, what, faults);
+  for (const auto& row : rows) to.push_back(read(row, stem, faults));
+}
+
+void read_components(const netloft_plugin& p, const std::string& stem, PluginContent& content,
+                     Faults& faults) {
+  read_all(p.elements, p.element_count, stem, "element", read_element, content.elements, faults);
+  read_all(p.solvers, p.solver_count, stem, "solver", read_solver, content.solvers, faults);
+  read_all(p.laws, p.law_count, stem, "law", read_law, content.laws, faults);
+  read_all(p.integrators, p.integrator_count, stem, "integrator", read_integrator, content.integrators,
+           faults);
+  read_all(p.strategies, p.strategy_count, stem, "strategy", read_strategy, content.strategies, faults);
+  faults.require(!content.elements.empty() || !content.solvers.empty() || !content.laws.empty() ||
+                     !content.integrators.empty() || !content.strategies.empty(),
+                 "holds no element, no solver, no law, no integrator and no strategy");
+}
+
+}  // namespace
+
 PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem) {
   if (!plugin)
     throw PluginRefused(file + ": the plugin could not describe itself (netloft_plugin_v1 returned null)");
@@ -277,24 +286,11 @@ PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file,
   PluginContent content;
   content.origin = {
       shown(p.name), p.version ? p.version : "", p.doc ? p.doc : "", p.compiler ? p.compiler : "", file, ""};
-  const auto elements = read_array(p.elements, p.element_count);
-  const auto solvers = read_array(p.solvers, p.solver_count);
-  check_names(elements, stem, "element", faults);
-  const auto laws = read_array(p.laws, p.law_count);
-  check_names(solvers, stem, "solver", faults);
-  check_names(laws, stem, "law", faults);
-  const auto integrators = read_array(p.integrators, p.integrator_count);
-  check_names(integrators, stem, "integrator", faults);
-  const auto strategies = read_array(p.strategies, p.strategy_count);
-  check_names(strategies, stem, "strategy", faults);
-  for (const auto& raw : elements) content.elements.push_back(read_element(raw, stem, faults));
-  for (const auto& raw : solvers) content.solvers.push_back(read_solver(raw, stem, faults));
-  for (const auto& raw : laws) content.laws.push_back(read_law(raw, stem, faults));
-  for (const auto& raw : integrators) content.integrators.push_back(read_integrator(raw, stem, faults));
-  for (const auto& raw : strategies) content.strategies.push_back(read_strategy(raw, stem, faults));
-  faults.require(
-      !elements.empty() || !solvers.empty() || !laws.empty() || !integrators.empty() || !strategies.empty(),
-      "holds no element, no solver, no law, no integrator and no strategy");
+  try {
+    read_components(p, stem, content, faults);
+  } catch (const std::length_error& e) {
+    faults.add(std::string(e.what()) + "; build the plugin again, or look for what wrote over its tables");
+  }
   faults.raise();
   return content;
 }

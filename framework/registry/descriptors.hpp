@@ -32,13 +32,22 @@ T read_struct(const T* from) {
   return to;
 }
 
+/// More rows than this, or rows too small to hold a size and a word, are no table.
+inline constexpr std::uint32_t kMostRows = 4096, kLeastRow = 8;
+
+/// Throws std::length_error where the numbers cannot be those of a table.
 template <class T>
 std::vector<T> read_array(const T* from, std::uint32_t count) {
   std::vector<T> to;
+  if (count && !from)
+    throw std::length_error("has a table of " + std::to_string(count) + " rows that is null");
+  if (count > kMostRows) throw std::length_error("has a table of " + std::to_string(count) + " rows");
   const char* at = reinterpret_cast<const char*>(from);
   std::uint32_t stride = 0;
-  if (count && from) std::memcpy(&stride, from, sizeof stride);
-  for (std::uint32_t i = 0; i < count && from; ++i)
+  if (count) std::memcpy(&stride, from, sizeof stride);
+  if (count && stride < kLeastRow)
+    throw std::length_error("has a table whose rows are " + std::to_string(stride) + " bytes long");
+  for (std::uint32_t i = 0; i < count; ++i)
     to.push_back(read_struct(reinterpret_cast<const T*>(at + std::size_t{i} * stride)));
   return to;
 }

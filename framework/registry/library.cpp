@@ -6,9 +6,9 @@
 
 #include <dlfcn.h>
 
+#include <array>
 #include <cfenv>
 #include <fstream>
-#include <iterator>
 #include <mutex>
 #include <set>
 #if defined(__x86_64__)
@@ -47,8 +47,12 @@ class FloatingPointGuard {
 std::string fingerprint(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::uint64_t hash = 14695981039346656037ull;  // FNV-1a 64
-  for (std::istreambuf_iterator<char> at(in), end; at != end; ++at)
-    hash = (hash ^ static_cast<unsigned char>(*at)) * 1099511628211ull;
+  std::array<char, 1 << 16> piece;
+  do {
+    in.read(piece.data(), piece.size());
+    for (std::streamsize i = 0; i < in.gcount(); ++i)
+      hash = (hash ^ static_cast<unsigned char>(piece[static_cast<std::size_t>(i)])) * 1099511628211ull;
+  } while (in);
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   return text;

@@ -131,7 +131,7 @@ void check_bodies(const Scene& scene, AnalysisKind kind) {
 Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, AnalysisKind kind) {
   check_bodies(scene, kind);
   Plan plan;
-  plan.tangent = tangent, plan.kind = kind;
+  plan.tangent = tangent, plan.kind = kind, plan.ground = scene.ground;
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
     FamilyPlan& family = family_of(plan.families, scene, scene.parts[p], registry, kind);
     family.parts.push_back(p);
@@ -149,6 +149,13 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, An
   }
   count_unknowns(plan, scene);
   return plan;
+}
+
+bool Plan::reads_ground() const {
+  for (const auto& family : families)
+    for (const auto& term : family.terms)
+      if (term.on && (term.traits & NETLOFT_READS_GROUND)) return true;
+  return false;
 }
 
 std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry) {
@@ -198,7 +205,8 @@ std::string describe_traits(std::uint32_t traits) {
       {NETLOFT_NEEDS_MOTION, "needs motion"},
       {NETLOFT_OF_MEMBERS, "of members"},
       {NETLOFT_IS_WEIGHT, "weight"},
-      {NETLOFT_IS_DRAG, "drag"}};
+      {NETLOFT_IS_DRAG, "drag"},
+      {NETLOFT_READS_GROUND, "reads ground"}};
   std::string text;
   for (const auto& [bit, name] : kNames)
     if (traits & bit) text += (text.empty() ? "" : ", ") + std::string(name);

@@ -55,7 +55,11 @@ struct Plan {
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
-  std::string unsymmetric_because;  // "priour/triangle drag"
+  std::string unsymmetric_because;    // "priour/triangle drag"
+  std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
+
+  /// Whether some term that acts depends on whether the ground passes.
+  bool reads_ground() const;
 };
 
 /// Decides which terms of which families act in an analysis of the scene.

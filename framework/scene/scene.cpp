@@ -113,7 +113,7 @@ bool is_something(const std::array<double, 3>& velocity) {
 
 bool Current::flows() const {
   const auto flows = [](const auto& sample) { return is_something(sample.velocity); };
-  return std::any_of(samples.begin(), samples.end(), flows) ||
+  return is_something(tow) || std::any_of(samples.begin(), samples.end(), flows) ||
          std::any_of(drifts.begin(), drifts.end(), flows);
 }
 
@@ -125,6 +125,7 @@ void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3
       for (double& v : *part) v *= factor;
   if (!drifts.empty())
     for (const auto drift = drift_at(drifts, t); const std::size_t i : {0u, 1u, 2u}) velocity[i] += drift[i];
+  for (const std::size_t i : {0u, 1u, 2u}) velocity[i] += tow[i];
 }
 
 std::vector<double> Scene::corners_in_time() const {

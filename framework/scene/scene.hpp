@@ -20,8 +20,9 @@ struct SceneWater {
 };
 
 /// Velocity of the water over depth and time, linear between samples and constant beyond them.
-///   c(z, t) = profile(z) factor(t) + drift(t)                                                     (1)
-/// Without samples the profile and the drift are zero and the factor is one: still water.
+///   c(z, t) = profile(z) factor(t) + drift(t) + tow                                               (1)
+/// Without samples the profile and the drift are zero and the factor is one: still water. A gear that is
+/// towed stands in the scene, and what is still over the ground passes it with the velocity `tow`.
 struct Current {
   struct Sample {
     double z;                        // [m]
@@ -38,6 +39,7 @@ struct Current {
   std::vector<Sample> samples;       // the profile, increasing in z
   std::vector<Factor> factors = {};  // increasing in t
   std::vector<Drift> drifts = {};    // increasing in t
+  std::array<double, 3> tow = {};    // [m/s]
 
   bool flows() const;
   /// Whether the current is the same at all heights.
@@ -96,8 +98,9 @@ struct Scene {
   std::string name;
   SceneWater water;
   Current current;
-  std::vector<double> positions;   // initial positions, 3 per node [m]
-  std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move
+  std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
+  std::vector<double> positions;      // initial positions, 3 per node [m]
+  std::vector<std::uint8_t> held;     // per node, the axes along which it cannot move
   /// Axes of nodes that are held along axes other than x, y and z: the columns of a rotation matrix, stored
   /// row by row. Bits of `held` then refer to these axes.
   std::map<std::uint32_t, std::array<double, 9>> frames;

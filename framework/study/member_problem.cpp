@@ -2,6 +2,7 @@
 #include "framework/study/member_problem.hpp"
 
 #include "framework/assembler/pattern.hpp"
+#include "framework/registry/plugin_call.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@ std::vector<netloft_member> members_of(const ElementFamily& family) {
   const netloft_element& element = family.type().element;
   std::vector<netloft_member> told(family.size() * element.member_count);
   const auto count = static_cast<std::uint32_t>(family.size());
+  const PluginCall call({family.type().type.c_str(), "members", nullptr, CallFrame::Kind::element});
   if (element.members(family.self(), 0, 0, count, told.data()) != NETLOFT_OK)
     throw std::runtime_error(family.type().type + " could not tell its members");
   return told;
@@ -46,6 +48,7 @@ bool all_finite(std::span<const double> v) {
 template <class... Args, int (MemberProblem::*Method)(Args...)>
 struct MemberProblem::Callback<Method> {
   static int call(void* host, Args... args) noexcept {
+    const HostCall back;
     try {
       return (static_cast<MemberProblem*>(host)->*Method)(args...);
     } catch (...) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/registry/plugin_call.hpp"
 #include "framework/study/study_host.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ struct Callback {
   /// A C function that forwards to a member of the RunningStudy behind `host`; no exception passes.
   template <auto Member>
   static Result call(void* host, Args... args) noexcept {
+    const HostCall back;
     auto& study = *static_cast<RunningStudy*>(host);
     try {
       return (study.*Member)(args...);
@@ -89,6 +91,11 @@ std::size_t count_members(const Assembler& assembler) {
   return count;
 }
 
+int call_strategy(const StrategyType& type, const void* parameters, netloft_study& study) {
+  const PluginCall call({type.type.c_str(), "run", nullptr, CallFrame::Kind::method});
+  return type.strategy.run(parameters, &study);
+}
+
 double imbalance(const Solution& s) {
   const double ratio = s.balance.residual / s.balance.scale;
   return std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity();
@@ -137,7 +144,10 @@ void RunningStudy::fill_interface(const double* start) {
   s.assess = Callback<int, netloft_stage*>::call<&RunningStudy::assess>;
   s.problem = Callback<int, netloft_stage*, netloft_problem*>::call<&RunningStudy::problem>;
   s.members = Callback<int, netloft_stage*, netloft_members*>::call<&RunningStudy::members>;
-  s.work_left = [](void* study) { return static_cast<RunningStudy*>(study)->work_left(); };
+  s.work_left = [](void* study) {
+    const HostCall back;
+    return static_cast<RunningStudy*>(study)->work_left();
+  };
   s.answer = Callback<int, const double*>::call<&RunningStudy::answer>;
 }
 
@@ -148,17 +158,18 @@ void RunningStudy::run(const StrategyType& type, const void* parameters) {
   if (lacking)
     throw std::invalid_argument("the strategy " + type.type +
                                 " wants what this scene has not: " + traits_of_study(lacking));
-  const int status = type.strategy.run(parameters, &interface_);
+  const int status = call_strategy(type, parameters, interface_);
   close();
-  if (status != NETLOFT_OK && !has_any())
-    throw std::runtime_error("the strategy " + type.type + " failed" +
-                             (message_[0] ? std::string(": ") + message_ : ""));
+  if (status == NETLOFT_OK) return;
+  failure_ = "the strategy " + type.type + " failed" + (message_[0] ? std::string(": ") + message_ : "");
+  if (!has_any()) throw std::runtime_error(failure_);
 }
 
 Solution RunningStudy::best() const {
   if (equilibria_.has_any()) return equilibria_.best();
   Solution s = closest_ ? *closest_ : Solution{};
   if (!closest_) s.reason = "the strategy solved no stage of the scene itself";
+  if (!failure_.empty()) s.reason += "; " + failure_;
   s.does_not_settle = unsettled_ > 0 && !(interface_.traits & NETLOFT_CONSERVATIVE);
   if (s.does_not_settle) s.reason += "; followed in time it did not come to rest";
   if (work_left() == 0 && !host_.is_interrupted()) s.reason += "; the budget of work is used up";
@@ -216,7 +227,8 @@ int RunningStudy::call(const char* strategy, const char* parameters, netloft_sta
   close();
   const netloft_stage seen = seen_from_host(*stage);
   const StrategyType& type = host_.sites().source().registry->strategy(strategy);
-  const Values values = parse_parameters(type.parameters, parameters ? parameters : "");
+  Values values = host_.given_of(type.type);
+  values.merge(parse_parameters(type.parameters, parameters ? parameters : ""));  // the user's own hold
   std::vector<std::string> faults;
   const ParameterBlock block(type.parameters, type.strategy.parameter_bytes, values, faults);
   if (!faults.empty()) throw std::invalid_argument(faults.front());

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 
 namespace netloft {
@@ -28,6 +29,9 @@ struct StudyOptions {
   Limits limits;     // of the scene itself; `seconds` and `interrupt` hold for the whole study
   double work = std::numeric_limits<double>::infinity();  // budget, in the units of work.hpp
   std::function<void(const IterationRecord&)> on_iteration;
+  /// What the user says of solvers and strategies that stages name, by type ("newton/newton"): it holds over
+  /// what the strategy asks for.
+  std::map<std::string, Values> given = {};
 };
 
 /// Lets a strategy bring a scene to equilibrium, from displacements `start` of its unknowns (empty: from its

@@ -43,15 +43,18 @@ bool StudyHost::is_interrupted() const {
 
 SolverUse StudyHost::solver_of(const netloft_stage& stage) const {
   SolverUse use = options_.solver;
-  if (stage.solver) use = {&sites_.source().registry->solver(stage.solver), {}};
-  if (!stage.parameters) return use;
-  const bool is_that_of_the_analysis = !stage.solver;
-  for (auto& [name, value] : parse_parameters(use.type->parameters, stage.parameters))
-    if (is_that_of_the_analysis)
-      use.parameters.try_emplace(name, std::move(value));  // the user's own values hold
-    else
-      use.parameters[name] = std::move(value);
+  if (stage.solver) {
+    use.type = &sites_.source().registry->solver(stage.solver);
+    use.parameters = given_of(use.type->type);
+  }
+  if (stage.parameters)
+    use.parameters.merge(parse_parameters(use.type->parameters, stage.parameters));  // the user's own hold
   return use;
+}
+
+Values StudyHost::given_of(const std::string& type) const {
+  const auto given = options_.given.find(type);
+  return given == options_.given.end() ? Values{} : given->second;
 }
 
 Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) const {
@@ -61,6 +64,7 @@ Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) const 
   if (stage.path > 0) limits.path = stage.path;
   limits.model = &site.model, limits.work = stage.work;
   limits.seconds = seconds_left();
+  if (!is_as_written(stage.variant)) limits.kept = nullptr;
   limits.ask_growth = is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
   return limits;
 }

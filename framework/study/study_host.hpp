@@ -23,6 +23,8 @@ class StudyHost {
 
   /// Who solves a stage; throws std::invalid_argument where its parameters are wrong.
   SolverUse solver_of(const netloft_stage& stage) const;
+  /// What the user says of a solver or a strategy.
+  Values given_of(const std::string& type) const;
   /// What a stage may use: tolerance and budget are those of the stage, by whoever asks for it.
   Limits limits_of(const netloft_stage& stage, const Site& site) const;
   /// Solves `stage`, whose variant is seen from the scene as it is written; keeps the record.
@@ -89,6 +91,7 @@ class RunningStudy {
   std::vector<double> growing_;       // of the last stage
   std::vector<Solution> stationary_;  // of the scene itself, not yet answered
   std::optional<Solution> closest_;   // of those that are no equilibria
+  std::string failure_;               // of the strategy itself, which ended with an error
   int unsettled_ = 0;                 // stages that did not come to rest
   EquilibriumChoice equilibria_;
   // A method of the strategy's own at work: its stage, and on what.

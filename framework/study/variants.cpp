@@ -95,6 +95,7 @@ void scale_current(Scene& scene, double factor) {
       for (double& component : sample.velocity) component *= factor;
   };
   scale(scene.current.samples), scale(scene.current.drifts);
+  for (double& component : scene.current.tow) component *= factor;
 }
 
 }  // namespace

@@ -67,6 +67,20 @@ Solution Case::solve(const Watch& watch) {
   return s;
 }
 
+Solution Case::judge(std::span<const double> u, Assembler& assembler) const {
+  Limits limits = loaded_.analysis.limits;
+  limits.ask_growth = false;
+  Solution s;
+  static_cast<Assessment&>(s) = assess_static(loaded_.scene, assembler, u, limits, make_factorisation);
+  s.u.assign(u.begin(), u.end());
+  s.factorisation = "none";
+  return s;
+}
+
+std::unique_ptr<Assembler> Case::make_another_assembler() const {
+  return std::make_unique<Assembler>(loaded_.scene, plan_, 1);
+}
+
 std::optional<std::string> Case::why_unfit() {
   if (loaded_.analysis.settles || loaded_.analysis.kind != AnalysisKind::statics) return {};
   return netloft::why_unfit(registry_.solver(loaded_.analysis.solver), traits_of(*assembler_));
@@ -86,6 +100,8 @@ StudyOptions Case::study_options(const Limits& limits, const Watch& watch) {
   StudyOptions options;
   options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
   options.limits = limits, options.limits.interrupt = watch.interrupt;
+  options.given = loaded_.analysis.given;
+  options.limits.kept = watch.kept;
   options.work = loaded_.analysis.work, options.on_iteration = watch.on_iteration;
   return options;
 }
@@ -126,7 +142,7 @@ Solution Case::settle(const Watch& watch) {
   settling.limits.tolerance =
       std::min(kStepLimits.tolerance, kStepsFiner * loaded_.analysis.limits.tolerance);
   Limits limits = loaded_.analysis.limits;
-  limits.interrupt = watch.interrupt;
+  limits.interrupt = watch.interrupt, limits.kept = watch.kept;
   settling.limits.seconds = limits.seconds;
   Solution s = solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_,
                             watch.on_iteration);

@@ -29,6 +29,7 @@ struct CaseSource {
 struct Watch {
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const IterationRecord&)> on_iteration;
+  KeptPoint* kept = nullptr;  // the best point so far, while it is looked for
 };
 
 /// A scene on its way from a file to an answer: read, planned, assembled, solved. What `run`, `plan`,
@@ -49,6 +50,10 @@ class Case {
 
   /// Finds the equilibrium as the scene's analysis says, from its start.
   Solution solve(const Watch& watch = {});
+  /// What a point of the scene is worth that nobody says is an equilibrium, by an assembler of its own: where
+  /// a plugin does not come back, that of the case is never free again.
+  Solution judge(std::span<const double> u, Assembler& assembler) const;
+  std::unique_ptr<Assembler> make_another_assembler() const;
   /// Why the solver of the analysis cannot work on this scene (it needs an energy, say); empty: it can.
   std::optional<std::string> why_unfit();
   /// What the strategy of the analysis would try in which order and why, a line each.

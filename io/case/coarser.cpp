@@ -27,6 +27,22 @@ std::string override_of(const PartGeometry& part) {
   return "parts." + part.name + ".cells=" + (part.cells.size() == 1 ? cells : "[" + cells + "]");
 }
 
+/// Nodes at the corners of the cells of a part, and those in the middles of them, which come behind.
+std::size_t corners_of(const PartGeometry& part) {
+  std::size_t nodes = 1;
+  for (const int cells : part.cells) nodes *= static_cast<std::size_t>(cells) + 1;
+  return nodes;
+}
+
+std::size_t middles_of(const PartGeometry& part) {
+  if (part.cells.size() != 2) return 0;
+  return static_cast<std::size_t>(part.cells[0]) * static_cast<std::size_t>(part.cells[1]);
+}
+
+bool has_middles(const PartGeometry& part) {
+  return middles_of(part) > 0 && part.nodes.size() == corners_of(part) + middles_of(part);
+}
+
 /// Own nodes of a part where another division of it has been brought to.
 class Shape {
  public:
@@ -41,19 +57,11 @@ class Shape {
     const auto [cell, t] = locate(s, part_.cells[0]);
     return mix({{{cell, 1 - t}, {cell + 1, t}, {cell, 0.0}}});
   }
-  /// Shares s across and t along a panel: within the triangle there, whose diagonal alternates.
+  /// Shares s across and t along a panel: within the triangle there.
   Point on_panel(double s, double t) const {
     const auto [i, a] = locate(s, part_.cells[0]);
     const auto [j, b] = locate(t, part_.cells[1]);
-    const auto corner = [&, i = i, j = j](std::size_t right, std::size_t down) {
-      return (j + down) * (static_cast<std::size_t>(part_.cells[0]) + 1) + i + right;
-    };
-    const auto p00 = corner(0, 0), p10 = corner(1, 0), p01 = corner(0, 1), p11 = corner(1, 1);
-    if ((i + j) % 2 == 0)
-      return a >= b ? mix({{{p00, 1 - a}, {p10, a - b}, {p11, b}}})
-                    : mix({{{p00, 1 - b}, {p01, b - a}, {p11, a}}});
-    return a + b <= 1 ? mix({{{p00, 1 - a - b}, {p10, a}, {p01, b}}})
-                      : mix({{{p11, a + b - 1}, {p10, 1 - b}, {p01, 1 - a}}});
+    return has_middles(part_) ? in_crossed_cell(i, j, a, b) : in_cell(i, j, a, b);
   }
 
  private:
@@ -61,6 +69,27 @@ class Shape {
     std::size_t own;
     double weight;
   };
+  std::size_t corner(std::size_t i, std::size_t j) const {
+    return j * (static_cast<std::size_t>(part_.cells[0]) + 1) + i;
+  }
+  /// Two triangles, whose diagonal changes from cell to cell.
+  Point in_cell(std::size_t i, std::size_t j, double a, double b) const {
+    const auto p00 = corner(i, j), p10 = corner(i + 1, j), p01 = corner(i, j + 1), p11 = corner(i + 1, j + 1);
+    if ((i + j) % 2 == 0)
+      return a >= b ? mix({{{p00, 1 - a}, {p10, a - b}, {p11, b}}})
+                    : mix({{{p00, 1 - b}, {p01, b - a}, {p11, a}}});
+    return a + b <= 1 ? mix({{{p00, 1 - a - b}, {p10, a}, {p01, b}}})
+                      : mix({{{p11, a + b - 1}, {p10, 1 - b}, {p01, 1 - a}}});
+  }
+  /// Four triangles about the node in the middle: at the fore edge, aft, on the left and on the right.
+  Point in_crossed_cell(std::size_t i, std::size_t j, double a, double b) const {
+    const auto p00 = corner(i, j), p10 = corner(i + 1, j), p01 = corner(i, j + 1), p11 = corner(i + 1, j + 1);
+    const auto middle = corners_of(part_) + j * static_cast<std::size_t>(part_.cells[0]) + i;
+    if (b <= a && a + b <= 1) return mix({{{p00, 1 - a - b}, {p10, a - b}, {middle, 2 * b}}});
+    if (b >= a && a + b >= 1) return mix({{{p01, b - a}, {p11, a + b - 1}, {middle, 2 * (1 - b)}}});
+    if (b >= a) return mix({{{p00, 1 - a - b}, {p01, b - a}, {middle, 2 * a}}});
+    return mix({{{p10, a - b}, {p11, a + b - 1}, {middle, 2 * (1 - a)}}});
+  }
   static std::pair<std::size_t, double> locate(double share, int cells) {
     const double at = share * cells;
     const auto cell = static_cast<std::size_t>(std::clamp(static_cast<int>(at), 0, cells - 1));
@@ -78,17 +107,18 @@ class Shape {
 };
 
 bool is_structured(const PartGeometry& part) {
-  std::size_t nodes = 1;
-  for (const int cells : part.cells) nodes *= static_cast<std::size_t>(cells) + 1;
-  return part.nodes.size() == nodes;
+  return part.nodes.size() == corners_of(part) || has_middles(part);
 }
 
 /// Own node -> shares of the way along a rope, or across and along a panel.
 std::array<double, 2> shares_of(const PartGeometry& part, std::size_t own) {
   if (part.cells.size() == 1) return {static_cast<double>(own) / part.cells[0], 0};
-  const auto columns = static_cast<std::size_t>(part.cells[0]) + 1;
-  return {static_cast<double>(own % columns) / part.cells[0],
-          static_cast<double>(own / columns) / part.cells[1]};
+  const bool is_middle = own >= corners_of(part);
+  const auto columns = static_cast<std::size_t>(part.cells[0]) + (is_middle ? 0 : 1);
+  const std::size_t at = is_middle ? own - corners_of(part) : own;
+  const double half = is_middle ? 0.5 : 0;
+  return {(static_cast<double>(at % columns) + half) / part.cells[0],
+          (static_cast<double>(at / columns) + half) / part.cells[1]};
 }
 
 }  // namespace

@@ -12,11 +12,13 @@ namespace {
 constexpr unsigned kMostLevels = 32;
 
 /// What is free to move starts where the finer mesh does; what is held, where it is held.
-void start_like(const LoadedScene& finer, LoadedScene& coarse) {
+/// False: the two are no divisions of the same parts, so that nothing leads from one to the other.
+bool start_like(const LoadedScene& finer, LoadedScene& coarse) {
   const auto positions = carried_over(finer, finer.scene.positions, coarse);
-  if (!positions) return;
+  if (!positions) return false;
   for (std::size_t d = 0; d < positions->size(); ++d)
     if (coarse.scene.held[d / 3] == 0) coarse.scene.positions[d] = (*positions)[d];
+  return true;
 }
 
 }  // namespace
@@ -50,8 +52,7 @@ std::unique_ptr<LoadedScene> Meshes::read_coarser(const LoadedScene& finer) {
   auto coarse = std::make_unique<LoadedScene>(
       read_scene(source_.file, source_.overrides, registry_, diagnostics, refused));
   if (refused || diagnostics.errors()) return nullptr;
-  start_like(finer, *coarse);
-  return coarse;
+  return start_like(finer, *coarse) ? std::move(coarse) : nullptr;
 }
 
 std::vector<double> Meshes::carry(unsigned from, std::span<const double> positions, unsigned to) {

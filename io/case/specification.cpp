@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/case/case.hpp"
+#include "io/scene/analysis.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -42,7 +43,8 @@ std::vector<std::string> overrides_of(const std::string& key, const std::string&
     const auto equals = pair.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size())
       refuse(key, specification, "\"" + pair + "\" is not key=value");
-    all.push_back("analysis." + name.substr(0, name.find('/')) + "." + pair);
+    const ComponentTable at = table_of_component(name);
+    all.push_back("analysis." + at.plugin + (at.component.empty() ? "" : "." + at.component) + "." + pair);
   }
   return all;
 }

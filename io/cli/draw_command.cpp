@@ -6,6 +6,7 @@
 #include "io/gear/check.hpp"
 #include "io/gear/drawing.hpp"
 #include "io/gear/read_plan.hpp"
+#include "io/hdf5/journal.hpp"
 
 #include <array>
 #include <filesystem>
@@ -18,7 +19,7 @@ namespace {
 
 /// A result by its name, or by the first bytes of the file.
 bool is_result(const std::string& path) {
-  if (std::filesystem::path(path).extension() == ".hdf") return true;
+  if (std::filesystem::path(path).extension() == ".hdf" || is_journal(path)) return true;
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4> start{};
   return file.read(start.data(), start.size()) && std::string_view(start.data(), 4) == "\x89HDF";

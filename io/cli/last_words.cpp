@@ -2,21 +2,27 @@
 #include "io/cli/last_words.hpp"
 
 #include "framework/conformance/conformance.hpp"
+#include "framework/registry/plugin_call.hpp"
 #include "io/cli/options.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 
-#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string_view>
+#if defined(__linux__)
+#include <ucontext.h>
+#endif
 
 namespace netloft::io {
 
 namespace {
 
 // Put together beforehand: little is safe when the time has come.
-char last_words[512];
-std::size_t length = 0;
+char under_test[512];
+std::size_t under_test_length = 0;
 
 void say(std::string_view words) {
   while (!words.empty()) {
@@ -26,22 +32,124 @@ void say(std::string_view words) {
   }
 }
 
-void die(int) {
-  say({last_words, length});
-  const char* check = check_under_way();
-  say(check ? "in the check " : "when it was made and first evaluated");
-  if (check) say({check, std::strlen(check)});
-  say("\n  usually: an index past the end of an array, or a null input that was read. "
-      "`gdb --args netloft test …` shows the line of a plugin compiled with -g\n");
+void say_if(const char* words) {
+  if (words) say({words, std::strlen(words)});
+}
+
+const char* name_of_signal(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+      return "Segmentation fault";
+    case SIGBUS:
+      return "Bus error";
+    case SIGFPE:
+      return "Arithmetic exception";
+    case SIGILL:
+      return "Illegal instruction";
+    default:
+      return "Aborted";
+  }
+}
+
+/// "rope/bar crashed in term elastic"
+void say_who(const CallFrame& frame, std::string_view did) {
+  say_if(frame.type);
+  say(did);
+  say_if(frame.what);
+  if (frame.name) say(" "), say_if(frame.name);
+}
+
+CallFrame innermost_plugin(const CallStack* calls) {
+  if (!calls) return {};
+  return calls->innermost_plugin().value_or(CallFrame{});
+}
+
+/// Who was at work when it happened. `did`: " crashed in ".
+/// Returns whether it is a plugin's doing.
+bool say_what_happened(std::string_view did) {
+  const CallStack* calls = known_calls_of_this_thread();
+  const CallFrame plugin = innermost_plugin(calls);
+  say("netloft: ");
+  if (under_test_length > 0) {
+    say({under_test, under_test_length});
+    say(did);
+    const char* check = check_under_way();
+    say(check ? "the check " : "its making or its first evaluation");
+    say_if(check);
+  } else if (plugin.type && calls->innermost().kind != CallFrame::Kind::host) {
+    say_who(plugin, did);
+  } else if (plugin.type) {
+    say("the program itself, called back by ");
+    say_if(plugin.type);
+    say(","), say(did), say_if(plugin.what);
+  } else {
+    say("the program itself"), say(did), say("no plugin");
+  }
+  return under_test_length > 0 || (plugin.type && calls->innermost().kind != CallFrame::Kind::host);
+}
+
+#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
+std::uintptr_t stack_pointer(void* context) {
+  const auto& machine = static_cast<ucontext_t*>(context)->uc_mcontext;
+#if defined(__x86_64__)
+  return static_cast<std::uintptr_t>(machine.gregs[REG_RSP]);
+#else
+  return static_cast<std::uintptr_t>(machine.sp);
+#endif
+}
+bool used_up_its_stack(int signal, const siginfo_t* info, void* context) {
+  constexpr std::uintptr_t kNear = std::uintptr_t{1} << 16;  // a call or a push misses by less
+  const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr), top = stack_pointer(context);
+  return signal == SIGSEGV && at + kNear > top && at < top + kNear;
+}
+#else
+bool used_up_its_stack(int, const siginfo_t*, void*) { return false; }
+#endif
+
+// Who handled signals before: nobody, or a sanitizer.
+struct sigaction before[NSIG];
+
+/// A crash of our own leaves what others can look into.
+void die_as_before(int signal) {
+  say("\n");
+  sigaction(signal, &before[signal], nullptr);
+}
+
+void die(int signal, siginfo_t* info, void* context) {
+  const bool is_plugins = say_what_happened(" crashed in ");
+  say(" ("), say_if(name_of_signal(signal)), say(")");
+  if (used_up_its_stack(signal, info, context))
+    say(": it used up its stack\n  usually: a function that calls itself for ever, or a very large local "
+        "array");
+  else
+    say("\n  usually: an index past the end of an array, or a null input that was read");
+  if (!is_plugins) return die_as_before(signal);
+  say(". `gdb --args netloft …` shows the line of a plugin compiled with -g\n");
+  _exit(kOther);
+}
+
+/// Where the program ends without having come to its own end.
+void tell_of_an_early_end() {
+  const CallStack* calls = known_calls_of_this_thread();
+  if (under_test_length == 0 && !innermost_plugin(calls).type) return;
+  std::fflush(stdout);
+  say_what_happened(" ended the program (exit) in ");
+  say("; a plugin returns, with a status and a sentence where it cannot go on\n");
   _exit(kOther);
 }
 
 }  // namespace
 
+void explain_crashes() {
+  calls_of_this_thread();  // with its stack for signals
+  std::atexit(tell_of_an_early_end), std::at_quick_exit(tell_of_an_early_end);
+  struct sigaction action {};
+  action.sa_sigaction = die, action.sa_flags = SA_SIGINFO | SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  for (const int s : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(s, &action, &before[s]);
+}
+
 void explain_crashes_of(const std::string& type) {
-  const std::string words = "netloft: " + type + " crashed ";
-  length = words.copy(last_words, sizeof last_words);
-  for (const int s : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(s, die);
+  under_test_length = type.copy(under_test, sizeof under_test);
 }
 
 }  // namespace netloft::io

@@ -2,6 +2,8 @@
 #include "framework/registry/nearest.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
+#include "io/cli/last_words.hpp"
+#include "io/cli/memory_room.hpp"
 #include "io/cli/prefix.hpp"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -339,7 +342,14 @@ int fail(const Options& o, const std::string& message, int code) {
   return code;
 }
 
+bool solves(const Options& o) {
+  constexpr std::array<const char*, 5> kSolving = {"run", "compare", "refine", "stability", "test"};
+  return std::find(kSolving.begin(), kSolving.end(), o.command) != kSolving.end();
+}
+
 int guarded(const Options& o) {
+  explain_crashes();
+  if (const std::string lack = lack_of_memory(); solves(o) && !lack.empty()) return fail(o, lack, kOther);
   try {
     return dispatch(o);
   } catch (const UsageError& e) {

@@ -95,10 +95,16 @@ int new_command(const Options& options) {
   const fs::path folder = options.target;
   if (fs::exists(folder) || !fs::create_directory(folder))
     throw UsageError{folder.string() + ": there is something of that name"};
-  for (const auto& t : kTemplates)
-    if (t.kind == options.kind)
-      write_whole(folder / renamed(t.file, options.kind, options.target),
-                  renamed(without_licence(t.text), options.kind, options.target));
+  try {
+    for (const auto& t : kTemplates)
+      if (t.kind == options.kind)
+        write_whole(folder / renamed(t.file, options.kind, options.target),
+                    renamed(without_licence(t.text), options.kind, options.target));
+  } catch (const WriteError&) {  // half a component would be in the way of a whole one
+    std::error_code none;
+    fs::remove_all(folder, none);
+    throw;
+  }
   say_what_next(options.target);
   return kDone;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/session.hpp"
+#include "io/cli/watchdog.hpp"
 #include "io/compare/mesh_error.hpp"
 #include "io/dynamics/motion_report.hpp"
 #include "io/hdf5/read.hpp"
@@ -8,6 +9,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -36,6 +38,18 @@ std::string output_file(const Options& options, const LoadedScene& loaded) {
   return name;
 }
 
+/// HDF5 files of that name are of equilibria, which are written once they are found; but earlier versions
+/// wrote motions so, too.
+bool is_worthless_hdf5(const std::string& part) {
+  silence_hdf5();
+  if (H5Fis_hdf5(part.c_str()) <= 0) return false;
+  try {
+    return !Reader(part).has("/netloft/checkpoint");
+  } catch (const FileError&) {
+    return true;
+  }
+}
+
 /// Outputs of a motion that was killed are replaced only by who says so.
 void spare_outputs(const Options& options, const std::string& part) {
   std::error_code none;
@@ -45,9 +59,9 @@ void spare_outputs(const Options& options, const std::string& part) {
   require_no_writer(part);
   const std::string cure = "; --overwrite replaces it, -o writes elsewhere";
   try {
-    const Reader left(part);
-    if (left.has("/netloft/checkpoint/time"))
-      throw UsageError{part + " holds " + std::to_string(left.times().size()) +
+    if (is_worthless_hdf5(part)) return;
+    if (const auto left = SeriesJournal::read(part); left.size() > 0)
+      throw UsageError{part + " holds " + std::to_string(left.size()) +
                        " outputs of a run that did not end; --resume goes on from them" + cure};
   } catch (const FileError& e) {
     throw UsageError{std::string(e.what()) + ". A run that did not end left it" + cure};
@@ -123,14 +137,79 @@ int run_in_time(const Options& options, Session& session, const RunContext& cont
 
 }  // namespace
 
+namespace {
+
+/// What a run has to show so far, for an end that is not its own.
+struct RunSoFar {
+  const Options& options;
+  RunContext& context;
+  Session& session;
+  RunResult& result;
+  KeptPoint kept;
+  FileOfRun* file = nullptr;  // once there is one
+  std::string part;           // of a motion
+};
+
+void print_result(const Options& options, Session& session, const RunResult& result) {
+  session.terminal().clear();
+  std::puts(options.json ? run_json(session.loaded(), session.plan(), result).c_str()
+                         : run_text(session.loaded(), session.plan(), result).c_str());
+}
+
+/// Where there is no point that could be written.
+void say_what_is_left(RunSoFar& run) {
+  const bool is_motion = !run.part.empty() && std::filesystem::exists(run.part);
+  run.session.terminal().say(is_motion ? "netloft: the outputs so far are in " + run.part +
+                                             "; --resume goes on from them"
+                                       : "netloft: nothing was found before, and no result is written");
+  if (run.file) (**run.file).discard();
+}
+
+/// Writes the best point that was accepted before a plugin did not come back.
+int keep_what_was_found(RunSoFar& run, const Overdue& overdue) {
+  const int code = overdue.interrupted ? kInterrupted : kNotConverged;
+  run.session.terminal().say("netloft: " + overdue.sentence + "; the run ends here");
+  if (!run.file || run.kept.u.empty()) return say_what_is_left(run), code;
+  const auto assembler = run.session.the_case().make_another_assembler();
+  Solution& s = run.result.solution = run.session.the_case().judge(run.kept.u, *assembler);
+  s.status = overdue.interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
+  s.reason = overdue.sentence + "; this is the last that was found before";
+  collect(run.session.loaded(), *assembler, run.result);
+  run.result.output_file = named_by_outcome(**run.file, s, run.session.terminal());
+  write_result(**run.file, run.session.loaded(), *assembler, run.result, run.context);
+  print_result(run.options, run.session, run.result);
+  return code;
+}
+
+void solve(Session& session, Watchdog& watchdog, RunSoFar& run) {
+  const Limits& limits = session.loaded().analysis.limits;
+  run.result.reading_seconds = session.the_case().reading_seconds();
+  run.result.setup_seconds = session.the_case().setup_seconds();
+  watchdog.allow(limits.seconds);
+  run.result.solution = session.the_case().solve(
+      {&interrupt_flag(),
+       [&](const IterationRecord& record) { session.terminal().progress(record, limits.tolerance); },
+       &run.kept});
+  watchdog.allow(std::numeric_limits<double>::infinity());  // what follows has limits of its own
+}
+
+}  // namespace
+
 int run_command(const Options& options) {
   RunContext context{options.words, utc_now(), {}, ""};
   catch_interrupts();
   Session session(options);
+  RunResult result;
+  RunSoFar so_far{options, context, session, result, {}, nullptr, ""};
+  Watchdog watchdog([&](const Overdue& overdue) { return keep_what_was_found(so_far, overdue); });
   if (const int code = session.open(); code != kDone) return code;
   context.plugins = session.registry().opened();
   context.plan_text = plan_text(session.plan(), session.plan_extras());
-  if (session.loaded().analysis.kind == AnalysisKind::dynamics) return run_in_time(options, session, context);
+  if (session.loaded().analysis.kind == AnalysisKind::dynamics) {
+    so_far.part = output_file(options, session.loaded()) + ".part";
+    watchdog.allow(2 * session.loaded().analysis.limits.seconds);  // the start may take as long as the motion
+    return run_in_time(options, session, context);
+  }
   if (options.resume)
     throw UsageError{"--resume goes on with motions; an equilibrium is found from its start"};
 
@@ -138,13 +217,8 @@ int run_command(const Options& options) {
   const auto levels = levels_for_errors(options, session.loaded());
   spare_outputs(options, output_file(options, session.loaded()) + ".part");
   FileOfRun file(output_file(options, session.loaded()));
-  RunResult result;
-  result.reading_seconds = session.the_case().reading_seconds();
-  result.setup_seconds = session.the_case().setup_seconds();
-  const double tolerance = session.loaded().analysis.limits.tolerance;
-  result.solution = session.the_case().solve({&interrupt_flag(), [&](const IterationRecord& record) {
-                                                session.terminal().progress(record, tolerance);
-                                              }});
+  so_far.file = &file;
+  solve(session, watchdog, so_far);
   collect(session.loaded(), session.assembler(), result);
   if (options.error)
     find_mesh_errors(source_of(options), session.registry(), session.the_case(), levels,
@@ -152,10 +226,7 @@ int run_command(const Options& options) {
   context.plugins = session.registry().opened();
   result.output_file = named_by_outcome(*file, result.solution, session.terminal());
   write_result(*file, session.loaded(), session.assembler(), result, context);
-
-  session.terminal().clear();
-  std::puts(options.json ? run_json(session.loaded(), session.plan(), result).c_str()
-                         : run_text(session.loaded(), session.plan(), result).c_str());
+  print_result(options, session, result);
   return exit_code(result.solution.status);
 }
 

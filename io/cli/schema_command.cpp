@@ -3,6 +3,7 @@
 #include "io/catalogue/part_kinds.hpp"
 #include "io/cli/commands.hpp"
 #include "io/cli/components.hpp"
+#include "io/scene/analysis.hpp"
 #include "io/scene/dynamics.hpp"
 #include "io/scene/geometry.hpp"
 #include "io/scene/keys.hpp"
@@ -357,12 +358,20 @@ class PartSchema {
   Json types_ = Json::array(), checks_ = Json::array(), offers_ = {{{"type", "object"}}};
 };
 
-/// The table that solvers, integrators and strategies have in `analysis`; those of one plugin share it.
-void put_component(Json& analysis, const std::string& plugin, const char* doc,
+/// The table that a solver, an integrator or a strategy has in `analysis`.
+void put_component(Json& analysis, const std::string& type, const char* doc,
                    std::span<const netloft_parameter> parameters) {
-  Json& own = analysis["properties"][plugin];
-  if (own.is_null()) own = object(), own["description"] = doc;
+  const ComponentTable at = table_of_component(type);
+  Json& plugin = analysis["properties"][at.plugin];
+  if (plugin.is_null()) plugin = object();
+  if (at.component.empty()) {
+    plugin["description"] = doc;
+    return put_table(plugin, parameters);
+  }
+  Json own = object();
+  own["description"] = doc;
   put_table(own, parameters);
+  plugin["properties"][at.component] = own;
 }
 
 /// Tables of a net plan, whose page is GEAR.md.
@@ -412,8 +421,9 @@ void put_files(Json& scene) {
 
 Json scene_schema(Registry& registry) {
   PartSchema parts;
-  Json analysis = object(), water = object();
+  Json analysis = object(), water = object(), tow = object();
   put_table(water, water_keys());
+  put_table(tow, tow_keys());
   put(water, "current", current_schema(), false);
   put_table(analysis, analysis_keys());
   put_table(analysis, dynamics_keys());
@@ -421,15 +431,16 @@ Json scene_schema(Registry& registry) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements)
       if (!e.element.rides_on) parts.add(e, plugin);  // else it comes with another
-    for (const auto& s : plugin.solvers) put_component(analysis, name, s.solver.doc, s.parameters);
-    for (const auto& i : plugin.integrators) put_component(analysis, name, i.integrator.doc, i.parameters);
-    for (const auto& s : plugin.strategies) put_component(analysis, name, s.strategy.doc, s.parameters);
+    for (const auto& s : plugin.solvers) put_component(analysis, s.type, s.solver.doc, s.parameters);
+    for (const auto& i : plugin.integrators) put_component(analysis, i.type, i.integrator.doc, i.parameters);
+    for (const auto& s : plugin.strategies) put_component(analysis, s.type, s.strategy.doc, s.parameters);
   }
   Json scene = object();
   scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   scene["title"] = "Netloft scene";
   put_files(scene);
   put(scene, "water", water, false);
+  put(scene, "tow", tow, false);
   put(scene, "parts",
       {{"type", "object"},
        {"minProperties", 1},

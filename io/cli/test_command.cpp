@@ -93,6 +93,7 @@ std::vector<ConformanceReport> check_all(const Targets& found, bool aloud) {
   for (const auto* s : found.solvers) check(s->type, [&] { return check_solver(*s); });
   for (const auto* i : found.integrators) check(i->type, [&] { return check_integrator(*i); });
   for (const auto* s : found.strategies) check(s->type, [&] { return check_strategy(*s); });
+  explain_crashes_of("");
   return reports;
 }
 

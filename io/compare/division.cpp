@@ -175,7 +175,8 @@ std::vector<MeshLevel> gear_levels(const LoadedScene& loaded, const std::vector<
   for (const auto part : parts_of(*loaded.gear)) parts.insert(loaded.parts[part].name);
   refuse_numbered_nodes(loaded, parts);
   std::vector<MeshLevel> levels;
-  for (const auto count : nodes) levels.push_back({count, {"gear.nodes=" + std::to_string(count)}});
+  for (const auto count : nodes)
+    levels.push_back({count, {"gear.nodes=" + std::to_string(count), "gear.size=0"}});
   return levels;
 }
 

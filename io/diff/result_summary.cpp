@@ -15,6 +15,7 @@ class SummaryReader {
  public:
   explicit SummaryReader(const std::filesystem::path& path) : reader_(path) {
     summary_.path = path.string();
+    if (reader_.has("/netloft")) reader_.require_known_format();
     if (!reader_.has("/netloft/provenance") && !reader_.has("/netloft/checkpoint"))
       throw FileError(summary_.path + " is not a result of netloft: it has no /netloft/provenance");
   }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/problem/time_march.hpp"
-#include "io/hdf5/read.hpp"
-#include "io/hdf5/tree.hpp"
+
+#include <string>
 
 namespace netloft::io {
 
-/// Writes the state from which a march continues, under /netloft/checkpoint. `scene` identifies the scene;
-/// continuing with another one is refused.
-void write_checkpoint(Tree& tree, const MarchState& state, const std::string& scene);
+/// The state from which a march continues, as bytes that stand in a journal beside the output.
+std::string pack_checkpoint(const MarchState& state);
 
-/// Throws FileError if there is none, or if it belongs to another scene.
-MarchState read_checkpoint(const Reader& reader, const std::string& scene);
+/// The same state, to the bit. Throws FileError if the bytes are none.
+MarchState unpack_checkpoint(const std::string& bytes);
 
 }  // namespace netloft::io

@@ -14,7 +14,7 @@ namespace {
 
 const std::string kEnergy = "energy/", kGear = "gear/";
 
-/// One run; the file is made at the first output, because the content of an output is known only then.
+/// One run; the journal is made at the first output, because the content of an output is known only then.
 class MotionRun {
  public:
   MotionRun(Case& the_case, const RunContext& context, const MotionOptions& options)
@@ -28,44 +28,44 @@ class MotionRun {
                              return false;
                            }};
     result_.march = case_.march(watch, options_.interrupt, killed_state_ ? &*killed_state_ : nullptr);
-    if (!file_ && killed_) finish_killed();
-    if (file_) finish();
+    if (!journal_) return std::move(result_);
+    if (result_.outputs == outputs_before_) recall_last_output();
+    finish();
     return std::move(result_);
   }
 
  private:
   MarchState read_killed() {
-    const std::filesystem::path part = options_.output.string() + ".part";
+    const std::filesystem::path part = part_path();
     if (!std::filesystem::exists(part)) throw FileError("there is no " + part.string() + " to go on from");
-    killed_.emplace(part);
+    journal_.emplace(SeriesJournal::go_on(part, options_.identity));
     const MarchState state =
-        with_context(part.string(), [&] { return read_checkpoint(*killed_, options_.identity); });
-    result_.resumed_from = state.t, result_.outputs = state.outputs;
+        with_context(part.string(), [&] { return unpack_checkpoint(journal_->checkpoint()); });
+    result_.resumed_from = state.t, result_.outputs = outputs_before_ = journal_->size();
     return state;
   }
+  std::string part_path() const { return options_.output.string() + ".part"; }
 
   void write(const Snapshot& at) {
     const SeriesState state = describe(at);
-    if (!file_) open_file();
-    file_->write(state, [&](Tree& tree) {
-      if (at.state) write_checkpoint(tree, *at.state, options_.identity);
-    });
+    if (!journal_) begin_journal();
+    if (result_.outputs == outputs_before_) journal_->require_layout(layout_);
+    journal_->write(state, at.state ? pack_checkpoint(*at.state) : "");
     ++result_.outputs;
   }
-  void open_file() {
-    if (!killed_) {
-      file_.emplace(options_.output, layout_);
-      return;
-    }
-    const auto checkpoint = [&](Tree& tree) { write_checkpoint(tree, *killed_state_, options_.identity); };
-    file_.emplace(options_.output, layout_, SeriesFile::Killed{*killed_, result_.outputs, checkpoint});
+  void begin_journal() {
+    const auto origins = make_origins([&](Tree& tree) {
+      write_inputs(tree, loaded_, context_);
+      write_gear(tree, loaded_, {});
+    });
+    journal_.emplace(SeriesJournal::create(part_path(), options_.identity, origins, layout_));
   }
 
-  /// The run was killed after its last output: the file only needs to be finished.
-  void finish_killed() {
+  /// The run was killed after its last output: only the result has to be made.
+  void recall_last_output() {
     describe_layout_of_killed(*killed_state_);
-    recall(read_state(*killed_, layout_, result_.outputs - 1).row);
-    open_file();
+    journal_->require_layout(layout_);
+    recall(journal_->state(journal_->size() - 1).row);
   }
 
   /// Restores the numbers of the last output from the killed file.
@@ -169,35 +169,36 @@ class MotionRun {
   }
 
   void finish() {
+    journal_->set_status({name_of(result_.march.status), result_.march.reason});
     if (result_.march.status == MarchStatus::interrupted) {
-      result_.output_file = file_->final_path().string() + ".part";
+      result_.output_file = part_path();
       return;
     }
-    const auto name = name_beside_better(file_->final_path(), name_of(result_.march.status));
+    const auto name = name_beside_better(options_.output, name_of(result_.march.status));
     result_.output_file = name.string();
-    file_->finish(
-        [&](Tree& tree) {
-          tree.set_attribute("/netloft/status", "outcome", std::string_view(name_of(result_.march.status)));
-          tree.set_attribute("/netloft/status", "sentence", std::string_view(result_.march.reason));
-          write_origins(tree, loaded_, context_, result_.march.statistics);
-          tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
-          tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
-          write_gear(tree, loaded_, result_.gear);
-          for (const auto& s : result_.scalars)
-            tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
-        },
-        name);
+    make_result(*journal_, name, [&](Tree& tree) { write_rest(tree); });
     write_xdmf(name);
+    journal_->remove();
+  }
+
+  void write_rest(Tree& tree) {
+    begin_result(tree, name_of(result_.march.status), result_.march.reason);
+    write_origins(tree, loaded_, context_, result_.march.statistics);
+    tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
+    tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
+    write_gear(tree, loaded_, result_.gear);
+    for (const auto& s : result_.scalars)
+      tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
   }
 
   Case& case_;
   const LoadedScene& loaded_;
   const RunContext& context_;
   const MotionOptions& options_;
-  SeriesFile::Layout layout_;
-  std::optional<Reader> killed_;
+  SeriesLayout layout_;
   std::optional<MarchState> killed_state_;
-  std::optional<SeriesFile> file_;
+  std::optional<SeriesJournal> journal_;
+  std::size_t outputs_before_ = 0;  // that were in the journal already
   MotionResult result_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/case/case.hpp"
-#include "io/hdf5/series_file.hpp"
+#include "io/hdf5/fold.hpp"
 #include "io/report/write_result.hpp"
 
 namespace netloft::io {
@@ -27,9 +27,9 @@ struct MotionOptions {
   std::function<void(const StepRecord&)> on_step;
 };
 
-/// Marches through time as the case's analysis says, and writes every output: the picture, named results and
-/// the energy budget as series, and the state from which to continue. Finishes the file unless it was
-/// interrupted. Throws FileError.
+/// Marches through time as the case's analysis says, and writes every output into the journal NAME.hdf.part:
+/// the picture, named results and the energy budget as series, and the state from which to continue. Makes
+/// the result of it unless the march was interrupted. Throws FileError.
 MotionResult run_motion(Case& the_case, const RunContext& context, const MotionOptions& options);
 
 }  // namespace netloft::io

@@ -3,7 +3,6 @@
 
 #include "io/files/whole_file.hpp"
 #include "io/hdf5/read.hpp"
-#include "io/hdf5/step_views.hpp"
 
 #include <fmt/format.h>
 
@@ -13,12 +12,44 @@ namespace netloft::io {
 
 namespace {
 
-std::string item(const std::string& file, const std::string& path, const std::vector<std::size_t>& shape) {
-  std::string extents;
-  for (const std::size_t n : shape) extents += (extents.empty() ? "" : " ") + std::to_string(n);
+/// An array of all states: every state has its own rows, beginning at offsets[state].
+struct SteppedArray {
+  std::string name, path, center;
+  std::vector<std::size_t> shape;
+  std::vector<std::int64_t> offsets;
+  std::size_t rows;
+};
+
+std::string in_words(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (const std::size_t n : numbers) text += (text.empty() ? "" : " ") + std::to_string(n);
+  return text;
+}
+
+/// The rows of a state: where they begin in the array, their stride, how many they are.
+std::string item(const std::string& file, const SteppedArray& array, std::size_t step) {
+  std::vector<std::size_t> first(array.shape.size(), 0), stride(array.shape.size(), 1), count = array.shape;
+  first[0] = static_cast<std::size_t>(array.offsets.at(step)), count[0] = array.rows;
   return fmt::format(
-      "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"{}\">{}:{}</DataItem>",
-      extents, file, path);
+      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{0}\"><DataItem Format=\"XML\" NumberType=\"Int\" "
+      "Dimensions=\"3 {1}\">{2} {3} {0}</DataItem><DataItem Format=\"HDF\" NumberType=\"Float\" "
+      "Precision=\"8\" Dimensions=\"{4}\">{5}:{6}</DataItem></DataItem>",
+      in_words(count), count.size(), in_words(first), in_words(stride), in_words(array.shape), file,
+      array.path);
+}
+
+/// Fields that change: the first state lies behind the newest one. Those that do not change lie at 0.
+std::vector<SteppedArray> changing_fields(const Reader& reader) {
+  std::vector<SteppedArray> arrays;
+  for (const auto& [group, center] : {std::pair{"PointData", "Node"}, {"CellData", "Cell"}})
+    for (const auto& name : reader.list(std::string("/VTKHDF/") + group)) {
+      const std::string path = std::string("/VTKHDF/") + group + "/" + name;
+      const auto offsets = reader.integers(std::string("/VTKHDF/Steps/") + group + "Offsets/" + name);
+      if (offsets.empty() || offsets[0] == 0) continue;
+      const auto rows = static_cast<std::size_t>(offsets[0]);
+      arrays.push_back({name, path, center, reader.shape(path), offsets, rows});
+    }
+  return arrays;
 }
 
 /// Cells in XDMF's order: type, number of nodes if the type does not imply it, nodes.
@@ -41,16 +72,12 @@ std::string topology(const Reader& reader) {
       offsets.size() - 1, length, mixed);
 }
 
-std::string fields(const Reader& reader, const std::string& group, const char* center, std::size_t step,
-                   const std::string& file) {
+std::string fields(const std::vector<SteppedArray>& arrays, std::size_t step, const std::string& file) {
   std::string text;
-  const std::string at = step_group(step) + group;
-  if (!reader.has(at)) return text;
-  for (const auto& name : reader.list(at)) {
-    const auto shape = reader.shape(at + "/" + name);
-    text += fmt::format("<Attribute Name=\"{}\" Center=\"{}\" AttributeType=\"{}\">{}</Attribute>\n", name,
-                        center, shape.size() == 1 ? "Scalar" : "Vector", item(file, at + "/" + name, shape));
-  }
+  for (const auto& array : arrays)
+    text +=
+        fmt::format("<Attribute Name=\"{}\" Center=\"{}\" AttributeType=\"{}\">{}</Attribute>\n", array.name,
+                    array.center, array.shape.size() == 1 ? "Scalar" : "Vector", item(file, array, step));
   return text;
 }
 
@@ -65,13 +92,17 @@ void write_xdmf(const std::filesystem::path& result) {
   out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
       << "<Grid Name=\"series\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   const std::string shared = topology(reader);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const std::string points = step_group(i) + "Points";
+  const auto arrays = changing_fields(reader);
+  const SteppedArray points{"",
+                            "/VTKHDF/Points",
+                            "",
+                            reader.shape("/VTKHDF/Points"),
+                            reader.integers("/VTKHDF/Steps/PointOffsets"),
+                            static_cast<std::size_t>(reader.integer("/VTKHDF/NumberOfPoints"))};
+  for (std::size_t i = 0; i < times.size(); ++i)
     out << fmt::format("<Grid Name=\"step {}\"><Time Value=\"{:.17g}\"/>\n", i, times[i]) << shared
-        << "<Geometry GeometryType=\"XYZ\">" << item(file, points, reader.shape(points)) << "</Geometry>\n"
-        << fields(reader, "PointData", "Node", i, file) << fields(reader, "CellData", "Cell", i, file)
-        << "</Grid>\n";
-  }
+        << "<Geometry GeometryType=\"XYZ\">" << item(file, points, i) << "</Geometry>\n"
+        << fields(arrays, i, file) << "</Grid>\n";
   out << "</Grid></Domain></Xdmf>\n";
   write_whole(std::filesystem::path(result).replace_extension(".xdmf"), out.str());
 }

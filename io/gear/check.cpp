@@ -13,10 +13,13 @@ void check_plan(NetPlan& plan, Diagnostics& diagnostics, const CheckLimits& limi
   check_joins(plan, limits, diagnostics);
   check_hangings(plan, limits, diagnostics);
   check_ropes(plan, limits, diagnostics);
-  check_pieces(plan, diagnostics);
+  check_pieces(plan, limits, diagnostics);
   // A wrong name leaves parts unconnected; that is not reported as a second error.
   if (diagnostics.errors() == errors_before) check_connections(plan, diagnostics);
   if (diagnostics.errors() == 0) check_spans(plan, limits, diagnostics);
+  if (diagnostics.errors() > 0) return;
+  check_loose_ropes(plan, limits, diagnostics);
+  check_open_edges(plan, diagnostics);
 }
 
 std::string in_meshes(double meshes) {

@@ -15,6 +15,8 @@ struct CheckLimits {
   double joining_error = 0.10;  // beyond it the plan must state a take-up ratio
   double stretching = 0.02;     // of netting beyond the length of its straight twines
   double bunching = 0.2;        // hanging ratio below which meshes are bunched
+  double loose_rope = 0.5;      // least part of a rope with hangings that is given to edges
+  double crowded = 4;           // floats in a row over the length they are spread along, that fit in no bunch
   double short_rope = 0.02;     // of missing rope
   double rounding = 1e-3;       // of lengths, as they are rounded in plans
 };
@@ -29,9 +31,14 @@ void check_panels(NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnos
 void check_joins(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
 void check_hangings(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
 void check_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
-void check_pieces(const NetPlan& plan, Diagnostics& diagnostics);
+void check_pieces(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
 void check_connections(const NetPlan& plan, Diagnostics& diagnostics);
-/// Checks points with known positions: they must not be farther apart than the ropes between them allow. The
+/// Checks that ropes with hangings are mostly on edges. The plan must be free of errors.
+void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
+/// Checks that every edge is sewn, hung or said to be open. The plan must be free of errors.
+void check_open_edges(const NetPlan& plan, Diagnostics& diagnostics);
+/// Checks points with known positions: they must not be farther apart than the ropes between them allow,
+/// and no rope must lead from a point to itself. The
 /// plan must be free of errors.
 void check_spans(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gear/check.hpp"
 #include "io/gear/names.hpp"
+#include "io/toml/table_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -164,17 +165,6 @@ void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const 
                       "stands = \"middle\" of a rope that runs from one side to the other");
 }
 
-const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const Place& place,
-                             const std::string& path, Diagnostics& diagnostics) {
-  const Rope* rope = plan.find_rope(name);
-  std::vector<std::string> names;
-  for (const auto& r : plan.ropes) names.push_back(r.name);
-  if (!rope)
-    diagnostics.error(place, path + ": there is no rope \"" + name + "\"",
-                      plan.find_panel(name) ? "\"" + name + "\" is a panel" : near_names(name, names));
-  return rope;
-}
-
 std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]", key, i); }
 
 double hung_on(const NetPlan& plan, const Rope& rope) {
@@ -188,9 +178,33 @@ double hung_on(const NetPlan& plan, const Rope& rope) {
   return sum;
 }
 
+/// Most of a rope that edges hang on is given to them.
+void say_loose(const Rope& rope, double hung, Diagnostics& diagnostics) {
+  diagnostics.warning(
+      rope.place,
+      fmt::format("{}: {} m long, {} m of it are given to edges: {} m hang on no netting", rope.name,
+                  in_metres(rope.length), in_metres(hung), in_metres(rope.length - hung)),
+      "length in metres, of the whole rope; what leads on to other gear is a rope of its own");
+}
+
+void check_thickness(const Rope& rope, Diagnostics& diagnostics) {
+  const Table* numbers = rope.rope.as<Table>();
+  const Member* diameter = numbers ? numbers->find("diameter") : nullptr;
+  if (!diameter || rope.is_selvedge) return;
+  Diagnostics silent;
+  const double thick =
+      TableReader(rope.rope, silent).real("diameter", {.unit = "m", .range = between(0, 1e6)});
+  if (silent.errors() == 0 && thick >= rope.length)
+    diagnostics.error(
+        rope.place,
+        fmt::format("{}: {} m thick and {} m long", rope.name, in_metres(thick), in_metres(rope.length)),
+        "one of the two may be in another unit");
+}
+
 void check_rope_length(const NetPlan& plan, const Rope& rope, const CheckLimits& limits,
                        Diagnostics& diagnostics) {
   const double hung = hung_on(plan, rope), missing = hung - rope.length;
+  check_thickness(rope, diagnostics);
   if (missing <= limits.rounding * rope.length) return;
   const std::string message =
       fmt::format("{}: {} m long, {} m of it are given to edges: {} m too short", rope.name,
@@ -302,23 +316,32 @@ void check_hangings(const NetPlan& plan, const CheckLimits& limits, Diagnostics&
   }
 }
 
+void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  for (const auto& rope : plan.ropes)
+    if (const double hung = hung_on(plan, rope); hung > 0 && hung < limits.loose_rope * rope.length)
+      say_loose(rope, hung, diagnostics);
+}
+
+/// A gear has one headline and one footrope.
+void check_roles(const NetPlan& plan, Diagnostics& diagnostics) {
+  std::map<std::string, const Rope*> first;
+  for (const auto& rope : plan.ropes) {
+    if (rope.role != "headline" && rope.role != "footrope") continue;
+    const auto [earlier, is_new] = first.emplace(rope.role, &rope);
+    if (!is_new)
+      diagnostics.error(rope.role_place,
+                        fmt::format("{}: {} is the {} already, at {}", rope.name, earlier->second->name,
+                                    rope.role, diagnostics.where(earlier->second->role_place)),
+                        "role = \"fishing-line\" or \"ground-rope\" of the other, if it is one");
+  }
+}
+
 void check_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  check_roles(plan, diagnostics);
   for (const auto& rope : plan.ropes) {
     check_rope_length(plan, rope, limits, diagnostics);
     for (const auto& end : rope.between)
       if (!end.empty()) check_end(plan, rope, end, diagnostics);
-  }
-}
-
-void check_pieces(const NetPlan& plan, Diagnostics& diagnostics) {
-  for (const auto& pieces : plan.pieces) {
-    const std::string path = "floats." + pieces.name + ".spread";
-    if (pieces.is_along_edge())
-      find_edge(plan, pieces.along, pieces.spread_place, path, diagnostics);
-    else if (!pieces.along.empty())
-      find_rope_or_say(plan, pieces.along, pieces.spread_place, path, diagnostics);
-    else
-      find_point_owner(plan, pieces.at, pieces.spread_place, path, diagnostics);
   }
 }
 

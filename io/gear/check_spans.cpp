@@ -66,9 +66,29 @@ void say_too_short(const GearPoint& a, const GearPoint& b, double length, Diagno
 
 }  // namespace
 
+namespace {
+
+/// Ropes whose ends are one point, and which take no edge between them: they hang there as a loop.
+void check_loops(const Gear& gear, const RopeWays& ways, Diagnostics& diagnostics) {
+  for (const auto& rope : gear.ropes) {
+    const bool is_across = !rope.middle.empty();
+    const auto reached = ways.from(rope.name + ".end");
+    const auto other = reached.find(rope.name + (is_across ? ".middle" : ".start"));
+    const double length = is_across ? rope.length / 2 : rope.length;
+    if (!rope.hung.empty() || rope.is_mirrored || other == reached.end() || other->second >= length * 1e-6)
+      continue;
+    diagnostics.error(rope.rope->between_place,
+                      fmt::format("ropes.{}.between: both ends of the rope are one point", rope.rope->name),
+                      "a rope leads from one point to another");
+  }
+}
+
+}  // namespace
+
 void check_spans(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
   const Gear gear = make_gear(plan, Extent::whole);
   const RopeWays ways(gear);
+  check_loops(gear, ways, diagnostics);
   std::set<std::pair<const Point*, const Point*>> said;  // port and starboard would give the same message
   for (std::size_t i = 0; i < gear.points.size(); ++i) {
     const GearPoint& a = gear.points[i];

@@ -321,8 +321,14 @@ class Divider {
         rope.rest_lengths.push_back(run.length * (fractions[k] - fractions[k - 1]));
       }
     }
-    rope.sets["start"] = {0};
-    rope.sets["end"] = {static_cast<std::uint32_t>(rope.nodes.size() - 1)};
+    const auto last = static_cast<std::uint32_t>(rope.nodes.size() - 1);
+    rope.sets["end"] = {last};
+    if (gear_.ropes[r].rope->stands == Standing::middle) {
+      rope.sets["starboard"] = {last};
+      rope.sets[gear_.extent == Extent::whole ? "port" : "middle"] = {0};
+    } else {
+      rope.sets["start"] = {0};
+    }
     const auto middle = std::find(rope.nodes.begin(), rope.nodes.end(), lines_.rope_middles[r]);
     if (lines_.rope_middles[r] != kNoPoint && middle != rope.nodes.end())
       rope.sets["middle"] = {static_cast<std::uint32_t>(middle - rope.nodes.begin())};

@@ -144,8 +144,10 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
     if (is_one_of(corner_names(*panel))) return panel->name;
     for (const auto& corner : corner_names(*panel)) known.push_back(panel->name + "." + corner);
   } else if (const Rope* rope = plan.find_rope(dotted.owner)) {
-    if (is_one_of({"start", "middle", "end"})) return rope->name;
-    known = {rope->name + ".start", rope->name + ".middle", rope->name + ".end"};
+    if (is_one_of({"middle", "end"}) || (dotted.rest == "start" && rope->stands != Standing::middle))
+      return rope->name;
+    known = {rope->name + ".middle", rope->name + ".end"};
+    if (rope->stands != Standing::middle) known.insert(known.begin(), rope->name + ".start");
   } else {
     if (plan.find_point(name)) return name;
     append_names(known, plan.points);
@@ -153,6 +155,17 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
   }
   diagnostics.error(place, path + ": there is no point \"" + name + "\"", near_names(name, known));
   return {};
+}
+
+const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const Place& place,
+                             const std::string& path, Diagnostics& diagnostics) {
+  const Rope* rope = plan.find_rope(name);
+  std::vector<std::string> names;
+  for (const auto& r : plan.ropes) names.push_back(r.name);
+  if (!rope)
+    diagnostics.error(place, path + ": there is no rope \"" + name + "\"",
+                      plan.find_panel(name) ? "\"" + name + "\" is a panel" : near_names(name, names));
+  return rope;
 }
 
 }  // namespace netloft::io

@@ -26,6 +26,10 @@ struct EdgeSet {
 EdgeSet find_edge(const NetPlan& plan, const std::string& name, const Place& place, const std::string& path,
                   Diagnostics& diagnostics);
 
+/// The rope of this name. If there is none, the result is null and an error is reported.
+const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const Place& place,
+                             const std::string& path, Diagnostics& diagnostics);
+
 /// The owner of a point: "headrope.end" belongs to the rope, "top-wing.fore-outer" to the panel,
 /// "towing-point" to itself. If there is no such point, the result is empty and an error is reported.
 std::string find_point_owner(const NetPlan& plan, const std::string& name, const Place& place,

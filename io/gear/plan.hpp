@@ -47,6 +47,12 @@ struct Cut {
 /// Computes the extent of each cut of a side from the given numbers and the depth of the panel.
 void settle(std::vector<Cut>& side, double depth);
 
+/// An edge that a plan says to be open: "fore", "aft", the name of a stretch.
+struct OpenEdge {
+  std::string name;
+  Place place;
+};
+
 struct Panel {
   std::string name;
   Standing stands = Standing::middle;
@@ -58,12 +64,13 @@ struct Panel {
   double twine_diameter = 0;  // [m]
   int twines = 1;             // number laid side by side: 2 in double netting
   std::vector<MeshCount> fore, aft;
-  bool states_aft = false;  // whether the plan states it; otherwise it follows from the cuttings
-  double depth = 0;         // meshes, over all pieces in a row
-  int pieces = 1;           // sewn in a row mesh to mesh, each `depth`/`pieces` deep
-  bool is_round = false;    // a tube: its sides are sewn to one another
-  std::vector<Cut> outer;   // of a middle panel: both sides
-  std::vector<Cut> inner;   // of a middle panel: none
+  bool states_aft = false;     // whether the plan states it; otherwise it follows from the cuttings
+  double depth = 0;            // meshes, over all pieces in a row
+  int pieces = 1;              // sewn in a row mesh to mesh, each `depth`/`pieces` deep
+  std::vector<OpenEdge> open;  // edges that are sewn and hung nowhere on purpose
+  bool is_round = false;       // a tube: its sides are sewn to one another
+  std::vector<Cut> outer;      // of a middle panel: both sides
+  std::vector<Cut> inner;      // of a middle panel: none
   /// Initial corners: fore-inner, fore-outer, aft-outer, aft-inner, to starboard [m]; may be empty.
   std::vector<std::array<double, 3>> sketch;
   Place place, aft_place;
@@ -80,12 +87,18 @@ struct Rope {
   std::string name;
   Standing stands = Standing::alone;
   std::string part_name;
-  Value rope;                          // a table: diameter, EA, density, …
-  double length = 0;                   // unstretched [m]
+  Value rope;         // a table: diameter, EA, density, …
+  double length = 0;  // unstretched [m]
+  std::string role;   // one of rope_roles(); empty: none
+  Place role_place;
   std::array<std::string, 2> between;  // points at its ends; empty: none
   bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
   Place place, between_place;
 };
+
+/// Words for what a rope is in a gear. Figures of the mouth are found where a headline and a footrope are
+/// named.
+const std::vector<std::string>& rope_roles();
 
 /// An edge hung on a rope. Along the rope, edges follow one another in the order of its hangings.
 struct Hanging {

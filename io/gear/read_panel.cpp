@@ -235,6 +235,22 @@ void check_pieces_in_a_row(const Panel& panel, TableReader& table) {
                            "write a panel for each, with its own counts");
 }
 
+/// `open = "aft"`, or an array of edges.
+std::vector<OpenEdge> read_open(TableReader& table) {
+  const Value* said = table.raw("open");
+  if (!said) return {};
+  if (const auto* name = said->as<std::string>()) return {{*name, said->place}};
+  const Array* array = said->as<Array>();
+  std::vector<OpenEdge> open;
+  if (array)
+    for (const auto& item : array->items)
+      if (const auto* name = item.as<std::string>()) open.push_back({*name, item.place});
+  if (!array || open.size() != array->items.size())
+    table.error("open", "give the name of an edge of the panel that stays open, or an array of names",
+                "such as open = [\"aft\"]");
+  return open;
+}
+
 void read_sketch(Panel& panel, TableReader& table) {
   if (!table.has("sketch")) return;
   for (const auto& row : table.rows("sketch", {.unit = "m",
@@ -257,6 +273,9 @@ ChosenPart read_part_choice(TableReader& table, const char* key, const char* kin
   }
   if (!names_a_part(*said)) {
     if (said->kind() != Kind::table) table.error(key, "give the name of a part of the catalogue, or a table");
+    if (const Table* numbers = said->as<Table>(); numbers && numbers->members.empty())
+      table.error(key, "is an empty table, which says nothing of it",
+                  "its numbers, or the name of a part of the catalogue");
     return {"", said->kind() == Kind::table ? *said : Value{said->place, Table{}}};
   }
   const CataloguePart* part =
@@ -285,6 +304,7 @@ Panel read_panel(const std::string& name, TableReader& table, const Catalogue& c
   panel.states_aft = table.has("aft");
   panel.aft_place = table.place("aft");
   if (panel.states_aft) panel.aft = read_counts(table, "aft");
+  panel.open = read_open(table);
   read_sketch(panel, table);
   return panel;
 }

@@ -13,7 +13,7 @@ namespace netloft::io {
 namespace {
 
 // The tables of a scene beside those of a plan, and the keys of its [gear] about the model.
-constexpr const char* kOfScenes[] = {"water", "parts", "hold", "analysis", "results", "elements"};
+constexpr const char* kOfScenes[] = {"water", "tow", "parts", "hold", "analysis", "results", "elements"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
 constexpr const char* kOfPlans[] = {"gear", "panels", "ropes", "hang", "floats", "points"};
 
@@ -68,9 +68,11 @@ class PlanReader {
 
   void read_catalogue(const Catalogue* at_hand) {
     std::vector<std::filesystem::path> own;
-    for (const auto& name :
-         root_.texts("catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}}))
+    for (const auto& name : root_.texts(
+             "catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}})) {
       own.push_back(folder_ / name);
+      if (const auto fault = folder_fault(own.back()); !fault.empty()) root_.error("catalogue", fault);
+    }
     catalogue_ = at_hand ? *at_hand : Catalogue::load(catalogue_folders(own), diagnostics_);
     plan_.files.insert(plan_.files.end(), catalogue_.files().begin(), catalogue_.files().end());
   }

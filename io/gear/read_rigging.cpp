@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gear/plan_reader.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace netloft::io {
@@ -51,7 +52,28 @@ void check_side(const Point& point, TableReader& table) {
                 "stands = \"pair\", if there is one to port and one to starboard");
 }
 
+/// `role = "headline"`; a rope whose name is such a word has that role without the key, if it can have it.
+void read_role(Rope& rope, TableReader& table) {
+  const auto& words = rope_roles();
+  const bool says = table.has("role");
+  if (says) rope.role = table.choice("role", {.allowed = words, .doc = "of the rope in the gear"});
+  if (!says && std::find(words.begin(), words.end(), rope.name) != words.end()) rope.role = rope.name;
+  const bool is_line_of_mouth = rope.role == "headline" || rope.role == "footrope";
+  rope.role_place = says ? table.place("role") : rope.place;
+  if (!is_line_of_mouth || rope.stands == Standing::middle) return;
+  if (says)
+    table.error("role", "a " + rope.role + " runs from one side of the mouth to the other",
+                "stands = \"middle\", with the length of the whole rope");
+  rope.role.clear();
+}
+
 }  // namespace
+
+const std::vector<std::string>& rope_roles() {
+  static const std::vector<std::string> words = {"headline",    "footrope", "fishing-line", "ground-rope",
+                                                 "breast-line", "bridle",   "sweep",        "warp"};
+  return words;
+}
 
 Rope read_rope(const std::string& name, TableReader& table, const Catalogue& catalogue) {
   Rope rope;
@@ -60,6 +82,7 @@ Rope read_rope(const std::string& name, TableReader& table, const Catalogue& cat
   ChosenPart part = read_part_choice(table, "rope", "rope", catalogue);
   rope.part_name = std::move(part.name), rope.rope = std::move(part.table);
   rope.length = read_length(table, "length", "unstretched, of the whole rope");
+  read_role(rope, table);
   if (table.has("between")) {
     const auto ends =
         table.texts("between", {.doc = "two points, such as ends of ropes", .count = exactly(2)});

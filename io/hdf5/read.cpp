@@ -5,6 +5,10 @@
 #include <array>
 #include <limits>
 
+#include "io/hdf5/fold.hpp"
+#include "io/hdf5/result_file.hpp"
+#include "io/hdf5/seal.hpp"
+
 namespace netloft::io {
 namespace fs = std::filesystem;
 namespace {
@@ -28,11 +32,12 @@ Handle open_file(const fs::path& path) {
   if (fs::is_directory(path, ignored)) throw FileError("cannot read " + path.string() + ": it is a folder");
   if (!fs::is_regular_file(path, ignored))
     throw FileError("cannot read " + path.string() + ": it is a pipe, a device or similar, not a file");
+  check_seal(path);
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id >= 0) return Handle(id, H5Fclose);
   const std::string reason = hdf5_message();
   if (H5Fis_hdf5(path.c_str()) == 0)
-    throw FileError("cannot read " + path.string() + ": it is not an HDF5 file");
+    throw FileError("cannot read " + path.string() + ": it is not an HDF5 file, nor the journal of a motion");
   throw FileError("cannot read " + path.string() + ": " + explain(reason));
 }
 
@@ -102,7 +107,16 @@ herr_t append_name(hid_t, const char* name, const H5L_info_t*, void* data) {
 
 Reader::Reader(fs::path path) : path_(std::move(path)) {
   silence_hdf5();
-  file_ = open_file(path_);
+  file_ = is_journal(path_) ? unfold(path_) : open_file(path_);
+}
+
+void Reader::require_known_format() const {
+  if (!has_attribute("/netloft", "schema")) return;
+  const double format = real_attribute("/netloft", "schema");
+  if (format > kResultFormat)
+    throw FileError(path_.string() + " was written by a newer netloft, in format " +
+                    std::to_string(static_cast<long>(format)) + "; this program reads format " +
+                    std::to_string(kResultFormat));
 }
 
 bool Reader::has(const std::string& path) const {

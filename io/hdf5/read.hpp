@@ -11,11 +11,15 @@
 
 namespace netloft::io {
 
-/// Reads a finished result or a .part that a dead writer left. Every error is a FileError that names file and
-/// path.
+/// Reads a finished result, or what a motion that runs or was killed has written so far. Every error is a
+/// FileError that names file and path.
 class Reader {
  public:
   explicit Reader(std::filesystem::path path);
+
+  /// Throws FileError if /netloft was written in a newer format than this program knows; an older one is read
+  /// as far as it goes.
+  void require_known_format() const;
 
   bool has(const std::string& path) const;
   /// Returns false also if there is no such path.

@@ -2,30 +2,21 @@
 #include "io/hdf5/result_file.hpp"
 
 namespace netloft::io {
-namespace {
-
-constexpr int kSchema = 1;  // incremented when readers of /netloft must change
-
-}  // namespace
-
 ResultFile::ResultFile(std::filesystem::path final_path)
     : ResultFile(final_path, final_path.string() + ".part") {}
 
 ResultFile::ResultFile(std::filesystem::path final_path, std::filesystem::path part_path)
     : part_(std::move(final_path), std::move(part_path)), tree_(part_.id(), part_.part_path().string()) {
-  tree_.set_attribute("/netloft", "schema", kSchema);
-  tree_.set_attribute("/netloft/status", "outcome", std::string_view("running"));
-  tree_.set_attribute("/netloft/status", "sentence",
-                      std::string_view("the run that writes this file has not ended, or was killed"));
+  begin_result(tree_, "running", "the run that writes this file has not ended, or was killed");
   part_.flush();  // from here on it opens
 }
 
-void ResultFile::begin(const Mesh& mesh, std::vector<FieldSpec> changing,
-                       std::span<const StaticField> fixed) {
+void ResultFile::begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed,
+                       std::size_t states) {
   silence_hdf5();
   if (grid_) throw std::invalid_argument("the mesh of a result file is given once");
   with_context("cannot write " + part_path().string(),
-               [&] { grid_.emplace(part_.id(), mesh, std::move(changing), fixed); });
+               [&] { grid_.emplace(part_.id(), mesh, std::move(changing), fixed, states); });
 }
 
 void ResultFile::write_state(double time, std::span<const double> points,
@@ -35,14 +26,25 @@ void ResultFile::write_state(double time, std::span<const double> points,
   with_context("cannot write " + part_path().string(), [&] { grid_->write_state(time, points, fields); });
 }
 
-void ResultFile::finish() {
+void ResultFile::finish_grid() {
+  if (grid_) with_context("cannot write " + part_path().string(), [&] { grid_->finish(); });
   grid_.reset();
+}
+
+void ResultFile::finish() {
+  finish_grid();
   part_.finish();
 }
 
 void ResultFile::finish_as(std::filesystem::path final_path) {
-  grid_.reset();
+  finish_grid();
   part_.finish_as(std::move(final_path));
+}
+
+void begin_result(Tree& tree, std::string_view outcome, std::string_view sentence) {
+  tree.set_attribute("/netloft", "schema", kResultFormat);
+  tree.set_attribute("/netloft/status", "outcome", outcome);
+  tree.set_attribute("/netloft/status", "sentence", sentence);
 }
 
 }  // namespace netloft::io

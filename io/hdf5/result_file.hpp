@@ -12,11 +12,13 @@
 
 namespace netloft::io {
 
+inline constexpr int kResultFormat = 1;  // incremented when readers of /netloft must change
+
 /// The result of one run: what ParaView shows under /VTKHDF, everything else under /netloft (LAYOUT.md).
 ///
 ///   ResultFile file("codend.hdf");                 // grows as codend.hdf.part
 ///   file.begin(mesh, {tension}, {part, node_id});
-///   file.write_state(0.0, points, {tensions});     // flushed: survives a crash of the program
+///   file.write_state(0.0, points, {tensions});
 ///   file.tree().write_text("/netloft/provenance/scene/text", scene);
 ///   file.finish();                                 // now codend.hdf; an earlier one is codend.hdf~
 ///
@@ -27,10 +29,12 @@ class ResultFile {
   /// The same, with another name while it grows.
   ResultFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
-  /// Called once, before the first state.
-  void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed = {});
-  void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::initializer_list<StaticField> fixed) {
-    begin(mesh, std::move(changing), std::span<const StaticField>(fixed.begin(), fixed.size()));
+  /// Called once, before the first state; announces how many states there will be.
+  void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed = {},
+             std::size_t states = 1);
+  void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::initializer_list<StaticField> fixed,
+             std::size_t states = 1) {
+    begin(mesh, std::move(changing), std::span<const StaticField>(fixed.begin(), fixed.size()), states);
   }
 
   /// Makes this the newest state. `points` 3n [m]; `fields` in the order of `changing`.
@@ -53,15 +57,20 @@ class ResultFile {
   /// Removes the .part, which is not worth keeping.
   void discard() { part_.discard(); }
 
-  /// The file and its names, for a twin file: see PartFile.
+  /// The file and its names: see PartFile.
   PartFile& part() { return part_; }
   const std::filesystem::path& part_path() const { return part_.part_path(); }
   const std::filesystem::path& final_path() const { return part_.final_path(); }
 
  private:
+  void finish_grid();
+
   PartFile part_;
   Tree tree_;
   std::optional<VtkHdf> grid_;
 };
+
+/// Writes what every result begins with: the number of the format, and how the run stands.
+void begin_result(Tree& tree, std::string_view outcome, std::string_view sentence);
 
 }  // namespace netloft::io

@@ -125,38 +125,6 @@ void Tree::replace(const std::string& path, hid_t file_type, hid_t memory_type, 
   put_labels(dataset, labels.unit, labels.doc);
 }
 
-namespace {
-
-/// Makes an empty series that can grow.
-void make_series(hid_t file, const std::string& path, std::string_view unit, std::string_view doc) {
-  constexpr hsize_t kChunk = 256, kNone = 0, kMost = H5S_UNLIMITED;
-  const Handle properties = make_dataset_properties();
-  check(H5Pset_chunk(properties, 1, &kChunk));
-  check(H5Pset_shuffle(properties));
-  check(H5Pset_deflate(properties, 1));
-  const Handle space(H5Screate_simple(1, &kNone, &kMost), H5Sclose);
-  const Handle dataset(
-      H5Dcreate2(file, path.c_str(), H5T_IEEE_F64LE, space, make_link_properties(), properties, H5P_DEFAULT),
-      H5Dclose);
-  put_labels(dataset, unit, doc);
-}
-
-}  // namespace
-
-void Tree::append_real(const std::string& path, double value, std::string_view unit, std::string_view doc) {
-  write(path, [&] {
-    if (!exists(file_, path)) make_series(file_, path, unit, doc);
-    const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
-    const Handle old(H5Dget_space(dataset), H5Sclose);
-    const auto place = static_cast<hsize_t>(check(H5Sget_simple_extent_npoints(old)));
-    const hsize_t length = place + 1, one = 1;
-    check(H5Dset_extent(dataset, &length));
-    const Handle all(H5Dget_space(dataset), H5Sclose), entry(H5Screate_simple(1, &one, nullptr), H5Sclose);
-    check(H5Sselect_hyperslab(all, H5S_SELECT_SET, &place, nullptr, &one, nullptr));
-    check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, entry, all, H5P_DEFAULT, &value));
-  });
-}
-
 void Tree::write_text(const std::string& path, std::string_view text, std::string_view doc) {
   write(path, [&] {
     const std::string copy(text);

@@ -30,8 +30,6 @@ class Tree {
                    std::string_view doc = {});
   void write_ints(const std::string& path, std::span<const std::int64_t> values, std::string_view unit,
                   std::string_view doc = {});
-  /// Appends a number to a series; the first call makes the series.
-  void append_real(const std::string& path, double value, std::string_view unit, std::string_view doc = {});
   /// `values` row by row; their number must be a multiple of `columns`.
   void write_matrix(const std::string& path, std::span<const double> values, std::size_t columns,
                     std::string_view unit, std::string_view doc = {});

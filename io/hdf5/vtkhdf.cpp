@@ -10,9 +10,6 @@
 namespace netloft::io {
 namespace {
 
-constexpr unsigned kGzipLevel = 1;  // level 4 takes a third more time and saves a few per cent
-constexpr hsize_t kStepChunk = 64;
-
 [[noreturn]] void reject(const std::string& reason) { throw std::invalid_argument("result mesh: " + reason); }
 
 void require_consistent(const Mesh& mesh) {
@@ -58,15 +55,13 @@ Handle make_dataset(hid_t group, const std::string& name, hid_t type, hid_t spac
   return Handle(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
 }
 
-Handle make_extendable(hid_t group, const std::string& name, hid_t type, std::array<hsize_t, 2> chunk,
-                       int rank, bool compressed) {
-  const std::array<hsize_t, 2> none = {0, chunk[1]};
-  const std::array<hsize_t, 2> most = {H5S_UNLIMITED, chunk[1]};
+/// An array that lies in one piece in the file, as it is in memory: compression took ten times as long as the
+/// rest of an output, and saved a fifth.
+Handle make_plain(hid_t group, const std::string& name, hid_t type, std::array<hsize_t, 2> extents,
+                  int rank) {
   const Handle properties = make_dataset_properties();
-  check(H5Pset_chunk(properties, rank, chunk.data()));
-  if (compressed) check(H5Pset_shuffle(properties));
-  if (compressed) check(H5Pset_deflate(properties, kGzipLevel));
-  const Handle space(H5Screate_simple(rank, none.data(), most.data()), H5Sclose);
+  check(H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER));
+  const Handle space(H5Screate_simple(rank, extents.data(), nullptr), H5Sclose);
   return make_dataset(group, name, type, space, properties);
 }
 
@@ -109,38 +104,11 @@ void put_version(hid_t group) {
   check(H5Awrite(attribute, H5T_NATIVE_INT64, kVersion.data()));
 }
 
-/// Overwrites the attribute in place; deleting and creating it would leave a moment without it.
-void put_step_count(hid_t steps, std::size_t count) {
-  const auto value = static_cast<std::int64_t>(count);
-  const Handle attribute(H5Aopen(steps, "NSteps", H5P_DEFAULT), H5Aclose);
-  check(H5Awrite(attribute, H5T_NATIVE_INT64, &value));
-}
-
-/// Increases the first extent to at least `rows`; existing data remain.
-void grow(hid_t dataset, hsize_t rows) {
-  std::array<hsize_t, 2> extents{};
-  const Handle space(H5Dget_space(dataset), H5Sclose);
-  check(H5Sget_simple_extent_dims(space, extents.data(), nullptr));
-  if (extents[0] >= rows) return;
-  extents[0] = rows;
-  check(H5Dset_extent(dataset, extents.data()));
-}
-
-void write_entry(hid_t dataset, std::size_t row, hid_t memory_type, const void* value) {
-  grow(dataset, row + 1);
-  const std::array<hsize_t, 2> start = {row, 0};
-  const std::array<hsize_t, 2> one = {1, 1};
-  const Handle space(H5Dget_space(dataset), H5Sclose);
-  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, one.data(), nullptr));
-  const Handle memory(H5Screate_simple(1, one.data(), nullptr), H5Sclose);
-  check(H5Dwrite(dataset, memory_type, memory, space, H5P_DEFAULT, value));
-}
-
 }  // namespace
 
 VtkHdf::VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing,
-               std::span<const StaticField> fixed)
-    : n_points_(mesh.n_points), n_cells_(mesh.n_cells()), changing_(std::move(changing)) {
+               std::span<const StaticField> fixed, std::size_t states)
+    : n_points_(mesh.n_points), n_cells_(mesh.n_cells()), states_(states), changing_(std::move(changing)) {
   require_consistent(mesh);
   for (const FieldSpec& spec : changing_) require_usable(spec);
   for (const StaticField& field : fixed) require_usable(field.spec);
@@ -164,7 +132,7 @@ VtkHdf::VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing,
   };
   for (const FieldSpec& spec : changing_) add_slot_array(group(spec), spec, rows(spec));
   for (const StaticField& field : fixed) add_static_array(group(field.spec), field, rows(field.spec));
-  make_steps(fixed);
+  write_steps(fixed);
 }
 
 void VtkHdf::write_topology(const Mesh& mesh) {
@@ -180,10 +148,9 @@ void VtkHdf::write_topology(const Mesh& mesh) {
 }
 
 void VtkHdf::add_slot_array(hid_t group, const FieldSpec& spec, std::size_t rows) {
-  const std::array<hsize_t, 2> chunk = {std::max<hsize_t>(rows, 1), spec.components};
-  arrays_.push_back(
-      {spec.name, rows, spec.components,
-       make_extendable(group, spec.name, file_type(spec), chunk, rank_of(spec.components), true)});
+  const std::array<hsize_t, 2> extents = {states_ * rows, spec.components};
+  arrays_.push_back({spec.name, rows, spec.components,
+                     make_plain(group, spec.name, file_type(spec), extents, rank_of(spec.components))});
   put_labels(arrays_.back().dataset, spec.unit, spec.doc);
 }
 
@@ -197,49 +164,53 @@ void VtkHdf::add_static_array(hid_t group, const StaticField& field, std::size_t
   put_labels(dataset, spec.unit, spec.doc);
 }
 
-void VtkHdf::add_step_column(const std::string& path, std::int64_t first, std::int64_t stride,
-                             bool by_topology) {
-  columns_.push_back(
-      {first, stride,
-       make_extendable(root_, "Steps/" + path, H5T_STD_I64LE, {kStepChunk, 1}, by_topology ? 2 : 1, false)});
+/// One number per step: that of the step in slot k is first + stride·k.
+void VtkHdf::write_step_column(const std::string& path, std::int64_t first, std::size_t stride,
+                               bool by_topology) {
+  std::vector<std::int64_t> values;
+  for (std::size_t i = 0; i < states_; ++i)
+    values.push_back(first + static_cast<std::int64_t>(stride * slot_of(i)));
+  write_fixed(steps_, path, H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), {states_, 1},
+              by_topology ? 2 : 1);
 }
 
 /// Every step is the same single part with the same topology; only offsets into points and fields move.
-void VtkHdf::make_steps(std::span<const StaticField> fixed) {
+void VtkHdf::write_steps(std::span<const StaticField> fixed) {
   steps_ = make_group(root_, "Steps");
-  const std::int64_t none = 0;
-  put_attribute(steps_, "NSteps", H5T_STD_I64LE, H5T_NATIVE_INT64, &none);
-  times_ = make_extendable(steps_, "Values", H5T_IEEE_F64LE, {kStepChunk, 1}, 1, false);
-  put_labels(times_, "s", "Time of each state, or the load step of a static run");
+  const auto count = static_cast<std::int64_t>(states_);
+  put_attribute(steps_, "NSteps", H5T_STD_I64LE, H5T_NATIVE_INT64, &count);
   const auto offsets_of = [](const FieldSpec& spec) {
     return std::string(group_name(spec.location)) + "Offsets/" + spec.name;
   };
   make_group(steps_, "PointDataOffsets");
   make_group(steps_, "CellDataOffsets");
-  add_step_column("NumberOfParts", 1, 0, false);
-  add_step_column("PartOffsets", 0, 0, false);
-  add_step_column("CellOffsets", 0, 0, true);
-  add_step_column("ConnectivityIdOffsets", 0, 0, true);
-  add_step_column("PointOffsets", 0, static_cast<std::int64_t>(n_points_), false);
+  write_step_column("NumberOfParts", 1, 0, false);
+  write_step_column("PartOffsets", 0, 0, false);
+  write_step_column("CellOffsets", 0, 0, true);
+  write_step_column("ConnectivityIdOffsets", 0, 0, true);
+  write_step_column("PointOffsets", 0, n_points_, false);
   for (std::size_t i = 0; i < changing_.size(); ++i)
-    add_step_column(offsets_of(changing_[i]), 0, static_cast<std::int64_t>(arrays_[i + 1].rows), false);
-  for (const StaticField& field : fixed) add_step_column(offsets_of(field.spec), 0, 0, false);
+    write_step_column(offsets_of(changing_[i]), 0, arrays_[i + 1].rows, false);
+  for (const StaticField& field : fixed) write_step_column(offsets_of(field.spec), 0, 0, false);
 }
 
 void VtkHdf::write_state(double time, std::span<const double> points,
                          std::span<const std::span<const double>> fields) {
   require_sizes(points, fields);
-  if (n_states_ > 0) {
-    for (SlotArray& array : arrays_) array.copy(0, n_states_);
-    flush();
-    point_step_at(n_states_ - 1, n_states_);  // (1)
-    flush();
-  }
-  write_newest(time, points, fields);
-  flush();
-  put_step_count(steps_, n_states_ + 1);
-  flush();
-  ++n_states_;
+  if (times_.size() == states_) reject("more states than the " + std::to_string(states_) + " announced");
+  const std::size_t slot = slot_of(times_.size());
+  arrays_[0].write(slot, points.data());
+  for (std::size_t i = 0; i < fields.size(); ++i) arrays_[i + 1].write(slot, fields[i].data());
+  times_.push_back(time);
+}
+
+void VtkHdf::finish() {
+  if (times_.size() != states_)
+    reject(std::to_string(times_.size()) + " states instead of the " + std::to_string(states_) +
+           " announced");
+  const Handle times =
+      write_fixed(steps_, "Values", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, times_.data(), {times_.size(), 1}, 1);
+  put_labels(times, "s", "Time of each state, or the load step of a static run");
 }
 
 void VtkHdf::require_sizes(std::span<const double> points,
@@ -255,25 +226,6 @@ void VtkHdf::require_sizes(std::span<const double> points,
   }
 }
 
-void VtkHdf::write_newest(double time, std::span<const double> points,
-                          std::span<const std::span<const double>> fields) {
-  arrays_[0].write(0, points.data());
-  for (std::size_t i = 0; i < fields.size(); ++i) arrays_[i + 1].write(0, fields[i].data());
-  write_entry(times_, n_states_, H5T_NATIVE_DOUBLE, &time);
-  point_step_at(n_states_, 0);  // (1)
-}
-
-void VtkHdf::flush() { check(H5Fflush(root_, H5F_SCOPE_GLOBAL)); }
-
-void VtkHdf::point_step_at(std::size_t step, std::size_t slot) {
-  for (StepColumn& column : columns_) column.write(step, slot);
-}
-
-void VtkHdf::StepColumn::write(std::size_t step, std::size_t slot) {
-  const std::int64_t value = first + stride * static_cast<std::int64_t>(slot);
-  write_entry(dataset, step, H5T_NATIVE_INT64, &value);
-}
-
 Handle VtkHdf::SlotArray::select(std::size_t slot) const {
   const std::array<hsize_t, 2> start = {slot * rows, 0};
   const std::array<hsize_t, 2> count = {rows, columns};
@@ -284,19 +236,9 @@ Handle VtkHdf::SlotArray::select(std::size_t slot) const {
 
 void VtkHdf::SlotArray::write(std::size_t slot, const double* values) {
   if (size() == 0) return;
-  grow(dataset, (slot + 1) * rows);
   const hsize_t length = size();
   const Handle memory(H5Screate_simple(1, &length, nullptr), H5Sclose);
   check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, select(slot), H5P_DEFAULT, values));
-}
-
-void VtkHdf::SlotArray::copy(std::size_t from, std::size_t to) {
-  if (size() == 0) return;
-  std::vector<double> values(size());
-  const hsize_t length = size();
-  const Handle memory(H5Screate_simple(1, &length, nullptr), H5Sclose);
-  check(H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, select(from), H5P_DEFAULT, values.data()));
-  write(to, values.data());
 }
 
 }  // namespace netloft::io

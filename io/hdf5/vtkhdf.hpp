@@ -46,18 +46,18 @@ struct StaticField {
 ///
 /// Each changing array holds states in slots of equal length. With S states, i = 0 … S-1 in order of time,
 ///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
-/// so that the newest is what a reader without time (ParaView ≤ 5.11) shows. HDF5 promises no order among the
-/// writes between two flushes, so a new state takes four of them; a kill in between costs no earlier state:
-///   copy slot 0 behind | point Steps at the copy | overwrite slot 0, which nothing refers to any more |
-///   count it
+/// so that the newest is what a reader without time (ParaView ≤ 5.11) shows.
 class VtkHdf {
  public:
-  VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed);
+  VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed,
+         std::size_t states);
 
-  std::size_t n_states() const { return n_states_; }
-  /// `points` 3n [m]; `fields` in the order of `changing`. On disk, and safe from a kill, when this returns.
+  std::size_t n_states() const { return times_.size(); }
+  /// `points` 3n [m]; `fields` in the order of `changing`.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
+  /// Writes the times. Throws std::invalid_argument unless there were as many states as were announced.
+  void finish();
 
  private:
   /// A dataset of slots; rows of `columns` numbers.
@@ -69,38 +69,25 @@ class VtkHdf {
 
     std::size_t size() const { return rows * columns; }
     void write(std::size_t slot, const double* values);
-    void copy(std::size_t from, std::size_t to);
     Handle select(std::size_t slot) const;
-  };
-  /// One entry per time step in /VTKHDF/Steps; the entry that points at slot k is first + stride·k.
-  struct StepColumn {
-    std::int64_t first;
-    std::int64_t stride;
-    Handle dataset;
-
-    void write(std::size_t step, std::size_t slot);
   };
 
   void write_topology(const Mesh& mesh);
   void add_slot_array(hid_t group, const FieldSpec& spec, std::size_t rows);
   void add_static_array(hid_t group, const StaticField& field, std::size_t rows);
-  void add_step_column(const std::string& path, std::int64_t first, std::int64_t stride, bool by_topology);
-  void make_steps(std::span<const StaticField> fixed);
+  void write_steps(std::span<const StaticField> fixed);
+  void write_step_column(const std::string& path, std::int64_t first, std::size_t stride, bool by_topology);
   void require_sizes(std::span<const double> points, std::span<const std::span<const double>> fields) const;
-  void write_newest(double time, std::span<const double> points,
-                    std::span<const std::span<const double>> fields);
-  void flush();
-  void point_step_at(std::size_t step, std::size_t slot);
+  std::size_t slot_of(std::size_t state) const { return state + 1 < states_ ? state + 1 : 0; }  // (1)
 
   Handle root_;
   Handle steps_;
   std::size_t n_points_;
   std::size_t n_cells_;
-  std::size_t n_states_ = 0;
+  std::size_t states_;
   std::vector<FieldSpec> changing_;
   std::vector<SlotArray> arrays_;  // points, then the changing fields
-  std::vector<StepColumn> columns_;
-  Handle times_;
+  std::vector<double> times_;      // of the states so far
 };
 
 }  // namespace netloft::io

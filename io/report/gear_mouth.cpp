@@ -74,8 +74,14 @@ void add_tensions(const GearView& gear, std::uint32_t rope, std::vector<Figure>&
   const double start = tension_at_end(T, l),
                end = tension_at_end({T.rbegin(), T.rend()}, {l.rbegin(), l.rend()});
   const std::string at = "ropes/" + gear.name(rope) + "/tension_";
-  figures.push_back({at + "start", "N", "tension at its start", start});
-  figures.push_back({at + "end", "N", "tension at its end", end});
+  if (gear.gear().across.contains(rope)) {
+    figures.push_back(gear.is_half() ? Figure{at + "middle", "N", "tension in its middle", start}
+                                     : Figure{at + "port", "N", "tension at its end to port", start});
+    figures.push_back({at + "starboard", "N", "tension at its end to starboard", end});
+  } else {
+    figures.push_back({at + "start", "N", "tension at its start", start});
+    figures.push_back({at + "end", "N", "tension at its end", end});
+  }
   figures.push_back({at + "largest", "N", "largest tension in it",
                      std::max({*std::max_element(T.begin(), T.end()), start, end})});
 }
@@ -85,6 +91,21 @@ void add_mass(const GearView& gear, std::uint32_t rope, std::vector<Figure>& fig
   if (masses.empty()) return;
   figures.push_back({"ropes/" + gear.name(rope) + "/mass", "kg", "mass in air",
                      gear.times() * std::accumulate(masses.begin(), masses.end(), 0.0)});
+}
+
+void add_role_figures(const GearView& gear, std::vector<Figure>& figures) {
+  for (const auto& [role, ropes] : gear.gear().roles) {
+    double sum = 0;
+    int counted = 0;
+    for (const auto rope : ropes) {
+      const auto T = gear.output(rope, "tension");
+      if (T.empty() || gear.gear().across.contains(rope)) continue;
+      sum += tension_at_end(T, gear.rest_lengths(rope)), ++counted;
+    }
+    if (counted)
+      figures.push_back({"rigging/" + role + "/tension_start", "N",
+                         "tensions at the starts of all ropes of this role, added up", gear.times() * sum});
+  }
 }
 
 }  // namespace
@@ -107,6 +128,7 @@ void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures) {
 }
 
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures) {
+  add_role_figures(gear, figures);
   for (const auto rope : gear.gear().ropes) {
     add_tensions(gear, rope, figures);
     add_mass(gear, rope, figures);

@@ -39,6 +39,7 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
 struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
+  bool is_of_all = false;  // whoever has only such figures has no line
 };
 
 /// Writes a line for every member of the columns' groups.
@@ -46,6 +47,11 @@ void table(const std::vector<NamedScalar>& figures, const std::string& title,
            const std::vector<Column>& columns, Out out) {
   std::vector<std::string> members;
   for (const auto& column : columns) add_members(figures, column.before, members);
+  std::erase_if(members, [&](const std::string& member) {
+    return std::none_of(columns.begin(), columns.end(), [&](const Column& c) {
+      return !c.is_of_all && find_scalar(figures, c.before + member + c.after);
+    });
+  });
   if (members.empty()) return;
   fmt::format_to(out, "  {:<24}", title);
   for (const auto& column : columns) fmt::format_to(out, " {:>11}", column.heading);
@@ -79,6 +85,8 @@ void headlines(const std::vector<NamedScalar>& figures, Out out) {
     if (figure.name.starts_with("mouth/")) line(last == "area" ? "mouth area" : last, figure, out);
     if (figure.name == "drag/all/x") line("drag", figure, out);
     if (figure.name.starts_with("ground/")) line("ground " + last, figure, out);
+    if (figure.name.starts_with("rigging/"))
+      line(figure.name.substr(8, figure.name.rfind('/') - 8) + " pull", figure, out);
     if (figure.name == "weight_in_water/all") line("weight in water", figure, out);
     if (figure.name.starts_with("budget/")) line("  " + last, figure, out);
   }
@@ -119,12 +127,14 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
               : "gear");
   headlines(figures, out);
   const std::string rope = "ropes/", panel = "panels/";
-  table(figures, is_half ? "ropes (middle: start)" : "ropes",
-        {{"start [N]", rope, "/tension_start"},
-         {"end [N]", rope, "/tension_end"},
-         {"largest [N]", rope, "/tension_largest"},
-         {"mass [kg]", rope, "/mass"}},
-        out);
+  const Column largest{"largest [N]", rope, "/tension_largest", "{:.5g}", true},
+      mass{"mass [kg]", rope, "/mass", "{:.5g}", true};
+  const Column middle =
+      is_half ? Column{"middle [N]", rope, "/tension_middle"} : Column{"port [N]", rope, "/tension_port"};
+  table(figures, "ropes across the gear",
+        {middle, {"starboard [N]", rope, "/tension_starboard"}, largest, mass}, out);
+  table(figures, "ropes",
+        {{"start [N]", rope, "/tension_start"}, {"end [N]", rope, "/tension_end"}, largest, mass}, out);
   table(figures, "netting",
         {{"open: least", panel, "/opening_min", "{:.3f}"},
          {"mean", panel, "/opening_mean", "{:.3f}"},

@@ -116,6 +116,7 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"stability", name_of(s.stability)},
                {"reason", s.reason},
                {"diagnostics", s.diagnostics},
+               {"warnings", r.warnings},
                {"shapes", shapes_json(s.shapes)},
                {"at_fault", s.status == SolveStatus::converged ? Json(nullptr) : Json(s.at_fault)},
                {"iterations", s.statistics.iterations},

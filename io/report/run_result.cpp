@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/run_result.hpp"
 
+#include "io/report/overload.hpp"
+
 #include "io/report/gear_figures.hpp"
 #include "io/scene/result_request.hpp"
 
@@ -91,6 +93,7 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
   Answer answer = ask_elements(loaded.scene, assembler, result.solution.x, at_rest(result.solution));
   result.scalars = collect_scalars(loaded, assembler, result.solution, answer.outputs);
   result.gear = collect_gear(loaded, assembler, answer);
+  result.warnings = overload_warnings(loaded, assembler, answer);
   result.outputs = std::move(answer.outputs), result.part_forces = std::move(answer.forces);
   collect_hold_forces(loaded, assembler, result);
   collect_balance(result);

@@ -40,7 +40,8 @@ struct RunResult {
   std::array<double, 3> balance{};  // sum of all forces on the gear, those of the holds included [N]
   double largest_force = 0;         // the largest of the forces that were summed [N]
   std::vector<NamedScalar> scalars;
-  std::vector<NamedScalar> gear;  // figures of a scene with a net plan (gear_figures.hpp)
+  std::vector<NamedScalar> gear;      // figures of a scene with a net plan (gear_figures.hpp)
+  std::vector<std::string> warnings;  // of parts that bear more than they can
   // the meshes behind the mesh errors, or why there are no errors; empty: not asked for
   std::string mesh_note;
   FamilyOutputs outputs;

@@ -70,6 +70,13 @@ bool is_in_gear_tables(const std::string& term) {
   return term == "drag" || term == "weight" || term == "buoyancy" || term == "pressure";
 }
 
+std::string ground_text(const Plan& plan) {
+  const auto& v = plan.ground;
+  if (v == std::array<double, 3>{})
+    return "stands; what lies on it sticks to where it was sketched until it slides";
+  return fmt::format("passes the gear with ({:.4g}, {:.4g}) m/s; friction is that of sliding", v[0], v[1]);
+}
+
 }  // namespace
 
 std::string plan_text(const Plan& plan, const PlanExtras& extras) {
@@ -82,6 +89,7 @@ std::string plan_text(const Plan& plan, const PlanExtras& extras) {
                  plan.nodes, plan.held_nodes, plan.unknowns, extras.matrix_entries,
                  plan.symmetric ? "symmetric" : "unsymmetric because of " + plan.unsymmetric_because,
                  plan.conservative ? ", every force has an energy" : "");
+  if (plan.reads_ground()) fmt::format_to(out, "ground: {}\n", ground_text(plan));
   if (!extras.strategy.empty()) fmt::format_to(out, "strategy: {}, in this order\n", extras.strategy);
   for (const auto& line : lines_of(extras.attempts)) fmt::format_to(out, "  {}\n", line);
   fmt::format_to(out, "solver: {}\nfactorisation: {}\nthreads: {} given, {} used by the assembly\n",
@@ -97,6 +105,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   if (s.stability != Stability::unknown) fmt::format_to(out, ", {} equilibrium", name_of(s.stability));
   fmt::format_to(out, "\n  {}\n", s.reason);
   for (const auto& sentence : s.diagnostics) fmt::format_to(out, "  {}\n", sentence);
+  for (const auto& sentence : result.warnings) fmt::format_to(out, "  warning: {}\n", sentence);
   shapes_text(s.shapes, out);
   fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, work {:.4g}, {:.3g} s\n",
                  plan.unknowns, s.statistics.iterations, s.statistics.factorisations, s.work,

@@ -47,7 +47,6 @@ void write_provenance(Tree& tree, const LoadedScene& loaded, const RunContext& c
   tree.write_text(at + "machine", machine_description());
   tree.write_text(at + "compiler", compiler_description());
   tree.write_text(at + "started", context.started);
-  tree.write_text(at + "finished", utc_now());
   tree.write_text(at + "scene/path", loaded.files.empty() ? "" : loaded.files[0].path);
   tree.write_text(at + "scene/text", loaded.files.empty() ? "" : loaded.files[0].text);
   std::vector<std::string> path, hash, text;
@@ -179,12 +178,17 @@ std::filesystem::path name_beside_better(const std::filesystem::path& wanted, co
   return own.replace_filename(wanted.stem().string() + "." + suffix + wanted.extension().string());
 }
 
-void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context,
-                   const Statistics& statistics) {
+void write_inputs(Tree& tree, const LoadedScene& loaded, const RunContext& context) {
   write_provenance(tree, loaded, context);
   write_parts(tree, loaded);
   tree.write_text("/netloft/plan", context.plan_text,
                   "forces that are evaluated, and why the others are off");
+}
+
+void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context,
+                   const Statistics& statistics) {
+  write_inputs(tree, loaded, context);
+  tree.write_text("/netloft/provenance/finished", utc_now());
   write_books(tree, statistics);
 }
 

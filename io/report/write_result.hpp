@@ -13,6 +13,9 @@ struct RunContext {
   std::string plan_text;
 };
 
+/// Writes the inputs of a run, which are known when it begins.
+void write_inputs(Tree& tree, const LoadedScene& loaded, const RunContext& context);
+
 /// Writes the inputs and the cost of a result, the same for every kind of run.
 void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context,
                    const Statistics& statistics);

@@ -11,7 +11,6 @@ namespace {
 
 const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kNewestFormat = 1;  // of the attribute /netloft schema
 // Fields that are made of others: the larger tension of the two twine directions, and the opening of meshes.
 constexpr const char *kTension = "tension", *kOpening = "opening";
 
@@ -56,12 +55,7 @@ void StoredResult::check_format() const {
   if (!reader_.has("/netloft"))
     throw FileError(path.string() +
                     " is an HDF5 file, but not a result of netloft: it has no group /netloft");
-  if (reader_.has_attribute("/netloft", "schema")) {
-    const double schema = reader_.real_attribute("/netloft", "schema");
-    if (schema > kNewestFormat)
-      throw FileError(path.string() + " was written by a newer netloft, in format " +
-                      std::to_string(static_cast<long>(schema)) + "; this program reads format 1");
-  }
+  reader_.require_known_format();
   if (!reader_.has("/VTKHDF/Points") || !reader_.has("/VTKHDF/Steps"))
     throw FileError(path.string() + " holds no shape: the run ended before its first output");
 }

@@ -12,17 +12,28 @@ namespace netloft::io {
 
 namespace {
 
-/// The table of a component: of newton and of newton/newton `analysis.newton`.
 TableReader own_table(TableReader& analysis, const std::string& name) {
-  return analysis.table(name.substr(0, name.find('/')), Presence::optional);
+  const ComponentTable at = table_of_component(name);
+  TableReader plugin = analysis.table(at.plugin, Presence::optional);
+  return at.component.empty() ? plugin : plugin.table(at.component, Presence::optional);
+}
+
+/// What the scene says of a solver, an integrator or a strategy; read once.
+template <class Type>
+const Values& parameters_of(const Type& component, TableReader& analysis, Analysis& a) {
+  const auto [given, is_new] = a.given.try_emplace(component.type);
+  if (is_new) {
+    TableReader own = own_table(analysis, component.type);
+    given->second = read_parameters(component.parameters, own);
+  }
+  return given->second;
 }
 
 /// An integrator as a solver: `solver` is its name, and motion has to die.
 void read_settling(TableReader& table, Registry& registry, Analysis& a) {
   a.dynamics.integrator = a.solver;
   const IntegratorType& type = registry.integrator(a.solver);
-  TableReader own = own_table(table, a.solver);
-  a.dynamics.integrator_parameters = read_parameters(type.parameters, own);
+  a.dynamics.integrator_parameters = parameters_of(type, table, a);
   if (!table.has("mass_damping")) a.dynamics.march.mass_damping = 1;
   if (!table.has("duration")) a.dynamics.march.duration = 1e6;
   if (!table.has("max_iterations")) a.limits.iterations = 1000000;
@@ -38,6 +49,8 @@ bool read_time(TableReader& table, Registry& registry, Analysis& a) {
     return false;
   }
   a.dynamics = read_dynamics(table, registry);
+  if (!a.dynamics.integrator.empty())
+    a.dynamics.integrator_parameters = parameters_of(registry.integrator(a.dynamics.integrator), table, a);
   if (!table.has("tangent")) a.tangent = TangentChoice::symmetric;
   if (moves && !table.has("tolerance")) a.limits.tolerance = 1e-5;
   if (moves && !table.has("max_iterations")) a.limits.iterations = 25;
@@ -47,8 +60,7 @@ bool read_time(TableReader& table, Registry& registry, Analysis& a) {
 
 void read_solver(TableReader& table, Registry& registry, Analysis& a) {
   const SolverType& solver = registry.solver(a.solver);
-  TableReader own = own_table(table, a.solver);
-  a.solver_parameters = read_parameters(solver.parameters, own);
+  a.solver_parameters = parameters_of(solver, table, a);
   // A step begins so near its end that Newton's method wants no damping.
   if (a.kind == AnalysisKind::dynamics && a.solver == "newton")
     a.solver_parameters.try_emplace("damping", 0.0);
@@ -60,8 +72,7 @@ void read_strategy(TableReader& table, Registry& registry, const Values& values,
   const bool only_solver = values.contains("solver") && !values.contains("strategy");
   if (only_solver && a.kind == AnalysisKind::statics) a.strategy = kStrategyOfNamedSolver;
   const StrategyType& strategy = registry.strategy(a.strategy);
-  TableReader own = own_table(table, a.strategy);
-  a.strategy_parameters = read_parameters(strategy.parameters, own);
+  a.strategy_parameters = parameters_of(strategy, table, a);
 }
 
 Analysis from_keys(const AnalysisKeys& keys) {
@@ -106,14 +117,32 @@ bool is_strategy(Registry& registry, const std::string& name) {
   }
 }
 
+/// Tables of components that the scene does not name: a strategy may call them.
+void read_others(TableReader& table, Registry& registry, Analysis& a) {
+  const auto read = [&](const auto& all) {
+    for (const auto& component : all) parameters_of(component, table, a);
+  };
+  for (const auto& name : registry.available()) {
+    if (!table.has(name)) continue;
+    const PluginContent& plugin = registry.plugin(name);
+    read(plugin.solvers), read(plugin.integrators), read(plugin.strategies);
+  }
+}
+
 }  // namespace
+
+ComponentTable table_of_component(const std::string& name) {
+  const auto slash = name.find('/');
+  const std::string plugin = name.substr(0, slash);
+  const std::string component = slash == std::string::npos ? plugin : name.substr(slash + 1);
+  return {plugin, component == plugin ? "" : component};
+}
 
 Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
   const Values values = read_parameters(analysis_keys(), table);
   report_successors(table);
   std::vector<std::string> faults;
   const ParameterBlock block(analysis_keys(), sizeof(AnalysisKeys), values, faults);
-  for (const auto& name : registry.available()) table.has(name);
   if (!faults.empty()) return {};
   Analysis a = from_keys(*static_cast<const AnalysisKeys*>(block.data()));
   if (a.solver.empty()) {
@@ -137,6 +166,7 @@ Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
   });
   if (!settles && !refused)
     read_component(table, "strategy", refused, [&] { read_strategy(table, registry, values, a); });
+  read_component(table, "strategy", refused, [&] { read_others(table, registry, a); });
   return a;
 }
 

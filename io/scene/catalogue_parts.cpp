@@ -13,7 +13,8 @@ namespace {
 
 /// Where a scene names a part of the catalogue.
 struct Mention {
-  Table* part;      // of the scene
+  std::string name;  // of the part of the scene
+  Table* part;
   Value* said;      // under its twine, rope or float
   std::string key;  // which of them
   std::string path;
@@ -29,7 +30,8 @@ std::vector<Mention> find_mentions(Value& scene) {
     if (Table* part = member.value.as<Table>())
       for (const auto& key : part_keys())
         if (Member* said = part->find(key); said && names_a_part(said->value))
-          mentions.push_back({part, &said->value, key, join_path(join_path("parts", member.key), key)});
+          mentions.push_back(
+              {member.key, part, &said->value, key, join_path(join_path("parts", member.key), key)});
   return mentions;
 }
 
@@ -72,11 +74,14 @@ const CataloguePart* stand_in(const Catalogue& catalogue, const std::string& key
   return nullptr;
 }
 
-void put(const Mention& mention, const Catalogue& catalogue, Registry& registry, Diagnostics& diagnostics) {
+void put(const Mention& mention, const Catalogue& catalogue, Registry& registry, Diagnostics& diagnostics,
+         std::map<std::string, Strength>& strengths) {
   const CataloguePart* part =
       choose_part(*mention.said, kinds_under(mention.key), mention.path, catalogue, diagnostics);
   if (!part) part = stand_in(catalogue, mention.key);
   if (!part) return;
+  if (const auto load = part->numbers.find("breaking_load"); load != part->numbers.end())
+    strengths[mention.name] = {load->second, part->name};
   const auto known = known_numbers(mention, registry);
   *mention.said =
       spell_out(*mention.said, *part, [&](const std::string& key) { return known.contains(key); });
@@ -85,12 +90,13 @@ void put(const Mention& mention, const Catalogue& catalogue, Registry& registry,
 }  // namespace
 
 std::vector<SourceFile> put_catalogue_parts(Value& scene, const std::filesystem::path& folder,
-                                            Registry& registry, Diagnostics& diagnostics) {
+                                            Registry& registry, Diagnostics& diagnostics,
+                                            std::map<std::string, Strength>& strengths) {
   const auto mentions = find_mentions(scene);
+  const auto own = own_folders(scene, folder, diagnostics);
   if (mentions.empty()) return {};
-  const Catalogue catalogue =
-      Catalogue::load(catalogue_folders(own_folders(scene, folder, diagnostics)), diagnostics);
-  for (const auto& mention : mentions) put(mention, catalogue, registry, diagnostics);
+  const Catalogue catalogue = Catalogue::load(catalogue_folders(own), diagnostics);
+  for (const auto& mention : mentions) put(mention, catalogue, registry, diagnostics, strengths);
   return catalogue.files();
 }
 

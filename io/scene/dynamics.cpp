@@ -121,8 +121,6 @@ Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
     analysis.error("step", "is 0 with adaptive = false: say how long all steps are");
   if (k.output_interval > 0 && k.duration / k.output_interval > 1e6)
     analysis.error("output_interval", "asks for more than a million outputs");
-  TableReader own = analysis.table(d.integrator.substr(0, d.integrator.find('/')), Presence::optional);
-  d.integrator_parameters = read_parameters(type.parameters, own);
   return d;
 }
 

@@ -9,6 +9,7 @@
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/riding.hpp"
+#include "io/scene/thickness.hpp"
 #include "io/toml/merge.hpp"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace netloft::io {
 namespace {
 
 constexpr double kMostFiner = 100;
+constexpr std::int64_t kFewestNodes = 20;
 
 /// Numbers of the catalogue's that a part may know and its element need not: what is left is known.
 void drop_unknown_numbers(Table& numbers, const ElementType& type, const std::string& key) {
@@ -34,17 +36,21 @@ void put(Table& table, const std::string& key, Value value) {
   table.members.push_back({key, place, std::move(value)});
 }
 
-/// Force upwards of one [N], as far as its numbers tell.
-double buoyancy_of(const Value& piece) {
-  const auto number = [&](const char* key) {
-    const Table* table = piece.as<Table>();
-    const Member* member = table ? table->find(key) : nullptr;
-    const double* value = member ? member->value.as<double>() : nullptr;
-    return value ? *value : 0.0;
-  };
-  constexpr double kWater = 1025, kGravity = 9.80665;
-  if (const double given = number("buoyancy"); given != 0) return given;
-  return kGravity * (kWater * number("volume") - number("mass"));
+/// Either the number of nodes or the length of sides says how fine a mesh is.
+void check_fineness(const GearKeys& keys, TableReader& table) {
+  if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
+    table.error("size", "stands beside nodes, and either says how fine the mesh is",
+                "leave one of them out; nodes = 0 leaves it to size, size = 0 to nodes");
+  if (keys.nodes < kFewestNodes && !(keys.nodes == 0 && keys.size > 0))
+    table.error("nodes", "= " + std::to_string(keys.nodes) + " is outside [20, 1000000]",
+                "0 goes with a size alone");
+}
+
+/// What the part of a plan bears, where it says so.
+void keep_strength(LoadedScene& loaded, const std::string& part, const Value& numbers, int twines,
+                   const std::string& material) {
+  const double load = breaking_load_of(numbers) * twines;
+  if (load > 0) loaded.strengths[part] = {load, material};
 }
 
 }  // namespace
@@ -77,6 +83,7 @@ void GearParts::read_model(TableReader& root, const NetPlan& plan) {
   const ParameterBlock block(gear_keys(), sizeof(GearKeys), values, faults);
   if (!faults.empty()) return;
   const auto& keys = *static_cast<const GearKeys*>(block.data());
+  check_fineness(keys, table);
   gear_ = make_gear(plan, keys.extent == 1 ? Extent::half : Extent::whole);
   fineness_.nodes = static_cast<std::size_t>(keys.nodes), fineness_.size = keys.size;
   read_finer(table);
@@ -178,6 +185,7 @@ void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
   }
   geometry.data["bar_length"].assign(mesh.triangles.size() / 3, plan.mesh / 2);
   Value twine = plan.twine;
+  keep_strength(draft_.out, panel.name, plan.twine, plan.twines, plan.twine_name);
   if (plan.twines > 1 && twine.as<Table>())
     put(*twine.as<Table>(), "number", {plan.place, std::int64_t{plan.twines}});
   add_part("netting", panel.name, "panels." + plan.name, std::move(twine), !plan.twine_name.empty(),
@@ -190,6 +198,7 @@ void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
   for (std::uint32_t i = 0; i + 1 < mesh.nodes.size(); ++i)
     geometry.elements.insert(geometry.elements.end(), {i, i + 1});
   geometry.data["rest_length"] = mesh.rest_lengths;
+  keep_strength(draft_.out, rope.name, rope.rope->rope, 1, rope.rope->part_name);
   add_part("ropes", rope.name, "ropes." + rope.rope->name, rope.rope->rope, !rope.rope->part_name.empty(),
            std::move(geometry), mesh.nodes);
 }
@@ -202,6 +211,8 @@ void GearParts::add_part(std::string_view kind, const std::string& name, const s
   Part part;
   part.name = name;
   const bool is_sound = read_part(how, path, std::move(numbers), is_of_catalogue, part);
+  if (const auto fault = thickness_fault(part, geometry); fault && is_sound)
+    diagnostics_.error(geometry.names.place, path + "." + fault->key + ": " + fault->message, kThicknessCure);
   geometry.names.name = name;
   const std::size_t p = draft_.geometries.size();
   for (std::uint32_t own = 0; own < nodes.size(); ++own) {
@@ -239,7 +250,7 @@ std::uint32_t GearParts::scene_node(std::uint32_t gear_node) const {
 void GearParts::add_pieces() {
   GearInScene& gear = *draft_.out.gear;
   for (const auto& pieces : gear_.pieces) put_pieces(pieces);
-  for (const auto& [name, node] : mesh_.points) gear.points[name] = scene_node(node);
+  for (const auto& [name, node] : mesh_.points) gear.points[point_name(name)] = scene_node(node);
   name_lines(gear);
 }
 
@@ -283,14 +294,29 @@ std::vector<std::uint32_t> GearParts::nodes_of(const GearPieces& pieces, std::ve
   return nodes;
 }
 
-/// The headline carries what lifts; the footrope is the other rope across the net.
+/// The roles that the plan gives its ropes; parts of ropes are in the order of the gear's.
 void GearParts::name_lines(GearInScene& gear) const {
-  for (const auto& pieces : gear_.pieces)
-    if (gear.headline.empty() && buoyancy_of(pieces.pieces->piece) > 0) gear.headline = pieces.rope;
-  for (const auto& rope : gear_.ropes)
-    if (gear.footrope.empty() && rope.name != gear.headline && rope.rope->stands == io::Standing::middle &&
-        !rope.hung.empty())
-      gear.footrope = rope.name;
+  for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
+    const io::Rope& rope = *gear_.ropes[r].rope;
+    if (rope.stands == io::Standing::middle) gear.across.insert(gear.ropes[r]);
+    if (rope.role == "headline")
+      gear.headline = gear_.ropes[r].name;
+    else if (rope.role == "footrope")
+      gear.footrope = gear_.ropes[r].name;
+    else if (!rope.role.empty())
+      gear.roles[rope.role].push_back(gear.ropes[r]);
+  }
+}
+
+/// Ends of a rope across the gear have the same names in the whole and in the half.
+std::string GearParts::point_name(const std::string& name) const {
+  const auto dot = name.find('.');
+  const GearRope* rope = dot == std::string::npos ? nullptr : gear_.find_rope(name.substr(0, dot));
+  if (!rope || rope->rope->stands != io::Standing::middle) return name;
+  const bool is_whole = gear_.extent == Extent::whole;
+  const std::string end = name.substr(dot + 1);
+  if (end == "start") return rope->name + (is_whole ? ".port" : ".middle");
+  return end == "end" ? rope->name + ".starboard" : name;
 }
 
 void GearParts::hold_middle() {

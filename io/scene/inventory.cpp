@@ -64,6 +64,8 @@ SheetPlace place_of(const PlacedPanel& placed) {
 
 }  // namespace
 
+double breaking_load_of(const Value& numbers) { return number_of(numbers, "breaking_load", "N"); }
+
 std::vector<BillItem> bill_of(const NetPlan& plan) {
   std::vector<BillItem> bill;
   for (const auto& panel : plan.panels) bill.push_back(item_of(panel));

@@ -10,6 +10,9 @@
 
 namespace netloft::io {
 
+/// The tension at which what a table describes breaks [N]; NaN if it does not say.
+double breaking_load_of(const Value& numbers);
+
 /// The rows of a gear's bill of materials: panels, ropes, and what is hung on them, each under its name in
 /// the plan, port and starboard in one row.
 std::vector<BillItem> bill_of(const NetPlan& plan);

@@ -5,13 +5,31 @@ namespace netloft::io {
 
 std::span<const netloft_parameter> water_keys() {
   static const auto table = [] {
-    ParameterTable<SceneWater> t;
-    t.real("density", &SceneWater::density, "kg/m3", "density of the water; 0 is air",
+    ParameterTable<WaterKeys> t;
+    t.real("density", &WaterKeys::density, "kg/m3", "density of the water; 0 is air",
            {.lo = 0, .hi = 3000, .fallback = 1025});
-    t.real("gravity", &SceneWater::gravity, "m/s2", "acceleration of gravity, downwards",
+    t.real("gravity", &WaterKeys::gravity, "m/s2", "acceleration of gravity, downwards",
            {.lo = 0, .hi = 100, .fallback = 9.80665});
-    t.real("viscosity", &SceneWater::viscosity, "m2/s", "kinematic viscosity of the water",
+    t.real("viscosity", &WaterKeys::viscosity, "m2/s", "kinematic viscosity of the water",
            {.lo = 1e-9, .hi = 1, .fallback = 1.19e-6});
+    t.real(
+        "model_scale", &WaterKeys::model_scale, "1",
+        "lengths of the gear over those of its model in a tank, which is computed by Froude's rule: Reynolds "
+        "numbers are smaller by this to the power 1.5",
+        {.lo = 1, .hi = 1000, .fallback = 1});
+    return t;
+  }();
+  return table.rows();
+}
+
+std::span<const netloft_parameter> tow_keys() {
+  static const auto table = [] {
+    ParameterTable<TowKeys> t;
+    t.real("speed", &TowKeys::speed, "m/s",
+           "speed over the ground, at which water and ground pass the gear, aft; 0: the ground stands",
+           {.lo = 0, .hi = 50});
+    t.real("leeway", &TowKeys::leeway, "rad", "angle at which they pass it, from x towards y",
+           {.lo = -1.6, .hi = 1.6, .fallback = 0});
     return t;
   }();
   return table.rows();
@@ -59,9 +77,11 @@ std::span<const netloft_parameter> gear_keys() {
     t.choice("extent", &GearKeys::extent,
              "the whole gear, or its starboard half, for gears and currents that are symmetric about y = 0",
              {"whole", "half"});
-    t.integer("nodes", &GearKeys::nodes,
-              "about as many nodes in all that is modelled; what is finer than its neighbours adds to them",
-              20, 1000000, 2000);
+    t.integer(
+        "nodes", &GearKeys::nodes,
+        "about as many nodes in all that is modelled, at least 20; what is finer than its neighbours adds to "
+        "them; 0: by size",
+        0, 1000000, 2000);
     t.real("size", &GearKeys::size, "m", "instead: length of the sides of triangles; 0: by nodes",
            {.lo = 0, .hi = 1000, .fallback = 0});
     return t;

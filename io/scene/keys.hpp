@@ -22,6 +22,17 @@ struct AnalysisKeys {
   std::int64_t tangent = 0;
 };
 
+/// `[water]`, but for the current.
+struct WaterKeys : SceneWater {
+  double model_scale = 1;  // [1]
+};
+
+/// `[tow]`.
+struct TowKeys {
+  double speed = 0;   // [m/s]
+  double leeway = 0;  // [rad]
+};
+
 /// `[gear]`, but for the table `finer`.
 struct GearKeys {
   const char *title = nullptr, *source = nullptr;
@@ -41,6 +52,7 @@ std::span<const GearElements> gear_elements();
 /// The tables of a scene that belong to no plugin, in the same form as those of plugins: reading, checks,
 /// `describe` and the schema all come from here.
 std::span<const netloft_parameter> water_keys();
+std::span<const netloft_parameter> tow_keys();
 std::span<const netloft_parameter> analysis_keys();
 std::span<const netloft_parameter> gear_keys();
 

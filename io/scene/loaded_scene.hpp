@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct Analysis {
   double work = 0;     // budget of the strategy, in the units of framework/problem/work.hpp
   std::string solver;  // the plugin that solves stages, or steps in time
   Values solver_parameters;
+  std::map<std::string, Values> given;  // what the scene says of components by type, "newton/newton"
   Limits limits;
   TangentChoice tangent = TangentChoice::exact;
 };
@@ -83,9 +85,17 @@ struct GearInScene {
   std::map<std::string, std::uint32_t> points;  // "headrope.end", "top-wing.fore-outer": node of the scene
   std::size_t nodes = 0;                        // about as many were asked for,
   double size = 0;                              // or sides of triangles of about this length [m]; 0: by nodes
-  std::string headline, footrope;               // ropes: what carries floats, and the lower one; empty: none
+  std::string headline, footrope;               // ropes by their roles in the plan; empty: none
+  std::set<std::uint32_t> across;               // ropes from one side to the other: port, middle, starboard
+  std::map<std::string, std::vector<std::uint32_t>> roles;  // ropes of the other roles, such as bridle
   std::vector<BillItem> bill;
   std::map<std::string, SheetPlace> sheet;  // by panel, as the gear names it
+};
+
+/// What a part bears, as its plan or the catalogue says.
+struct Strength {
+  double breaking_load = 0;  // of a rope, or of the twines of a bar [N]
+  std::string material;      // in the catalogue; empty: written in the scene
 };
 
 /// A scene file, read and checked.
@@ -96,7 +106,8 @@ struct LoadedScene {
   std::vector<ResultRequest> results;
   Analysis analysis;
   std::vector<SourceFile> files;
-  std::optional<GearInScene> gear;  // of a scene with a net plan
+  std::optional<GearInScene> gear;            // of a scene with a net plan
+  std::map<std::string, Strength> strengths;  // by part, where it is known
 
   /// Place of the part that a fault speaks of, for messages.
   Place place_of(const std::string& part) const {

@@ -56,6 +56,16 @@ bool group_is_required(std::span<const netloft_parameter> table, const std::stri
   return false;
 }
 
+/// The keys of a group stand in a table of its own, which says something if it is there.
+TableReader open_group(std::span<const netloft_parameter> table, TableReader& from,
+                       const std::string& group) {
+  const bool is_required = group_is_required(table, group);
+  TableReader own = from.table(group, is_required ? Presence::required : Presence::optional);
+  if (!is_required && from.kind(group) == Kind::table && own.keys().empty())
+    from.error(group, "is an empty table, which says nothing", "leave it out, or see `netloft describe`");
+  return own;
+}
+
 }  // namespace
 
 Values read_parameters(std::span<const netloft_parameter> table, TableReader& from) {
@@ -69,9 +79,7 @@ Values read_parameters(std::span<const netloft_parameter> table, TableReader& fr
     if (dot != std::string::npos) {
       const std::string group = name.substr(0, dot);
       key = name.substr(dot + 1);
-      if (!groups.contains(group))
-        groups.emplace(group, from.table(group, group_is_required(table, group) ? Presence::required
-                                                                                : Presence::optional));
+      if (!groups.contains(group)) groups.emplace(group, open_group(table, from, group));
       reader = &groups.at(group);
     }
     if (reader->has(key) || (p.flags & NETLOFT_REQUIRED)) values[name] = read_value(p, *reader, key);

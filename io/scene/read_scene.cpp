@@ -6,6 +6,7 @@
 #include "io/gear/check.hpp"
 #include "io/gear/read_plan.hpp"
 #include "io/scene/analysis.hpp"
+#include "io/scene/beds.hpp"
 #include "io/scene/catalogue_parts.hpp"
 #include "io/scene/current.hpp"
 #include "io/scene/draft.hpp"
@@ -14,12 +15,16 @@
 #include "io/scene/holder.hpp"
 #include "io/scene/keys.hpp"
 #include "io/scene/mesh_parts.hpp"
+#include "io/scene/one_sided_holds.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/result_request.hpp"
 #include "io/scene/riders.hpp"
+#include "io/scene/thickness.hpp"
+#include "io/scene/tow.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -66,11 +71,16 @@ class SceneReader {
     read_holds();
     if (gear_) gear_->follow_holds();
     out_.analysis = read_analysis(root_.table("analysis", Presence::optional), registry_, refused_);
+    if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) check_guides();
     read_results();
     if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry();
     root_.finish();
-    if (diagnostics_.errors() == 0) check_held();
     out_.files = meshes_.files();
+    if (diagnostics_.errors() > 0) return std::move(out_);
+    check_held();
+    check_ground();
+    check_beds(out_, diagnostics_);
+    one_sided_.report(draft_, diagnostics_);
     return std::move(out_);
   }
 
@@ -79,9 +89,17 @@ class SceneReader {
     TableReader water = root_.table("water", Presence::optional);
     const Values values = read_parameters(water_keys(), water);
     std::vector<std::string> faults;
-    const ParameterBlock block(water_keys(), sizeof(SceneWater), values, faults);
-    if (faults.empty()) out_.scene.water = *static_cast<const SceneWater*>(block.data());
+    const ParameterBlock block(water_keys(), sizeof(WaterKeys), values, faults);
+    if (faults.empty()) take_water(*static_cast<const WaterKeys*>(block.data()));
     out_.scene.current = read_current(water);
+    if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
+  }
+
+  /// A model at 1 : s in water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the
+  /// gear in water of viscosity ν s^1.5, and where nothing stretches all else is similar (W. Froude).
+  void take_water(const WaterKeys& keys) {
+    out_.scene.water = keys;
+    out_.scene.water.viscosity *= std::pow(keys.model_scale, 1.5);
   }
 
   void read_parts() {
@@ -132,6 +150,8 @@ class SceneReader {
       for (const auto& key : table.keys()) table.raw(key);  // nobody knows what may stand here
     }
     geometry.names.name = name, geometry.names.place = table.place();
+    if (const auto fault = thickness_fault(part, geometry); fault && diagnostics_.errors() == errors_before)
+      table.error(fault->key, fault->message, kThicknessCure);
     const bool is_sound =
         diagnostics_.errors() == errors_before && !(table.has("mesh") && meshes_.has_failed());
     draft_.add_part(std::move(part), std::move(geometry), type, is_sound);
@@ -315,6 +335,7 @@ class SceneReader {
       if (nodes.empty() || diagnostics_.errors() > errors_before) continue;
       out_.holds.push_back(holder.hold(entry, nodes, table));
       guide(read_course(table), entry, out_.holds.back(), table);
+      if (gear_ && out_.gear->times == 1) one_sided_.add(entry, table.place("on"));
     }
   }
 
@@ -337,12 +358,22 @@ class SceneReader {
   /// Lets what a hold holds go along a course.
   void guide(Course course, const HoldEntry& entry, const Hold& hold, TableReader& table) {
     if (course.knots.empty()) return;
+    guides_.push_back(table);
     const char* key = table.has("velocity") ? "velocity" : "displacement";
     const bool is_turned = entry.frame || std::any_of(hold.nodes.begin(), hold.nodes.end(), [&](auto node) {
                              return out_.scene.frames.contains(node);
                            });
     if (is_turned) table.error(key, "does not go with along and plane", "hold it by axes to move it");
     out_.scene.guides.push_back({hold.nodes, hold.axes, std::move(course)});
+  }
+
+  /// Nothing moves in a static analysis, unless somebody looks at a motion that way for once.
+  void check_guides() {
+    TableReader analysis = root_.table("analysis", Presence::optional);
+    if (diagnostics_.where(analysis.place("kind")).starts_with("--set")) return;
+    for (auto& hold : guides_)
+      hold.error(hold.has("velocity") ? "velocity" : "displacement", "nothing moves in a static analysis",
+                 "kind = \"dynamic\" in [analysis], or leave it out");
   }
 
   void check_hold_name(const HoldEntry& entry, TableReader& table) {
@@ -407,6 +438,10 @@ class SceneReader {
       TableReader water = root_.table("water", Presence::optional);
       water.error("current", "flows across the plane y = 0, of which half a gear is the mirror image", cure);
     }
+    if (out_.scene.ground[1] != 0) {
+      TableReader tow = root_.table("tow");
+      tow.error("leeway", "leads across the plane y = 0, of which half a gear is the mirror image", cure);
+    }
     for (const auto& part : out_.scene.parts)
       for (const auto& [name, value] : part.parameters)
         if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
@@ -417,6 +452,19 @@ class SceneReader {
   void check_held() {
     for (const auto& fault : find_loose_parts(out_.scene, nodes_per_element()))
       diagnostics_.error(out_.place_of(fault.part), fault.message);
+  }
+
+  /// Friction of what the gear is towed over points aft only if the ground passes, too.
+  void check_ground() {
+    for (std::size_t p = 0; !says_tow_ && p < draft_.types.size(); ++p)
+      if (is_rubbed_by_standing_ground(out_.scene, out_.scene.parts[p], *draft_.types[p]))
+        diagnostics_.warning(
+            out_.parts[p].place,
+            out_.scene.parts[p].name +
+                ": its friction is that of a ground that stands, in "
+                "water that flows; a towed gear passes both",
+            "[tow] speed = \"3 kn\" lets both pass, instead of water.current; [tow] speed = 0 says "
+            "that the ground stands");
   }
 
   /// A [[join]] that was made, and where it stands.
@@ -439,7 +487,10 @@ class SceneReader {
   std::vector<const ElementType*> companions_;
   std::vector<std::pair<std::string, TableReader>> riders_;
   std::vector<Join> joins_;
+  std::vector<TableReader> guides_;  // holds that move
+  OneSidedHolds one_sided_;
   std::map<std::string, Place> hold_names_;
+  bool says_tow_ = false;
   std::optional<Joiner> joiner_;
 };
 
@@ -465,11 +516,13 @@ LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std:
   const Document document = Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
   Value root = document.root();
-  const auto catalogues = put_catalogue_parts(root, file.parent_path(), registry, diagnostics);
+  std::map<std::string, Strength> strengths;
+  const auto catalogues = put_catalogue_parts(root, file.parent_path(), registry, diagnostics, strengths);
   const auto plan = read_plan_of(document, file.parent_path(), diagnostics);
   if (diagnostics.errors() && plan) return {};  // nothing in a scene can be judged without its gear
   LoadedScene loaded =
       SceneReader(root, plan ? &*plan : nullptr, file, registry, diagnostics, refused).read();
+  loaded.strengths.merge(strengths);
   const auto meshes = std::exchange(loaded.files, document.files());
   append_new(loaded.files, meshes);
   append_new(loaded.files, catalogues);

@@ -157,6 +157,9 @@ std::string groups_html(const StoredResult& result) {
   std::string html = group_html(result, "Ropes",
                                 {{"start [N]", "ropes/", "/tension_start"},
                                  {"end [N]", "ropes/", "/tension_end"},
+                                 {"port [N]", "ropes/", "/tension_port"},
+                                 {"middle [N]", "ropes/", "/tension_middle"},
+                                 {"starboard [N]", "ropes/", "/tension_starboard"},
                                  {"largest [N]", "ropes/", "/tension_largest"},
                                  {"mass [kg]", "ropes/", "/mass"}});
   html += group_html(result, "Netting",

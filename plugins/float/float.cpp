@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/float/float.hpp"
 
-#include <cmath>
+#include <netloft/dual.hpp>
+
 #include <numbers>
 
 namespace netloft::floats {
 
-void Float::check(const Parameters&, const Data& d) {
+void Float::check(const Parameters& p, const Data& d) {
+  if (p.drag_law == kSphere && p.diameter == 0)
+    throw std::invalid_argument("float.drag_law = \"sphere\" needs float.diameter");
   if (!(d.pieces >= 0)) throw std::invalid_argument("the number of floats at a node must not be negative");
 }
 
@@ -16,8 +19,26 @@ double Float::net_buoyancy(const Parameters& p, const Water& w) {
 
 double Float::drag_factor(const Parameters& p, const Water& w) {
   const double area = p.area > 0 ? p.area : std::numbers::pi / 4 * p.diameter * p.diameter;
-  return 0.5 * w.density * p.drag_coefficient * area;
+  return 0.5 * w.density * area;
 }
+
+namespace {
+
+/// C_d and Re C_d′.
+struct Coefficient {
+  double value, slope;
+};
+
+Coefficient drag_coefficient(const Float::Parameters& p, const Water& w, double speed) {
+  if (p.drag_law == Float::kConstant) return {p.drag_coefficient, 0};
+  constexpr double kLeast =
+      1e-3;  // Reynolds number, below which drag is less than round-off of anything else
+  const double Re = std::max(kLeast, speed * p.diameter / w.viscosity);
+  const auto at = Float::sphere_drag(Dual<1, 1>::variable(Re, 0));
+  return {at.value, Re * at.gradient[0]};
+}
+
+}  // namespace
 
 Status Float::Buoyancy::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
   const double up = d.pieces * net_buoyancy(p, s.water);
@@ -29,11 +50,13 @@ Status Float::Buoyancy::evaluate(const Parameters& p, const Data& d, const State
 Status Float::Drag::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
   const Vec3<double> W = s.current[0] - s.v[0];
   const double speed = norm(W), factor = d.pieces * drag_factor(p, s.water);
-  out.force[0] = -factor * speed * W;  // (3)
+  const Coefficient C = drag_coefficient(p, s.water, speed);
+  out.force[0] = -factor * C.value * speed * W;  // (3)
   if (!s.wants_tangent || speed == 0) return Status::ok;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {
-      const double D = factor * ((r == c ? speed : 0) + W[r] * W[c] / speed);  // (4)
+      const double D =
+          factor * (C.value * (r == c ? speed : 0) + (C.value + C.slope) * W[r] * W[c] / speed);  // (4)
       out.tangent[r][c] += s.cv * D;
       out.tangent[r][2] -= s.cu * D * s.current_dz[0][c];
     }

@@ -2,14 +2,16 @@
 #pragma once
 #include <netloft/element.hpp>
 
+#include <cmath>
+
 namespace netloft::floats {
 
 /// A number s of floats at a node (a fraction of those along a rope, not necessarily whole). Weights are
 /// floats with B < 0.
 ///   B = the buoyancy that is given, else (ρ V − m) g                        (1)
 ///   r = −s B e_z,  E = −s B z                  net upward force             (2)
-///   r = −s κ |W| W,  κ = ½ ρ C_d A             drag                         (3)
-///   D = −∂r/∂W = s κ (|W| I + W Wᵀ/|W|),  ∂W/∂x = (dc/dz) e_zᵀ,  ∂W/∂ẋ = −I (4)
+///   r = −s κ C_d |W| W,  κ = ½ ρ A             drag                         (3)
+///   D = −∂r/∂W = s κ (C_d |W| I + (C_d + Re C_d′) W Wᵀ/|W|),  ∂W/∂x = (dc/dz) e_zᵀ,  ∂W/∂ẋ = −I (4)
 ///   r = s (m + C_a ρ V) ẍ                      inertia, added mass included (5)
 /// B [N] net upward force of one in water, V [m³] volume, m [kg] mass, A [m²] area across the flow (π D²/4 if
 /// only the diameter D is given), W = c − ẋ [m/s] velocity of the water relative to it, C_d drag and C_a
@@ -17,13 +19,22 @@ namespace netloft::floats {
 /// the sphere in potential flow, C_d = 0.47 the smooth sphere at Reynolds numbers of 1e3 to 2e5 (Hoerner,
 /// Fluid-Dynamic Drag, 1965, chapter III). The acceleration of the water itself is left out: currents here
 /// are steady.
+/// The law `sphere` lets C_d follow Re = |W| D/ν, across the drag crisis:
+///   C_d = 24/Re + 2.6 a/(1 + a^1.52) + 0.411 b^−7.94/(1 + b^−8) + 0.25 c/(1 + c)            (6)
+///   a = Re/5, b = Re/2.63e5, c = Re/1e6
+/// for a smooth sphere and Re < 1e6; held above. Source: F. A. Morrison, An Introduction to Fluid Mechanics,
+/// Cambridge University Press 2013, and "Data correlation for drag coefficient for sphere", Michigan
+/// Technological University 2016. A float with lugs or growth is rough and meets the crisis earlier.
 struct Float {
   static constexpr auto stencil = NETLOFT_NODE;
 
   struct Parameters {
     double buoyancy = 0, volume = 0, mass = 0, diameter = 0, area = 0;
     double drag_coefficient = 0, added_mass = 0;
+    std::int64_t drag_law = 0;
   };
+  enum Law : std::int64_t { kConstant, kSphere };
+
   struct Data {
     double pieces = 0;  // s
   };
@@ -31,6 +42,9 @@ struct Float {
   static void check(const Parameters&, const Data& d);
   static double net_buoyancy(const Parameters& p, const Water& w);  // (1)
   static double drag_factor(const Parameters& p, const Water& w);   // κ [kg/m]
+  /// (6)
+  template <class T>
+  static T sphere_drag(const T& reynolds);
 
   struct Buoyancy {
     static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
@@ -42,5 +56,14 @@ struct Float {
     static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
   };
 };
+
+template <class T>
+T Float::sphere_drag(const T& reynolds) {
+  using std::pow;
+  const T Re = reynolds < T(1e6) ? reynolds : T(1e6);
+  const T a = 0.2 * Re, b8 = pow((1 / 2.63e5) * Re, 8.0), c = 1e-6 * Re;
+  return 24.0 / Re + 2.6 * a / (1.0 + pow(a, 1.52)) + 0.411 * pow((1 / 2.63e5) * Re, 0.06) / (b8 + 1.0) +
+         0.25 * c / (1.0 + c);  // b^−7.94/(1 + b^−8)
+}
 
 }  // namespace netloft::floats

@@ -53,6 +53,10 @@ NETLOFT_PLUGIN("float", "0.1.0", "Floats and weights at nodes") {
          {.lo = 0, .hi = 1e3, .fallback = 0});
   f.real("float.drag_coefficient", &Float::Parameters::drag_coefficient, "1", "drag coefficient on the area",
          {.lo = 0, .hi = 10, .fallback = 0.47});
+  f.choice(
+      "float.drag_law", &Float::Parameters::drag_law,
+      "sphere: instead of drag_coefficient, that of a smooth sphere over its Reynolds number, Morrison 2013",
+      {"constant", "sphere"});
   f.real("float.added_mass", &Float::Parameters::added_mass, "1",
          "added mass over the mass of the water displaced", {.lo = 0, .hi = 10, .fallback = 0.5});
   f.data("pieces", &Float::Data::pieces, "1", "number of floats at this node");

@@ -11,11 +11,23 @@ constexpr const char* kShielding =
     "velocity of the water here divided by that ahead of the gear, 1 in open water";
 
 template <class L>
-void add_screen(netloft::Plugin& plugin, const char* name, const char* doc) {
+auto& add_screen(netloft::Plugin& plugin, const char* name, const char* doc) {
   auto& law = plugin.law<L>(name, doc);
   law.real("shielding", &ScreenParameters::shielding, "1", kShielding, {.lo = 0, .hi = 2, .fallback = 1});
   law.choice("wake", &ScreenParameters::wake,
              "loland: netting of the same solidity is upstream and slows the water", {"none", "loland"});
+  return law;
+}
+
+/// A screen whose published coefficients know no Reynolds number.
+template <class L>
+void add_screen_at_one_reynolds_number(netloft::Plugin& plugin, const char* name, const char* doc) {
+  add_screen<L>(plugin, name, doc)
+      .real("measured_at", &ScreenParameters::measured_at, "1",
+            "Reynolds number of a twine at which the coefficients were measured; at others they follow the "
+            "drag "
+            "coefficient of a cylinder, Choo and Casarella 1971; 0: they do not",
+            {.lo = 0, .hi = 1e5, .fallback = 0});
 }
 
 }  // namespace
@@ -39,8 +51,10 @@ NETLOFT_PLUGIN("hydro", "0.1.0", "Forces of flowing water on twines, ropes and n
   r.real("shielding", &MorisonReynolds::Parameters::shielding, "1", kShielding,
          {.lo = 0, .hi = 2, .fallback = 1});
 
-  add_screen<Loland>(plugin, "loland", "Drag and lift of netting as a screen, Løland 1991");
-  add_screen<Aarsnes>(plugin, "aarsnes", "Drag and lift of netting as a screen, Aarsnes 1990");
+  add_screen_at_one_reynolds_number<Loland>(plugin, "loland",
+                                            "Drag and lift of netting as a screen, Løland 1991");
+  add_screen_at_one_reynolds_number<Aarsnes>(plugin, "aarsnes",
+                                             "Drag and lift of netting as a screen, Aarsnes 1990");
   add_screen<KristiansenFaltinsen>(plugin, "kristiansen-faltinsen",
                                    "Drag and lift of netting as a screen, Kristiansen and Faltinsen 2012");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <netloft/law.hpp>
+#include "plugins/hydro/reynolds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +111,23 @@ enum class Wake { none, loland };
 struct ScreenParameters {
   double shielding = 0;
   std::int64_t wake = 0;
+  double measured_at = 0;
 };
+
+/// What the coefficients are multiplied by at another Reynolds number Re = u D/ν than that at which they were
+/// measured, Re₀:
+///   C_n(Re)/C_n(Re₀)                                                     (15)
+/// with the drag coefficient C_n of a cylinder by Choo and Casarella 1971 (reynolds.hpp). One where Re₀ = 0.
+/// A twine in a screen is taken to feel the Reynolds number as a cylinder alone does; for twines of netting
+/// at Re below some 500 this is an estimate. Below 2, where twines hardly feel the water, Re stands for 1 +
+/// Re²/4: coefficients over an angle leave no derivative to a force that is linear in the velocity.
+
+template <class T>
+T reynolds_factor(double measured_at, const T& Re) {
+  if (measured_at == 0) return T(1);
+  const T at = Re < T(2) ? 1.0 + 0.25 * Re * Re : Re;
+  return choo_casarella_phi(at) / at / (choo_casarella_phi(measured_at) / measured_at);
+}
 
 /// r of (1): the given shielding, times Løland's 1 − 0.46 C_D(S, θ = 0) if netting of the same solidity is
 /// upstream (the rear of a cage, the lower panel of a trawl).                               (14)
@@ -119,6 +135,13 @@ template <class T>
 T flow_left(const ScreenParameters& p, const T& S) {
   if (p.wake == static_cast<std::int64_t>(Wake::none)) return T(p.shielding);
   return p.shielding * (1.0 - 0.46 * loland_drag(held_solidity(S, 0.35)));
+}
+
+template <class Model, class T>
+ScreenCoefficients<T> scaled(double measured_at, const T& c, const T& S, const T& Re) {
+  const auto C = Model::coefficients(c, S, Re);
+  const T factor = reynolds_factor(measured_at, Re);
+  return {factor * C.drag, factor * C.lift};
 }
 
 template <class Model>
@@ -132,7 +155,7 @@ struct Screen {
     const bool with = dot(U, f.direction) >= T(0);
     const Vec3<T> n = (with ? 1.0 : -1.0) * f.direction;
     const T u = norm(U), q = dot(U, n), c = q / u;
-    const auto C = Model::coefficients(c, f.solidity, u * (f.diameter / f.viscosity));
+    const auto C = scaled<Model>(p.measured_at, c, f.solidity, u * (f.diameter / f.viscosity));
     return (0.5 * f.density * u) * ((C.drag - C.lift * c * c) * U + (C.lift * q) * n);
   }
   static void lanes(const Parameters& p, const netloft_flow& f);

@@ -49,6 +49,11 @@ void add_normal_block(const Plane::Lanes& p, double factor, std::size_t i, doubl
 
 }  // namespace
 
+Plane::Slip Plane::slip(double speed, double creep) {  // (9)
+  if (speed >= creep) return {1 / speed, -1 / (speed * speed * speed)};
+  return {(2 - speed / creep) / creep, speed > 0 ? -1 / (creep * creep * speed) : 0};
+}
+
 double Plane::normal_force(const Parameters& p, const Data& d, const State<1>& s) {
   const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);
   const double h = n_z * (s.x[0].z + p.depth - p.slope_x * s.x[0].x - p.slope_y * s.x[0].y);
@@ -130,10 +135,56 @@ void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i) {  // (7)
   t.state_new[at(3, i)] = 1;
 }
 
+/// The friction of one node on a bed that passes it: (8), (9).
+struct Drag {
+  double n[3], w[3];   // normal, velocity over the bed
+  Plane::Slip slip;    // of |w|
+  double limit;        // μ N
+  double limit_slope;  // −∂(μ N)/∂h = μ K f''
+};
+
+Drag drag_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
+  constexpr double kCreep = 0.01;  // c/g: in one of a hundred metres that pass, what sticks may lag behind
+  Drag d{};
+  double along = 0, square = 0, ground = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    d.n[axis] = p.n[axis][i];
+    d.w[axis] = (t.v ? t.v[at(axis, i)] : 0) - t.ground[axis];
+    along += d.n[axis] * d.w[axis], ground += t.ground[axis] * t.ground[axis];
+  }
+  for (int axis = 0; axis < 3; ++axis) d.w[axis] -= along * d.n[axis], square += d.w[axis] * d.w[axis];
+  d.slip = Plane::slip(std::sqrt(square), kCreep * std::sqrt(ground));
+  const Plane::Depth depth = press_node(p, t, i);
+  d.limit = p.friction[i] * p.K[i] * depth.f1, d.limit_slope = p.friction[i] * p.K[i] * depth.f2;
+  return d;
+}
+
+void add_tangent(const Drag& d, double cu, double cv, std::size_t i, double* tangent) {
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      const double flat = (r == c ? 1 : 0) - d.n[r] * d.n[c];
+      tangent[at(3 * r + c, i)] += cv * d.limit * (d.slip.h * flat + d.slip.slope * d.w[r] * d.w[c]) -
+                                   cu * d.limit_slope * d.slip.h * d.w[r] * d.n[c];
+    }
+}
+
+void drag_tile(const Plane::Lanes& p, netloft_tile& t) {
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const Drag d = drag_node(p, t, i);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (t.force) t.force[at(axis, i)] += d.limit * d.slip.h * d.w[axis];  // (9)
+      if (t.state_new) t.state_new[at(axis, i)] = t.x[at(axis, i)];
+    }
+    if (t.state_new) t.state_new[at(3, i)] = 0;  // no past
+    if (t.tangent) add_tangent(d, t.cu, t.cv, i, t.tangent);
+  }
+}
+
 }  // namespace
 
 Status Plane::Friction::tile(const Family<Plane>& family, netloft_tile& t) {
   const Lanes& p = family.lanes(t);
+  if (t.ground) return drag_tile(p, t), Status::ok;
   for (std::size_t i = 0; i < t.count; ++i) {
     const Hold b = hold_node(p, t, i);
     if (t.force)

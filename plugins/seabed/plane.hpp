@@ -13,6 +13,11 @@ namespace netloft::seabed {
 ///   r = κ L d                   while κ L |d| ≤ μ N              it sticks to a by a spring      (5)
 ///   r = μ N d̂                   beyond that                      it slides, Coulomb              (6)
 ///   a ← x where N = 0,  a where it sticks,  x − (μ N/κ L) d̂ where it slides                       (7)
+/// A bed that passes a towed gear with the velocity g drags every node along with it and leaves no anchor:
+///   w = (I − n nᵀ)(v − g)                                         velocity over the bed              (8)
+///   r = μ N w h(|w|),  h(s) = 1/s | (2 − s/c)/c  for  s ≥ c | s < c,  c = g/100                      (9)
+/// so that in an equilibrium, where v = 0, friction is μ N along the bed and has no direction to find. c is
+/// the speed below which a node that moves almost as the bed does creeps instead of sticking.
 /// D [m] depth of the bed below z = 0 at x = y = 0, s_x, s_y [1] its slopes dz/dx, dz/dy; k, κ [N/m²]
 /// stiffness per metre of rope against pressing in and against shearing along; ε [m] over which the bed
 /// becomes hard; μ [1] friction. a, the anchor, is what the element remembers; the host replaces it by (7)
@@ -44,6 +49,12 @@ struct Plane {
     double f, f1, f2;
   };
   static Depth press(double depth, double softness);
+
+  /// h and h'/s of (9).
+  struct Slip {
+    double h, slope;
+  };
+  static Slip slip(double speed, double creep);
   static double normal_force(const Parameters& p, const Data& d, const State<1>& s);
 
   static void check(const Parameters&, const Data& d);

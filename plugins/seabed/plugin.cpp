@@ -27,8 +27,10 @@ NETLOFT_PLUGIN("seabed", "0.1.0", "The ground on which a gear lies and is dragge
   e.term<Plane::Contact, netloft::conservative | netloft::symmetric | netloft::has_convex |
                              netloft::has_metric | netloft::from_outside>(
       "contact", "normal force of the seabed on the node");
-  e.term<Plane::Friction, netloft::reads_state | netloft::from_outside>(
-      "friction", "friction of the seabed on the node, elastic up to sliding", "seabed.friction");
+  e.term<Plane::Friction,
+         netloft::reads_state | netloft::reads_ground | netloft::reads_velocity | netloft::from_outside>(
+      "friction", "friction of the seabed on the node: elastic up to sliding, or of a bed that passes",
+      "seabed.friction");
   e.output("normal_force", "N", "force of the seabed on the node, along its normal",
            [](auto& p, auto& d, auto& s) { return Plane::normal_force(p, d, s); });
 }

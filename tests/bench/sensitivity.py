@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the numbers that steer a strategy are worth: each is halved and doubled over a fresh draw of the hard cases.
 
-    sensitivity.py NETLOFT SUITE --draw 2041 [--strategy auto] [--of auto] [--of newton] [--size small] [--case TEXT] [--jobs 1]
+    sensitivity.py NETLOFT SUITE --draw 2041 [--strategy auto] [--of auto] [--of tension/only] [--of newton] [--size small] [--case TEXT] [--jobs 1]
 
 prints a Markdown table: right / claimed wrong / work at half, at the default, and at double. A number whose row says
 "changes nothing" is no parameter but noise, and may go. Draws that a number was chosen by say nothing about it.
@@ -53,7 +53,9 @@ class Parameter:
         return None if value == self.default else format(value, "d" if self.is_whole else ".17g")
 
     def setting(self, value):
-        return f"analysis.{self.component.split('/')[0]}.{self.name}={value}"
+        plugin, _, own = self.component.partition("/")
+        table = plugin if own in ("", plugin) else f"{plugin}.{own}"
+        return f"analysis.{table}.{self.name}={value}"
 
 
 def is_number(described):
@@ -120,7 +122,7 @@ def parse(arguments):
     p.add_argument("netloft", help="the program")
     p.add_argument("suite", help="folder of the suite: tests/stability")
     p.add_argument("--draw", type=int, required=True, help="number of a draw that nothing was chosen by")
-    p.add_argument("--of", action="append", help="component whose numbers are changed; the strategy that is run, or newton; may be repeated")
+    p.add_argument("--of", action="append", help="component whose numbers are changed; the strategy that is run, what it calls, or its solver; may be repeated")
     p.add_argument("--strategy", default="auto", help="strategy that is run")
     p.add_argument("--size", default="small")
     p.add_argument("--case", help="only cases whose name contains this")
@@ -129,10 +131,6 @@ def parse(arguments):
     p.add_argument("--jobs", type=int, default=1, help="runs at a time; budgets in seconds want one")
     words = p.parse_args(arguments)
     words.of = words.of or [words.strategy]
-    for component in words.of:
-        if component not in (words.strategy, "newton"):
-            p.error(f"{component}: {words.strategy} calls it with its defaults, so that no scene changes them; "
-                    f"--strategy {component} --of {component} runs it by itself")
     return words
 
 

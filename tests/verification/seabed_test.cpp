@@ -97,6 +97,53 @@ TEST(RopeOverSeabed, IsHeldByTheFrictionOfWhatSlidesAndNoMore) {
   }
 }
 
+// A chain towed over a bed that rises by s aft, V = 1.5 m/s, 50 m of 10 N/m in water:
+//   N = w cos θ + ρ/2 C_n d V² sin θ |sin θ|,  T = L (ρ/2 C_t d V² cos² θ + μ N − w sin θ)
+struct TowedChain {
+  double slope, friction;
+  double cos() const { return 1 / std::hypot(1, slope); }
+  double sin() const { return slope * cos(); }
+  double exact() const {
+    const double q = 0.5 * 1025 * 0.03 * 1.5 * 1.5;
+    const double N = 10 * cos() + q * 1.2 * sin() * std::abs(sin());
+    return 50 * (q * 0.08 * cos() * cos() + friction * N - 10 * sin());
+  }
+  SolvedFile solve() const {
+    const std::string end =
+        "[" + std::to_string(50 * cos()) + ", 0, " + std::to_string(50 * sin() - 50.0002) + "]";
+    return solve_file("verification/towed-chain.toml",
+                      {"parts.bed.seabed.friction=" + std::to_string(friction),
+                       "parts.bed.seabed.slope_x=" + std::to_string(slope),
+                       "parts.chain.sketch=[[0, 0, -50.0002], " + end + "]"});
+  }
+};
+
+TEST(TowedChain, IsPulledByItsDragAndTheFrictionOfAllThatSlides) {
+  for (const double slope : {-0.1, 0.0, 0.1})
+    for (const double friction : {0.0, 0.25, 0.5, 1.0}) {
+      const TowedChain chain{slope, friction};
+      if (chain.exact() < 0) continue;  // it would slide down by itself
+      const SolvedFile s = chain.solve();
+      ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
+      const auto r = s.solved.reaction(s.node("chain", "start"));
+      const double pull = -(r[0] * chain.cos() + r[2] * chain.sin());
+      std::printf("slope %4.1f, friction %.2f: %2d iterations, pull %.3f N, exact %.3f N\n", slope, friction,
+                  s.solved.solution.statistics.iterations, pull, chain.exact());
+      EXPECT_LT(relative(pull, chain.exact()), 5e-3);
+      EXPECT_LE(s.solved.solution.statistics.iterations, 15);
+    }
+}
+
+TEST(TowedChain, DoesNotDependOnWhereItWasSketched) {
+  const SolvedFile straight = TowedChain{0, 0.5}.solve();
+  const SolvedFile askew = solve_file("verification/towed-chain.toml",
+                                      {"parts.chain.sketch=[[0, 0, -50.0002], [30, 35, -50.0002]]"});
+  ASSERT_EQ(askew.solved.solution.status, SolveStatus::converged) << askew.solved.solution.reason;
+  const auto end = askew.solved.position(askew.node("chain", "end"));
+  const auto expected = straight.solved.position(straight.node("chain", "end"));
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(end[axis], expected[axis], 1e-6);
+}
+
 double largest_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));

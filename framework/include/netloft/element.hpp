@@ -51,6 +51,7 @@ enum Trait : std::uint32_t {
   of_members = NETLOFT_OF_MEMBERS,
   is_weight = NETLOFT_IS_WEIGHT,
   is_drag = NETLOFT_IS_DRAG,
+  reads_ground = NETLOFT_READS_GROUND,
 };
 
 /// What an output means to reports that compare parts of different types.
@@ -127,6 +128,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   void remembers(std::uint32_t width) { state_width_ = width; }
 
   netloft_element descriptor() const {
+    detail::OwnParameters<E>::declare(this->rows());
     netloft_element e{};
     e.size = sizeof e, e.stencil = E::stencil, e.name = name_, e.doc = doc_;
     e.parameter_bytes = sizeof(Parameters);
@@ -189,7 +191,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
       throw std::runtime_error("this program is older than the element and does not know shared numbers");
     for (std::size_t p = 0; p < in.part_count; ++p)
       for (std::size_t k = 0; k < starts_.size(); ++k)
-        in.globals[p * starts_.size() + k] = starts_[k](*f.parameters_[p], f.wholes_[p]);
+        in.globals[p * starts_.size() + k] = starts_[k](f.parameters_[p], f.wholes_[p]);
   }
   static void destroy(void* self) { delete static_cast<Family<E>*>(self); }
   static int evaluate_outputs(const void* self, netloft_tile* t, double* values) {

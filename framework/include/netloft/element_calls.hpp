@@ -4,6 +4,7 @@
 // authors.
 #pragma once
 #include <netloft/dual.hpp>
+#include <netloft/parameters.hpp>
 #include <netloft/state.hpp>
 
 #include <array>
@@ -94,6 +95,7 @@ State<Nodes> gather(const netloft_tile& t, std::size_t lane) {
   gather<Nodes>(t.a, lane, s.a);
   gather<Nodes>(t.current, lane, s.current);
   gather<Nodes>(t.current_dz, lane, s.current_dz);
+  if (t.ground) s.ground = {t.ground[0], t.ground[1], t.ground[2]};
   s.water = {t.water_density, t.gravity, t.water_viscosity};
   s.time = t.time, s.cu = t.cu, s.cv = t.cv, s.ca = t.ca;
   s.wants_tangent = t.want & (NETLOFT_WANT_TANGENT | NETLOFT_WANT_CONVEX | NETLOFT_WANT_METRIC);
@@ -188,9 +190,8 @@ int write_members(const void* self, double time, std::uint32_t first, std::uint3
 template <class E>
 void fill_family(Family<E>& f, netloft_create& in, const std::vector<std::size_t>& offsets,
                  const std::vector<netloft_datum>& data) {
-  using P = typename E::Parameters;
   for (std::uint32_t p = 0; p < in.part_count; ++p)
-    f.parameters_.push_back(static_cast<const P*>(in.parameters[p]));
+    f.parameters_.push_back(OwnParameters<E>::from(in.parameters[p]));
   f.part_.assign(in.part, in.part + in.count);
   if (in.laws) f.laws_.assign(in.laws, in.laws + in.law_count);
   f.wholes_.resize(in.part_count);

@@ -68,7 +68,7 @@ template <class I>
 int run_step(const void* parameters, netloft_motion* motion) noexcept {
   try {
     Motion m(*motion);
-    return static_cast<int>(I::step(*static_cast<const typename I::Parameters*>(parameters), m));
+    return static_cast<int>(I::step(OwnParameters<I>::from(parameters), m));
   } catch (const std::exception& e) {
     if (motion->message) std::snprintf(motion->message, motion->message_size, "%s", e.what());
   } catch (...) {
@@ -86,14 +86,15 @@ class IntegratorTable : public ParameterTable<typename I::Parameters> {
   void traits(std::uint32_t traits) { traits_ = traits; }
 
   netloft_integrator descriptor() const {
+    detail::OwnParameters<I>::declare(this->rows());
     netloft_integrator i{};
     i.size = sizeof i, i.traits = traits_, i.name = name_, i.doc = doc_;
     i.parameter_bytes = sizeof(Parameters);
     i.parameter_count = static_cast<std::uint32_t>(this->rows().size()), i.parameters = this->rows().data();
     i.step = &detail::run_step<I>;
-    i.order = [](const void* p) { return I::order(*static_cast<const Parameters*>(p)); };
+    i.order = [](const void* p) { return I::order(detail::OwnParameters<I>::from(p)); };
     i.stable_step = [](const void* p, double w) {
-      return I::stable_step(*static_cast<const Parameters*>(p), w);
+      return I::stable_step(detail::OwnParameters<I>::from(p), w);
     };
     return i;
   }

@@ -71,7 +71,7 @@ void differentiate_law(const typename L::Parameters& p, const netloft_flow& f) {
 template <class L>
 int evaluate_law(const void* parameters, const netloft_flow* flow) noexcept {
   return guarded(nullptr, 0, [&] {
-    const auto& p = *static_cast<const typename L::Parameters*>(parameters);
+    const typename L::Parameters p = OwnParameters<L>::from(parameters);
     if constexpr (requires { L::lanes(p, *flow); })
       L::lanes(p, *flow);
     else
@@ -89,6 +89,7 @@ class LawTable : public ParameterTable<typename L::Parameters> {
   LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
 
   netloft_law descriptor() const {
+    detail::OwnParameters<L>::declare(this->rows());
     netloft_law l{};
     l.size = sizeof l, l.kind = L::kind, l.name = name_, l.doc = doc_;
     l.parameter_bytes = sizeof(typename L::Parameters);

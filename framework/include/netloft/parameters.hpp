@@ -2,10 +2,14 @@
 #pragma once
 #include <netloft/plugin.h>
 
+#include <algorithm>
+#include <cstring>
 #include <deque>
 #include <initializer_list>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -98,5 +102,51 @@ class ParameterTable {
   std::vector<netloft_parameter> rows_;
   std::deque<std::vector<const char*>> choices_;
 };
+
+namespace detail {
+
+/// Bytes of a parameter struct that a row of its table declares.
+struct DeclaredBytes {
+  std::uint32_t offset, count;
+  bool operator==(const DeclaredBytes&) const = default;
+};
+
+inline std::uint32_t bytes_of_kind(std::uint32_t kind) {
+  return kind == NETLOFT_BOOLEAN ? sizeof(bool) : kind == NETLOFT_TABLE ? sizeof(netloft_table) : 8;
+}
+
+/// The parameters of component C as its functions see them: what the host filled in where a row of the table
+/// declares it, and everywhere else the author's own defaults. The host knows of a struct only what the table
+/// says; the rest it leaves zero, and a struct that is shared with another plugin has members that only that
+/// one declares.
+template <class C>
+class OwnParameters {
+ public:
+  using Parameters = typename C::Parameters;
+  static_assert(std::is_trivially_copyable_v<Parameters>, "Parameters must be plain numbers");
+
+  /// Called with the whole table, before anything is made.
+  static void declare(const std::vector<netloft_parameter>& rows) {
+    std::vector<DeclaredBytes> declared;
+    for (const auto& row : rows) declared.push_back({row.offset, bytes_of_kind(row.kind)});
+    std::sort(declared.begin(), declared.end(), [](auto& a, auto& b) { return a.offset < b.offset; });
+    if (is_known_ && declared != declared_)
+      throw std::logic_error("one struct is described by two tables with different parameters");
+    declared_ = std::move(declared), is_known_ = true;
+  }
+  static Parameters from(const void* host) {
+    Parameters own{};
+    for (const auto& d : declared_)
+      std::memcpy(reinterpret_cast<char*>(&own) + d.offset, static_cast<const char*>(host) + d.offset,
+                  d.count);
+    return own;
+  }
+
+ private:
+  static inline std::vector<DeclaredBytes> declared_;
+  static inline bool is_known_ = false;
+};
+
+}  // namespace detail
 
 }  // namespace netloft

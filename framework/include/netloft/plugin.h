@@ -124,7 +124,8 @@ enum {
   NETLOFT_READS_TIME = 1 << 13,   /* force and energy may change with tile.time where nothing moves */
   NETLOFT_OF_MEMBERS = 1 << 14,   /* the force is that of the element's members (netloft_member), no more */
   NETLOFT_IS_WEIGHT = 1 << 15,    /* reports count it as weight in water */
-  NETLOFT_IS_DRAG = 1 << 16       /* reports count it as force of the flowing water */
+  NETLOFT_IS_DRAG = 1 << 16,      /* reports count it as force of the flowing water */
+  NETLOFT_READS_GROUND = 1 << 17  /* wants tile.ground when the ground passes the gear */
 };
 
 /* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC
@@ -167,6 +168,7 @@ typedef struct netloft_tile {
   double* state_new;      /* [state_width][64] what it will remember if this one is accepted */
   const double* x_low;    /* digits that x has no room for: positions are x + x_low; mostly null: not known.
                              A term may ignore them; stiff ones gain digits in differences of positions [m] */
+  const double* ground; /* [3] velocity at which the ground passes a towed gear [m/s]; null where it stands */
 } netloft_tile;
 
 typedef struct netloft_term {

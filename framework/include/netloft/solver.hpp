@@ -124,7 +124,7 @@ template <class S>
 int run_solver(const void* parameters, netloft_problem* problem) noexcept {
   try {
     Problem p(*problem);
-    return static_cast<int>(S::solve(*static_cast<const typename S::Parameters*>(parameters), p));
+    return static_cast<int>(S::solve(OwnParameters<S>::from(parameters), p));
   } catch (const std::exception& e) {
     if (problem->message) std::snprintf(problem->message, problem->message_size, "%s", e.what());
   } catch (...) {
@@ -141,6 +141,7 @@ class SolverTable : public ParameterTable<typename S::Parameters> {
   void needs(std::uint32_t traits) { needs_ = traits; }
 
   netloft_solver descriptor() const {
+    detail::OwnParameters<S>::declare(this->rows());
     netloft_solver s{};
     s.size = sizeof s, s.needs = needs_, s.name = name_, s.doc = doc_;
     s.parameter_bytes = sizeof(typename S::Parameters);

@@ -35,6 +35,7 @@ template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
   Points<double, Nodes> x_low{};  // low-order part of x [m]; zero if it is not known
+  Vec3<double> ground{};          // velocity of the ground [m/s]; zero where it stands
   Water water{};
   double time = 0;
   double cu = 1, cv = 0, ca = 0;  // factors of dforce/dx, dforce/dv, dforce/da in the tangent
@@ -63,7 +64,7 @@ class Family {
   using Parameters = typename E::Parameters;
   using Data = typename E::Data;
 
-  const Parameters& parameters(std::size_t element) const { return *parameters_[part_[element]]; }
+  const Parameters& parameters(std::size_t element) const { return parameters_[part_[element]]; }
   const Data& data(std::size_t element) const { return data_[element]; }
   const auto& whole(std::size_t element) const { return wholes_[part_[element]]; }
   /// The result of E::pack for 64 elements, for terms written as `tile`.
@@ -93,7 +94,7 @@ class Family {
   /// The law in a slot, in the order the slots were declared. Its arrays are those of netloft_flow.
   const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
 
-  std::vector<const Parameters*> parameters_;
+  std::vector<Parameters> parameters_;  // per part
   std::vector<netloft_bound_law> laws_;
   std::vector<std::uint32_t> part_;
   std::vector<Data> data_;

@@ -209,7 +209,7 @@ template <class S>
 int run_strategy(const void* parameters, netloft_study* study) noexcept {
   try {
     Study s(*study);
-    S::run(*static_cast<const typename S::Parameters*>(parameters), s);
+    S::run(OwnParameters<S>::from(parameters), s);
     return NETLOFT_OK;
   } catch (const std::exception& e) {
     if (study->message && e.what()[0]) std::snprintf(study->message, study->message_size, "%s", e.what());
@@ -222,7 +222,7 @@ template <class S>
 int explain_strategy(const void* parameters, netloft_study* study, char* text, std::uint32_t size) noexcept {
   try {
     Study s(*study);
-    const std::string words = S::explain(*static_cast<const typename S::Parameters*>(parameters), s);
+    const std::string words = S::explain(OwnParameters<S>::from(parameters), s);
     std::snprintf(text, size, "%s", words.c_str());
     return NETLOFT_OK;
   } catch (...) {
@@ -239,6 +239,7 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
   void needs(std::uint32_t traits) { needs_ = traits; }
 
   netloft_strategy descriptor() const {
+    detail::OwnParameters<S>::declare(this->rows());
     netloft_strategy s{};
     s.size = sizeof s, s.needs = needs_, s.name = name_, s.doc = doc_;
     s.parameter_bytes = sizeof(typename S::Parameters);

@@ -54,6 +54,18 @@ class Differences(InFreshFolder):
         self.assertAlmostEqual(row["error"], errors)
         self.assertNotIn("forces/weight/rope", told)
 
+    def test_refuses_a_newer_format_and_reads_an_older_one(self):
+        a = self.run_scene("a", GOOD)
+        for name, change in (("newer", lambda root: root.attrs.__setitem__("schema", 2)),
+                             ("older", lambda root: root.attrs.__delitem__("schema"))):
+            self.write(f"{name}.hdf", (self.folder / a).read_bytes())
+            with h5py.File(self.folder / f"{name}.hdf", "r+") as f:
+                change(f["netloft"])
+        for words in ((a, "newer.hdf"), ("newer.hdf", a)):
+            refused = self.diff(*words, code=2)
+            self.assertIn("newer.hdf was written by a newer netloft, in format 2; this program reads format 1", refused.err)
+        self.assertIn("a.hdf", self.diff(a, "older.hdf").out)
+
     def test_names_lines_and_options_that_differ(self):
         a = self.run_scene("a", GOOD, "--set", "water.gravity=9")
         b = self.run_scene("b", changed(GOOD, HEAVIER, ("[water]\n", "[water]\n# colder\n")))

@@ -121,6 +121,81 @@ class GearScenes(InFreshFolder):
                 self.assertEqual(run.code, 2)
                 self.assertIn(said, run.err)
 
+    def test_size_beside_nodes_is_refused_and_may_replace_it(self):
+        run = self.netloft("plan", str(FLUME), "--set", "gear.size=1")
+        self.assertEqual(run.code, 2)
+        self.assertIn("size: stands beside nodes", run.err)
+        self.assertEqual(self.netloft("plan", str(FLUME), "--set", "gear.size=1", "--set", "gear.nodes=0").code, 0)
+        self.assertIn("is outside [20, 1000000]", self.netloft("plan", str(FLUME), "--set", "gear.nodes=0").err)
+
+    def test_twine_of_elements_is_thinner_than_its_bar(self):
+        run = self.netloft("plan", str(FLUME), "--set", "elements.netting.twine.diameter=60 mm")
+        self.assertEqual(run.code, 2)
+        self.assertIn("diameter = 0.06 m, and bars of 0.0508 m: no mesh can open", run.err)
+
+
+FOUR = SOURCE / "gear-library/scenes/four-panel.toml"
+
+
+class NamesAndRoles(InFreshFolder):
+    """Ends of ropes are called the same in the half and in the whole, and what a rope is the plan says."""
+
+    def four(self, extent, more="", *words):
+        doors = ["door"] if extent == "half" else ["starboard-door", "port-door"]
+        holds = ", ".join(f'{{ on = "{door}" }}' for door in doors)
+        self.write("four.toml", f'include = ["{FOUR}"]\nhold = [{holds}]\n[gear]\nextent = "{extent}"\nnodes = 200\n{more}')
+        return self.netloft("run", "four.toml", "--json", *words)
+
+    def test_ends_of_a_rope_across_have_the_same_names_in_half_and_whole(self):
+        results = """[results]
+middle = { of = "headline.middle", take = "y" }
+tip = { of = "headline.starboard", take = "y" }
+"""
+        half, whole = self.four("half", results).json(), self.four("whole", results + 'port = { of = "headline.port", take = "y" }\n').json()
+        for run in (half, whole):
+            self.assertEqual(run["status"], "converged")
+            self.assertAlmostEqual(run["results"]["middle"], 0, delta=1e-6)
+            self.assertGreater(run["results"]["tip"], 0.5)
+        self.assertAlmostEqual(whole["results"]["port"], -whole["results"]["tip"], delta=1e-4)
+        figures = [set(run["gear"]["figures"]) for run in (half, whole)]
+        self.assertIn("ropes/headline/tension_starboard", figures[0] & figures[1])
+        self.assertNotIn("ropes/headline/tension_start", figures[0] | figures[1])
+
+    def test_a_rope_across_has_no_start(self):
+        run = self.four("half", '[results]\nx = { of = "headline.start", take = "x" }\n')
+        self.assertEqual(run.code, 2)
+        self.assertIn("middle, starboard", run.err)
+
+    def test_figures_of_the_mouth_are_those_of_roles(self):
+        named = self.four("half").json()["gear"]["figures"]
+        self.assertIn("mouth/headline_height", named)
+        self.assertIn("rigging/bridle/tension_start", named)
+        guessed = self.four("half", "", "--set", "ropes.headline.role=fishing-line").json()["gear"]["figures"]
+        self.assertNotIn("mouth/headline_height", guessed)
+        self.assertNotIn("mouth/area", guessed)
+        self.assertIn("mouth/lower_wing_spread", guessed)
+
+    def test_a_hold_on_one_side_of_a_whole_gear_is_a_warning(self):
+        self.assertNotIn("on the other side", self.four("whole").err)
+        for held, other in (("headline.starboard", "headline.port"), ("headline.end", "headline.port"),
+                            ("port-side.fore", "starboard-side.fore")):
+            more = self.four("whole", "", "--set", f'hold=[{{on="starboard-door"}},{{on="port-door"}},{{on="{held}",axes="y"}}]')
+            self.assertIn(f'warning: "{held}" is held, and "{other}" on the other side is not', more.err)
+
+
+class Overload(InFreshFolder):
+    def test_a_rope_that_would_break_is_named(self):
+        rope = SOURCE / "gear-library/scenes/hanging-rope.toml"
+        self.write("thin.toml", f'include = ["{rope}"]\n[parts.rope]\nrope = "6x19-fc-13mm"\n[parts.load]\ntype = "float/float"\n'
+                                'on = "rope.node-100"\nfloat = { mass = 2e4, volume = 0 }\n')
+        run = self.netloft("run", "thin.toml")
+        self.assertRegex(run.out, r"warning: rope carries [\d.e+]+ N and breaks at [\d.e+]+ N \(6x19-fc-13mm\)")
+        self.assertEqual(len(self.netloft("run", "thin.toml", "--json", "--overwrite").json()["warnings"]), 1)
+
+    def test_a_rope_that_holds_is_not(self):
+        self.assertEqual(self.netloft("run", str(SOURCE / "gear-library/scenes/four-panel.toml"), "--set", "gear.nodes=200",
+                                      "--json").json()["warnings"], [])
+
 
 if __name__ == "__main__":
     unittest.main()

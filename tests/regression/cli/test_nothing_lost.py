@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What was found once is not lost: by a full disk, by a kill, by running again, by a worse result."""
 import os
+import re
+import shutil
 import signal
 import subprocess
 import time
@@ -13,7 +15,8 @@ from program import PROGRAM, SOURCE, InFreshFolder
 
 SCENES = SOURCE / "gear-library" / "scenes"
 ROPE = SCENES / "dynamics" / "released-rope.toml"
-OFTEN = ["--set", "analysis.output_interval=0.02"]
+OFTEN = ["--set", "analysis.output_interval=0.002"]
+OUTPUTS = 2501
 PANEL = [str(SCENES / "dead-weight-panel.toml"), "--set", "parts.net.cells=[8,8]"]
 GEAR = SOURCE / "gear-library" / "gears" / "83-112-eastern.toml"
 FULL_DISK = os.environ.get("NETLOFT_FULL_DISK", "")
@@ -22,13 +25,6 @@ FULL_DISK = os.environ.get("NETLOFT_FULL_DISK", "")
 def states_in(file):
     with h5py.File(file) as f:
         return int(f["VTKHDF/Steps"].attrs["NSteps"])
-
-
-def read_all(file):
-    """Every dataset. A kill in the middle of a flush may leave a chunk that cannot be read: that is the kill's
-    loss, and these tests ask what comes after it."""
-    with h5py.File(file) as f:
-        f.visititems(lambda _, item: item[()] if isinstance(item, h5py.Dataset) else None)
 
 
 def outcome_in(file):
@@ -40,32 +36,36 @@ class InterruptedMotion(InFreshFolder):
     def setUp(self):
         super().setUp()
         self.part = self.folder / "r.hdf.part"
-        for seconds in (0.6, 1.2, 2.4, 4.8, 9.6):
-            if self.kill_after(seconds):
-                break
-        else:
-            self.fail("no kill left outputs")
+        self.kill_at(500_000)
 
     def motion(self, *words, **how):
         return self.netloft("run", str(ROPE), *OFTEN, "-o", "r.hdf", *words, **how)
 
-    def kill_after(self, seconds):
-        run = subprocess.Popen(self.command("run", str(ROPE), *OFTEN, "-o", "r.hdf", "--overwrite"), cwd=self.folder,
+    def kill_at(self, size):
+        """Begins a motion, and kills it when its journal has this many bytes."""
+        run = subprocess.Popen(self.command("run", str(ROPE), *OFTEN, "-o", "r.hdf"), cwd=self.folder,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(seconds)
+        while run.poll() is None and not (self.part.exists() and self.part.stat().st_size > size):
+            time.sleep(0.001)
         run.send_signal(signal.SIGKILL)
         run.wait()
-        try:
-            read_all(self.part)
-            return states_in(self.part) > 1
-        except (OSError, KeyError):
-            return False
+        self.assertTrue(self.part.exists(), "the motion ended before it was killed")
+
+    def report(self):
+        said = self.netloft("report", "r.hdf.part", "--json")
+        self.assertEqual(said.code, 3, said.err)
+        return said.json()
+
+    def outputs(self):
+        said = self.netloft("report", "r.hdf.part")
+        self.assertIn(said.code, (0, 3), said.err)  # 0: it has ended, and only its result could not be made
+        return int(re.search(r"(\d+) states", said.out).group(1))
 
     def test_is_not_overwritten_unasked(self):
         before = self.files()
         again = self.motion()
         self.assertEqual(again.code, 2)
-        for words in ("r.hdf.part holds", "outputs of a run that did not end", "--resume", "--overwrite"):
+        for words in (f"r.hdf.part holds {self.outputs()} outputs of a run that did not end", "--resume", "--overwrite"):
             self.assertIn(words, again.err)
         self.assertEqual(self.files(), before)
         self.assertEqual(self.netloft("run", *PANEL, "-o", "r.hdf").code, 2, "an equilibrium of that name, neither")
@@ -76,28 +76,34 @@ class InterruptedMotion(InFreshFolder):
         self.assertEqual(ended.code, 0, ended.err)
         self.assertEqual(sorted(self.files()), ["r.hdf", "r.xdmf"])
 
-    def test_says_in_its_file_that_it_has_not_ended(self):
-        self.assertEqual(outcome_in(self.part), "running")
+    def test_is_read_as_far_as_it_came(self):
+        self.assertEqual(self.report()["status"], "running")
+        before = self.files()
+        for words in (["view", "r.hdf.part", "-o", "v.html"], ["draw", "r.hdf.part", "-o", "v.svg"],
+                      ["export", "r.hdf.part", "v.glb"], ["diff", "r.hdf.part", "r.hdf.part"]):
+            with self.subTest(command=words[0]):
+                ended = self.netloft(*words)
+                self.assertEqual(ended.code, 3 if words[0] == "diff" else 0, ended.err)
+        self.assertEqual({**self.files(), **before}, self.files())
+        self.assertEqual(set(self.files()) - set(before), {"v.html", "v.svg", "v.glb"})
 
     @unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")
     def test_survives_a_disk_that_is_still_full(self):
-        before = self.files()
-        states, size = states_in(self.part), len(before["r.hdf.part"])
-        for room in (0, size // 2, size + size // 2, 3 * size):
+        states, size = self.outputs(), self.part.stat().st_size
+        # First the journal has no room to grow, then the result, then the index for older viewers.
+        for room in (0, 0.5, 3, 15, 5, 12, 20):
             with self.subTest(room=room):
-                # A flush that the full disk cut may have left a chunk that cannot be read: each try begins afresh.
-                self.part.write_bytes(before["r.hdf.part"])
-                full = self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_DISK_BYTES=str(room))
+                full = self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_DISK_BYTES=str(int(room * size)))
                 again = self.motion("--resume", environment=full)
                 self.assertEqual(again.code, 1, again.err)
-                # HDF5 may meet the full disk first as a chunk of its own that it cannot read back.
-                self.assertRegex(again.err, "No space left on device|cannot write .* in r.hdf.*part")
-                self.assertGreaterEqual(states_in(self.part), states)
-        self.part.write_bytes(before["r.hdf.part"])
+                self.assertIn("No space left on device", again.err)
+                self.assertIn(sorted(self.files()), (["r.hdf.part"], ["r.hdf", "r.hdf.part"]))
+                self.assertGreaterEqual(self.outputs(), states)
+                states = self.outputs()
         ended = self.motion("--resume")
         self.assertEqual(ended.code, 0, ended.err)
-        self.assertEqual(states_in(self.folder / "r.hdf"), 251)
-        self.assertEqual(sorted(self.files()), ["r.hdf", "r.xdmf"])
+        self.assertEqual(states_in(self.folder / "r.hdf"), OUTPUTS)
+        self.assertEqual(sorted(self.files()), ["r.hdf", "r.hdf~", "r.xdmf"])
 
 
 class Writers(InFreshFolder):
@@ -128,6 +134,64 @@ class Writers(InFreshFolder):
                 self.assertEqual(self.files(), before)
 
 
+@unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")
+class OnAFullDisk(InFreshFolder):
+    """Each write in turn is the first that fails."""
+
+    def count_writes(self, *words):
+        self.assertEqual(self.netloft(*words, environment=self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_FAIL_WRITE="0",
+                                                                           NETLOFT_COUNT_FILE=str(self.folder / "count"))).code, 0)
+        count = int((self.folder / "count").read_text())
+        (self.folder / "count").unlink()
+        return count
+
+    def fail(self, number, *words):
+        return self.netloft(*words, environment=self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_FAIL_WRITE=str(number)))
+
+    def test_the_page_of_the_suite_stays_as_it_was(self):
+        words = ["stability", str(SOURCE / "tests" / "stability"), "--size", "small", "--case", "hanging-panel/flat-sketch", "--solver", "newton",
+                 "--html", "matrix.html"]
+        self.assertGreater(self.count_writes(*words), 0)
+        self.write("matrix.html", "old")
+        ended = self.fail(1, *words)
+        self.assertEqual(ended.code, 1, ended.err)
+        self.assertIn("matrix.html cannot be written: No space left on device", ended.err)
+        self.assertEqual(self.files(), {"matrix.html": b"old"})
+
+    def test_a_component_that_cannot_be_begun_can_be_begun_later(self):
+        words = ["new", "element", "otter"]
+        writes = self.count_writes(*words)
+        whole = self.files()
+        self.assertGreaterEqual(writes, len(whole))
+        for number in range(1, writes + 1):
+            with self.subTest(write=number):
+                shutil.rmtree(self.folder / "otter")
+                ended = self.fail(number, *words)
+                self.assertEqual(ended.code, 1, ended.err)
+                self.assertRegex(ended.err, r"otter/\S+ cannot be written: No space left on device")
+                self.assertFalse((self.folder / "otter").exists(), "half a component is in the way of a whole one")
+                again = self.netloft(*words)
+                self.assertEqual(again.code, 0, again.err)
+                self.assertEqual(self.files(), whole)
+
+    def test_a_motion_whose_index_cannot_be_written_is_finished_later(self):
+        words = ["run", str(ROPE), "-o", "r.hdf"]
+        writes = self.count_writes(*words)
+        whole = self.files()
+        self.assertEqual(sorted(whole), ["r.hdf", "r.xdmf"])
+        for name in whole:
+            (self.folder / name).unlink()
+        ended = self.fail(writes, *words)  # the index is written last
+        self.assertEqual(ended.code, 1, ended.err)
+        self.assertIn("r.xdmf cannot be written: No space left on device", ended.err)
+        self.assertEqual(sorted(self.files()), ["r.hdf", "r.hdf.part"])
+        self.assertEqual(states_in(self.folder / "r.hdf"), 51)
+        again = self.netloft(*words, "--resume")
+        self.assertEqual(again.code, 0, again.err)
+        self.assertEqual(sorted(self.files()), ["r.hdf", "r.hdf~", "r.xdmf"])
+        self.assertEqual(self.files()["r.xdmf"], whole["r.xdmf"])
+
+
 class WorseResults(InFreshFolder):
     def test_do_not_replace_better_ones(self):
         self.assertEqual(self.netloft("run", *PANEL, "-o", "p.hdf").code, 0)
@@ -149,7 +213,7 @@ class WorseResults(InFreshFolder):
     def test_of_motions_neither(self):
         whole = self.netloft("run", str(ROPE), "-o", "r.hdf")
         self.assertEqual(whole.code, 0, whole.err)
-        cut = self.netloft("run", str(ROPE), "-o", "r.hdf", "--set", "analysis.max_seconds=0.05")
+        cut = self.netloft("run", str(ROPE), *OFTEN, "-o", "r.hdf", "--set", "analysis.max_seconds=0.05")
         self.assertEqual(cut.code, 3, cut.err)
         self.assertEqual(outcome_in(self.folder / "r.hdf"), "finished")
         self.assertEqual(outcome_in(self.folder / "r.not-finished.hdf"), "not finished")

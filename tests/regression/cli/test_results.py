@@ -154,8 +154,8 @@ class Results(InFreshFolder):
         # Two vertical panels, one behind the other as seen from port (y = -1 is nearer): the nearer one has the part's first colour.
         wall = changed(GOOD, ("sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]", "sketch = [[-2, 1, 0], [2, 1, 0], [2, 1, -4], [-2, 1, -4]]"))
         body = wall[wall.index("[parts.net]"):wall.index("[parts.rope]")]
-        text = changed(wall[:wall.index("[parts.rope]")], ('"10 mm"', '"600 mm"')) + changed(
-            body, ("parts.net", "parts.near"), ("sketch = [[-2, 1, 0], [2, 1, 0], [2, 1, -4], [-2, 1, -4]]", "sketch = [[-2, -1, 0], [2, -1, 0], [2, -1, -4], [-2, -1, -4]]"), ('"10 mm"', '"600 mm"'))
+        text = changed(wall[:wall.index("[parts.rope]")], ('"10 mm"', '"590 mm"')) + changed(
+            body, ("parts.net", "parts.near"), ("sketch = [[-2, 1, 0], [2, 1, 0], [2, 1, -4], [-2, 1, -4]]", "sketch = [[-2, -1, 0], [2, -1, 0], [2, -1, -4], [-2, -1, -4]]"), ('"10 mm"', '"590 mm"'))
         text += '[[hold]]\non = "net.fore"\n[[hold]]\non = "near.fore"\n[analysis]\nsolver = "newton"\n'
         result = self.solved("walls", text)
         self.done("draw", result, "-o", "a.png", "--width", "300", "--view", "side", "--field", "part")

@@ -265,6 +265,23 @@ class OtherCommands(InFreshFolder):
         self.assertEqual(plan["unknowns"], 3168)
         self.assertTrue(all(term["reason"] for family in plan["families"] for term in family["terms"]))
 
+    def test_plan_says_whether_the_ground_passes(self):
+        towed = str(SOURCE / "gear-library" / "scenes" / "verification" / "towed-chain.toml")
+        passes = self.netloft("plan", towed)
+        self.assertEqual(passes.err, "")
+        self.assertIn("ground: passes the gear with (1.5, 0) m/s; friction is that of sliding", passes.out)
+        self.assertIn("ground: stands", self.netloft("plan", towed, "--set", "tow.speed=0").out)
+
+    def test_friction_in_water_that_flows_over_a_ground_of_which_nothing_is_said_gets_a_warning(self):
+        text = (SOURCE / "gear-library" / "scenes" / "verification" / "towed-chain.toml").read_text()
+        self.write("scene.toml", text.replace('[tow]\nspeed = "1.5 m/s"\n', "").replace("[water]", "[water]\ncurrent = [1.5, 0, 0]"))
+        plan = self.netloft("plan", "scene.toml")
+        self.assertEqual(plan.code, 0)
+        self.assertIn("bed: its friction is that of a ground that stands", plan.err)
+        self.assertIn("[tow] speed", plan.err)
+        said = self.netloft("plan", "scene.toml", "--set", "tow.speed=0")
+        self.assertEqual((said.code, said.err), (0, ""))
+
     def test_plan_finds_the_errors_that_a_run_finds(self):
         self.write("scene.toml", changed(GOOD, ("[water]", "[watre]")))
         plan, run = (self.netloft(command, "scene.toml") for command in ("plan", "run"))

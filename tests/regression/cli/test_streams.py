@@ -71,6 +71,33 @@ class Signals(InFreshFolder):
         self.assertEqual(self.files(), {})
 
 
+    @unittest.skipIf("asan" in PROGRAM, "its shadow wants terabytes of addresses")
+    def test_a_limit_on_memory_is_an_error_and_no_endless_wait(self):
+        for kilobytes in (100000, 150000, 200000):
+            with self.subTest(kilobytes=kilobytes):
+                limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (1024 * kilobytes, 1024 * kilobytes))
+                ended = self.netloft("run", *PANEL, "-o", "p.hdf", preexec_fn=limit)
+                self.assertEqual(ended.code, 1)
+                self.assertIn("not enough memory: solving wants", ended.err)
+                self.assertIn("ulimit -v", ended.err)
+                self.assertEqual(self.files(), {})
+
+    def test_enough_memory_is_enough(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_DATA, (1 << 30, 1 << 30))
+        self.assertEqual(self.netloft("run", *PANEL, "-o", "p.hdf", preexec_fn=limit).code, 0)
+
+
+class Limits(InFreshFolder):
+    def test_an_integrator_as_solver_obeys_the_limit_of_iterations(self):
+        for solver in ("central-difference", "newmark:corrector=fixed-point"):
+            with self.subTest(solver=solver):
+                run = self.netloft("run", *PANEL, "--solver", solver, "--set", "analysis.max_iterations=3", "--json", "--overwrite")
+                self.assertEqual(run.code, 3)
+                report = run.json()
+                self.assertIn("the limit of 3 iterations was reached", report["reason"])
+                self.assertLessEqual(report["iterations"], 3)
+
+
 class Commands(InFreshFolder):
     def test_an_unknown_command_is_named(self):
         wrong = self.netloft("shema")

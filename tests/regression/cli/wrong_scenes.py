@@ -59,6 +59,12 @@ KEYS = [
     Wrong("parts is no table", "scene.toml:1:9", "parts is an array of 1; a table is expected", content="parts = [1]\n"),
     Wrong("no parts", "scene.toml:1:1", 'missing key "parts"', content="[water]\n"),
     Wrong("parts without a part", "scene.toml:1:1", "there are no parts", content="[parts]\n"),
+    edit("tow without a speed", "[water]", "[tow]\nleeway = 0.1\n[water]", "1:1", 'missing key "speed" in tow'),
+    edit("tow backwards", "[water]", '[tow]\nspeed = "-3 kn"\n[water]', "2:9", "tow.speed = -1.5433333333333334 m/s is outside [0, 50] m/s"),
+    edit("tow in tons", "[water]", '[tow]\nspeed = "3 t"\n[water]', "2:9", "tow.speed"),
+    edit("tow: a misspelt key", "[water]", '[tow]\nspeed = 1\nleway = 1\n[water]', "3:1", 'unknown key "leway" in tow',
+         'did you mean "leeway"?'),
+    edit("tow is no table", "[water]", "tow = 1.5\n[water]", "1:7", "tow is the number 1.5; a table is expected"),
     edit("duplicate key", "gravity = 9.81", "gravity = 9.81\ngravity = 9.8", "4:11", "cannot redefine existing"),
 ]
 
@@ -272,6 +278,31 @@ GUIDES = [
          "is one way to say how it moves"),
 ]
 
+BED = '[parts.bed]\ntype = "seabed/plane"\non = "rope"\nseabed = { depth = 5 }\n'
+NOTHING = [
+    edit("velocity where nothing moves", HOLD, HOLD + "\nvelocity = { t = [0, 1], x = [0, 1] }", "24:12",
+         "nothing moves in a static analysis", 'kind = "dynamic"'),
+    edit("displacement where nothing moves", HOLD, HOLD + "\ndisplacement = { t = [0, 1], x = [0, 1] }", "24:16",
+         "nothing moves in a static analysis", 'kind = "dynamic"'),
+    edit("a float of nothing", "[[join]]", '[parts.ball]\ntype = "float/float"\non = "rope.end"\nfloat = {}\n[[join]]', "22:9",
+         "parts.ball.float: is an empty table, which says nothing"),
+    edit("twine as thick as its bar", 'diameter = "10 mm"', 'diameter = "0.6 m"', "10:9",
+         "diameter = 0.6 m, and bars of 0.6 m: no mesh can open"),
+    Wrong("twine as thick as its bar, lumped", "scene.toml:10:9", "and bars of 0.6 m: no mesh can open",
+          change=[('"priour/triangle"', '"lumped/net"'), ('diameter = "10 mm"', 'diameter = "0.7 m"')]),
+    edit("a rope as thick as it is long", 'diameter = "20 mm"', 'diameter = "3 m"', "17:8",
+         "diameter = 3 m, and a length of 3 m"),
+    edit("a bed above the gear", "[[join]]", BED.replace("5", "-0.5") + "[[join]]", "19:1",
+         "bed: all of the gear is below it, by 0.5 m or more", "depth counts downwards"),
+    edit("two beds under one rope", "[[join]]", BED + BED.replace("parts.bed", "parts.sand") + "[[join]]", "23:1",
+         "sand: carries what bed at scene.toml:19:1 carries, too", "one bed"),
+    edit("a catalogue folder that is not there", "[water]", 'catalogue = ["nowhere"]\n[water]', "1:13", "there is no folder"),
+    edit("a catalogue folder that is a file", "[water]", 'catalogue = ["scene.toml"]\n[water]', "1:13", "is no folder"),
+    Wrong("a catalogue folder of a plan that is not there", "scene.toml:1:13", "there is no folder",
+          content='catalogue = ["nowhere"]\n[panels.net]\nmesh = "80 mm"\ntwine = { diameter = "2 mm", EA = 1e3, density = 960 }\n'
+                  'fore = 20\ndepth = 20\nsides = "AN"\n'),
+]
+
 SEVERAL = [
     Wrong("several at once", "scene.toml:3:11", 'water.gravity: "9.81 m" is a length',
           change=[("gravity = 9.81", 'gravity = "9.81 m"'), ('bar = "0.6 m"', "bar = -1"), ('length = "3 m"\n', ""),
@@ -282,4 +313,4 @@ SEVERAL = [
                 ("scene.toml:29:33", '"q" is nothing')]),
 ]
 
-ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + TUBES + RESULTS + FILES + PLUGINS + OPTIONS + RIDERS + CURRENTS + GUIDES + SEVERAL
+ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + TUBES + RESULTS + FILES + PLUGINS + OPTIONS + RIDERS + CURRENTS + GUIDES + NOTHING + SEVERAL

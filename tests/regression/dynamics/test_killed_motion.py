@@ -5,9 +5,7 @@
     test_killed_motion.py NETLOFT SOURCE_FOLDER [TRIALS]
 """
 import json
-import os
 import random
-import shutil
 import signal
 import subprocess
 import sys
@@ -15,24 +13,21 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
-os.environ["HDF5_USE_FILE_LOCKING"] = "FALSE"  # to look at a file that is being written
 import h5py
 import numpy as np
 
 NETLOFT, SOURCE = sys.argv[1], Path(sys.argv[2])
+sys.path.insert(0, str(SOURCE / "tests" / "support"))
+from journal import Damaged, Journal
 TRIALS = int(sys.argv[3]) if len(sys.argv) > 3 else 4  # tests/nightly: 100
 SCENE = SOURCE / "gear-library" / "scenes" / "dynamics" / "released-rope.toml"
 SEED = 20240607
 
 
 def command(output, *options):
-    return [NETLOFT, "run", SCENE, "-o", output, "--set", "analysis.output_interval=0.02", *options]
-
-
-def states_in(file):
-    with h5py.File(file, "r") as f:
-        return int(f["VTKHDF/Steps"].attrs["NSteps"])
+    return [NETLOFT, "run", SCENE, "-o", output, "--set", "analysis.output_interval=0.002", *options]
 
 
 def series_of(file):
@@ -52,6 +47,16 @@ def series_of(file):
                 out["series/" + name] = data[:count]
         f["netloft/series"].visititems(add)
         return out
+
+
+def rows_of(item, file):
+    """What an XDMF selection picks: begins, strides and counts in a row, then the array."""
+    select, array = item.findall("DataItem")
+    begin, stride, count = np.array(select.text.split(), int).reshape(3, -1)
+    path = array.text.split(":")[1]
+    assert list(file[path].shape) == [int(n) for n in array.get("Dimensions").split()]
+    assert [int(n) for n in item.get("Dimensions").split()] == list(count)
+    return file[path][tuple(slice(b, b + s * c, s) for b, s, c in zip(begin, stride, count))]
 
 
 def first_difference(a, b):
@@ -78,15 +83,15 @@ class KilledMotion(unittest.TestCase):
         cls.folder.cleanup()
 
     def kill_after(self, output, seconds):
-        """States seen in the file before it was killed; None if it was too early or too late to tell."""
+        """Outputs that were seen in the journal before the kill."""
         part = Path(str(output) + ".part")
         run = subprocess.Popen(command(output), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         seen, end = 0, time.time() + seconds
         while time.time() < end and run.poll() is None:
             try:
-                seen = max(seen, states_in(part))
-            except (OSError, KeyError):
-                pass  # not there yet, or between two flushes of this very copy
+                seen = len(Journal(part).outputs)
+            except (OSError, Damaged):
+                pass  # not there yet, or not begun, or no longer
         run.send_signal(signal.SIGKILL)
         run.wait()
         return seen
@@ -104,7 +109,7 @@ class KilledMotion(unittest.TestCase):
                 continue  # before the first output, or after the last
             tried += 1
             with self.subTest(trial=trial, seen=seen):
-                held = series_of(part)
+                held = Journal(part).series()
                 self.assertGreaterEqual(len(held["time"]), seen)
                 self.assertIsNone(first_difference(held, self.wanted))
                 subprocess.run(command(output, "--resume"), check=True, capture_output=True)
@@ -128,12 +133,34 @@ class KilledMotion(unittest.TestCase):
     def test_tells_the_last_output_when_nothing_is_left_to_do(self):
         whole, again = Path(self.folder.name) / "pulled.hdf", Path(self.folder.name) / "again.hdf"
         first = json.loads(subprocess.run(command(whole, "--json"), check=True, capture_output=True).stdout)
-        shutil.copy(whole, str(again) + ".part")  # as a kill after the last output leaves it
+        in_the_way = Path(str(again) + ".new")
+        in_the_way.mkdir()  # all outputs are there, but no result can be made of them
+        stuck = subprocess.run(command(again), capture_output=True, text=True, check=False)
+        self.assertEqual(stuck.returncode, 1)
+        self.assertIn("again.hdf.new: it is a folder", stuck.stderr)
+        self.assertEqual(Journal(str(again) + ".part").status[0], "finished")
+        in_the_way.rmdir()
         second = json.loads(subprocess.run(command(again, "--json", "--resume"), check=True, capture_output=True).stdout)
         self.assertNotEqual(first["results"]["pull"], 0)
         self.assertEqual(second["results"], first["results"])
         with h5py.File(again) as f:
             self.assertEqual(f["netloft/scalars/pull"][()], first["results"]["pull"])
+        self.assertIsNone(first_difference(series_of(again), self.wanted))
+
+    def test_has_an_index_that_points_at_each_state(self):
+        """NAME.xdmf is for viewers that read one state of a VTKHDF group only: rows of the arrays, by state."""
+        grids = ElementTree.parse(self.whole.with_suffix(".xdmf")).getroot().findall("./Domain/Grid/Grid")
+        self.assertEqual(len(grids), len(self.wanted["time"]))
+        with h5py.File(self.whole) as f:
+            for i in (0, 1, 1000, len(grids) - 1):
+                self.assertEqual(float(grids[i].find("Time").get("Value")), self.wanted["time"][i])
+                arrays = {"points": grids[i].find("Geometry/DataItem")}
+                for one in grids[i].findall("Attribute"):
+                    group = {"Node": "PointData", "Cell": "CellData"}[one.get("Center")]
+                    arrays[f"{group}/{one.get('Name')}"] = one.find("DataItem")
+                self.assertEqual(len(arrays), 9)
+                for name, item in arrays.items():
+                    np.testing.assert_array_equal(rows_of(item, f), self.wanted[name][i], name)
 
     def test_says_that_there_is_nothing_to_go_on_from(self):
         run = subprocess.run(command(Path(self.folder.name) / "none.hdf", "--resume"), capture_output=True, text=True,

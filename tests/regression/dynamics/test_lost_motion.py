@@ -33,8 +33,8 @@ class Run:
             done = subprocess.run(words, capture_output=True, text=True, check=False)
             self.code, self.answer = done.returncode, json.loads(done.stdout)
             with h5py.File(file) as f:
-                first = f["steps/00000"] if "steps" in f else f["VTKHDF"]
-                self.first_positions = first["Points"][:]
+                first, count = f["VTKHDF/Steps/PointOffsets"][0], f["VTKHDF/NumberOfPoints"][0]
+                self.first_positions = f["VTKHDF/Points"][first:first + count]
                 kept = f["netloft/status"].attrs
                 self.outcome, self.sentence = (str(kept[name], "utf-8") if isinstance(kept[name], bytes) else kept[name]
                                                for name in ("outcome", "sentence"))

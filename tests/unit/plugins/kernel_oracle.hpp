@@ -31,7 +31,7 @@ struct TestTile {
 template <class E>
 Family<E> make_family(const typename E::Parameters& parameters, const std::vector<typename E::Data>& data) {
   Family<E> f;
-  f.parameters_ = {&parameters};
+  f.parameters_ = {parameters};
   f.part_.assign(data.size(), 0);
   f.data_ = data;
   f.lanes_.resize(1);

@@ -46,12 +46,13 @@ Scene taut_bars() {
 }
 
 Solution study(const Scene& scene, std::function<void(Study&)> strategy, double work = 1000,
-               Limits limits = {}) {
+               Limits limits = {}, std::map<std::string, Values> given = {}) {
   Registry& registry = shipped_plugins();
   const Plan plan = make_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
   StudyOptions options;
   options.solver.type = &registry.solver("newton"), options.limits = limits, options.work = work;
+  options.given = std::move(given);
   ByHand::now = std::move(strategy);
   return find_equilibrium({&scene, &assembler, &registry, nullptr, make_factorisation}, options,
                           {&by_hand(), {}});
@@ -81,6 +82,15 @@ TEST(AStudy, IsNotConvergedWithoutAnAnswer) {
   const Solution s = study(taut_bars(), [](Study&) {});
   EXPECT_EQ(s.status, SolveStatus::not_converged);
   EXPECT_NE(s.reason.find("no stage"), std::string::npos) << s.reason;
+  EXPECT_EQ(s.u, std::vector<double>(3, 0.0)) << "a place for every node, where it was sketched";
+}
+
+TEST(AStudy, SaysThatItsStrategyFailed) {
+  const Solution s = study(compressed_bars(), [](Study& of) {
+    of.solve({.name = "straight", .work = 1e-6}, of.start());
+    throw std::runtime_error("the tide turned");
+  });
+  EXPECT_NE(s.reason.find("test/by-hand failed: the tide turned"), std::string::npos) << s.reason;
 }
 
 TEST(AStudy, PrefersAStableAnswerToAnUnstableOne) {
@@ -125,6 +135,44 @@ TEST(AStudy, SolvesAnEasierVariantWithoutTakingItForTheScene) {
   EXPECT_EQ(s.status, SolveStatus::not_converged) << "a variant is no answer";
   ASSERT_EQ(s.stages.size(), 1u);
   EXPECT_EQ(s.stages[0].variant.compression, 0);
+}
+
+/// Iterations of a stage whose solver is named, and asked to make one step an iteration.
+int iterations_of_named_solver(std::map<std::string, Values> given) {
+  const Solution s = study(
+      taut_bars(),
+      [](Study& of) {
+        of.solve({.name = "by steps", .solver = "relaxation", .parameters = "steps=1"},
+                 perturbed(of.start(), 0.3));
+      },
+      1000, {}, std::move(given));
+  return s.statistics.iterations;
+}
+
+TEST(AStudy, LetsTheUsersOwnParametersHoldOverThoseOfTheStrategy) {
+  const int each_step = iterations_of_named_solver({});
+  EXPECT_GT(each_step, 5);
+  EXPECT_LT(iterations_of_named_solver({{"relaxation/relaxation", {{"steps", std::int64_t{1000}}}}}),
+            each_step);
+  EXPECT_EQ(iterations_of_named_solver({{"ptc/ptc", {{"step", 1.0}}}}), each_step)
+      << "that of another solver";
+}
+
+/// Iterations of the first stage of the strategy `relaxed`, which is asked for one.
+int iterations_of_called_strategy(std::map<std::string, Values> given) {
+  given["relaxation/relaxation"] = {{"steps", std::int64_t{1}}};
+  const Solution s = study(
+      taut_bars(),
+      [](Study& of) {
+        of.call("relaxed", "iterations=1", {.name = "relaxed", .work = 100}, perturbed(of.start(), 0.3));
+      },
+      1000, {}, std::move(given));
+  return s.stages.at(0).statistics.iterations;
+}
+
+TEST(AStudy, GivesTheUsersOwnParametersToAStrategyThatIsCalled) {
+  EXPECT_EQ(iterations_of_called_strategy({}), 1);
+  EXPECT_GT(iterations_of_called_strategy({{"relaxed/relaxed", {{"iterations", std::int64_t{50}}}}}), 1);
 }
 
 TEST(AStudy, LendsItsSceneToAnotherStrategy) {

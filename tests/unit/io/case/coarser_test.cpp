@@ -45,12 +45,47 @@ TEST(CarriedOver, StretchesNothingThatWasNotStretched) {
   EXPECT_NEAR(energy, s.energy, 0.01 * std::abs(s.energy));
 }
 
-TEST(CarriedOver, GivesBackItsOwnNodes) {
-  auto one = opened("hanging-rope.toml", {});
+class CarriedOverItself : public testing::TestWithParam<const char*> {};
+
+TEST_P(CarriedOverItself, GivesBackItsOwnNodes) {
+  auto one = opened(GetParam(), {});
   const auto same = carried_over(one->loaded(), one->loaded().scene.positions, one->loaded());
   ASSERT_TRUE(same);
   for (std::size_t d = 0; d < same->size(); ++d)
     EXPECT_NEAR((*same)[d], one->loaded().scene.positions[d], 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, CarriedOverItself,
+                         testing::Values("hanging-rope.toml", kPanel,
+                                         "verification/tractrix-between-rings.toml"),
+                         [](const auto& scene) {
+                           std::string name = scene.param;
+                           std::erase_if(name,
+                                         [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+                           return name;
+                         });
+
+// On a flat sketch positions are linear in the shares of the way, which every division of cells reproduces.
+class CrossedCells : public testing::TestWithParam<const char*> {};
+
+TEST_P(CrossedCells, AreCarriedToFinerOnes) {
+  auto coarse = opened(kPanel, {"parts.net.cells=[8,8]", GetParam()});
+  auto fine = opened(kPanel, {"parts.net.cells=[20,20]", GetParam()});
+  const auto carried = carried_over(coarse->loaded(), coarse->loaded().scene.positions, fine->loaded());
+  ASSERT_TRUE(carried);
+  const auto& places = fine->loaded().scene.positions;
+  ASSERT_EQ(carried->size(), std::size_t{3} * (21 * 21 + 20 * 20));
+  for (std::size_t d = 0; d < places.size(); ++d) EXPECT_NEAR((*carried)[d], places[d], 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfBoth, CrossedCells,
+                         testing::Values("parts.net.division=crossed", "parts.net.type=lumped/net"),
+                         [](const auto& one) { return std::string(one.index ? "Bars" : "Triangles"); });
+
+TEST(CoarserMeshes, LeadToACrossedTubeBetweenTwoRings) {
+  auto tube = opened("verification/tractrix-between-rings.toml", {});
+  const Solution s = tube->solve();
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
 }
 
 // The answer of a panel whose twines bear no compression is one: it must not depend on the way to it.

@@ -180,14 +180,14 @@ TEST(Gear, PointsToPortAreMirrored) {
 
 TEST(Gear, ARopeOfTheMiddleIsTiedOnBothSides) {
   const std::string headline = "stands = \"middle\"\n";
-  const auto checked = check_text(changed_plan(headline, headline + "between = [\"kite\", \"door\"]\n") +
-                                  "[points.kite]\nstands = \"middle\"\n");
+  const auto checked = check_text(changed_plan(headline, headline + "between = [\"kite\", \"post\"]\n") +
+                                  "[points.kite]\nstands = \"middle\"\n[points.post]\n");
   ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
   const GearRope rope = *make_gear(checked.plan, Extent::whole).find_rope("headline");
-  EXPECT_EQ(rope.between, (std::array<std::string, 2>{"port-door", "starboard-door"}));
+  EXPECT_EQ(rope.between, (std::array<std::string, 2>{"port-post", "starboard-post"}));
   EXPECT_EQ(rope.middle, "kite");
   const GearRope half = *make_gear(checked.plan, Extent::half).find_rope("headline");
-  EXPECT_EQ(half.between, (std::array<std::string, 2>{"kite", "door"}));
+  EXPECT_EQ(half.between, (std::array<std::string, 2>{"kite", "post"}));
 }
 
 /// Corners fall on those of the sketch, what is between them on straight lines; to port it is mirrored.
@@ -209,7 +209,8 @@ TEST(Gear, ASketchPutsAPanelInItsPlace) {
 
 /// A cod-end of one piece: 20 meshes round, 10 of them in the half.
 std::string tube_plan() {
-  return changed_plan("fore = 20\ndepth = 50\nsides = \"AN\"", "round = 20\ndepth = 25\npieces = 2");
+  return changed_plan("fore = 20\ndepth = 50\nsides = \"AN\"\nopen = [\"sides\", \"aft\"]",
+                      "round = 20\ndepth = 25\npieces = 2\nopen = \"aft\"");
 }
 
 TEST(Gear, ATubeIsSewnToItself) {
@@ -236,7 +237,8 @@ TEST(Gear, HalfOfATubeLiesOnThePlaneWithBothSides) {
 }
 
 TEST(Gear, PairsMayBeSewnTogetherInTheMiddle) {
-  const auto checked = check_text(kGoodPlan + "[[join]]\nedges = [\"wing.outer\", \"wing.outer\"]\n");
+  const auto checked = check_text(changed_plan("open = [\"fore\", \"outer\"]", "open = \"fore\"") +
+                                  "[[join]]\nedges = [\"wing.outer\", \"wing.outer\"]\n");
   ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
   const Gear gear = make_gear(checked.plan, Extent::whole);
   EXPECT_EQ(names(gear, gear.seams[3].edges[0]), Names{"starboard-wing.outer"});

@@ -24,6 +24,7 @@ depth = 20
 aft = 30
 outer = "AN"
 inner = "AB out"
+open = ["fore", "outer"]
 
 [panels.body]
 mesh = "100 mm"
@@ -32,6 +33,7 @@ fore = [{ name = "bosom", meshes = 20 }, { name = "wing", meshes = 30 }]
 depth = 42
 aft = 20
 sides = "5B1P in"
+open = "sides"
 
 [panels.bag]
 mesh = "80 mm"
@@ -39,6 +41,7 @@ twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
 fore = 20
 depth = 50
 sides = "AN"
+open = ["sides", "aft"]
 
 [ropes.headline]
 stands = "middle"

@@ -87,8 +87,8 @@ inline StaticField part_field(const Sheet& sheet) {
   return {{"part", "1", "Part the node belongs to", Location::kPoint, 1, true}, sheet.parts()};
 }
 
-inline void begin(ResultFile& file, const Sheet& sheet) {
-  file.begin(sheet.mesh(), {height_spec(), velocity_spec(), strain_spec()}, {part_field(sheet)});
+inline void begin(ResultFile& file, const Sheet& sheet, std::size_t states = 1) {
+  file.begin(sheet.mesh(), {height_spec(), velocity_spec(), strain_spec()}, {part_field(sheet)}, states);
 }
 
 /// The velocity is the position, so that readers can distinguish the components.

@@ -160,7 +160,7 @@ int write_on_a_full_disk(const std::filesystem::path& path, const std::filesyste
   {
     ResultFile file(path);
     const test::Sheet sheet{100, 10};
-    test::begin(file, sheet);
+    test::begin(file, sheet, 101);
     test::write_state(file, sheet, 0.25);
     const rlimit limit = {static_cast<rlim_t>(std::filesystem::file_size(file.part_path())) + 20000,
                           RLIM_INFINITY};
@@ -169,7 +169,6 @@ int write_on_a_full_disk(const std::filesystem::path& path, const std::filesyste
       for (int i = 0; i < 100; ++i) test::write_state(file, sheet, 0.5);
     });
     if (!says(message, "cannot write") || !says(message, "File too large")) return 1;
-    if (error_of([&] { file.finish(); }).empty()) return 2;
   }
   ResultFile(another).finish();
   return 0;
@@ -194,7 +193,7 @@ TEST_F(LifeCycle, EqualContentGivesEqualBytes) {
   for (const char* name : {"a.hdf", "b.hdf"}) {
     ResultFile file(in(name));
     const test::Sheet sheet;
-    test::begin(file, sheet);
+    test::begin(file, sheet, 3);
     for (const double time : {0.0, 0.5, 1.0}) test::write_state(file, sheet, time);
     file.tree().write_text("/netloft/text", "same");
     file.finish();

@@ -45,9 +45,9 @@ TEST_F(Reading, AFolderIsNoFile) { EXPECT_TRUE(says(error_of_opening(""), "it is
 
 TEST_F(Reading, AFileThatIsNotHdf5IsSaidToBeNone) {
   put("b.hdf", "[water]\ndensity = 1025\n");
-  EXPECT_TRUE(says(error_of_opening("b.hdf"), "it is not an HDF5 file"));
+  EXPECT_TRUE(says(error_of_opening("b.hdf"), "it is not an HDF5 file, nor the journal of a motion"));
   put("empty.hdf", "");
-  EXPECT_TRUE(says(error_of_opening("empty.hdf"), "it is not an HDF5 file"));
+  EXPECT_TRUE(says(error_of_opening("empty.hdf"), "it is not an HDF5 file, nor the journal of a motion"));
 }
 
 TEST_F(Reading, ATruncatedFileIsSaidToBeTruncated) {
@@ -73,15 +73,6 @@ TEST_F(Reading, AFileThisProcessWritesIsSaidToBe) {
   const auto file = write_and_keep_open("b.hdf");
   EXPECT_TRUE(says(error_of_opening("b.hdf.part"), "this process is writing it"))
       << error_of_opening("b.hdf.part");
-}
-
-TEST_F(Reading, AFileBeingWrittenIsReadAllTheSameWithLockingOff) {
-  const test::Companion writer([&] { return write_and_keep_open("b.hdf"); });
-  const auto read_without_locks = [&] {
-    test::restart_hdf5_with_locking("FALSE");
-    return static_cast<int>(Reader(in("b.hdf.part")).times().size());
-  };
-  EXPECT_EQ(test::run_in_child(read_without_locks), 1);
 }
 
 TEST_F(Reading, TellsWhatExists) {

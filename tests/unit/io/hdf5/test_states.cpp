@@ -14,7 +14,7 @@ class States : public test::InScratchFolder {
  protected:
   Reader written(const std::vector<double>& times) const {
     ResultFile file(in("a.hdf"));
-    test::begin(file, kSheet);
+    test::begin(file, kSheet, times.size());
     for (const double time : times) test::write_state(file, kSheet, time);
     file.finish();
     return Reader(in("a.hdf"));
@@ -49,12 +49,23 @@ TEST_F(States, OneStateNeedsNoHistory) {
   EXPECT_EQ(reader.integers("/VTKHDF/Steps/PointOffsets"), (std::vector<std::int64_t>{0}));
 }
 
-TEST_F(States, ManyStatesGrowTheStepsBeyondOneChunk) {
+TEST_F(States, AreAsManyAsWereAnnounced) {
   std::vector<double> times(200);
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = 0.01 * static_cast<double>(i);
   const Reader reader = written(times);
   EXPECT_EQ(reader.times(), times);
   EXPECT_EQ(reader.points(100), kSheet.points(times[100]));
+}
+
+TEST_F(States, MoreOrFewerThanAnnouncedAreRefused) {
+  ResultFile file(in("a.hdf"));
+  test::begin(file, kSheet, 2);
+  test::write_state(file, kSheet, 0);
+  EXPECT_THROW(file.finish(), std::invalid_argument);
+  ResultFile other(in("b.hdf"));
+  test::begin(other, kSheet, 1);
+  test::write_state(other, kSheet, 0);
+  EXPECT_THROW(test::write_state(other, kSheet, 1), std::invalid_argument);
 }
 
 TEST_F(States, ArraysCarryUnitAndDoc) {
@@ -72,7 +83,7 @@ TEST_F(States, AStaticFieldIsStoredOnceAndAsIntegersIfAsked) {
 
 TEST_F(States, AMeshWithoutCellsOrPointsIsAllowed) {
   ResultFile file(in("a.hdf"));
-  file.begin(Mesh{}, {test::height_spec(), test::strain_spec()}, {});
+  file.begin(Mesh{}, {test::height_spec(), test::strain_spec()}, {}, 2);
   file.write_state(0, {}, {std::span<const double>(), std::span<const double>()});
   file.write_state(1, {}, {std::span<const double>(), std::span<const double>()});
   file.finish();
@@ -83,7 +94,7 @@ TEST_F(States, AMeshWithoutCellsOrPointsIsAllowed) {
 TEST_F(States, AStateOfTheWrongSizeIsRefusedAndLeavesTheFileAsItWas) {
   ResultFile file(in("a.hdf"));
   EXPECT_THROW(test::write_state(file, kSheet, 0), std::invalid_argument);  // begin() is missing
-  test::begin(file, kSheet);
+  test::begin(file, kSheet, 2);
   test::write_state(file, kSheet, 0);
   EXPECT_THROW(test::write_state(file, test::Sheet{6, 3}, 1), std::invalid_argument);
   EXPECT_THROW(file.write_state(1, kSheet.points(1), {}), std::invalid_argument);

@@ -10,7 +10,7 @@ int main(int argc, char** argv) try {
   if (argc != 2) return 2;
   const test::Sheet sheet;
   ResultFile file(argv[1]);
-  test::begin(file, sheet);
+  test::begin(file, sheet, 6);
   for (int i = 0; i <= 5; ++i) test::write_state(file, sheet, 0.2 * i);
   file.tree().write_real("/netloft/scalars/lowest_z", -6.0, "m", "Lowest point of the sheet");
   file.finish();

@@ -25,9 +25,9 @@ TEST(StabilityColumn, IsNamedAfterWhatItRuns) {
 TEST(StabilityColumn, SetsTheAnalysisOfAScene) {
   EXPECT_EQ(overrides_of({"newton:method=classic", ""}),
             (Words{"analysis.solver=\"newton\"", "analysis.newton.method=classic"}));
-  EXPECT_EQ(
-      overrides_of({"ptc", "tension/stages:ratio=4"}),
-      (Words{"analysis.solver=\"ptc\"", "analysis.strategy=\"tension/stages\"", "analysis.tension.ratio=4"}));
+  EXPECT_EQ(overrides_of({"ptc", "tension/stages:ratio=4"}),
+            (Words{"analysis.solver=\"ptc\"", "analysis.strategy=\"tension/stages\"",
+                   "analysis.tension.stages.ratio=4"}));
   EXPECT_EQ(overrides_of({"ptc", "", {"analysis.max_iterations=7"}}),
             (Words{"analysis.solver=\"ptc\"", "analysis.max_iterations=7"}));
 }

@@ -55,7 +55,7 @@ TEST(Float, DragsWithTheSquareOfTheFlowOnTheCircleOfItsDiameter) {
   Float::Drag::evaluate(p, {1}, s, out);
   EXPECT_NEAR(out.force[0].x, -0.5 * 1025 * 0.5 * std::acos(-1.0) / 4 * 0.04 * 4, 1e-10);
   p.area = 1;
-  EXPECT_DOUBLE_EQ(Float::drag_factor(p, kWater), 0.5 * 1025 * 0.5);
+  EXPECT_DOUBLE_EQ(Float::drag_factor(p, kWater), 0.5 * 1025);
 }
 
 /// (3) with dual numbers, W = c(z) - v; variables are the position (0 … 2) and the velocity (3 … 5).
@@ -71,7 +71,7 @@ TEST(Float, HasTheDerivativeOfItsDragAsTangent) {
   Float::Parameters p;
   p.area = 0.3, p.drag_coefficient = 0.47;
   State<1> s = somewhere();
-  const auto want = drag_oracle(1.7 * Float::drag_factor(p, kWater), s);
+  const auto want = drag_oracle(1.7 * 0.47 * Float::drag_factor(p, kWater), s);
   s.cu = 0.7, s.cv = 1.3;
   Local<1> out;
   ASSERT_EQ(Float::Drag::evaluate(p, {1.7}, s, out), Status::ok);
@@ -81,6 +81,45 @@ TEST(Float, HasTheDerivativeOfItsDragAsTangent) {
       EXPECT_NEAR(out.tangent[r][c], 0.7 * want[r].gradient[c] + 1.3 * want[r].gradient[3 + c], 1e-9)
           << r << c;
   }
+}
+
+// Smooth spheres: H. Schlichting, Boundary-Layer Theory, fig. 1.5; R. Clift, J. R. Grace and M. E. Weber,
+// Bubbles, Drops, and Particles, 1978, table 5.2.
+TEST(Float, HasTheDragOfASphereOnBothSidesOfItsCrisis) {
+  EXPECT_NEAR(Float::sphere_drag(1e-2), 2400, 30);  // Stokes
+  EXPECT_NEAR(Float::sphere_drag(100.0), 1.09, 0.06);
+  EXPECT_NEAR(Float::sphere_drag(1e4), 0.40, 0.03);
+  EXPECT_NEAR(Float::sphere_drag(1e5), 0.48, 0.06);
+  EXPECT_LT(Float::sphere_drag(4e5), 0.15);
+}
+
+TEST(Float, HasTheDerivativeOfTheDragOfASphereAsTangent) {
+  Float::Parameters p;
+  p.diameter = 0.2, p.drag_law = Float::kSphere;
+  for (const double speed : {1e-4, 0.01, 0.5, 1.4, 1.7, 3.0}) {  // Re = 17 … 5e5
+    State<1> s = somewhere();
+    s.water.viscosity = 1.19e-6, s.v[0] = s.current[0] - Vec3<double>{0.6 * speed, 0, 0.8 * speed};
+    s.cu = 0, s.cv = 1, s.wants_tangent = true;
+    Local<1> out;
+    ASSERT_EQ(Float::Drag::evaluate(p, {1}, s, out), Status::ok);
+    const double h = 1e-6 * speed;
+    for (int c = 0; c < 3; ++c) {
+      Local<1> more, less;
+      State<1> moved = s;
+      moved.v[0][c] += h, Float::Drag::evaluate(p, {1}, moved, more);
+      moved.v[0][c] -= 2 * h, Float::Drag::evaluate(p, {1}, moved, less);
+      for (int r = 0; r < 3; ++r) {
+        const double slope = (more.force[0][r] - less.force[0][r]) / (2 * h);
+        EXPECT_NEAR(out.tangent[r][c], slope, 1e-6 * std::abs(out.tangent[2][2])) << speed << r << c;
+      }
+    }
+  }
+}
+
+TEST(Float, RefusesASphereOfNoSize) {
+  Float::Parameters p;
+  p.drag_law = Float::kSphere;
+  EXPECT_THROW(Float::check(p, {1}), std::invalid_argument);
 }
 
 TEST(Float, HasNoDragAndAFiniteTangentInWaterThatMovesAlong) {

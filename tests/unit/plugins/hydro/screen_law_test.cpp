@@ -38,6 +38,30 @@ TYPED_TEST(ScreenLaw, LanesMatchTheDualNumbersOfTheFormula) {
     }
 }
 
+template <class L>
+class ScreenAtOneReynoldsNumber : public testing::Test {};
+using Constant = testing::Types<Loland, Aarsnes>;
+TYPED_TEST_SUITE(ScreenAtOneReynoldsNumber, Constant, LawNames);
+
+TYPED_TEST(ScreenAtOneReynoldsNumber, LanesMatchTheDualNumbersOfTheScaledFormula) {
+  for (const double measured_at : {300.0, 4000.0}) {
+    TestFlow t = sample_flows(3);
+    expect_lanes_match_oracle<TypeParam>(ScreenParameters{0.9, 1, measured_at}, t);
+  }
+}
+
+/// C_n = 1.1 + 4/√Re between 30 and 10⁵.
+TYPED_TEST(ScreenAtOneReynoldsNumber, FollowsTheDragOfACylinder) {
+  const Vec3<double> normal{0.8, 0, 0.6};
+  const double nu = 1.19e-6, Re = 1 * kTwine / nu;
+  const auto plain = force_of<TypeParam>({1, 0, 0}, {1, 0, 0}, normal, kTwine, 0.2);
+  const auto there = force_of<TypeParam>({1, 0, Re}, {1, 0, 0}, normal, kTwine, 0.2);
+  const auto other = force_of<TypeParam>({1, 0, 400}, {1, 0, 0}, normal, kTwine, 0.2);
+  EXPECT_NEAR(norm(there - plain), 0, 1e-12 * norm(plain));
+  const double factor = (1.1 + 4 / std::sqrt(Re)) / (1.1 + 4 / std::sqrt(400));
+  EXPECT_NEAR(norm(other - factor * plain), 0, 1e-12 * norm(plain));
+}
+
 /// Coefficients of drag and lift at an angle of the flow to the normal, from the force.
 template <class L>
 std::pair<double, double> coefficients(double degrees, double S, double V = 1,

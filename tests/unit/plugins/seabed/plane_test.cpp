@@ -139,6 +139,43 @@ TEST(SeabedFriction, HoldsALoadForEverOnceItSticks) {
   EXPECT_EQ(n.state[0], 0) << "what sticks does not creep";
 }
 
+/// The same node on a bed that passes with (1.2, −0.5) m/s.
+struct OnPassingBed : OneNode {
+  OnPassingBed() { t.ground = ground, t.v = v; }
+  double ground[3] = {1.2, -0.5, 0};
+  double v[3 * kLanes] = {};
+};
+
+TEST(SeabedFriction, OfAPassingBedDragsTheNodeAlongWhereverItWasSketched) {
+  OnPassingBed n;
+  for (const double x : {0.0, 0.3}) {
+    n.x[0] = x;
+    n.evaluate();
+    EXPECT_NEAR(n.force[0], -1000 * 12.0 / 13, 1e-9);  // 0.5 x 2000 N against the residual
+    EXPECT_NEAR(n.force[kLanes], 1000 * 5.0 / 13, 1e-9);
+    n.accept();
+  }
+}
+
+TEST(SeabedFriction, OfAPassingBedIsThatOfTheVelocityOverIt) {
+  OnPassingBed n;
+  n.v[0] = 1.2, n.v[kLanes] = 0.5;  // the bed passes with (0, −1) m/s
+  n.evaluate();
+  EXPECT_NEAR(n.force[0], 0, 1e-9);
+  EXPECT_NEAR(n.force[kLanes], 1000, 1e-9);
+  n.v[kLanes] = -0.5;  // as the bed
+  n.evaluate();
+  EXPECT_EQ(n.force[0], 0);
+  EXPECT_EQ(n.force[kLanes], 0);
+}
+
+TEST(SeabedFriction, HasNoJumpWhereANodeBeginsToSlide) {
+  const auto before = Plane::slip(0.02 * (1 - 1e-9), 0.02), after = Plane::slip(0.02 * (1 + 1e-9), 0.02);
+  EXPECT_NEAR(before.h, after.h, 1e-6);
+  EXPECT_NEAR(before.h + 0.02 * 0.02 * before.slope, 0, 1e-6) << "d(h s)/ds";
+  EXPECT_NEAR(after.h + 0.02 * 0.02 * after.slope, 0, 1e-6);
+}
+
 TEST(SeabedFriction, LetsGoAboveTheBedAndTakesTheAnchorAlong) {
   OneNode n;
   n.x[0] = 4, n.x[2 * kLanes] = -49;
@@ -192,5 +229,34 @@ TEST(SeabedFriction, HasTheDerivativeAsTangentWhileItSticks) { expect_tangent_is
 TEST(SeabedFriction, HasTheDerivativeAsTangentWhileItSlides) { expect_tangent_is_derivative(2, 0.3); }
 TEST(SeabedFriction, HasTheDerivativeAsTangentInTheSoftBed) { expect_tangent_is_derivative(1, 0.5 * kSoft); }
 TEST(SeabedFriction, HasTheDerivativeAsTangentAboveTheBed) { expect_tangent_is_derivative(1, -0.1); }
+
+/// On a sloping bed that passes: with respect to position and to velocity, by central differences.
+void expect_tangent_of_passing_bed(double vx, double vy) {
+  OnPassingBed n;
+  n.p = sloping();
+  n.x[2 * kLanes] = -50.3, n.v[0] = vx, n.v[kLanes] = vy;
+  n.t.tangent = n.tangent, n.t.want = NETLOFT_WANT_FORCE | NETLOFT_WANT_TANGENT;
+  for (const bool of_velocity : {false, true}) {
+    n.t.cu = of_velocity ? 0 : 0.7, n.t.cv = of_velocity ? 0.3 : 0;
+    n.evaluate();
+    std::vector<double> K(n.tangent, n.tangent + 9 * kLanes);
+    for (std::size_t c = 0; c < 3; ++c) {
+      double& q = (of_velocity ? n.v : n.x)[c * kLanes];
+      const double h = 1e-6, middle = q;
+      double slope[3] = {};
+      for (const double sign : {1.0, -1.0}) {
+        q = middle + sign * h;
+        n.evaluate();
+        for (std::size_t r = 0; r < 3; ++r) slope[r] += sign * n.force[r * kLanes] / (2 * h);
+      }
+      q = middle;
+      for (std::size_t r = 0; r < 3; ++r)
+        EXPECT_NEAR(K[(3 * r + c) * kLanes], (n.t.cu + n.t.cv) * slope[r], 1e-2) << r << c;  // of 4e4 and 4e5
+    }
+  }
+}
+
+TEST(SeabedFriction, HasTheDerivativeAsTangentOnAPassingBed) { expect_tangent_of_passing_bed(0.3, 0.1); }
+TEST(SeabedFriction, HasTheDerivativeAsTangentWhileItCreeps) { expect_tangent_of_passing_bed(1.203, -0.498); }
 
 }  // namespace

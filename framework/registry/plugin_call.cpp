@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/registry/plugin_call.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace netloft {
+
+namespace {
+
+constexpr std::size_t kThreads = 128;
+constexpr std::size_t kSignalStack = std::size_t{1} << 16;  // enough for AVX-512 registers and a handler
+
+struct ThreadCalls {
+  CallStack calls;
+  std::atomic<bool> is_taken{false}, was_taken{false};
+  alignas(16) char signal_stack[kSignalStack];
+};
+
+// Untouched pages of it cost nothing.
+ThreadCalls all_calls[kThreads];
+
+/// Takes a place for this thread, and gives it back when the thread ends.
+class Place {
+ public:
+  Place() noexcept {
+    for (auto& place : all_calls) {
+      if (place.is_taken.exchange(true)) continue;
+      mine_ = &place, mine_->was_taken = true;
+      set_signal_stack();
+      return;
+    }
+  }
+  ~Place() {
+    if (!mine_) return;
+    if (has_signal_stack_) remove_signal_stack();
+    mine_->is_taken = false;
+  }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+  CallStack& calls() { return mine_ ? mine_->calls : all_calls[kThreads - 1].calls; }
+
+ private:
+  /// Without one, what has used up its stack cannot say so. One that is there already stays.
+  void set_signal_stack() {
+    stack_t stack{};
+    if (sigaltstack(nullptr, &stack) != 0 || !(stack.ss_flags & SS_DISABLE)) return;
+    stack = {};
+    stack.ss_sp = mine_->signal_stack, stack.ss_size = kSignalStack;
+    has_signal_stack_ = sigaltstack(&stack, nullptr) == 0;
+  }
+  void remove_signal_stack() {
+    stack_t none{};
+    none.ss_flags = SS_DISABLE;
+    sigaltstack(&none, nullptr);
+  }
+  ThreadCalls* mine_ = nullptr;
+  bool has_signal_stack_ = false;
+};
+
+std::atomic<int> standing_still{0};
+thread_local bool may_cross = false;
+thread_local CallStack* known = nullptr;
+
+}  // namespace
+
+std::string text_of(const CallFrame& frame) {
+  std::string text = frame.type ? frame.type : "the program itself";
+  if (frame.what) text += std::string(", ") + frame.what;
+  return frame.name ? text + " " + frame.name : text;
+}
+
+void CallStack::push(const CallFrame& frame) noexcept {
+  const std::uint32_t depth = depth_.load(std::memory_order_relaxed);
+  if (depth < kDeepest) {
+    Slot& slot = frames_[depth];
+    slot.type.store(frame.type, std::memory_order_relaxed);
+    slot.what.store(frame.what, std::memory_order_relaxed);
+    slot.name.store(frame.name, std::memory_order_relaxed);
+    slot.kind.store(frame.kind, std::memory_order_relaxed);
+  }
+  if (frame.kind == CallFrame::Kind::host)
+    callbacks_.store(callbacks_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  depth_.store(depth + 1, std::memory_order_release);
+  crossings_.store(crossings_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+}
+
+void CallStack::pop() noexcept {
+  const std::uint32_t depth = depth_.load(std::memory_order_relaxed) - 1;
+  if (depth < lowest_.load(std::memory_order_relaxed)) lowest_.store(depth, std::memory_order_relaxed);
+  depth_.store(depth, std::memory_order_release);
+  crossings_.store(crossings_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+}
+
+CallFrame CallStack::at(std::uint32_t i) const {
+  const Slot& slot = frames_[std::min(i, kDeepest - 1)];
+  return {slot.type.load(std::memory_order_relaxed), slot.what.load(std::memory_order_relaxed),
+          slot.name.load(std::memory_order_relaxed), slot.kind.load(std::memory_order_relaxed)};
+}
+
+CallFrame CallStack::innermost() const {
+  const std::uint32_t n = depth();
+  return n == 0 ? CallFrame{} : at(n - 1);
+}
+
+std::optional<CallFrame> CallStack::innermost_plugin() const {
+  for (std::uint32_t i = std::min(depth(), kDeepest); i-- > 0;)
+    if (const CallFrame frame = at(i); frame.kind != CallFrame::Kind::host) return frame;
+  return {};
+}
+
+CallStack& calls_of_this_thread() noexcept {
+  if (known) return *known;
+  static thread_local Place place;
+  return *(known = &place.calls());
+}
+
+const CallStack* known_calls_of_this_thread() noexcept { return known; }
+
+std::vector<CallStack*> calls_of_all_threads() {
+  std::vector<CallStack*> all;
+  for (auto& place : all_calls)
+    if (place.was_taken) all.push_back(&place.calls);
+  return all;
+}
+
+void stop_others_at_the_boundary() noexcept {
+  may_cross = true;
+  detail::boundary_closed = true;
+}
+
+int threads_at_the_boundary() noexcept { return standing_still; }
+
+namespace detail {
+
+std::atomic<bool> boundary_closed{false};
+
+void wait_if_boundary_closed() noexcept {
+  if (may_cross) return;
+  ++standing_still;
+  for (;;) pause();
+}
+
+}  // namespace detail
+
+}  // namespace netloft

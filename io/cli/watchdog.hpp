@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/plugin_call.hpp"
+
+#include <condition_variable>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace netloft::io {
+
+/// A plugin that went on after its time was over.
+struct Overdue {
+  bool interrupted = false;  // by the user; else the processor time of the analysis is used up
+  std::string sentence;      // "loops/forever, solve, did not come back for 2 s after Ctrl-C"
+};
+
+/// Ends a run that does not end by itself. Everything that solves asks between two steps whether the user
+/// interrupts or the time is over; a plugin that never comes back to where it is asked would run for ever.
+/// This looks on from a thread of its own and calls `last_act` when, after an interruption or the limit,
+///   the same call of a plugin has gone on for 2 s, or
+///   a method has called the host 1000 times, and 2 s have passed.
+/// All other threads then stand still at the boundary of plugins or inside one, so that what the host found
+/// is free to be written. The program ends with what `last_act` returns, or ten seconds later without it.
+class Watchdog {
+ public:
+  explicit Watchdog(std::function<int(const Overdue&)> last_act);
+  ~Watchdog();
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+
+  /// Processor time that is allowed from now on [s].
+  void allow(double seconds);
+
+ private:
+  struct Seen {
+    CallStack* calls;
+    std::uint64_t crossings, callbacks_at_first;
+    double since;
+  };
+  void watch();
+  bool is_over(bool& interrupted);
+  void look(bool interrupted, double now);
+  [[noreturn]] void end(bool interrupted, const CallFrame& frame, double waited);
+  void look_at(Seen& seen, bool interrupted, double now);
+
+  std::function<int(const Overdue&)> last_act_;
+  double deadline_ = std::numeric_limits<double>::infinity();
+  double over_since_ = 0;
+  std::vector<Seen> seen_;
+  bool stop_ = false;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::thread thread_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/hdf5/fold.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "io/hdf5/result_file.hpp"
+
+namespace netloft::io {
+namespace {
+
+const std::string kRoot = "/netloft";
+constexpr std::size_t kImageBlock = 1 << 16;
+
+/// Access to a file in memory, which is never written to a disk.
+Handle in_memory() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  check(H5Pset_fapl_core(access, kImageBlock, false));
+  return access;
+}
+
+/// Rows of all outputs; a column of them is one of the series.
+struct Rows {
+  std::size_t columns;
+  std::vector<double> values;
+
+  std::vector<double> column(std::size_t k) const {
+    std::vector<double> numbers;
+    for (std::size_t i = k; i < values.size(); i += columns) numbers.push_back(values[i]);
+    return numbers;
+  }
+};
+
+void write_columns(Tree& tree, const std::vector<SeriesColumn>& columns, const Rows& rows) {
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    tree.write_reals(kRoot + "/series/" + columns[k].name, rows.column(k), columns[k].unit, columns[k].doc);
+}
+
+/// The numbers of the last output stand where those of a finished motion do.
+void write_last_row(Tree& tree, const SeriesJournal& journal) {
+  if (journal.size() == 0) return;
+  const std::vector<double> row = journal.state(journal.size() - 1).row;
+  const auto& columns = journal.layout().columns;
+  for (std::size_t k = 0; k < columns.size() && k < row.size(); ++k) {
+    const std::string& name = columns[k].name;
+    if (name.starts_with("gear/"))
+      tree.write_real(kRoot + "/" + name, row[k], columns[k].unit, columns[k].doc);
+    else if (name.find('/') == std::string::npos && name != "forces_time")
+      tree.write_real(kRoot + "/scalars/" + name, row[k], columns[k].unit, columns[k].doc);
+  }
+}
+
+void copy_origins(const std::string& image, hid_t file) {
+  if (image.empty()) return;
+  const Handle access = in_memory();
+  check(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()));  // which copies it
+  const Handle origins(H5Fopen("origins", H5F_ACC_RDONLY, access), H5Fclose);
+  const Handle group(H5Gopen2(origins, kRoot.c_str(), H5P_DEFAULT), H5Gclose);
+  std::vector<std::string> names;
+  const auto append_name = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+  };
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, append_name, &names));
+  const Handle to(H5Gopen2(file, kRoot.c_str(), H5P_DEFAULT), H5Gclose);
+  for (const auto& name : names)
+    check(H5Ocopy(group, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+}
+
+/// An HDF5 file that goes away when it is closed.
+Handle make_nameless() {
+  std::string name = (std::filesystem::temp_directory_path() / "netloft-XXXXXX").string();
+  const Descriptor made(mkstemp(name.data()));
+  if (made.get() < 0) throw FileError(name + ": " + system_reason());
+  const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  unlink(name.c_str());
+  return Handle(file, H5Fclose);
+}
+
+}  // namespace
+
+std::string make_origins(const std::function<void(Tree&)>& write) {
+  silence_hdf5();
+  const Handle file(H5Fcreate("origins", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory()), H5Fclose);
+  Tree tree(file, "memory");
+  write(tree);
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL));
+  std::string image(static_cast<std::size_t>(check(H5Fget_file_image(file, nullptr, 0))), '\0');
+  check(H5Fget_file_image(file, image.data(), image.size()));
+  return image;
+}
+
+void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name) {
+  silence_hdf5();
+  const SeriesLayout& layout = journal.layout();
+  Rows rows{layout.columns.size(), {}};
+  with_context("cannot write " + file_name, [&] {
+    VtkHdf grid(file, layout.mesh, layout.changing, layout.fixed, journal.size());
+    for (std::size_t i = 0; i < journal.size(); ++i) {
+      const SeriesState state = journal.state(i);
+      const std::vector<std::span<const double>> fields(state.fields.begin(), state.fields.end());
+      grid.write_state(state.time, state.points, fields);
+      rows.values.insert(rows.values.end(), state.row.begin(), state.row.end());
+    }
+    grid.finish();
+  });
+  Tree tree(file, file_name);
+  write_columns(tree, layout.columns, rows);
+}
+
+void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,
+                 const std::function<void(Tree&)>& rest) {
+  ResultFile file(final_path, final_path.string() + ".new");
+  try {
+    fold_series(journal, file.part().id(), file.part_path().string());
+    rest(file.tree());
+    file.finish();
+  } catch (...) {
+    file.discard();
+    throw;
+  }
+}
+
+Handle unfold(const std::filesystem::path& part) {
+  const SeriesJournal journal = SeriesJournal::read(part);
+  return with_context("cannot read " + part.string() + " by way of a temporary file", [&] {
+    Handle file = make_nameless();
+    Tree tree(file, "a temporary file");
+    begin_result(tree, journal.status().outcome, journal.status().sentence);
+    copy_origins(journal.origins(), file);
+    if (journal.size() > 0) fold_series(journal, file, "a temporary file");
+    write_last_row(tree, journal);
+    check(H5Fflush(file, H5F_SCOPE_GLOBAL));
+    return file;
+  });
+}
+
+}  // namespace netloft::io

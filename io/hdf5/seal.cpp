@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/hdf5/seal.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "io/hdf5/locked_file.hpp"
+
+namespace netloft::io {
+namespace {
+
+constexpr std::string_view kTitle = "netloft checksums 1\n", kLastWord = "sealed ", kBetween = "*";
+constexpr std::size_t kLastLine = 33;  // "sealed ", 16 digits, a blank, 8 digits, a line feed
+constexpr std::size_t kBlock = 1 << 20;
+
+struct SealedFile {
+  std::uint64_t length = 0;  // of what is sealed
+  std::vector<SealedRange> ranges;
+  std::vector<std::uint32_t> sums;  // of the ranges
+  std::uint32_t between = 0;        // of everything else
+};
+
+std::uint64_t size_of(int fd) {
+  struct stat status {};
+  return fstat(fd, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+void read_at(int fd, std::uint64_t place, char* to, std::size_t size) {
+  while (size > 0) {
+    const ssize_t got = pread(fd, to, size, static_cast<off_t>(place));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw FileError(system_reason());
+    if (got == 0) throw FileError("it became shorter while it was read");
+    to += got, size -= static_cast<std::size_t>(got), place += static_cast<std::uint64_t>(got);
+  }
+}
+
+std::uint32_t checksum(std::uint32_t before, std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_z(before, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
+
+/// The checksum of bytes of a file, going on from one of others.
+std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std::uint32_t sum) {
+  std::string block(std::min<std::uint64_t>(length, kBlock), '\0');
+  while (length > 0) {
+    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(length, kBlock));
+    read_at(fd, place, block.data(), size);
+    sum = checksum(sum, std::string_view(block).substr(0, size));
+    place += size, length -= size;
+  }
+  return sum;
+}
+
+/// Sums of the ranges, and of everything between them, up to `length`.
+SealedFile sum_up(int fd, const std::vector<SealedRange>& ranges, std::uint64_t length) {
+  SealedFile file{length, ranges, {}, 0};
+  std::uint64_t place = 0;
+  for (const auto& range : ranges) {
+    file.between = checksum_of(fd, place, range.place - place, file.between);
+    file.sums.push_back(checksum_of(fd, range.place, range.length, 0));
+    place = range.place + range.length;
+  }
+  file.between = checksum_of(fd, place, length - place, file.between);
+  return file;
+}
+
+std::string hexadecimal(std::uint64_t value, int digits) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%0*llx", digits, static_cast<unsigned long long>(value));
+  return text;
+}
+
+/// Paths may hold anything; in the table they are names to be told, on a line each.
+std::string in_one_line(std::string path) {
+  for (char& c : path)
+    if (static_cast<unsigned char>(c) < ' ') c = '?';
+  return path;
+}
+
+std::string table_of(const SealedFile& file) {
+  std::string table(kTitle);
+  for (std::size_t i = 0; i < file.ranges.size(); ++i)
+    table += hexadecimal(file.sums[i], 8) + " " + std::to_string(file.ranges[i].place) + " " +
+             std::to_string(file.ranges[i].length) + " " + in_one_line(file.ranges[i].path) + "\n";
+  table +=
+      hexadecimal(file.between, 8) + " 0 " + std::to_string(file.length) + " " + std::string(kBetween) + "\n";
+  table += std::string(kLastWord) + hexadecimal(file.length, 16) + " ";
+  return table + hexadecimal(checksum(0, table), 8) + "\n";
+}
+
+/// Takes a number and the blank behind it from the front of a text.
+std::uint64_t take_number(std::string_view& text, int base) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  const auto used = static_cast<std::size_t>(end - text.data());
+  if (error != std::errc() || used >= text.size())
+    throw FileError("it is damaged: its checksums cannot be read");
+  text.remove_prefix(used + 1);
+  return value;
+}
+
+/// Reads the lines between title and last line, which match their own checksum.
+SealedFile parse(std::string_view lines, std::uint64_t length) {
+  SealedFile file;
+  file.length = length;
+  std::uint64_t place = 0;
+  while (!lines.empty()) {
+    std::string_view line = lines.substr(0, lines.find('\n'));
+    lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+    const auto sum = static_cast<std::uint32_t>(take_number(line, 16));
+    SealedRange range{"", take_number(line, 10), take_number(line, 10)};
+    range.path = line;
+    if (range.path == kBetween) {
+      file.between = sum;
+      return file;
+    }
+    if (range.place < place || range.place > length || range.length > length - range.place)
+      throw FileError("it is damaged: its checksums are of bytes that it has not");
+    place = range.place + range.length;
+    file.ranges.push_back(std::move(range)), file.sums.push_back(sum);
+  }
+  throw FileError("it is damaged: its checksums are not complete");
+}
+
+/// The table at the end of a file; nothing if it has none.
+std::optional<SealedFile> read_seal(int fd) {
+  const std::uint64_t size = size_of(fd);
+  if (size < kLastLine) return {};
+  std::string last(kLastLine, '\0');
+  read_at(fd, size - kLastLine, last.data(), kLastLine);
+  if (!last.starts_with(kLastWord) || last.back() != '\n') return {};
+  std::string_view numbers = std::string_view(last).substr(kLastWord.size());
+  const std::uint64_t length = take_number(numbers, 16), sum = take_number(numbers, 16);
+  if (length > size - kLastLine) throw FileError("it is damaged: its checksums begin behind its end");
+  std::string table(size - length, '\0');
+  read_at(fd, length, table.data(), table.size());
+  const std::string_view summed = std::string_view(table).substr(0, table.size() - 9);
+  if (!summed.starts_with(kTitle) || checksum(0, summed) != sum)
+    throw FileError("it is damaged: the checksums at its end do not match their own");
+  return parse(summed.substr(kTitle.size(), table.size() - kLastLine - kTitle.size()), length);
+}
+
+herr_t add_range(hid_t root, const char* name, const H5O_info_t* info, void* data) {
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  const hid_t dataset = H5Dopen2(root, name, H5P_DEFAULT);
+  if (dataset < 0) return -1;
+  const haddr_t place = H5Dget_offset(dataset);
+  const hsize_t length = H5Dget_storage_size(dataset);
+  if (place != HADDR_UNDEF && length > 0)
+    static_cast<std::vector<SealedRange>*>(data)->push_back({std::string("/") + name, place, length});
+  return H5Dclose(dataset);
+}
+
+}  // namespace
+
+std::vector<SealedRange> find_ranges(hid_t file) {
+  std::vector<SealedRange> ranges;
+  check(H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, add_range, &ranges));
+  H5Eclear2(H5E_DEFAULT);  // what lies in pieces has no place, which HDF5 notes as an error
+  std::sort(ranges.begin(), ranges.end(),
+            [](const SealedRange& a, const SealedRange& b) { return a.place < b.place; });
+  return ranges;
+}
+
+void append_seal(int fd, const std::vector<SealedRange>& ranges) {
+  const std::uint64_t length = size_of(fd);
+  const std::string table = table_of(sum_up(fd, ranges, length));
+  std::string_view rest = table;
+  while (!rest.empty()) {
+    const ssize_t written =
+        pwrite(fd, rest.data(), rest.size(), static_cast<off_t>(length + table.size() - rest.size()));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) throw FileError(written < 0 ? system_reason() : "nothing was written");
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void check_seal(const std::filesystem::path& path) {
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.get() < 0) return;  // HDF5 says why
+  with_context("cannot read " + path.string(), [&] {
+    const auto sealed = read_seal(file.get());
+    if (!sealed) return;
+    const SealedFile now = sum_up(file.get(), sealed->ranges, sealed->length);
+    for (std::size_t i = 0; i < now.sums.size(); ++i)
+      if (now.sums[i] != sealed->sums[i])
+        throw FileError("it is damaged: " + now.ranges[i].path + " does not match its checksum");
+    if (now.between != sealed->between)
+      throw FileError("it is damaged: its names, texts or attributes do not match their checksum");
+  });
+}
+
+}  // namespace netloft::io

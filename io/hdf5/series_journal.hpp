@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/hdf5/bytes.hpp"
+#include "io/hdf5/journal.hpp"
+#include "io/hdf5/vtkhdf.hpp"
+
+namespace netloft::io {
+
+/// A column of the series: one number per state, under /netloft/series/<name>.
+struct SeriesColumn {
+  std::string name, unit, doc;
+};
+
+/// What all outputs of a motion have in common.
+struct SeriesLayout {
+  Mesh mesh;
+  std::vector<FieldSpec> changing;
+  std::vector<StaticField> fixed;
+  std::vector<SeriesColumn> columns;
+};
+
+/// One output of a motion.
+struct SeriesState {
+  double time = 0;
+  std::vector<double> points;               // 3n [m]
+  std::vector<std::vector<double>> fields;  // in the order of `changing`
+  std::vector<double> row;                  // in the order of the columns
+};
+
+/// How a motion stands, as the attributes of /netloft/status have it.
+struct SeriesStatus {
+  std::string outcome, sentence;
+};
+
+/// The outputs of a motion that runs, or ran until it was killed, in NAME.hdf.part: a journal (journal.hpp)
+/// whose records are, by kind,
+///   1 layout   identity of the run, an HDF5 image of what is known at the start (see fold.hpp), SeriesLayout
+///   2 output   checkpoint (empty: none), time, points, fields, row
+///   3 rewind   only the first so many outputs count: the run goes on from there
+///   4 status   outcome, sentence: the last one counts
+class SeriesJournal {
+ public:
+  /// Begins one. `identity` tells the runs that may go on with it.
+  static SeriesJournal create(const std::filesystem::path& part, const std::string& identity,
+                              const std::string& origins, const SeriesLayout& layout);
+  static SeriesJournal read(const std::filesystem::path& part);
+  /// Opens one to go on from its last checkpoint; what comes after that does not count any more. Nothing is
+  /// changed before something is written. Throws FileError if there is no checkpoint, or if it belongs to
+  /// another run.
+  static SeriesJournal go_on(const std::filesystem::path& part, const std::string& identity);
+
+  const std::filesystem::path& path() const { return journal_->path(); }
+  const SeriesLayout& layout() const { return layout_; }
+  /// An HDF5 image of what was known at the start; empty if there is none.
+  const std::string& origins() const { return origins_; }
+  const SeriesStatus& status() const { return status_; }
+  /// Outputs that count.
+  std::size_t size() const { return outputs_.size(); }
+  SeriesState state(std::size_t i) const;
+  /// What belongs to the last output that has any, to go on from.
+  const std::string& checkpoint() const { return checkpoint_; }
+
+  /// At the latest when this returns, the output survives a kill of the program.
+  void write(const SeriesState& state, const std::string& checkpoint);
+  /// Throws FileError if the run that goes on would write other fields than the one before.
+  void require_layout(const SeriesLayout& layout) const;
+  void set_status(const SeriesStatus& status);
+  void remove() { journal_->remove(); }
+
+ private:
+  SeriesJournal() = default;
+  Journal::Visit reader(const std::filesystem::path& part);
+  void interpret(const Journal::Record& record, std::string_view content);
+  void note_output(const Journal::Record& record, std::string_view content);
+  void append(std::uint32_t kind, const ByteWriter& content);
+
+  std::optional<Journal> journal_;
+  SeriesLayout layout_;
+  std::string identity_, origins_, checkpoint_;
+  SeriesStatus status_;
+  std::vector<Journal::Record> outputs_;
+  Journal::Record last_;
+  std::size_t resumable_ = 0;  // outputs up to the last one with a checkpoint
+  bool is_to_rewind_ = false;  // the file does not say yet that a run goes on
+  ByteWriter buffer_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/report/overload.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace netloft::io {
+
+namespace {
+
+/// The largest tension of each part of a scene [N]; 0 where its elements have none.
+std::vector<double> largest_tensions(const LoadedScene& loaded, const Assembler& assembler,
+                                     const Answer& answer) {
+  std::vector<double> largest(loaded.scene.parts.size(), 0.0);
+  for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
+    const ElementFamily& family = *assembler.families()[f];
+    for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
+      for (std::size_t e = 0; e < family.size(); ++e)
+        if (std::string_view(family.type().outputs[k].name) == "tension")
+          largest[family.part(e)] = std::max(largest[family.part(e)], answer.outputs[f][k][e]);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Assembler& assembler,
+                                           const Answer& answer) {
+  std::vector<std::string> warnings;
+  const auto largest = largest_tensions(loaded, assembler, answer);
+  for (std::size_t p = 0; p < largest.size(); ++p) {
+    const auto at = loaded.strengths.find(loaded.scene.parts[p].name);
+    if (at == loaded.strengths.end() || !(largest[p] > at->second.breaking_load)) continue;
+    warnings.push_back(fmt::format("{} carries {:.4g} N and breaks at {:.4g} N{}", at->first, largest[p],
+                                   at->second.breaking_load,
+                                   at->second.material.empty() ? "" : " (" + at->second.material + ")"));
+  }
+  return warnings;
+}
+
+}  // namespace netloft::io

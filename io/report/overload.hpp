@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/report/answer.hpp"
+#include "io/scene/loaded_scene.hpp"
+
+namespace netloft::io {
+
+/// A sentence for every part whose tension is beyond what its plan or the catalogue says that it bears.
+std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Assembler& assembler,
+                                           const Answer& answer);
+
+}  // namespace netloft::io

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/beds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+/// A plane z = slope_x x + slope_y y - depth, soft to some depth [m].
+struct Bed {
+  const Part* part = nullptr;
+  Place place;
+  double depth = 0, slope_x = 0, slope_y = 0, softness = 0;
+
+  double above(const double* x) const { return x[2] - (slope_x * x[0] + slope_y * x[1] - depth); }
+  bool is_same_plane(const Bed& other) const {
+    return depth == other.depth && slope_x == other.slope_x && slope_y == other.slope_y;
+  }
+};
+
+double number_of(const Part& part, const char* name) {
+  const auto at = part.parameters.find(name);
+  const double* value = at == part.parameters.end() ? nullptr : std::get_if<double>(&at->second);
+  return value ? *value : 0;
+}
+
+std::vector<Bed> beds_of(const LoadedScene& loaded) {
+  std::vector<Bed> beds;
+  for (const auto& part : loaded.scene.parts)
+    if (part.parameters.contains("seabed.depth") && !part.nodes.empty())
+      beds.push_back({&part, loaded.place_of(part.name), number_of(part, "seabed.depth"),
+                      number_of(part, "seabed.slope_x"), number_of(part, "seabed.slope_y"),
+                      number_of(part, "seabed.softness")});
+  return beds;
+}
+
+std::string in_metres(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g m", length);
+  return text;
+}
+
+void check_height(const Bed& bed, const Scene& scene, Diagnostics& diagnostics) {
+  double highest = -std::numeric_limits<double>::infinity(), held = 0;
+  for (std::size_t x = 0; x < scene.positions.size(); x += 3)
+    highest = std::max(highest, bed.above(&scene.positions[x]));
+  std::string lowest_held;
+  for (const auto node : bed.part->nodes) {
+    const double above = bed.above(&scene.positions[3 * std::size_t{node}]);
+    if (above < held && scene.held[node] == kAllAxes) held = above, lowest_held = scene.node_name(node);
+  }
+  const double sinking = std::max(bed.softness, 1e-3);
+  if (highest < -sinking)
+    diagnostics.error(
+        bed.place, bed.part->name + ": all of the gear is below it, by " + in_metres(-highest) + " or more",
+        "depth counts downwards from the surface, z = 0");
+  else if (held < -sinking)
+    diagnostics.warning(bed.place,
+                        bed.part->name + ": " + lowest_held + " is held " + in_metres(-held) + " below it",
+                        "the bed pushes at what cannot move");
+}
+
+/// The same node on two beds is pushed by both.
+void check_pair(const Bed& a, const Bed& b, Diagnostics& diagnostics) {
+  const std::set<std::uint32_t> carried(a.part->nodes.begin(), a.part->nodes.end());
+  const bool shares = std::any_of(b.part->nodes.begin(), b.part->nodes.end(),
+                                  [&](auto node) { return carried.contains(node); });
+  const std::string other = a.part->name + " at " + diagnostics.where(a.place);
+  if (shares)
+    diagnostics.error(b.place, b.part->name + ": carries what " + other + " carries, too: both push at it",
+                      "one bed with everything in `on`");
+  else if (!a.is_same_plane(b))
+    diagnostics.warning(b.place, b.part->name + ": is another plane than " + other,
+                        "heights in the report are those above the first of them");
+}
+
+}  // namespace
+
+void check_beds(const LoadedScene& loaded, Diagnostics& diagnostics) {
+  const auto beds = beds_of(loaded);
+  for (std::size_t i = 0; i < beds.size(); ++i) {
+    check_height(beds[i], loaded.scene, diagnostics);
+    for (std::size_t k = 0; k < i; ++k) check_pair(beds[k], beds[i], diagnostics);
+  }
+}
+
+}  // namespace netloft::io

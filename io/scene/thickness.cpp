@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/thickness.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+namespace netloft::io {
+
+namespace {
+
+double number_of(const Part& part, const char* name) {
+  const auto at = part.parameters.find(name);
+  const double* value = at == part.parameters.end() ? nullptr : std::get_if<double>(&at->second);
+  return value ? *value : 0;
+}
+
+const std::vector<double>* find_data(const Geometry& geometry, const char* name) {
+  const auto at = geometry.data.find(name);
+  return at == geometry.data.end() || at->second.empty() ? nullptr : &at->second;
+}
+
+/// Bars of netting in triangles say how long they are; one bar of a lumped panel stands for several twines
+/// side by side, each as many bars long.
+double bar_of(const Geometry& geometry) {
+  if (const auto* bars = find_data(geometry, "bar_length"))
+    return *std::min_element(bars->begin(), bars->end());
+  const auto *rest = find_data(geometry, "rest_length"), *parallel = find_data(geometry, "parallel");
+  return rest && parallel ? rest->front() / parallel->front() : 0;
+}
+
+std::string in_metres(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g m", length);
+  return text;
+}
+
+}  // namespace
+
+std::optional<ThicknessFault> thickness_fault(const Part& part, const Geometry& geometry) {
+  const double twine = number_of(part, "twine.diameter"), bar = bar_of(geometry);
+  if (bar > 0 && twine >= bar)
+    return ThicknessFault{
+        "twine", "diameter = " + in_metres(twine) + ", and bars of " + in_metres(bar) + ": no mesh can open"};
+  const auto* rest = find_data(geometry, "rest_length");
+  if (!rest || bar > 0) return {};
+  const double rope = number_of(part, "rope.diameter"),
+               length = std::accumulate(rest->begin(), rest->end(), 0.0);
+  if (rope > 0 && rope >= length)
+    return ThicknessFault{"rope", "diameter = " + in_metres(rope) + ", and a length of " + in_metres(length)};
+  return {};
+}
+
+}  // namespace netloft::io

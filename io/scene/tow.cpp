@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scene/tow.hpp"
+
+#include "framework/registry/descriptors.hpp"
+#include "framework/scene/plan.hpp"
+#include "io/scene/keys.hpp"
+#include "io/scene/parameter_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+void read_tow(TableReader tow, Scene& scene) {
+  const Values values = read_parameters(tow_keys(), tow);
+  std::vector<std::string> faults;
+  const ParameterBlock block(tow_keys(), sizeof(TowKeys), values, faults);
+  if (!faults.empty()) return;
+  const auto& keys = *static_cast<const TowKeys*>(block.data());
+  scene.ground = {keys.speed * std::cos(keys.leeway), keys.speed * std::sin(keys.leeway), 0};
+  scene.current.tow = scene.ground;
+}
+
+bool is_rubbed_by_standing_ground(const Scene& scene, const Part& part, const ElementType& type) {
+  if (!scene.current.flows() || scene.ground != std::array<double, 3>{}) return false;
+  return std::any_of(type.terms.begin(), type.terms.end(), [&](const netloft_term& term) {
+    if (!(term.traits & NETLOFT_READS_GROUND)) return false;
+    const auto needed = names_needed_by(term);
+    return needed.empty() || std::any_of(needed.begin(), needed.end(),
+                                         [&](const auto& name) { return sets(part, type, name); });
+  });
+}
+
+}  // namespace netloft::io

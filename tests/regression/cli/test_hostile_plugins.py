@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plugins that crash, end the program or never come back: each is named, and what was found before is kept."""
+import os
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+import h5py
+
+from program import InFreshFolder
+
+PLUGINS = Path(os.environ["NETLOFT_TEST_PLUGINS"])
+AT_START = PLUGINS.parent / "hostile"
+
+# A line of 10 m with a weight of the element type that is put in.
+LINE = """\
+[water]
+density = 1025
+gravity = 9.81
+[parts.line]
+type = "rope/bar"
+length = "10 m"
+cells = 4
+sketch = [[0, 0, 0], [1, 0, -9]]
+rope = { diameter = "20 mm", EA = "100 kN", density = 1150 }
+%s
+[[hold]]
+on = "line.start"
+"""
+
+
+class Hostile(InFreshFolder):
+    def scene(self, element=None):
+        part = f'[parts.evil]\ntype = "hostile/{element}"\non = "line.end"\n' if element else ""
+        self.write("line.toml", LINE % part)
+        return ["line.toml", "--plugins", str(PLUGINS), "-o", "r.hdf"]
+
+    def left(self):
+        return sorted(p.name for p in self.folder.iterdir() if p.name != "line.toml")
+
+
+class Crashes(Hostile):
+    def check(self, element, *sentences):
+        run = self.netloft("run", *self.scene(element))
+        self.assertEqual(run.code, 1, run.err)
+        for sentence in sentences:
+            self.assertIn(sentence, run.err)
+        self.assertNotIn("r.hdf", self.left())
+
+    def test_are_told_with_the_element_and_its_term(self):
+        self.check("crashes", "hostile/crashes crashed in term pull (Segmentation fault)")
+
+    def test_of_the_stack_are_told_as_such(self):
+        self.check("overflows", "hostile/overflows crashed in term pull (Segmentation fault): it used up its stack")
+
+    def test_of_the_stack_of_another_thread_are_told_too(self):
+        run = self.netloft("run", *self.scene("overflows"), "--threads", "2", "--set", "parts.line.cells=4000")
+        self.assertIn("it used up its stack", run.err)
+
+    def test_an_exit_is_no_success(self):
+        self.check("exits", "hostile/exits ended the program (exit) in term pull")
+
+    def test_an_exit_in_a_check_is_no_success(self):
+        run = self.netloft("test", "hostile/exits", "--plugins", str(PLUGINS))
+        self.assertEqual(run.code, 1)
+        self.assertIn("hostile/exits ended the program (exit) in its making or its first evaluation", run.err)
+
+
+class EndlessLoops(Hostile):
+    """Each takes two seconds of patience, so that they run at the same time."""
+    LIMIT = ["--set", "analysis.max_seconds=0.2"]
+    RUNS = {"element": ["element.toml", *LIMIT], "asks": ["line.toml", "--solver", "hostile/asks", *LIMIT],
+            "strategy": ["line.toml", "--strategy", "hostile/insists", *LIMIT],
+            "interrupted": ["line.toml", "--solver", "hostile/stalls"]}
+
+    def setUp(self):
+        super().setUp()
+        self.scene()
+        self.write("element.toml", LINE % '[parts.evil]\ntype = "hostile/loops"\non = "line.end"\n')
+        self.runs = {name: subprocess.Popen(
+            self.command("run", *words, "--plugins", str(PLUGINS), "-o", f"{name}.hdf"), cwd=self.folder,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for name, words in self.RUNS.items()}
+
+    def end_of(self, name, code, *sentences):
+        out, err = self.runs[name].communicate(timeout=60)
+        self.assertEqual(self.runs[name].returncode, code, err)
+        for sentence in sentences:
+            self.assertIn(sentence, err)
+        return out
+
+    def check_kept(self, name):
+        with h5py.File(self.folder / f"{name}.hdf") as f:
+            self.assertEqual(f["VTKHDF/NumberOfPoints"][0], 5)
+            self.assertIn("did not come back", f["netloft/status"].attrs["sentence"])
+
+    def test_end_with_a_name_and_keep_what_was_found(self):
+        time.sleep(1)
+        self.runs["interrupted"].send_signal(signal.SIGINT)
+        self.end_of("element", 3, "hostile/loops, term pull, did not come back", "analysis.max_seconds")
+        out = self.end_of("asks", 3, "hostile/asks, solve, did not come back")
+        self.assertIn("not converged", out)
+        self.check_kept("asks")
+        self.end_of("strategy", 3, "hostile/insists, run, did not come back")
+        out = self.end_of("interrupted", 130, "hostile/stalls, solve, did not come back", "after the interruption")
+        self.assertIn("interrupted", out)
+        self.check_kept("interrupted")
+
+
+class HarmAtTheStart(InFreshFolder):
+    def check(self, name, sentence):
+        run = self.netloft("test", str(AT_START / f"{name}.so"))
+        self.assertEqual(run.code, 4, run.err)
+        self.assertIn(f"{name}.so: {sentence}", run.err)
+
+    def test_an_exit_is_told(self):
+        self.check("exits_at_once", "ended the program while it was opened")
+
+    def test_no_exit_code_passes_for_an_end(self):
+        self.check("ends_with_any_code", "ended the program while it was opened")
+
+    def test_memory_without_end_is_told(self):
+        self.check("eats_memory", "wanted more than 1024 MiB of memory when it was opened")
+
+    def test_a_word_that_is_nowhere_is_told(self):
+        self.check("wild_word", "crashed while it was opened (Segmentation fault)")
+
+    def test_list_goes_on_without_them(self):
+        run = self.netloft("list", "--plugins", str(AT_START))
+        self.assertIn("rope/bar", run.out)
+        for name in ("exits_at_once", "eats_memory", "ends_with_any_code", "wild_word"):
+            self.assertIn(f"{name}.so", run.out + run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every flag of every `--help`, typed.
+
+The flags are those that the help of the program lists, and the commands stand below: a flag of the help that no command types, and a
+command that types a flag of no help, are failures. Each command has to end with 0 and to leave or to say what follows it.
+"""
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM, SOURCE = os.environ["NETLOFT_PROGRAM"], Path(os.environ["NETLOFT_SOURCE_DIR"])
+PLUGINS = os.environ["NETLOFT_TEST_PLUGINS"]
+ROPE, MOTION, GEAR = "rope.toml", "motion.toml", "gear.toml"
+COMMON = f"--plugins {PLUGINS} --color always --json"
+SCENE = "--set parts.rope.cells=20 --threads 1 --scene-plugins " + COMMON
+
+# What is typed, and what it says or which file it leaves. In this order; later ones read what earlier ones wrote.
+COMMANDS = (
+    ("netloft --help", "stability"),
+    ("netloft --version", "netloft "),
+    ("netloft --cflags", "-std="),
+    (f"netloft run {ROPE} {SCENE} --strategy direct --solver newton --error -o error.hdf", '"converged"'),
+    (f"netloft run {ROPE} --output rope.hdf", "written to rope.hdf"),
+    (f"netloft run {ROPE} --set parts.rope.cells=20 -o coarse.hdf", "written to coarse.hdf"),
+    (f"netloft run {MOTION} -o motion.hdf & until [ -e motion.hdf.part ]; do sleep 0.02; done; sleep 0.2; kill -KILL $!; ls motion.hdf.part",
+     "motion.hdf.part"),
+    (f"netloft run {MOTION} --resume -o motion.hdf && [ ! -e motion.hdf.part ]", "finished"),
+    (f"cp rope.hdf kept.hdf.part; netloft run {ROPE} --overwrite -o kept.hdf", "written to kept.hdf"),
+    (f"netloft plan {ROPE} {SCENE} --strategy auto:restarts=2 --solver newton", '"strategy"'),
+    (f"netloft list {COMMON}", "rope/bar"),
+    (f"netloft describe rope/bar {COMMON}", "rope.EA"),
+    (f"netloft schema {COMMON}", "$schema"),
+    (f"netloft test float {COMMON}", "float/float"),
+    ("netloft new law square_plate", "square_plate.cpp"),
+    (f"netloft reference pages {COMMON}; ls pages", "scene.schema.json"),
+    (f"netloft catalogue twine {COMMON}", "pe-braided-4mm"),
+    (f"netloft check {GEAR} --set ropes.headline.length=7 {COMMON}", '"findings"'),
+    (f"netloft draw {GEAR} --set ropes.headline.length=7 {COMMON} --mesh --nodes 200 -o mesh.svg; ls mesh.svg", "mesh.svg"),
+    ("netloft draw rope.hdf --view side --field part --state 0 --width 300 --ropes --dark --output rope.png; ls rope.png", "rope.png"),
+    (f"netloft compare {ROPE} {SCENE} --strategy direct --solver newton --solver lbfgs --tolerance 1e-6:1e-6 --cells rope=10,20 "
+     "--reference newton --repeats 1 --csv table.csv --plot work.svg; head -1 table.csv work.svg", "work.svg"),
+    ("netloft diff rope.hdf coarse.hdf --json", '"after"'),
+    (f"netloft refine {ROPE} {SCENE} --strategy direct --solver newton --cells 10,20", "sag_z"),
+    ("netloft refine trawl.toml --nodes 150,300", "headline"),
+    (f"netloft stability tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --draw 2 --work 1000 "
+     f"--seconds-per-case 5 --threads 1 --html matrix.html {COMMON}", '"newton"'),
+    ("netloft stability tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
+    ("netloft report rope.hdf --json", '"sag_z"'),
+    ("netloft report rope.hdf --csv", "sag_z"),
+    ("netloft report rope.hdf --html --output rope-report.html; ls rope-report.html", "rope-report.html"),
+    ("netloft view rope.hdf --states 2 --json -o rope-view.html", "rope-view.html"),
+    ("netloft export rope.hdf elements.csv --table elements --state 0 --json; head -1 elements.csv", "tension"),
+    ("netloft export rope.hdf rope.glb --field part --json", "rope.glb"),
+)
+FLAG = re.compile(r"^ +(?:(-\w),)?(--[\w-]+)", re.MULTILINE)
+
+
+def flags_in_help(*command):
+    text = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, timeout=20).stdout
+    return {long: short for short, long in FLAG.findall(text)}
+
+
+def subcommands():
+    text = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, timeout=20).stdout
+    return re.findall(r"^  (\w+) +\w", text.split("Subcommands:")[1], re.MULTILINE)
+
+
+def typed_flags(line):
+    """(command, flag) of the first command of a line that is netloft's."""
+    words = next(re.finditer(r"netloft [^;&]*", line)).group()
+    words = shlex.split(words)[1:]
+    command = words[0] if not words[0].startswith("-") else ""
+    return {(command, word) for word in words if re.match(r"--?[a-z]", word)}
+
+
+class Flags(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        keeper = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(keeper.cleanup)
+        cls.folder = Path(keeper.name)
+        library = SOURCE / "gear-library"
+        shutil.copy(library / "scenes/hanging-rope.toml", cls.folder / ROPE)
+        shutil.copy(library / "scenes/dynamics/panel-in-current.toml", cls.folder / MOTION)
+        shutil.copy(library / "gears/four-panel.toml", cls.folder / GEAR)
+        shutil.copytree(SOURCE / "tests/stability", cls.folder / "tests/stability")
+        shutil.copytree(library, cls.folder / "gear-library")
+        (cls.folder / "trawl.toml").write_text(f'include = ["{library}/scenes/four-panel.toml"]\n')
+
+    def type(self, line):
+        environment = {**os.environ, "PATH": f"{Path(PROGRAM).parent}:{os.environ['PATH']}"}
+        return subprocess.run(["bash", "-c", line], cwd=self.folder, env=environment, stdin=subprocess.DEVNULL, capture_output=True,
+                              text=True, timeout=100)
+
+    def test_commands_with_every_flag_work(self):
+        for line, says in COMMANDS:
+            with self.subTest(line):
+                ended = self.type(line)
+                self.assertEqual(ended.returncode, 0, f"{line}\n{ended.stdout}{ended.stderr}")
+                self.assertIn(says, ended.stdout + ended.stderr, line)
+
+    def test_every_flag_of_the_help_is_typed(self):
+        typed = set().union(*(typed_flags(line) for line, _ in COMMANDS))
+        listed = subcommands()
+        self.assertGreater(len(listed), 15)
+        for command in ["", *listed]:
+            for flag, short in flags_in_help(*filter(None, [command])).items():
+                if flag == "--help" and command:
+                    continue  # asked for here
+                self.assertTrue({(command, flag), (command, short)} & typed, f"no command types {command} {flag}")
+
+    def test_every_flag_that_is_typed_is_in_the_help(self):
+        for line, _ in COMMANDS:
+            for command, flag in typed_flags(line):
+                known = flags_in_help(*filter(None, [command]))
+                self.assertIn(flag, {*known, *known.values()}, line)
+
+    def test_a_flag_that_nobody_types_is_noticed(self):
+        self.assertNotIn(("run", "--frobnicate"), set().union(*(typed_flags(line) for line, _ in COMMANDS)))
+        self.assertEqual(typed_flags("netloft run a.toml --set x=1 -o b.hdf; ls --all"), {("run", "--set"), ("run", "-o")})
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
