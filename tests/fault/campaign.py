@@ -61,7 +61,7 @@ class Program:
 
     def run(self, words, folder, faults=None, **how):
         return subprocess.run([self.netloft, *words], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                              timeout=120, check=False, env=self.environment(faults or {}), **how)
+                              timeout=600, check=False, env=self.environment(faults or {}), **how)
 
     def succeed(self, words, folder):
         ended = self.run(words, folder)
@@ -438,7 +438,10 @@ def main(arguments):
     words = parse(arguments)
     program, tally = Program(words), Tally()
     cases = in_fresh_folder(lambda folder: make_cases(words, program, folder))
-    try_all(words, [case for case in cases if words.only in case.name], tally)
+    try:
+        try_all(words, [case for case in cases if words.only in case.name], tally)
+    except KeyboardInterrupt:
+        print("interrupted: the counts are of what was tried until then", file=sys.stderr)
     print(tally.table())
     return 0 if tally.is_clean() else 1
 
