@@ -13,7 +13,8 @@ import numpy as np
 from imported import Gear
 
 HERE = Path(__file__).parent
-SAME = ("01_two_bars", "02_netting_panel", "03_node_force_symmetry", "06_netting2ropes", "08_free_surface", "09_hauling")
+SAME = ("01_two_bars", "02_netting_panel", "03_node_force_symmetry", "04_moving_bed", "06_netting2ropes", "08_free_surface",
+        "09_hauling")
 METRES, NEWTONS = 1e-6, 1e-6
 # Bending with unstretched lengths; drag of netting beside a catch: io/import/README.md. [m]
 DIFFERENT = {"07_bending_rest_angle": 2e-5, "05_catch_front": 0.048}
@@ -40,7 +41,7 @@ class Synthetic(unittest.TestCase):
                 self.assertGreater(gear.furthest(there["positions_m"]), 0.5 * size)
 
     def test_ropes_pull_as_they_do_in_femnet(self):
-        for case in ("01_two_bars", "03_node_force_symmetry", "08_free_surface", "09_hauling"):
+        for case in ("01_two_bars", "03_node_force_symmetry", "04_moving_bed", "08_free_surface", "09_hauling"):
             with self.subTest(case):
                 gear, there = solved(case)
                 np.testing.assert_allclose(gear.bar_tensions(), np.sort(there["bar_tensions_N"]), rtol=0, atol=NEWTONS)
