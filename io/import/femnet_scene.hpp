@@ -31,6 +31,8 @@ InputMesh make_mesh(const GearFile& gear, const MeshFile& file);
 std::string panel_name(std::size_t panel);
 std::string cable_name(std::size_t cable);
 std::string type_name(std::size_t type);
+/// "plane-y": nodes of cables that bend, in the plane of symmetry across an axis.
+std::string plane_name(std::size_t axis);
 
 /// Whether nodes of the type are held, carry something or are limited.
 bool is_special(const NodeType& type);

@@ -49,6 +49,21 @@ void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, I
   mesh.regions.push_back(std::move(region));
 }
 
+/// Nodes of cables that bend, by the plane of symmetry that they lie in.
+void add_planes(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    MeshSet plane{plane_name(axis)};
+    for (const auto& b : file.bars) {
+      if (b.cable <= 0 || !(gear.cables[static_cast<std::size_t>(b.cable) - 1].EI > 0)) continue;
+      for (const auto n : b.nodes)
+        if (gear.types[static_cast<std::size_t>(file.nodes[n].type)].symmetry[axis] != 0 &&
+            std::find(plane.nodes.begin(), plane.nodes.end(), n) == plane.nodes.end())
+          plane.nodes.push_back(n);
+    }
+    if (!plane.nodes.empty()) mesh.sets.push_back(std::move(plane));
+  }
+}
+
 void add_sets(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
   for (std::size_t type = 0; type < gear.types.size(); ++type) {
     if (!is_special(gear.types[type])) continue;
@@ -57,6 +72,7 @@ void add_sets(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
       if (file.nodes[n].type == static_cast<int>(type)) set.nodes.push_back(n);
     if (!set.nodes.empty()) mesh.sets.push_back(std::move(set));
   }
+  add_planes(gear, file, mesh);
   const auto loose = find_loose(gear, file);
   for (std::size_t i = 0; i < loose.size(); ++i)
     mesh.sets.push_back({"loose-" + std::to_string(i + 1), {loose[i].node}});
@@ -91,6 +107,8 @@ class Pieces {
 std::string panel_name(std::size_t panel) { return "panel-" + std::to_string(panel + 1); }
 std::string cable_name(std::size_t cable) { return "cable-" + std::to_string(cable + 1); }
 std::string type_name(std::size_t type) { return "type-" + std::to_string(type + 1); }
+
+std::string plane_name(std::size_t axis) { return std::string("plane-") + "xyz"[axis]; }
 
 bool is_special(const NodeType& t) {
   return t.mass[2] != 0 || t.box[2] != 0 || !is_zero(t.force) || !is_zero(t.fixed) || !is_zero(t.sense) ||

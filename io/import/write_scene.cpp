@@ -113,21 +113,24 @@ class SceneWriter {
     const Environment& e = environment();
     std::string text = "\n[water]\ndensity = " + spell_number(e.water_density) + "\ngravity = 9.81\n";
     if (!has_current()) return text;
-    if (is_rubbed()) return text + tow();
+    if (is_towed())
+      return text + "\n[tow]  # the bed passes with the water\nspeed = " + spell_number(std::abs(e.speed)) +
+             "\nleeway = " + spell_number(heading()) + "\n";
     const double psi = e.direction * std::numbers::pi / 180;
     const double x = e.speed * std::cos(psi), y = e.direction == 180 ? 0 : e.speed * std::sin(psi);
     return text + "current = [" + spell_number(x) + ", " + spell_number(y) + ", 0]\n";
   }
 
-  /// Whether a bed that moves with the water rubs the gear.
-  bool is_rubbed() const { return environment().bed_moves && environment().bed_friction != 0 && has_current(); }
-
-  /// A bed that moves with the current: water and ground pass the gear alike.
-  std::string tow() const {
-    const double degrees = std::remainder(environment().direction, 360);
-    std::string text = "\n[tow]\nspeed = " + spell_number(environment().speed) + "\n";
-    return degrees == 0 ? text : text + "leeway = " + quoted(spell_number(degrees) + " deg") + "\n";
+  /// Whether water and bed pass together, and nodes lie on the bed.
+  bool is_towed() const {
+    const Environment& e = environment();
+    if (!e.bed_moves || e.bed_friction == 0 || !has_current()) return false;
+    for (std::size_t t = 0; t < gear_.types.size(); ++t)
+      if (gear_.types[t].sense[2] == 1 && has_nodes(t)) return true;
+    return false;
   }
+  /// Direction to which the water flows, from -180 to 180 degrees [rad].
+  double heading() const { return std::remainder(flow_angle(), 2 * std::numbers::pi); }
 
   void begin_part(const std::string& name, const std::string& type, const std::string& comment = {}) {
     body_ += "\n[parts." + name + "]" + (comment.empty() ? "" : "  # " + comment) +
@@ -235,20 +238,40 @@ class SceneWriter {
     rope.add_unless_zero("constant_tension", within(c.constant_tension, 0, 1e12, c.place, "its tension"));
     line("rope", rope.add("surface", 1).text());
     write_drag(c.cd, c.friction, c.place);
-    if (c.EI > 0) note_of_bending(c, number);
+    if (c.EI > 0) write_mirrors(c, number);
     if (c.constant_tension > 0)
       note(c.place, what, "its tension is constant, also where FEMNET lets it fall");
   }
 
-  /// FEMNET bends bars on the plane of symmetry against their mirror images.
-  void note_of_bending(const Cable& c, std::size_t number) {
+  /// Bars that end in a plane of symmetry bend against their mirror images.
+  void write_mirrors(const Cable& c, std::size_t number) {
     const auto& nodes = out_.mesh.find(cable_name(number))->nodes;
-    const bool reaches_mirror = std::any_of(nodes.begin(), nodes.end(), [&](auto n) {
-      return gear_.types[static_cast<std::size_t>(file_.nodes[n].type)].symmetry != Triple{};
-    });
-    if (reaches_mirror)
-      leave_out(c.place, "cable " + std::to_string(number + 1),
-                "bending against the mirror image of a cable is not modelled here");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto plane = std::find_if(out_.mesh.sets.begin(), out_.mesh.sets.end(),
+                                      [&](const auto& set) { return set.name == plane_name(axis); });
+      const double side = plane == out_.mesh.sets.end() ? 0 : side_of_bars(nodes, plane->nodes, axis);
+      if (side == 0) continue;
+      begin_part("mirror-" + std::to_string(number + 1) + kAxis[axis], "rope/mirror");
+      line("on", quoted(cable_name(number) + "." + plane_name(axis)));
+      line("mirror", InlineTable()
+                         .add("EI", c.EI)
+                         .add("axis", quoted(kAxis[axis]))
+                         .add("side", quoted(side > 0 ? "positive" : "negative"))
+                         .add("curvature", quoted("nodes"))
+                         .text());
+    }
+  }
+
+  /// How far the bars that have one end in a plane reach to one side of it [m]; zero if there are none.
+  double side_of_bars(const std::vector<std::uint32_t>& bars, const std::vector<std::uint32_t>& plane,
+                      std::size_t axis) const {
+    const auto is_there = [&](auto n) { return std::find(plane.begin(), plane.end(), n) != plane.end(); };
+    double side = 0;
+    for (std::size_t b = 0; b + 1 < bars.size(); b += 2)
+      if (is_there(bars[b]) != is_there(bars[b + 1]))
+        side += (is_there(bars[b]) ? 1 : -1) *
+                (file_.nodes[bars[b + 1]].at[axis] - file_.nodes[bars[b]].at[axis]);
+    return side;
   }
 
   /// Of what stands at a node on planes of symmetry, so much is of this half of the gear.
@@ -321,10 +344,9 @@ class SceneWriter {
     if (t.sense[2] != 1) return;
     begin_load("bed", "seabed/plane", number);
     InlineTable bed;
-    bed.add("depth", within(-t.limit[2], -1e6, 1e6, t.place, "the depth of the bed"))
-        .add("stiffness", within(k, 0, 1e12, t.place, "the stiffness of the bed"))
-        .add("softness", 0);
-    if (is_rubbed())
+    bed.add("depth", within(-t.limit[2], -1e6, 1e6, t.place, "the depth of the bed"));
+    bed.add("stiffness", within(k, 0, 1e12, t.place, "the stiffness of the bed")).add("softness", 0);
+    if (is_towed())
       bed.add("friction", within(environment().bed_friction, 0, 10, t.place, "the friction of the bed"));
     line("seabed", bed.text());
   }
@@ -376,7 +398,7 @@ class SceneWriter {
              .add("volume", within(e.catch_volume, 0, 1e5, {}, "the volume of the catch"))
              .add("speed", std::abs(e.speed))
              .add("drag_coefficient", within(e.catch_coefficient, 0, 1e3, {}, "the coefficient of the catch"))
-             .add("direction", std::remainder(flow_angle(), 2 * std::numbers::pi))
+             .add("direction", heading())
              .add("front", first_front())
              .text());
     note({}, "the catch",

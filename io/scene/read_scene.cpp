@@ -153,7 +153,8 @@ class SceneReader {
     geometry.names.name = name, geometry.names.place = table.place();
     if (is_turned(table) && diagnostics_.errors() == errors_before)
       check_turned_netting(part, table.table("panel").place("netting"), diagnostics_);
-    if (const auto fault = thickness_fault(part, geometry); fault && diagnostics_.errors() == errors_before)
+    const auto fault = table.has("mesh") ? std::nullopt : thickness_fault(part, geometry);  // meshes have joints
+    if (fault && diagnostics_.errors() == errors_before)
       table.error(fault->key, fault->message, kThicknessCure);
     const bool is_sound =
         diagnostics_.errors() == errors_before && !(table.has("mesh") && meshes_.has_failed());

@@ -74,6 +74,8 @@ class RiderMaker {
       add_nodes(*set);
     else if (type_.element.stencil == NETLOFT_BAR_PAIR && is_whole && is_rope(set->part))
       ropes_.push_back(set->part);
+    else if (!is_whole && type_.element.stencil == NETLOFT_BAR && is_rope(set->part))
+      ride_on_bars_at(draft_.out.scene.parts[set->part], draft_.scene_nodes(*set), rider_);
     else if (!is_whole || !add_elements(set->part))
       table_.error("on", in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
   }

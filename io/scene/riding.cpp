@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/riding.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace netloft::io {
@@ -52,6 +53,19 @@ void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, 
   rider.nodes = nodes;
   rider.data["pieces"].assign(nodes.size(), pieces);
   rider.data["length"].assign(nodes.size(), 0.0);
+}
+
+void ride_on_bars_at(const Part& rope, const std::vector<std::uint32_t>& nodes, Part& rider) {
+  const auto is_there = [&](std::uint32_t node) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  };
+  for (std::size_t b = 0; 2 * b < rope.nodes.size(); ++b) {
+    const std::uint32_t first = rope.nodes[2 * b], second = rope.nodes[2 * b + 1];
+    if (is_there(first) == is_there(second)) continue;
+    rider.nodes.push_back(is_there(first) ? first : second);
+    rider.nodes.push_back(is_there(first) ? second : first);
+    for (const auto& [name, values] : rope.data) rider.data[name].push_back(values[b]);
+  }
 }
 
 void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider) {

@@ -21,6 +21,9 @@ void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<do
 /// One element on each of `nodes`, each of `pieces`, whatever the node carries: the datum `length` is zero.
 void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider);
 
+/// The bars of `rope` that have one of their ends among `nodes`, that end first, with their data.
+void ride_on_bars_at(const Part& rope, const std::vector<std::uint32_t>& nodes, Part& rider);
+
 /// A pair for every bar of `first` and bar of `second` that meet in a node, its nodes in the order of the way
 /// from one to the other; data of bars, one of each.
 void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider);

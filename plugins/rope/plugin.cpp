@@ -2,11 +2,13 @@
 #include "plugins/rope/bar.hpp"
 #include "plugins/rope/bending.hpp"
 #include "plugins/rope/clamp.hpp"
+#include "plugins/rope/mirror.hpp"
 #include "plugins/rope/sag.hpp"
 
 using netloft::rope::Bar;
 using netloft::rope::Bending;
 using netloft::rope::Clamp;
+using netloft::rope::Mirror;
 
 namespace {
 
@@ -27,6 +29,20 @@ void add_clamp(netloft::Plugin& plugin) {
       "clamp", "moment against a change of the angle", "clamp.EI");
   clamp.output("turning_angle", "rad", "angle by which the second bar turns away from the first",
                [](auto&, auto&, auto& s) { return Bending::turning_angle(s); });
+}
+
+void add_mirror(netloft::Plugin& plugin) {
+  auto& mirror =
+      plugin.element<Mirror>("mirror", "Bending of a rope against its image in a plane of symmetry");
+  mirror.real("mirror.EI", &Mirror::Parameters::EI, "N m2", "bending stiffness of the rope",
+              {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
+  mirror.choice("mirror.axis", &Mirror::Parameters::axis, "axis normal to the plane", {"x", "y", "z"});
+  mirror.choice("mirror.side", &Mirror::Parameters::side, "side of the plane on which the rope is",
+                {"positive", "negative"});
+  mirror.choice("mirror.curvature", &Mirror::Parameters::curvature, kCurvature, {"bars", "nodes"});
+  mirror.data("rest_length", &Mirror::Data::rest_length, "m", "unstretched length of the bar");
+  mirror.term<Mirror::Elastic, netloft::conservative | netloft::symmetric | netloft::from_outside>(
+      "mirror", "moment against the curvature of rope and image", "mirror.EI");
 }
 
 }  // namespace
@@ -108,4 +124,5 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
                  [](auto&, auto&, auto& s) { return Bending::turning_angle(s); });
 
   add_clamp(plugin);
+  add_mirror(plugin);
 }

@@ -18,7 +18,7 @@ from imported import Gear
 SKIPPED = 77
 FOLDER = os.environ.get("NETLOFT_FEMNET")
 NEWTONS = 1e-6
-GEARS = ("01_ring_flexion", "02_netting_panel", "05_pelagic_t1", "09_pelagic_s3")
+GEARS = ("01_ring_flexion", "02_netting_panel", "05_pelagic_t1", "07_bottom_b1", "09_pelagic_s3")
 NO_STEP = '\n[analysis]\nstrategy = "direct"\nmax_iterations = 0\n'
 
 

@@ -34,7 +34,7 @@ TYPED_TEST(ScreenLaw, LanesMatchTheDualNumbersOfTheFormula) {
 template <class L>
 class ScreenAtOneReynoldsNumber : public testing::Test {};
 using Constant = testing::Types<Loland, Aarsnes>;
-TYPED_TEST_SUITE(ScreenAtOneReynoldsNumber, Constant, LawNames);
+TYPED_TEST_SUITE(ScreenAtOneReynoldsNumber, Constant);
 
 TYPED_TEST(ScreenAtOneReynoldsNumber, LanesMatchTheDualNumbersOfTheScaledFormula) {
   for (const double measured_at : {300.0, 4000.0}) {

@@ -5,6 +5,7 @@
 #include "plugins/rope/clamp.hpp"
 
 #include "plugins/rope/bending.hpp"
+#include "plugins/rope/mirror.hpp"
 #include "tests/unit/plugins/kernel_oracle.hpp"
 
 namespace {
@@ -12,6 +13,7 @@ namespace {
 using namespace netloft;
 using rope::Bending;
 using rope::Clamp;
+using rope::Mirror;
 
 constexpr Water kWater{1025, 9.81};
 constexpr std::array<double, 2> kLengths{0.8, 1.1};
@@ -98,6 +100,36 @@ TEST(RopeClamp, HasNoPlaneToTurnBarsInLineIn) {
   for (const auto& f : in_line.force) EXPECT_EQ(norm(f), 0);
   EXPECT_EQ(Clamp::Elastic::evaluate({3.7, 1.1, 0}, {kLengths}, turned(std::acos(-1.0)), folded),
             Status::outside_domain);
+}
+
+/// A bar from the plane y = 0, and the energy and force of all of its bending against its image.
+TEST(RopeMirror, IsHalfOfTheBendingBetweenABarAndItsImage) {
+  for (const auto curvature : {Mirror::of_bars, Mirror::of_nodes}) {
+    const Vec3<double> on_plane{1, 0, -3}, end{1.3, 0.5, -3.2}, image{1.3, -0.5, -3.2};
+    State<3> pair;
+    pair.x = {end, on_plane, image};
+    Local<3> whole;
+    const double L = norm(end - on_plane);
+    ASSERT_EQ(Bending::Elastic::evaluate({3.7, curvature}, {{L, L}}, pair, whole), Status::ok);
+    Points<Dual<6>, 2> x;
+    for (int i = 0; i < 6; ++i)
+      x[static_cast<std::size_t>(i / 3)][i % 3] = Dual<6>::variable((i < 3 ? on_plane : end)[i % 3], i);
+    const auto half = Mirror::Elastic::energy({3.7, 1, curvature}, {L}, kWater, x);
+    EXPECT_NEAR(half.value, 0.5 * whole.energy, 1e-13);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(half.gradient[static_cast<std::size_t>(3 + axis)], whole.force[0][axis], 1e-12);
+      if (axis != 1)
+        EXPECT_NEAR(half.gradient[static_cast<std::size_t>(axis)], 0.5 * whole.force[1][axis], 1e-12);
+    }
+  }
+}
+
+TEST(RopeMirror, RefusesABarInItsPlaneOrBeyond) {
+  const Points<double, 2> x{{{0, 0, 0}, {1, 0, 1}}};
+  EXPECT_THROW(Mirror::Elastic::energy({1, 1}, {1}, kWater, x), OutsideDomain);
+  const Points<double, 2> beyond{{{0, 0, 0}, {1, -0.1, 1}}};
+  EXPECT_THROW(Mirror::Elastic::energy({1, 1}, {1}, kWater, beyond), OutsideDomain);
+  EXPECT_NO_THROW(Mirror::Elastic::energy({1, 1, 0, 1}, {1}, kWater, beyond));
 }
 
 TEST(RopeBendingByNodes, MatchesItsOracleAtEveryAngle) {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+#include <cmath>
+
+namespace netloft::rope {
+
+/// Bending of a rope against its own mirror image, where it meets a plane of symmetry: the half of the energy
+/// of bending between a bar and its image that belongs to this side.
+///   w = x₁ − x₀,  x₀ on the plane,  q = ± w·e/‖w‖ = cos(φ/2),  φ the turning angle at x₀       (1)
+///   E = −(2 EI/L) ln q              half of bending (1) with L₁ = L₂ = L                        (2)
+///   E = (2 EI/L) (1 − q)            half of bending (3), the circle through three nodes          (3)
+/// e the axis normal to the plane, + for a rope on its positive side, EI [N m²] bending stiffness, L [m]
+/// unstretched bar. A bar that lies in the plane is folded onto its image, and one that is beyond has gone
+/// through itself: outside the domain.
+struct Mirror {
+  static constexpr auto stencil = NETLOFT_BAR;
+  static constexpr double kFolded = 1e-9;  // q
+  enum Curvature : std::int64_t { of_bars, of_nodes };
+
+  struct Parameters {
+    double EI = 0;
+    std::int64_t axis = 0, curvature = of_bars, side = 0;  // side: 0 positive, 1 negative
+  };
+  struct Data {
+    double rest_length = 0;  // L [m]
+  };
+  static void check(const Parameters&, const Data& d) {
+    if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no curvature");
+  }
+
+  struct Elastic {
+    template <class T>
+    static T energy(const Parameters& p, const Data& d, const Water&, const Points<T, 2>& x) {
+      const Vec3<T> w = x[1] - x[0];
+      const T q = (p.side == 0 ? 1.0 : -1.0) * w[static_cast<int>(p.axis)] / norm(w);
+      if (!(q > T(kFolded)))
+        throw OutsideDomain("a rope lies in its plane of symmetry, folded onto its image");
+      const double k = 2 * p.EI / d.rest_length;
+      return p.curvature == of_bars ? (-k) * log(q) : k * (1.0 - q);
+    }
+  };
+};
+
+}  // namespace netloft::rope
