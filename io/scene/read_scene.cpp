@@ -153,7 +153,8 @@ class SceneReader {
     geometry.names.name = name, geometry.names.place = table.place();
     if (is_turned(table) && diagnostics_.errors() == errors_before)
       check_turned_netting(part, table.table("panel").place("netting"), diagnostics_);
-    const auto fault = table.has("mesh") ? std::nullopt : thickness_fault(part, geometry);  // meshes have joints
+    const auto fault =
+        table.has("mesh") ? std::nullopt : thickness_fault(part, geometry);  // meshes have joints
     if (fault && diagnostics_.errors() == errors_before)
       table.error(fault->key, fault->message, kThicknessCure);
     const bool is_sound =

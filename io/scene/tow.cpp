@@ -19,7 +19,8 @@ void read_tow(TableReader tow, Scene& scene) {
   const auto& keys = *static_cast<const TowKeys*>(block.data());
   constexpr double kRounding = 1e-15;  // of the sine of half a turn
   const double c = std::cos(keys.leeway), s = std::sin(keys.leeway);
-  scene.ground = {std::abs(c) < kRounding ? 0 : keys.speed * c, std::abs(s) < kRounding ? 0 : keys.speed * s, 0};
+  scene.ground = {std::abs(c) < kRounding ? 0 : keys.speed * c, std::abs(s) < kRounding ? 0 : keys.speed * s,
+                  0};
   scene.current.tow = scene.ground;
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results whose bytes are whole, and whose numbers do not fit one another. All were found by result_fuzzer."""
+"""Results whose bytes are whole, and whose numbers do not fit one another."""
 import shutil
 import unittest
 
