@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/registry/plugin_call.hpp"
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +23,7 @@ class Workers {
     } catch (const std::system_error&) {
       // The system has no more threads: the result is bit-identical with fewer.
     }
+    while (ready_.load(std::memory_order_acquire) < pool_.size()) std::this_thread::yield();
   }
   ~Workers() {
     stop_ = true;
@@ -79,6 +82,8 @@ class Workers {
     return true;
   }
   void serve(std::size_t worker) {
+    calls_of_this_thread();  // makes room for its calls of plugins now, not in the middle of an iteration
+    ready_.fetch_add(1, std::memory_order_release);
     while (!stop_) {
       while (take_one(worker)) {
       }
@@ -95,6 +100,7 @@ class Workers {
   std::atomic<std::uint64_t> ticket_{0};
   std::atomic<std::size_t> done_{0};
   std::atomic<bool> stop_{false};
+  std::atomic<std::size_t> ready_{0};
   std::uint64_t loop_ = 0;
   void (*call_)(const void*, std::size_t, std::size_t) = nullptr;
   const void* context_ = nullptr;

@@ -134,7 +134,9 @@ class OwnParameters {
       throw std::logic_error("one struct is described by two tables with different parameters");
     declared_ = std::move(declared), is_known_ = true;
   }
+  /// What no table has described is taken as it is: the caller is the author.
   static Parameters from(const void* host) {
+    if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};
     for (const auto& d : declared_)
       std::memcpy(reinterpret_cast<char*>(&own) + d.offset, static_cast<const char*>(host) + d.offset,

@@ -247,7 +247,7 @@ RIDERS = [
     rider("on: a number", 'on = "rope"', "on = 3", "21:6", "parts.more.on is the integer 3"),
     rider("on: nothing", 'on = "rope"', "on = []", "21:6", "has 0 values; at least 1 is expected"),
     rider("on: another kind of part", 'on = "rope"', 'on = "net"', "21:6", '"net" is no whole part that rope/bar can stand on'),
-    rider("on: an end of a rope", 'on = "rope"', 'on = "rope.end"', "21:6", '"rope.end" is no whole part that rope/bar'),
+    rider("on: an edge of netting", 'on = "rope"', 'on = "net.aft"', "21:6", '"net.aft" is no whole part that rope/bar'),
     rider("on: a part twice", 'on = "rope"', 'on = ["rope", "rope"]', "21:15", '"rope" is named twice'),
     rider("on: itself", 'on = "rope"', 'on = "more"', "21:6", OWN),
     rider("a part on others in a join", JOIN, 'points = ["net.aft", "more"]', "24:22", OWN, "name what it stands on"),

@@ -50,6 +50,8 @@ COMMANDS = (
     (f"netloft stability tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --draw 2 --work 1000 "
      f"--seconds-per-case 5 --threads 1 --html matrix.html {COMMON}", '"newton"'),
     ("netloft stability tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
+    ("netloft import femnet gears/01_two_bars.don --mesh gears/01_two_bars.mdg --json -o bars.toml; ls bars.toml bars.mesh", "bars.mesh"),
+    ("netloft import --check gears", "01_two_bars"),
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),
     ("netloft report rope.hdf --html --output rope-report.html; ls rope-report.html", "rope-report.html"),
@@ -88,6 +90,7 @@ class Flags(unittest.TestCase):
         shutil.copy(library / "scenes/hanging-rope.toml", cls.folder / ROPE)
         shutil.copy(library / "scenes/dynamics/panel-in-current.toml", cls.folder / MOTION)
         shutil.copy(library / "gears/four-panel.toml", cls.folder / GEAR)
+        shutil.copytree(SOURCE / "tests/validation/femnet_files", cls.folder / "gears")
         shutil.copytree(SOURCE / "tests/stability", cls.folder / "tests/stability")
         shutil.copytree(library, cls.folder / "gear-library")
         (cls.folder / "trawl.toml").write_text(f'include = ["{library}/scenes/four-panel.toml"]\n')

@@ -19,7 +19,7 @@ BLOCK = re.compile(r"^```[^\n]*\n(.*?)^```", re.DOTALL | re.MULTILINE)
 STANDS_FOR = (
     (r"scenes/dynamics/SCENE\.toml", "scenes/dynamics/released-rope.toml"), (r"scenes/verification/SCENE\.toml", "scenes/verification/catenary-wire.toml"),
     (r"scenes/SCENE\.toml", "scenes/dead-weight-panel.toml"), (r"\bSCENE\b", "gear-library/scenes/hanging-rope.toml"),
-    (r"gear-library/scenes/…", "gear-library/scenes/hanging-rope.toml"), (r"\bGEAR\b", "gear-library/gears/four-panel.toml"),
+    (r"gear-library/scenes/…", "gear-library/scenes/hanging-rope.toml"), (r"GEAR\.don", "gears/01_two_bars.don"), (r"\bGEAR\b", "gear-library/gears/four-panel.toml"),
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
     (r"\bSIZE\b", "small"), (r"^\./bootstrap ", "netloft "), (r"io/compare/work-precision", "work-precision"))
 COARSER = (
@@ -37,6 +37,7 @@ def commands_of(text):
     lines = [line for block in BLOCK.findall(text) for line in block.replace("\\\n", " ").splitlines()]
     found = [re.sub(r"\s+#.*$", "", line) for line in lines]
     found += [" ".join(words.split()) for words in re.findall(r"`([^`]+)`", BLOCK.sub("", text))]
+    found = [line for line in found if not re.fullmatch(r"netloft \w+ \d+", line)]  # the first line of a file: netloft mesh 1
     return [line for line in found if re.match(r"netloft \S+ +[^-\s]|netloft stability -|\./bootstrap run \S", line)]
 
 
@@ -63,6 +64,7 @@ class Pages(unittest.TestCase):
         cls.addClassCleanup(keeper.cleanup)
         cls.folder = Path(keeper.name)
         shutil.copytree(SOURCE / "gear-library", cls.folder / "gear-library")
+        shutil.copytree(SOURCE / "tests/validation/femnet_files", cls.folder / "gears")
         shutil.copytree(SOURCE / "tests/stability", cls.folder / "tests/stability")
         shutil.copy(SOURCE / "gear-library/scenes/dead-weight-panel.toml", cls.folder / "scene.toml")
         (cls.folder / "gear.toml").write_text('include = ["gear-library/scenes/four-panel.toml"]\n')
