@@ -51,7 +51,7 @@ COMMANDS = (
      f"--seconds-per-case 5 --threads 1 --html matrix.html {COMMON}", '"newton"'),
     ("netloft stability tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
     ("netloft import femnet gears/01_two_bars.don --mesh gears/01_two_bars.mdg --json -o bars.toml; ls bars.toml bars.mesh", "bars.mesh"),
-    ("netloft import --check gears", "01_two_bars"),
+    ("netloft import --check gears --color never", "01_two_bars"),
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),
     ("netloft report rope.hdf --html --output rope-report.html; ls rope-report.html", "rope-report.html"),
