@@ -144,6 +144,37 @@ TEST(TowedChain, DoesNotDependOnWhereItWasSketched) {
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(end[axis], expected[axis], 1e-6);
 }
 
+// A tank's model of the towed chain, at 1 : 8 in the same water and towed √8 times slower, computed as itself
+// and by water.model_scale at full scale: forces differ by 8³ (Froude), Reynolds numbers are the same.
+TEST(TowedChain, IsPulledInATankAsItsModelIs) {
+  const double s = 8, force = s * s * s;
+  const std::vector<std::string> by_reynolds{"parts.chain.drag={law=\"hydro/morison-reynolds\"}",
+                                             "parts.bed.seabed.slope_x=0.05",
+                                             "parts.chain.sketch=[[0,0,-50.0002],[49.9,0,-47.5]]"};
+  std::vector<std::string> in_tank = by_reynolds, model = by_reynolds;
+  in_tank.push_back("water.model_scale=8");
+  model.back() = "parts.chain.sketch=[[0,0,-6.250025],[6.2375,0,-5.9375]]";
+  for (const auto& [key, value] :
+       std::initializer_list<std::pair<const char*, double>>{{"tow.speed", 1.5 / std::sqrt(s)},
+                                                             {"parts.chain.length", 50 / s},
+                                                             {"parts.chain.rope.diameter", 0.03 / s},
+                                                             {"parts.chain.rope.EA", 1e7 / force},
+                                                             {"parts.bed.seabed.depth", 50 / s},
+                                                             {"parts.bed.seabed.softness", 2e-4 / s},
+                                                             {"parts.bed.seabed.stiffness", 1e5 / s}}) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    model.push_back(std::string(key) + "=" + text);
+  }
+  const auto pull = [](const std::vector<std::string>& overrides) {
+    const SolvedFile f = solve_file("verification/towed-chain.toml", overrides);
+    EXPECT_EQ(f.solved.solution.status, SolveStatus::converged) << f.solved.solution.reason;
+    return pull_at(f, "chain", "start");
+  };
+  EXPECT_LT(relative(force * pull(model), pull(in_tank)), 1e-8);
+  EXPECT_GT(relative(pull(by_reynolds), pull(in_tank)), 1e-3) << "the Reynolds number counts";
+}
+
 double largest_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));

@@ -19,6 +19,9 @@ class HalfGears(InFreshFolder):
         self.assertIn("water.current: flows across the plane y = 0", self.refused('water.current=["3 kn", "1 kn", 0]'))
         self.refused('water.current={ z = [0, -50], x = [1, 1], y = [0, 0.5] }')
 
+    def test_refuse_a_tow_askew(self):
+        self.assertIn("tow.leeway: leads across the plane y = 0", self.refused("tow.speed=1", "tow.leeway=10 deg"))
+
     def test_refuse_a_bed_that_slopes_across(self):
         self.assertIn("seabed.slope_y is not zero", self.refused("parts.bed.seabed.slope_y=0.1"))
 
