@@ -119,8 +119,9 @@ struct ScreenParameters {
 ///   C_n(Re)/C_n(Re₀)                                                     (15)
 /// with the drag coefficient C_n of a cylinder by Choo and Casarella 1971 (reynolds.hpp). One where Re₀ = 0.
 /// A twine in a screen is taken to feel the Reynolds number as a cylinder alone does; for twines of netting
-/// at Re below some 500 this is an estimate. Below 2, where twines hardly feel the water, Re stands for 1 +
-/// Re²/4: coefficients over an angle leave no derivative to a force that is linear in the velocity.
+/// at Re below some 500 this is an estimate. Below Re = 2, 1 mm/s for a twine of 2.4 mm, the formula takes 1
+/// + Re²/4 instead of Re, which meets it there with the same slope: a force that is linear in the velocity,
+/// with coefficients over an angle, would have no derivative in water at rest.
 
 template <class T>
 T reynolds_factor(double measured_at, const T& Re) {
