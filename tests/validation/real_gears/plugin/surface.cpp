@@ -8,7 +8,7 @@ namespace netloft::femnet {
 
 namespace {
 
-constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
+using surface::at;
 
 /// Elements of N nodes in a tile: their cubes, and what the shipped drag does to them.
 template <int N>
