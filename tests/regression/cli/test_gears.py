@@ -31,7 +31,7 @@ class Gears(InFreshFolder):
         self.write("slip.toml", SLIP)
         run = self.netloft("check", "slip.toml")
         self.assertEqual(run.code, 2)
-        self.assertIn('slip.toml:20:39: error: top-wing.breast-cut: cutting "381M" is not a rate; 3B1M, 43 M over 25.8 M, fits',
+        self.assertIn('slip.toml:21:39: error: top-wing.breast-cut: cutting "381M" is not a rate; 3B1M, 43 M over 25.8 M, fits',
                       run.err)
         self.assertIn("warning: top-wing.aft: the cuttings give 129.7 meshes, the plan says 127.5, +1.7 %", run.err)
 
@@ -39,7 +39,7 @@ class Gears(InFreshFolder):
         self.write("slip.toml", SLIP)
         findings = self.netloft("check", "slip.toml", "--json").json()["findings"]
         self.assertEqual([f["severity"] for f in findings], ["warning", "error", "warning"])
-        self.assertEqual(findings[1]["at"], "slip.toml:20:39")
+        self.assertEqual(findings[1]["at"], "slip.toml:21:39")
 
     def test_outlines_for_a_program(self):
         panels = self.netloft("check", str(GEARS[0]), "--json").json()["panels"]

@@ -46,7 +46,7 @@ TEST(Layout, MirrorsPairsAboutTheMiddleOfTheirColumn) {
 
 TEST(Drawing, NamesPanelsCountsCuttingsTwinesAndRopes) {
   const std::string svg = draw_plan(check_text(library_text("83-112-eastern.toml")).plan);
-  for (const char* words : {"top-wing", "5B1P", "3B1M", "127.5", "128.5", "101.6 mm", "pe-twisted-2.3mm",
+  for (const char* words : {"top-wing", "5B1P", "3B1M", "127.5", "128.5", "101.6 mm", "pa-twisted-2.3mm",
                             "headrope: 25.3 m", "47 83-112-headline along headrope", "<svg"}) {
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   }
