@@ -57,15 +57,15 @@ test('a click finds the part that is there, and the plan the same place', async 
   const spots = await page.evaluate(() => {
     const v = window.netloftViewer, r = v.result, found = [];
     v.select(null);
-    v.look('front');
-    for (const name of ['top-wing', 'bottom-wing', 'headrope', 'headline']) {
+    for (const [name, view] of [['top-wing', 'oblique'], ['bottom-wing', 'front'], ['headrope', 'front'], ['headline', 'front']]) {
+      v.look(view);
       const part = r.parts.findIndex((p) => p.name === name);
       const [parts, nodes, of] = [[r.triPart, r.tri, 3], [r.barPart, r.bar, 2], [r.dotPart, r.dot, 1]].find(([p]) => p.includes(part));
       for (let i = 0; i < parts.length; ++i) {
         if (parts[i] !== part) continue;
         const middle = [0, 1, 2].map((k) => Array.from({length: of}, (_, c) => v.model.points[3 * nodes[of * i + c] + k] / of).reduce((a, b) => a + b, 0));
         const [x, y] = v.camera.project(middle), hit = v.pickAt(x, y);
-        if (hit && hit.part === part && hit.index === i) { found.push({name, x, y}); break; }
+        if (hit && hit.part === part && hit.index === i) { found.push({name, view, x, y}); break; }
       }
     }
     return found;
@@ -73,6 +73,7 @@ test('a click finds the part that is there, and the plan the same place', async 
   assert.deepEqual(spots.map((s) => s.name), ['top-wing', 'bottom-wing', 'headrope', 'headline']);
   const canvas = await page.locator('#canvas').boundingBox();
   for (const spot of spots) {
+    await page.evaluate((view) => window.netloftViewer.look(view), spot.view);
     await page.mouse.click(canvas.x + spot.x, canvas.y + spot.y);
     assert.match(await page.textContent('#selection'), new RegExp(`^part${spot.name}type`));
   }
