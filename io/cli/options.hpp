@@ -2,7 +2,6 @@
 #pragma once
 #include "io/cli/compare_options.hpp"
 #include "io/cli/stability_options.hpp"
-#include "io/cli/study_options.hpp"
 
 #include <cstdint>
 #include <string>
@@ -19,6 +18,9 @@ struct PictureOptions {
   int state = -1;                // --state; -1: the newest
   bool ropes = false;            // --ropes
   bool dark = false;             // --dark
+  bool log = false;              // --log
+  bool elements = false;         // --elements
+  bool dimensions = false;       // --dimensions
 };
 
 /// The command line, taken apart.
@@ -48,7 +50,6 @@ struct Options {
   PictureOptions picture;          // of view and draw
   CompareOptions compare;          // of that command alone
   StabilityOptions stability;      // of that command alone
-  StudyCommandOptions study;       // of that command alone
   std::vector<std::string> words;  // the command line as given
 };
 

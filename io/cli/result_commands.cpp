@@ -43,7 +43,8 @@ void write_and_say(const Options& options, const std::string& output, const std:
 SheetOptions sheet_options(const Options& options) {
   SheetOptions sheet;
   sheet.view = view_of(options.picture.view).value_or(View::oblique);
-  sheet.field = options.picture.field;
+  sheet.colouring = {options.picture.field, options.picture.log, options.picture.elements};
+  sheet.with_dimensions = options.picture.dimensions;
   sheet.width = options.picture.width;
   sheet.with_ropes = options.picture.ropes, sheet.is_dark = options.picture.dark;
   if (options.picture.state >= 0) sheet.state = static_cast<std::size_t>(options.picture.state);
@@ -98,7 +99,7 @@ int export_result(const Options& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   try {
     if (ending == ".glb")
-      write_and_say(options, options.output, glb(shape_of(result, state, how.field)), {options.target});
+      write_and_say(options, options.output, glb(shape_of(result, state, how.colouring)), {options.target});
     else if (ending == ".csv")
       write_and_say(options, options.output,
                     options.kind == "elements" ? elements_csv(result, state) : nodes_csv(result, state),

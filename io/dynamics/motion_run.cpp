@@ -3,7 +3,6 @@
 
 #include "io/dynamics/checkpoint.hpp"
 #include "io/dynamics/xdmf.hpp"
-#include "io/hdf5/image.hpp"
 #include "io/report/picture.hpp"
 #include "io/scene/result_request.hpp"
 
@@ -55,7 +54,7 @@ class MotionRun {
     ++result_.outputs;
   }
   void begin_journal() {
-    const auto origins = hdf5_image([&](Tree& tree) {
+    const auto origins = make_origins([&](Tree& tree) {
       write_inputs(tree, loaded_, context_);
       write_gear(tree, loaded_, {});
     });

@@ -23,6 +23,12 @@ void Image::set(std::size_t x, std::size_t y, const Colour& colour) {
         static_cast<std::uint8_t>(std::lround(255 * std::clamp(colour[k], 0.0f, 1.0f)));
 }
 
+Colour Image::at(std::size_t x, std::size_t y) const {
+  const std::size_t i = 3 * (y * width + x);
+  return {static_cast<float>(bytes[i]) / 255, static_cast<float>(bytes[i + 1]) / 255,
+          static_cast<float>(bytes[i + 2]) / 255};
+}
+
 Canvas::Canvas(std::size_t width, std::size_t height)
     : width_(width), height_(height), first_(width * height, -1), opaque_(width * height, kFar) {}
 

@@ -15,6 +15,7 @@ struct Image {
 
   Image(std::size_t w, std::size_t h, const Colour& colour);
   void set(std::size_t x, std::size_t y, const Colour& colour);
+  Colour at(std::size_t x, std::size_t y) const;
 };
 
 /// Collects what lies behind every pixel, translucent or not, with its depth; nothing has to be drawn in

@@ -10,26 +10,21 @@ namespace netloft::io {
 using Colour = std::array<float, 3>;
 
 /// Viridis (S. van der Walt and N. Smith, matplotlib, CC0) from 0 to 1: its brightness rises evenly, so that
-/// it survives colour blindness and grey printing. The same stops are in ../view/page/colours.js.
+/// it survives colour blindness and grey printing.
 Colour colour_at(double place);
+/// The colours between which it is interpolated, evenly spaced. Pages are handed these.
+const std::array<Colour, 9>& colour_stops();
 
 /// One of eight colours that colour-blind readers tell apart (M. Okabe and K. Ito, 2008); then they repeat.
 Colour colour_of_part(std::uint32_t part);
+const std::array<Colour, 8>& part_colours();
+
+// What has no value of the field that is shown: netting and ropes, and what sits on single nodes, such as
+// floats, which are orange as most of them are; and what is no netting: the catch.
+inline constexpr Colour kNoValue = {0.55f, 0.55f, 0.55f}, kFloatColour = {0.93f, 0.53f, 0.18f},
+                        kCatchColour = {0.66f, 0.71f, 0.76f};
 
 /// "#21908d"
 std::string hex(const Colour& colour);
-
-/// From values to places on the colour map; a logarithmic one spans four decades at most.
-class ColourScale {
- public:
-  ColourScale(double lo, double hi, bool logarithmic);
-  double place(double value) const;
-  double value(double place) const;
-  bool is_logarithmic() const { return logarithmic_; }
-
- private:
-  bool logarithmic_;
-  double lo_, hi_;
-};
 
 }  // namespace netloft::io

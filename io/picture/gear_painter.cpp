@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/gear_painter.hpp"
 
-#include "io/result/field_range.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 namespace netloft::io {
 
@@ -18,19 +15,7 @@ constexpr double kLeastRope = 1.3;
 constexpr double kLeastBall = 3.2;
 constexpr double kFill = 0.32;    // opacity of netting between the twines that are drawn
 constexpr double kNearer = 0.05;  // ropes and floats lie on the netting: this much nearer to the eye [m]
-constexpr Colour kUnknown = {0.55f, 0.55f, 0.55f};
-
-FieldRange range_of(const StoredResult& result, const std::string& field) {
-  FieldRange range;
-  for (std::size_t state = 0; state < result.times.size(); ++state) range.take(result.field(field, state));
-  return range;
-}
-
-std::string names_of(const std::vector<StoredField>& fields) {
-  std::string names;
-  for (const auto& field : fields) names += field.name + ", ";
-  return names + "part";
-}
+constexpr double kInside = 0.02;  // the catch lies this much behind the netting [m]
 
 Colour scaled(const Colour& colour, double by) {
   const auto f = static_cast<float>(by);
@@ -87,6 +72,7 @@ class GearPainter {
       : shape_(shape),
         mesh_(shape.result->mesh),
         outline_(outline_of(mesh_)),
+        shows_contacts_(shape.shows_contacts()),
         projection_(projection),
         canvas_(canvas) {}
 
@@ -94,11 +80,13 @@ class GearPainter {
     dx_ = dx, dy_ = dy;
     for (const double sign : shape_.result->is_half ? std::vector<double>{1, -1} : std::vector<double>{1}) {
       place(sign);
+      paint_catch();
       for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) paint_triangle(t);
       for (std::size_t b = 0; b < mesh_.bars.size(); ++b) paint_bar(b);
-      for (const auto& side : outline_) paint_line(side.nodes[0], side.nodes[1], side.cell, kLeastTwine);
+      for (const auto& side : outline_)
+        paint_line(side.nodes[0], side.nodes[1], colour(CellKind::netting, side.cell), kLeastTwine);
       for (std::size_t d = 0; d < mesh_.dots.size(); ++d)
-        if (!part(mesh_.dot_cells[d]).is_contact) paint_dot(d);
+        if (part(mesh_.dot_cells[d]).is_contact == shows_contacts_) paint_dot(d);
     }
   }
 
@@ -119,34 +107,78 @@ class GearPainter {
         visit(static_cast<std::size_t>(column), static_cast<std::size_t>(row), column + dx_, row + dy_);
   }
 
-  const Colour& colour(std::uint32_t cell) const { return shape_.colours[cell]; }
+  Colour colour(CellKind kind, std::uint32_t cell) const { return shape_.colour_of_cell(kind, cell); }
   const StoredPart& part(std::uint32_t cell) const { return shape_.result->parts[mesh_.cell_part[cell]]; }
   double half_pixels(std::uint32_t cell, double least) const {
     const double diameter = part(cell).diameter;
     return std::max(least, std::isfinite(diameter) ? diameter / 2 * projection_.pixels_per_metre : 0);
   }
 
-  void paint_triangle(std::size_t t) {
-    const std::array<Point3, 3> p = {at_[mesh_.triangles[t][0]], at_[mesh_.triangles[t][1]],
-                                     at_[mesh_.triangles[t][2]]};
-    const double twice =
-        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
-    if (!(std::abs(twice) > 1e-9)) return;
-    const auto cell = mesh_.triangle_cells[t];
-    const Plane depth(p, p[0][2], p[1][2], p[2][2]), second(p, 0, 1, 0), third(p, 0, 0, 1);
-    const auto twines = twines_of(t, p);
-    const double half_width = half_pixels(cell, kLeastTwine);
-    const double steepness = depth.slope() * projection_.pixels_per_metre;
-    const Colour lit = scaled(colour(cell), 0.62 + 0.38 / std::sqrt(1 + steepness * steepness));
+  /// Calls visit(column, row, b, c, rx, ry) for every sample within a triangle: weights of its second and
+  /// third corner, and the sample's place from the first [pixels].
+  template <class Visit>
+  void for_inside(const std::array<Point3, 3>& p, Visit&& visit) const {
+    const Plane second(p, 0, 1, 0), third(p, 0, 0, 1);
     const auto [left, right] = std::minmax({p[0][0], p[1][0], p[2][0]});
     const auto [top, bottom] = std::minmax({p[0][1], p[1][1], p[2][1]});
     for_samples(left, right, top, bottom, [&](std::size_t column, std::size_t row, double x, double y) {
       const double rx = x - p[0][0], ry = y - p[0][1], b = second(rx, ry), c = third(rx, ry);
-      if (b < 0 || c < 0 || b + c > 1) return;
+      if (b >= 0 && c >= 0 && b + c <= 1) visit(column, row, b, c, rx, ry);
+    });
+  }
+
+  std::array<Point3, 3> corners_of(std::size_t t) const {
+    const auto& nodes = mesh_.triangles[t];
+    return {at_[nodes[0]], at_[nodes[1]], at_[nodes[2]]};
+  }
+
+  void paint_triangle(std::size_t t) {
+    const auto p = corners_of(t);
+    if (is_edge_on(p)) return;
+    const auto cell = mesh_.triangle_cells[t];
+    const Plane depth(p, p[0][2], p[1][2], p[2][2]);
+    const auto twines = twines_of(t, p);
+    const double half_width = half_pixels(cell, kLeastTwine), light = light_on(depth);
+    const auto values = shape_.field ? shape_.at_corners[t] : std::array<double, 3>{};
+    for_inside(p, [&](std::size_t column, std::size_t row, double b, double c, double rx, double ry) {
       double cover = 0;
       for (const auto& u : twines) cover = std::max(cover, twine_cover(u(rx, ry), u.slope(), half_width));
-      canvas_.add(column, row, depth(rx, ry), lit, kFill);
-      canvas_.add(column, row, depth(rx, ry) + 1e-4, colour(cell), cover);
+      const Colour seen =
+          shape_.colour(CellKind::netting, cell, (1 - b - c) * values[0] + b * values[1] + c * values[2]);
+      canvas_.add(column, row, depth(rx, ry), scaled(seen, light), kFill);
+      canvas_.add(column, row, depth(rx, ry) + 1e-4, seen, cover);
+    });
+  }
+
+  static bool is_edge_on(const std::array<Point3, 3>& p) {
+    return !(std::abs((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0])) >
+             1e-9);
+  }
+
+  /// More on what faces the eye.
+  double light_on(const Plane& depth) const {
+    const double steepness = depth.slope() * projection_.pixels_per_metre;
+    return 0.62 + 0.38 / std::sqrt(1 + steepness * steepness);
+  }
+
+  /// The catch as a body within the netting; its front is closed to the middle of its rim.
+  void paint_catch() {
+    for (const auto t : shape_.fish.triangles) paint_solid(corners_of(t));
+    Point3 middle{};
+    for (const auto& side : shape_.fish.rim)
+      for (const auto node : side)
+        for (std::size_t k = 0; k < 3; ++k)
+          middle[k] += shape_.nodes[node][k] / (2.0 * static_cast<double>(shape_.fish.rim.size()));
+    if (shape_.result->is_half) middle[1] = 0;
+    for (const auto& [a, b] : shape_.fish.rim) paint_solid({at_[a], at_[b], projection_(middle)});
+  }
+
+  void paint_solid(const std::array<Point3, 3>& p) {
+    if (is_edge_on(p)) return;
+    const Plane depth(p, p[0][2], p[1][2], p[2][2]);
+    const Colour lit = scaled(kCatchColour, light_on(depth));
+    for_inside(p, [&](std::size_t column, std::size_t row, double, double, double rx, double ry) {
+      canvas_.add(column, row, depth(rx, ry) - kInside, lit, 1);
     });
   }
 
@@ -165,11 +197,12 @@ class GearPainter {
 
   void paint_bar(std::size_t i) {
     const auto cell = mesh_.bar_cells[i];
-    paint_line(mesh_.bars[i][0], mesh_.bars[i][1], cell, half_pixels(cell, kLeastRope));
+    paint_line(mesh_.bars[i][0], mesh_.bars[i][1], colour(CellKind::rope, cell),
+               half_pixels(cell, kLeastRope));
   }
 
   /// `w`: half of its width in pixels.
-  void paint_line(std::uint32_t from, std::uint32_t to, std::uint32_t cell, double w) {
+  void paint_line(std::uint32_t from, std::uint32_t to, const Colour& colour, double w) {
     const Point3 &a = at_[from], &b = at_[to];
     const double dx = b[0] - a[0], dy = b[1] - a[1];
     const double length = dx * dx + dy * dy;
@@ -180,7 +213,7 @@ class GearPainter {
                   const double off = std::hypot(x - a[0] - s * dx, y - a[1] - s * dy) / w;
                   if (off > 1) return;
                   canvas_.add(column, row, a[2] + s * (b[2] - a[2]) + kNearer,
-                              scaled(colour(cell), 0.55 + 0.45 * std::sqrt(1 - off * off)), 1);
+                              scaled(colour, 0.55 + 0.45 * std::sqrt(1 - off * off)), 1);
                 });
   }
 
@@ -188,18 +221,20 @@ class GearPainter {
     const Point3& at = at_[mesh_.dots[i]];
     const auto cell = mesh_.dot_cells[i];
     const double r = half_pixels(cell, kLeastBall);
+    const Colour own = colour(CellKind::point, cell);
     for_samples(at[0] - r, at[0] + r, at[1] - r, at[1] + r,
                 [&](std::size_t column, std::size_t row, double x, double y) {
                   const double off = std::hypot(x - at[0], y - at[1]) / r;
                   if (off > 1) return;
                   const double bulge = std::sqrt(1 - off * off);
-                  canvas_.add(column, row, at[2] + 2 * kNearer, scaled(colour(cell), 0.45 + 0.55 * bulge), 1);
+                  canvas_.add(column, row, at[2] + 2 * kNearer, scaled(own, 0.45 + 0.55 * bulge), 1);
                 });
   }
 
   const GearShape& shape_;
   const StoredMesh& mesh_;
   std::vector<Side> outline_;
+  bool shows_contacts_;
   const Projection& projection_;
   Canvas& canvas_;
   std::vector<Point3> at_;
@@ -216,48 +251,6 @@ void add_samples(const Canvas& canvas, const Colour& ground, std::vector<Colour>
 }
 
 }  // namespace
-
-GearShape shape_of(const StoredResult& result, std::size_t state, const std::string& wanted) {
-  GearShape shape;
-  shape.result = &result;
-  const auto points = result.points(state);
-  for (std::size_t n = 0; n < result.mesh.n_points; ++n)
-    shape.nodes.push_back({points[3 * n], points[3 * n + 1], points[3 * n + 2]});
-  for (const auto& field : result.fields)
-    if (!shape.field && (wanted.empty() || field.name == wanted)) shape.field = field;
-  if (!wanted.empty() && wanted != "part" && !shape.field)
-    throw std::invalid_argument(result.path.string() + " has no field " + wanted + "; it has " +
-                                names_of(result.fields));
-  if (!shape.field) {
-    for (const auto part : result.mesh.cell_part) shape.colours.push_back(colour_of_part(part));
-    return shape;
-  }
-  const FieldRange range = range_of(result, shape.field->name);
-  const bool is_force = shape.field->unit == "N";
-  shape.is_cut_below = range.is_known() && is_force && range.low() > range.lo();
-  if (range.is_known())
-    shape.scale.emplace(is_force ? range.low() : range.lo(), range.hi(), is_force);
-  else
-    shape.scale.emplace(0, 1, false);
-  for (const double value : result.field(shape.field->name, state))
-    shape.colours.push_back(std::isfinite(value) ? colour_at(shape.scale->place(value)) : kUnknown);
-  return shape;
-}
-
-std::vector<Point3> extent_of(const GearShape& shape, bool with_ropes) {
-  const StoredMesh& mesh = shape.result->mesh;
-  std::vector<Point3> points;
-  const auto take = [&](std::uint32_t node) {
-    points.push_back(shape.nodes[node]);
-    if (shape.result->is_half) points.push_back({points.back()[0], -points.back()[1], points.back()[2]});
-  };
-  for (const auto& triangle : mesh.triangles)
-    for (const auto node : triangle) take(node);
-  if (with_ropes || points.empty())
-    for (const auto& bar : mesh.bars)
-      for (const auto node : bar) take(node);
-  return points;
-}
 
 Image paint(const GearShape& shape, const Projection& projection, std::size_t width, std::size_t height,
             const Colour& ground) {

@@ -36,14 +36,20 @@ using Primitives = std::map<std::pair<std::uint32_t, Mode>, Vertices>;
 Primitives gather(const GearShape& shape) {
   const StoredMesh& mesh = shape.result->mesh;
   Primitives all;
-  const auto add = [&](Mode mode, std::uint32_t cell, std::uint32_t node) {
-    all[{mesh.cell_part[cell], mode}].add(shape.nodes[node], shape.colours[cell]);
+  const auto add = [&](Mode mode, std::uint32_t cell, std::uint32_t node, const Colour& colour) {
+    all[{mesh.cell_part[cell], mode}].add(shape.nodes[node], colour);
   };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const auto node : mesh.triangles[t]) add(kTriangles, mesh.triangle_cells[t], node);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto cell = mesh.triangle_cells[t];
+      const double value = shape.field ? shape.at_corners[t][corner] : 0;
+      add(kTriangles, cell, mesh.triangles[t][corner], shape.colour(CellKind::netting, cell, value));
+    }
   for (std::size_t b = 0; b < mesh.bars.size(); ++b)
-    for (const auto node : mesh.bars[b]) add(kLines, mesh.bar_cells[b], node);
-  for (std::size_t d = 0; d < mesh.dots.size(); ++d) add(kPoints, mesh.dot_cells[d], mesh.dots[d]);
+    for (const auto node : mesh.bars[b])
+      add(kLines, mesh.bar_cells[b], node, shape.colour_of_cell(CellKind::rope, mesh.bar_cells[b]));
+  for (std::size_t d = 0; d < mesh.dots.size(); ++d)
+    add(kPoints, mesh.dot_cells[d], mesh.dots[d], shape.colour_of_cell(CellKind::point, mesh.dot_cells[d]));
   return all;
 }
 

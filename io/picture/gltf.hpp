@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/picture/gear_painter.hpp"
+#include "io/picture/gear_shape.hpp"
 
 #include <string>
 

@@ -2,6 +2,7 @@
 #include "io/picture/png.hpp"
 
 #include "io/picture/bytes.hpp"
+#include "io/picture/palette.hpp"
 
 #include <zlib.h>
 
@@ -22,6 +23,17 @@ std::string chunk(const std::string& name, const std::string& data) {
          big_endian(static_cast<std::uint32_t>(sum));
 }
 
+enum class Depth : char { rgb = 2, palette = 3 };
+
+std::string file_of(const Image& image, Depth depth, const std::string& colours, const std::string& rows) {
+  const std::string eight_bits = {8, static_cast<char>(depth), 0, 0, 0};
+  return "\x89PNG\r\n\x1a\n" +
+         chunk("IHDR", big_endian(static_cast<std::uint32_t>(image.width)) +
+                           big_endian(static_cast<std::uint32_t>(image.height)) + eight_bits) +
+         (colours.empty() ? "" : chunk("PLTE", colours)) + chunk("IDAT", deflated(bytes_of(rows))) +
+         chunk("IEND", "");
+}
+
 }  // namespace
 
 std::string png(const Image& image) {
@@ -33,11 +45,19 @@ std::string png(const Image& image) {
     for (std::size_t i = 0; i < 3 * image.width; ++i)
       rows += static_cast<char>(row[i] - (i < 3 ? 0 : row[i - 3]));
   }
-  const std::string eight_bit_rgb = {8, 2, 0, 0, 0};
-  return "\x89PNG\r\n\x1a\n" +
-         chunk("IHDR", big_endian(static_cast<std::uint32_t>(image.width)) +
-                           big_endian(static_cast<std::uint32_t>(image.height)) + eight_bit_rgb) +
-         chunk("IDAT", deflated(bytes_of(rows))) + chunk("IEND", "");
+  return file_of(image, Depth::rgb, "", rows);
+}
+
+std::string small_png(const Image& image) {
+  const Palette palette = palette_of(image);
+  std::string colours, rows;
+  for (const auto& colour : palette.colours) colours.append(colour.begin(), colour.end());
+  for (std::size_t y = 0; y < image.height; ++y) {
+    rows += '\0';  // bytes as they are
+    const auto row = palette.pixels.begin() + static_cast<std::ptrdiff_t>(y * image.width);
+    rows.append(row, row + static_cast<std::ptrdiff_t>(image.width));
+  }
+  return file_of(image, Depth::palette, colours, rows);
 }
 
 }  // namespace netloft::io

@@ -11,27 +11,26 @@ namespace {
 
 double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// Axes of a view from an azimuth about z and an elevation above the level [degrees].
-Projection axes_of(double azimuth, double elevation) {
-  const double a = azimuth * std::numbers::pi / 180, e = elevation * std::numbers::pi / 180;
+Projection axes_of(const ViewAngles& angles) {
+  const double a = angles.azimuth * std::numbers::pi / 180, e = angles.elevation * std::numbers::pi / 180;
   const double ca = std::cos(a), sa = std::sin(a), ce = std::cos(e), se = std::sin(e);
   return {{-sa, ca, 0}, {-se * ca, -se * sa, ce}, {ce * ca, ce * sa, se}};
 }
 
-Projection axes_of(View view) {
+}  // namespace
+
+ViewAngles angles_of(View view) {
   switch (view) {
     case View::side:
-      return axes_of(-90, 0);
+      return {-90, 0};
     case View::top:
-      return axes_of(-90, 90);
+      return {-90, 90};
     case View::front:
-      return axes_of(180, 0);
+      return {180, 0};
     default:
-      return axes_of(-140, 25);
+      return {-140, 25};
   }
 }
-
-}  // namespace
 
 std::optional<View> view_of(const std::string& name) {
   if (name == "side") return View::side;
@@ -46,7 +45,7 @@ Point3 Projection::operator()(const Point3& p) const {
 }
 
 Projection fit(View view, const std::vector<Point3>& points, const Frame& frame) {
-  Projection projection = axes_of(view);
+  Projection projection = axes_of(angles_of(view));
   double left = 0, right = 1, low = 0, high = 1;
   if (!points.empty()) left = low = INFINITY, right = high = -INFINITY;
   for (const auto& p : points) {

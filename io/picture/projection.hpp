@@ -13,6 +13,12 @@ enum class View { side, top, front, oblique };
 /// "side", "top", "front", "oblique"; nothing for other names.
 std::optional<View> view_of(const std::string& name);
 
+/// Where the eye of a view is: azimuth about z from x towards y, elevation above the level [degrees].
+struct ViewAngles {
+  double azimuth, elevation;
+};
+ViewAngles angles_of(View view);
+
 using Point3 = std::array<double, 3>;
 
 /// Parallel projection onto a picture, x to the right and y downwards in pixels.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/picture/gear_painter.hpp"
+#include "io/picture/gear_shape.hpp"
 
 #include <cstddef>
 #include <string>
@@ -10,14 +10,16 @@ namespace netloft::io {
 /// How a result is drawn on a sheet.
 struct SheetOptions {
   View view = View::oblique;
-  std::string field;                      // empty: the first that the result has; "part"
+  Colouring colouring;
   std::size_t width = 1000;               // [pixels]
   std::size_t state = std::string::npos;  // npos: the newest
   bool with_ropes = false;                // bridles and warps count for what has to fit
+  bool with_dimensions = false;           // height and spreads are drawn as lines with their lengths
   bool is_dark = false;
+  bool is_small = false;  // an SVG with few colours, for pages
 };
 
-/// Title, picture, legend and scale bar as SVG: letters and lines are vectors, the gear is a picture in
+/// Title, picture, legends and scale bar as SVG: letters and lines are vectors, the gear is a picture in
 /// pixels, in which hidden surfaces are right. Throws std::invalid_argument for a field that the result has
 /// not.
 std::string svg_sheet(const StoredResult& result, const SheetOptions& options);

@@ -67,6 +67,50 @@ std::array<double, 6> corners_on_panel(const PanelPlaces& panel, std::span<const
   return corners;
 }
 
+/// The cells of the elements of each family. Elements that stand on the netting of other parts, such as the
+/// catch in a cod-end, have no cells of their own: theirs are those between the same nodes.
+class CellsOfFamilies {
+ public:
+  static constexpr std::size_t kNoCell = std::numeric_limits<std::size_t>::max();
+
+  CellsOfFamilies(const LoadedScene& loaded, const Assembler& assembler)
+      : loaded_(loaded), assembler_(assembler) {
+    for (const auto& family : assembler.families()) {
+      first_.push_back(count_);
+      if (!is_drawn(loaded, *family)) continue;
+      for (std::size_t e = 0; e < family->size(); ++e, ++count_)
+        if (family->nodes_per_element() == 3) between_.emplace(nodes_of(*family, e), count_);
+    }
+  }
+  std::size_t count() const { return count_; }
+  /// The cell of every element of a family; empty if it has none.
+  std::vector<std::size_t> of(std::size_t f) const {
+    const ElementFamily& family = *assembler_.families()[f];
+    const bool is_own = is_drawn(loaded_, family);
+    std::vector<std::size_t> cells;
+    if (!is_own && family.type().element.stencil != NETLOFT_TRIANGLE) return cells;
+    for (std::size_t e = 0; e < family.size(); ++e) {
+      const auto there = is_own ? between_.end() : between_.find(nodes_of(family, e));
+      cells.push_back(is_own ? first_[f] + e : there == between_.end() ? kNoCell : there->second);
+    }
+    return cells;
+  }
+
+ private:
+  using Nodes = std::array<std::uint32_t, 3>;
+  static Nodes nodes_of(const ElementFamily& family, std::size_t e) {
+    Nodes nodes = {family.node(e, 0), family.node(e, 1), family.node(e, 2)};
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  }
+
+  const LoadedScene& loaded_;
+  const Assembler& assembler_;
+  std::vector<std::size_t> first_;
+  std::map<Nodes, std::size_t> between_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 Mesh make_mesh(const LoadedScene& loaded, const Assembler& assembler) {
@@ -128,23 +172,21 @@ StaticField label_corners(const LoadedScene& loaded, const Assembler& assembler)
 
 std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler& assembler,
                                       const FamilyOutputs& outputs_of) {
-  std::size_t cells = 0, first = 0;
-  for (const auto& family : assembler.families())
-    if (is_drawn(loaded, *family)) cells += family->size();
+  const CellsOfFamilies cells(loaded, assembler);
   std::vector<CellField> fields;
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
-    if (!is_drawn(loaded, *assembler.families()[f])) continue;
+    const auto own = cells.of(f);
     const auto& outputs = assembler.families()[f]->type().outputs;
-    for (std::size_t k = 0; k < outputs.size(); ++k) {
+    for (std::size_t k = 0; k < outputs.size() && !own.empty(); ++k) {
       auto at = std::find_if(fields.begin(), fields.end(),
                              [&](const CellField& c) { return c.spec.name == outputs[k].name; });
       if (at == fields.end())
         at = fields.insert(at, {{outputs[k].name, outputs[k].unit, outputs[k].doc, Location::kCell, 1, false},
-                                std::vector<double>(cells, kNone)});
-      std::copy(outputs_of[f][k].begin(), outputs_of[f][k].end(),
-                at->values.begin() + static_cast<std::ptrdiff_t>(first));
+                                std::vector<double>(cells.count(), kNone)});
+      for (std::size_t e = 0; e < own.size(); ++e)
+        if (own[e] != CellsOfFamilies::kNoCell && std::isnan(at->values[own[e]]))
+          at->values[own[e]] = outputs_of[f][k][e];
     }
-    first += assembler.families()[f]->size();
   }
   return fields;
 }

@@ -12,8 +12,11 @@ namespace {
 const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::ptrdiff_t kDeepest = 16;  // of groups within groups: one that holds itself has no end
-// Fields that are made of others: the larger tension of the two twine directions, and the opening of meshes.
-constexpr const char *kTension = "tension", *kOpening = "opening";
+// Fields that are made of others: the larger tension of the two twine directions, the opening of meshes, and
+// the force of the water by the length of a rope and the area of netting.
+constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
+// Sums over an element: larger elements have more of them.
+constexpr std::array kTotals = {"drag", "knots", "mass", "twine_area", "volume"};
 
 StoredPart nameless_part() {
   StoredPart part;
@@ -181,18 +184,27 @@ void StoredResult::read_fields() {
   const auto label = [&](const std::string& at, const char* name, const char* otherwise) {
     return reader_.has_attribute(at, name) ? reader_.text_attribute(at, name) : std::string(otherwise);
   };
-  bool has_twines = false, has_tension = false;
+  const auto everywhere = [](const std::string& unit) { return std::array{unit, unit, unit}; };
+  std::vector<StoredField> stored;
+  bool has_tension = false;
   for (const auto& name : reader_.list("/VTKHDF/CellData")) {
     const std::string at = "/VTKHDF/CellData/" + name;
     if (name == "part" || name == "panel_corners" || reader_.shape(at).size() > 1) continue;
-    has_twines |= name == "tension_u", has_tension |= name == kTension;
+    has_tension |= name == "tension_u" || name == kTension;
+    const bool is_total = std::find(kTotals.begin(), kTotals.end(), name) != kTotals.end();
+    if (name != kTension)
+      stored.push_back({name, everywhere(label(at, "unit", "1")), label(at, "doc", ""), is_total});
     if (name == "half_angle")
-      fields.push_back({kOpening, "1", "width of the meshes over their stretched length"});
-    if (name != kTension) fields.push_back({name, label(at, "unit", "1"), label(at, "doc", "")});
+      fields.push_back({kOpening, everywhere("1"), "width of the meshes over their stretched length"});
+    if (name == "drag")
+      fields.push_back({kWaterForce,
+                        {"N/m2", "N/m", "N"},
+                        "force of the water on netting by its area, on ropes by their length"});
   }
-  if (has_tension || has_twines)
-    fields.insert(fields.begin(),
-                  {kTension, "N", "tension in a rope, and in a twine: the larger of both directions"});
+  if (has_tension)
+    fields.insert(fields.begin(), {kTension, everywhere("N"),
+                                   "tension in a rope, and in a twine: the larger of both directions"});
+  fields.insert(fields.end(), stored.begin(), stored.end());
 }
 
 /// Elements on single nodes with a normal force are where a part touches a bed.
@@ -220,23 +232,50 @@ std::vector<double> StoredResult::points(std::size_t state) const {
 }
 
 std::vector<double> StoredResult::field(const std::string& name, std::size_t state) const {
-  if (name == kOpening) {
-    auto opening =
-        whole(reader_.field(Location::kCell, "half_angle", state), mesh.n_cells, "field half_angle");
-    for (double& value : opening) value = std::sin(value);
-    return opening;
-  }
-  std::vector<double> values(mesh.n_cells, kNone);
-  if (name == kTension) {
-    for (const char* one : {"tension", "tension_u", "tension_v"}) {
-      if (!reader_.has(std::string("/VTKHDF/CellData/") + one)) continue;
-      const auto more = reader_.field(Location::kCell, one, state);
-      for (std::size_t c = 0; c < values.size() && c < more.size(); ++c)
-        if (!(values[c] > more[c]) && std::isfinite(more[c])) values[c] = more[c];
-    }
-    return values;
-  }
+  if (name == kOpening) return opening(state);
+  if (name == kTension) return tension(state);
+  if (name == kWaterForce) return water_force(state);
   return whole(reader_.field(Location::kCell, name, state), mesh.n_cells, "field " + name);
+}
+
+std::vector<double> StoredResult::opening(std::size_t state) const {
+  auto values = field("half_angle", state);
+  for (double& value : values) value = std::sin(value);
+  return values;
+}
+
+std::vector<double> StoredResult::tension(std::size_t state) const {
+  std::vector<double> values(mesh.n_cells, kNone);
+  for (const char* one : {"tension", "tension_u", "tension_v"}) {
+    if (!reader_.has(std::string("/VTKHDF/CellData/") + one)) continue;
+    const auto more = reader_.field(Location::kCell, one, state);
+    for (std::size_t c = 0; c < values.size() && c < more.size(); ++c)
+      if (!(values[c] > more[c]) && std::isfinite(more[c])) values[c] = more[c];
+  }
+  return values;
+}
+
+std::vector<double> StoredResult::water_force(std::size_t state) const {
+  auto force = field("drag", state);
+  const auto x = points(state);
+  const auto from_to = [&](std::uint32_t a, std::uint32_t b) {
+    return std::array{x[3 * b] - x[3 * a], x[3 * b + 1] - x[3 * a + 1], x[3 * b + 2] - x[3 * a + 2]};
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const auto u = from_to(a, b), v = from_to(a, c);
+    const double area =
+        std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+    double& value = force[mesh.triangle_cells[t]];
+    value = area > 0 ? value / area : kNone;
+  }
+  for (std::size_t i = 0; i < mesh.bars.size(); ++i) {
+    const auto d = from_to(mesh.bars[i][0], mesh.bars[i][1]);
+    const double length = std::hypot(d[0], d[1], d[2]);
+    double& value = force[mesh.bar_cells[i]];
+    value = length > 0 ? value / length : kNone;
+  }
+  return force;
 }
 
 std::vector<double> StoredResult::node_field(const std::string& name, std::size_t state) const {

@@ -36,9 +36,19 @@ struct StoredMesh {
       node_number;  // by node: the part it was made for, and its number there
 };
 
+/// What a cell is: netting, a bar of a rope, or what sits on a single node.
+enum class CellKind : std::uint8_t { netting, rope, point };
+inline constexpr std::size_t kCellKinds = 3;
+
 /// A field that can be drawn: one number per cell.
 struct StoredField {
-  std::string name, unit, doc;
+  std::string name;
+  std::array<std::string, kCellKinds> units;  // by kind of cell
+  std::string doc;
+  // A total over a cell, which is the larger the larger the cell: nothing to colour by.
+  bool is_total = false;
+
+  const std::string& unit(CellKind kind) const { return units[static_cast<std::size_t>(kind)]; }
 };
 
 /// The bed z = -depth + slope_x x + slope_y y.
@@ -107,6 +117,9 @@ class StoredResult {
 
  private:
   void check_format() const;
+  std::vector<double> opening(std::size_t state) const;
+  std::vector<double> tension(std::size_t state) const;
+  std::vector<double> water_force(std::size_t state) const;
   void read_status();
   void read_parts();
   void read_mesh();

@@ -13,6 +13,14 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return csv_field(unit == "1" ? name : name + " [" + unit + "]");
 }
 
+/// "N/m2, N/m, N" where kinds of cells differ.
+std::string units_of(const StoredField& field) {
+  std::string units = field.units.front();
+  for (std::size_t kind = 1; kind < kCellKinds; ++kind)
+    if (field.units[kind] != field.units[kind - 1]) units += ", " + field.units[kind];
+  return units;
+}
+
 std::string part_of(const StoredResult& result, std::uint32_t part) {
   return csv_field(result.parts[part].name);
 }
@@ -60,7 +68,7 @@ std::string elements_csv(const StoredResult& result, std::size_t state) {
   std::string text = "element,part,nodes";
   std::vector<std::vector<double>> fields;
   for (const auto& field : result.fields) {
-    text += "," + with_unit(field.name, field.unit);
+    text += "," + with_unit(field.name, units_of(field));
     fields.push_back(result.field(field.name, state));
   }
   text += "\n";

@@ -25,6 +25,8 @@ std::string title_of(const std::vector<const StoredResult*>& results) {
   return title;
 }
 
+constexpr std::size_t kPictureWidth = 800;  // pixels: pages of any gear stay below 2 MB
+
 /// Says above everything else that a shape is no answer.
 std::string unfinished_html(const StoredResult& result) {
   return "<p><strong>" +
@@ -39,7 +41,8 @@ std::string pictures_html(const StoredResult& result) {
   for (const auto& [view, words] :
        {std::pair{View::side, "From the side"}, {View::top, "From above"}, {View::front, "From the front"}}) {
     SheetOptions options;
-    options.view = view;
+    options.view = view, options.width = kPictureWidth;
+    options.with_dimensions = options.is_small = true;
     html += "<figure>" + svg_sheet(result, options) + "<figcaption>" + words + "</figcaption></figure>\n";
   }
   if (const std::string plan = plan_sketch(result); !plan.empty())

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/view/result_json.hpp"
 
-#include "io/result/field_range.hpp"
+#include "io/picture/colour_map.hpp"
+#include "io/picture/projection.hpp"
+#include "io/result/catch_body.hpp"
+#include "io/result/dimensions.hpp"
+#include "io/result/field_scale.hpp"
 #include "io/view/packed_array.hpp"
 
 #include <algorithm>
@@ -95,9 +99,8 @@ Origin origin_of(const StoredResult& result) {
 }
 
 void put_states(const StoredResult& result, const std::vector<std::size_t>& kept, Json& json) {
-  std::vector<FieldRange> ranges(result.fields.size());
   const Origin origin = origin_of(result);
-  Json states = Json::array(), fields = Json::array(), times = Json::array();
+  Json states = Json::array(), times = Json::array();
   for (const std::size_t state : kept) {
     Json one = {{"points", packed(shifted(result.points(state), origin))}, {"fields", Json::array()}};
     for (const char* name : {"residual", "reaction"})
@@ -105,20 +108,68 @@ void put_states(const StoredResult& result, const std::vector<std::size_t>& kept
           state + 1 == result.times.size() && !values.empty())
         one[name] = packed(values);
     for (std::size_t f = 0; f < result.fields.size(); ++f) {
-      const auto values = result.field(result.fields[f].name, state);
-      ranges[f].take(values);
-      one["fields"].push_back(packed(values));
+      one["fields"].push_back(packed(result.field(result.fields[f].name, state)));
     }
     states.push_back(one), times.push_back(number(result.times[state]));
   }
-  for (std::size_t f = 0; f < ranges.size(); ++f)
-    fields.push_back(
-        {{"name", result.fields[f].name},
-         {"unit", result.fields[f].unit},
-         {"doc", result.fields[f].doc},
-         {"range", ranges[f].is_known() ? Json::array({ranges[f].lo(), ranges[f].hi()}) : Json(nullptr)},
-         {"low", number(ranges[f].low())}});
-  json["origin"] = origin, json["times"] = times, json["fields"] = fields, json["states"] = states;
+  json["origin"] = origin, json["times"] = times, json["states"] = states;
+}
+
+Json scale_json(const std::optional<Scale>& scale) {
+  if (!scale) return nullptr;
+  return {
+      {"lo", scale->lo}, {"hi", scale->hi}, {"below", scale->is_cut_below}, {"above", scale->is_cut_above}};
+}
+
+Json scales_json(const FieldScales& scales) {
+  Json all = Json::array();
+  for (const auto& scale : scales) all.push_back(scale_json(scale));
+  return all;
+}
+
+Json fields_json(const StoredResult& result) {
+  Json all = Json::array();
+  for (const auto& field : result.fields) {
+    const auto spreads = spreads_of(result, field.name);
+    all.push_back({{"name", field.name},
+                   {"units", field.units},
+                   {"doc", field.doc},
+                   {"total", field.is_total},
+                   {"linear", scales_json(scales_of(spreads, false))},
+                   {"log", scales_json(scales_of(spreads, true))}});
+  }
+  return all;
+}
+
+Json catch_json(const StoredResult& result) {
+  const CatchBody body = catch_body_of(result, result.times.size() - 1);
+  if (body.triangles.empty()) return nullptr;
+  return {{"triangles", packed(body.triangles)}, {"rim", packed(flat(body.rim))}};
+}
+
+/// An end is a node, and whether it is the mirrored one; null: the bed below the other end.
+Json end_json(const DimensionEnd& end) {
+  if (end.where == DimensionEnd::Where::bed) return nullptr;
+  return {{"node", end.node}, {"mirrored", end.where == DimensionEnd::Where::mirrored}};
+}
+
+Json dimensions_json(const StoredResult& result) {
+  Json all = Json::array();
+  for (const auto& one : dimensions_of(result))
+    all.push_back({{"name", one.name}, {"from", end_json(one.from)}, {"to", end_json(one.to)}});
+  return all;
+}
+
+/// What pictures and pages have in common.
+Json style_json() {
+  Json views = Json::object();
+  for (const auto& [name, view] : {std::pair{"side", View::side},
+                                   {"top", View::top},
+                                   {"front", View::front},
+                                   {"oblique", View::oblique}})
+    views[name] = {{"azimuth", angles_of(view).azimuth}, {"elevation", angles_of(view).elevation}};
+  return {{"stops", colour_stops()}, {"parts", part_colours()}, {"noValue", kNoValue},
+          {"float", kFloatColour},   {"catch", kCatchColour},   {"views", views}};
 }
 
 Json figures_json(const StoredResult& result) {
@@ -146,8 +197,9 @@ Json result_json(const StoredResult& result, std::size_t most_states) {
                {"title", result.title()},
                {"half", result.is_half},
                {"motion", result.is_motion},
-               {"headline", result.headline},
-               {"footrope", result.footrope},
+               {"dimensions", dimensions_json(result)},
+               {"fields", fields_json(result)},
+               {"catch", catch_json(result)},
                {"nodeError", number(result.node_error)},
                {"parts", parts_json(result)},
                {"bed", nullptr}};
@@ -175,8 +227,8 @@ std::vector<std::size_t> kept_states(std::size_t states, std::size_t most) {
 std::string results_json(const std::vector<const StoredResult*>& results, std::size_t most_states) {
   Json all = Json::array();
   for (const auto* result : results) all.push_back(result_json(*result, most_states));
-  const std::string text =
-      Json{{"results", std::move(all)}}.dump(-1, ' ', true, Json::error_handler_t::replace);
+  const std::string text = Json{{"style", style_json()}, {"results", std::move(all)}}.dump(
+      -1, ' ', true, Json::error_handler_t::replace);
   std::string safe;
   safe.reserve(text.size());
   for (const char c : text)

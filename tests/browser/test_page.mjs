@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {mkdirSync, readFileSync, statSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
@@ -56,7 +56,7 @@ test('a click finds the part that is there, and the plan the same place', async 
   const {page} = await opened('trawl', 'trawl');
   const spots = await page.evaluate(() => {
     const v = window.netloftViewer, r = v.result, found = [];
-    v.select(null);
+    v.selection.set(null);
     for (const [name, view] of [['top-wing', 'oblique'], ['bottom-wing', 'front'], ['headrope', 'front'], ['headline', 'front']]) {
       v.look(view);
       const part = r.parts.findIndex((p) => p.name === name);
@@ -80,13 +80,81 @@ test('a click finds the part that is there, and the plan the same place', async 
   // From the plan to the shape: the same element is selected in both.
   const plan = await page.locator('#plan').boundingBox();
   const place = await page.evaluate(() => {
-    const v = window.netloftViewer, part = v.result.parts.findIndex((p) => p.name === 'top-body'), t = v.result.triPart.indexOf(part);
+    const v = window.netloftViewer, part = v.result.parts.findIndex((p) => p.name === 'top-body'), t = v.result.triPart.indexOf(part) + 20;
+    v.plan.fit();
     return {at: v.plan.whereIs({index: t, weights: [1 / 3, 1 / 3, 1 / 3]}), t};
   });
   await page.mouse.click(plan.x + place.at[0], plan.y + place.at[1]);
   assert.match(await page.textContent('#selection'), /^parttop-bodytype.*meshes across/);
-  assert.equal(await page.evaluate(() => window.netloftViewer.selection.index), place.t);
+  assert.equal(await page.evaluate(() => window.netloftViewer.selection.hit.index), place.t);
   assert.equal(await page.locator('#dimensions .selected').count(), 2);
+});
+
+test('a second click with Shift measures a distance', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const metres = await page.evaluate(() => {
+    const {selection, model} = window.netloftViewer, part = model.result.parts.findIndex((p) => p.name === 'headline');
+    const floats = Array.from(model.result.dot.keys()).filter((i) => model.result.dotPart[i] === part).slice(0, 2);
+    const hit = (i) => ({kind: 'point', index: i, part, cell: model.result.dotCell[i], nodes: [model.result.dot[i]], weights: [1], mirrored: false});
+    selection.set(hit(floats[0]));
+    selection.set(hit(floats[1]), true);
+    const [a, b] = floats.map((i) => model.at(model.result.dot[i]));
+    return Math.hypot(...a.map((v, d) => v - b[d]));
+  });
+  assert.ok(metres > 0.05);
+  const said = Number(/distance([0-9.]+) m/.exec(await page.textContent('#selection'))[1]);
+  assert.ok(Math.abs(said - metres) < 1e-3 * metres + 1e-3, `${said} ${metres}`);
+  await page.evaluate(() => window.netloftViewer.selection.set(null));
+});
+
+test('colours of netting are means at its nodes, or those of each element', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const spread = (byElement) => page.evaluate((by) => {
+    const v = window.netloftViewer;
+    document.getElementById('by-element').checked = by;
+    v.setField('tension');
+    const values = v.model.netting.attributes.value.array;
+    let largest = 0;
+    for (let t = 0; t < values.length; t += 3) largest = Math.max(largest, Math.abs(values[t] - values[t + 1]));
+    return largest;
+  }, byElement);
+  assert.equal(await spread(true), 0);
+  assert.ok(await spread(false) > 1);
+});
+
+test('netting and ropes have legends of their own, with round numbers', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  await page.evaluate(() => window.netloftViewer.setField('tension'));
+  assert.equal(await page.locator('#legend svg').count(), 2);
+  for (const text of await page.locator('#legend svg text').allTextContents()) assert.match(text, /^([<>]|[0-9.]+)$/);
+});
+
+test('the force of the bed shows where the gear touches it', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const shown = () => page.evaluate(() => { const {model} = window.netloftViewer; return model.result.parts.filter((p, i) => p.contact && model.shown[i]).length; });
+  assert.equal(await shown(), 0);
+  await page.evaluate(() => window.netloftViewer.setField('normal_force'));
+  assert.ok(await shown() > 0);
+  await page.evaluate(() => window.netloftViewer.setField('tension'));
+  assert.equal(await shown(), 0);
+});
+
+test('a cod-end shows its catch, closed in front', async () => {
+  const {page, seen} = await opened('codend', 'codend');
+  const facts = await page.evaluate(() => {
+    const v = window.netloftViewer, {triangles, rim} = v.result.catch;
+    return {part: triangles.length / v.result.triPart.length, rim: rim.length / 2, moved: v.model.catchBody.attributes.position.array.every(Number.isFinite)};
+  });
+  assert.ok(facts.part > 0.2 && facts.part < 0.9, JSON.stringify(facts));
+  assert.ok(facts.rim > 4 && facts.moved, JSON.stringify(facts));
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('pages of small gears stay below two megabytes', async () => {
+  for (const result of ['trawl', 'codend', 'slower']) {
+    const {size} = statSync(view(`${result}-size.html`, result));
+    assert.ok(size < 2e6, `${result}: ${size} bytes`);
+  }
 });
 
 test('netting is drawn in its twines at any zoom', async () => {
@@ -94,7 +162,7 @@ test('netting is drawn in its twines at any zoom', async () => {
   // Across a patch of netting seen closely, lines and gaps follow one another; the count is that of the twines.
   const edges = await page.evaluate(() => {
     const v = window.netloftViewer, r = v.result, part = r.parts.findIndex((p) => p.name === 'top-body');
-    v.select(null);
+    v.selection.set(null);
     v.setField('part');
     v.look('top');
     v.camera.target = [0, 1, 2].map((k) => v.model.points[3 * r.tri[3 * (r.triPart.indexOf(part) + 40)] + k]);
@@ -115,7 +183,7 @@ test('the slider moves a motion, and the keyboard does what the mouse does', asy
   const first = await page.evaluate(() => Array.from(window.netloftViewer.model.points));
   await page.locator('#frame').focus();
   await page.keyboard.press('Home');
-  await page.waitForFunction(() => window.netloftViewer.frame === 0 && window.netloftViewer.curve);
+  await page.waitForFunction(() => window.netloftViewer.frames.index === 0 && window.netloftViewer.curves);
   const moved = await page.evaluate((before_) => Math.max(...before_.map((v, i) => Math.abs(v - window.netloftViewer.model.points[i]))), first);
   assert.ok(moved > 0.01, `moved ${moved}`);
   assert.match(await page.textContent('#when'), /^0 s$/);
@@ -152,12 +220,27 @@ test('two results are laid over one another and coloured by their distance', asy
   const {page, seen} = await opened('two', 'slower', 'faster');
   const facts = await page.evaluate(() => {
     const v = window.netloftViewer;
-    return {field: v.field.name, largest: v.scale.hi, models: v.models.map((m) => m.group.visible)};
+    return {field: v.field.name, largest: v.scales[0].hi, models: v.models.map((m) => m.group.visible)};
   });
-  assert.equal(facts.field, 'distance between the two results');
+  assert.equal(facts.field, 'move');
   assert.ok(facts.largest > 0.3 && facts.largest < 10, `largest ${facts.largest}`);  // metres between 2 and 4 knots
   assert.deepEqual(facts.models, [true, true]);
   assert.match(await page.textContent('main'), /What changed/);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('two results on different meshes are compared place by place on their panels', async () => {
+  const {page, seen} = await opened('meshes', 'slower', 'trawl');
+  const facts = await page.evaluate(() => {
+    const v = window.netloftViewer, part = (field) => {
+      v.setField(field);
+      const values = v.model.netting.attributes.value.array;
+      return {known: values.filter((x) => x > -1e37).length / values.length, hi: v.scales[0].hi, lo: v.scales[0].lo};
+    };
+    return {move: part('move'), change: part('change of tension')};
+  });
+  assert.ok(facts.move.known > 0.9 && facts.move.hi > 0.3 && facts.move.hi < 10, JSON.stringify(facts));
+  assert.ok(facts.change.known > 0.9 && facts.change.lo === -facts.change.hi, JSON.stringify(facts));
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
@@ -166,7 +249,7 @@ test('three results are a sweep', async () => {
   assert.match(await page.textContent('#when'), /faster\.hdf/);
   await page.locator('#frame').focus();
   await page.keyboard.press('Home');
-  await page.waitForFunction(() => window.netloftViewer.frame === 0);
+  await page.waitForFunction(() => window.netloftViewer.frames.index === 0);
   assert.match(await page.textContent('#when'), /slower\.hdf/);
   assert.deepEqual(await page.evaluate(() => window.netloftViewer.models.map((m) => m.group.visible)), [true, false, false]);
 });
@@ -188,20 +271,34 @@ test('a page with scripts and WebGL switched off keeps its report and its pictur
 
 test('what a result says is shown and never executed', async () => {
   const {page, seen} = await opened('hostile', 'hostile');
-  await page.evaluate(() => window.netloftViewer.step(1));
+  await page.evaluate(() => window.netloftViewer.selection.step(1));
   assert.match(await page.textContent('#selection'), /<img src=x onerror=alert\(1\)>/);
   assert.equal(await page.locator('img').count(), 0);
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
+const PAGES = {motion: ['motion'], trawl: ['trawl'], two: ['slower', 'faster'], sweep: ['slower', 'trawl', 'faster']};
+
+async function violations(page) {
+  // The test's own script is let in past the policy of the page, as an extension of the browser would be.
+  await page.evaluate(readFileSync(AXE, 'utf8'));
+  const found = await page.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa']}));
+  assert.ok(found.passes.length > 5);
+  return found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')}`);
+}
+
 for (const scheme of ['light', 'dark'])
-  test(`a page is accessible, in ${scheme} colours`, async () => {
-    const {page} = await open(browser.context, view('motion.html', 'motion'), {scheme});
-    // The test's own script is let in past the policy of the page, as an extension of the browser would be.
-    const source = readFileSync(AXE, 'utf8');
-    await page.evaluate(source);
-    const found = await page.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa']}));
-    assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')}`), []);
-    assert.ok(found.passes.length > 10);
-    await page.close();
-  });
+  for (const [name, results] of Object.entries(PAGES))
+    test(`a page of ${name} is accessible, in ${scheme} colours`, async () => {
+      const {page} = await open(browser.context, view(`${name}-axe.html`, ...results), {scheme});
+      assert.deepEqual(await violations(page), []);
+      await page.close();
+    });
+
+test('the report as a page is accessible', async () => {
+  execFileSync(process.env.NETLOFT_PROGRAM, ['report', 'trawl.hdf', '--html', '-o', 'report.html'], {stdio: 'pipe'});
+  const {page, seen} = await open(browser.context, join(process.cwd(), 'report.html'), {scripts: false});
+  assert.deepEqual(await violations(page), []);
+  assert.deepEqual(seen, {errors: [], requests: []});
+  await page.close();
+});

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A parallel projection that turns about a point: lengths across the line of sight are to scale everywhere.
 
-const VIEWS = {
-  side: {azimuth: -90, elevation: 0},
-  top: {azimuth: -90, elevation: 90},
-  front: {azimuth: 180, elevation: 0},
-  oblique: {azimuth: -140, elevation: 25},
-};
+const dot3 = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 class OrbitCamera {
-  constructor() {
+  /** `views`: {name: {azimuth, elevation}} in degrees. */
+  constructor(views) {
     this.camera = new Libraries.OrthographicCamera(-1, 1, 1, -1, -1e5, 1e5);
+    this.views = views;
     this.target = [0, 0, 0];
     this.width = this.height = 1;
     this.pixelsPerMetre = 1;
     this.look('oblique');
   }
   look(name) {
-    this.azimuth = VIEWS[name].azimuth * Math.PI / 180;
-    this.elevation = VIEWS[name].elevation * Math.PI / 180;
+    this.azimuth = this.views[name].azimuth * Math.PI / 180;
+    this.elevation = this.views[name].elevation * Math.PI / 180;
   }
   /** Unit vectors to the right, upwards and towards the eye. */
   axes() {
@@ -30,17 +27,21 @@ class OrbitCamera {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
   }
-  /** The extent of points (3 numbers each) on the screen fills it but for a margin. */
-  fit(boxCorners) {
-    const {right, up, eye} = this.axes();
-    const range = (axis) => {
-      const all = boxCorners.map((p) => p[0] * axis[0] + p[1] * axis[1] + p[2] * axis[2]);
-      return [Math.min(...all), Math.max(...all)];
-    };
-    const [r, u, e] = [right, up, eye].map(range);
-    const middle = [r, u, e].map(([lo, hi]) => (lo + hi) / 2);
+  /** All points fill the window but for a margin [pixels] on each side: {left, right, top, bottom}. */
+  fit(points, margin) {
+    const {right, up, eye} = this.axes(), lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
+    for (const p of points)
+      [right, up, eye].forEach((axis, i) => {
+        const at = dot3(p, axis);
+        lo[i] = Math.min(lo[i], at); hi[i] = Math.max(hi[i], at);
+      });
+    if (lo[0] > hi[0]) return;
+    const width = Math.max(50, this.width - margin.left - margin.right), height = Math.max(50, this.height - margin.top - margin.bottom);
+    this.pixelsPerMetre = Math.min(width / Math.max(hi[0] - lo[0], 1e-3), height / Math.max(hi[1] - lo[1], 1e-3));
+    const middle = [0, 1, 2].map((i) => (lo[i] + hi[i]) / 2);
+    middle[0] -= (margin.left - margin.right) / 2 / this.pixelsPerMetre;
+    middle[1] += (margin.top - margin.bottom) / 2 / this.pixelsPerMetre;
     this.target = [0, 1, 2].map((i) => middle[0] * right[i] + middle[1] * up[i] + middle[2] * eye[i]);
-    this.pixelsPerMetre = 0.86 * Math.min(this.width / Math.max(r[1] - r[0], 1e-3), this.height / Math.max(u[1] - u[0], 1e-3));
   }
   turn(dx, dy) {
     this.azimuth -= dx;
@@ -69,9 +70,7 @@ class OrbitCamera {
   }
   /** Pixels from the upper left corner, and the distance towards the eye. */
   project(p) {
-    const {right, up, eye} = this.axes();
-    const d = p.map((v, i) => v - this.target[i]);
-    const along = (axis) => d[0] * axis[0] + d[1] * axis[1] + d[2] * axis[2];
-    return [this.width / 2 + along(right) * this.pixelsPerMetre, this.height / 2 - along(up) * this.pixelsPerMetre, along(eye)];
+    const {right, up, eye} = this.axes(), d = p.map((v, i) => v - this.target[i]);
+    return [this.width / 2 + dot3(d, right) * this.pixelsPerMetre, this.height / 2 - dot3(d, up) * this.pixelsPerMetre, dot3(d, eye)];
   }
 }

@@ -31,13 +31,19 @@ async function decodeArray(packed) {
   return new Kind(bytes.buffer);
 }
 
+/** Unpacks some members of an object, which are arrays then. */
+async function decodeMembers(object, names) {
+  const arrays = await Promise.all(names.map((name) => decodeArray(object[name])));
+  names.forEach((name, i) => { object[name] = arrays[i]; });
+}
+
 const MESH_ARRAYS = ['tri', 'triUV', 'triPart', 'triCell', 'bar', 'barPart', 'barCell', 'dot', 'dotPart', 'dotCell',
                      'nodePart', 'nodeNumber'];
 
 /** Unpacks the mesh of a result; states are unpacked when they are shown. */
 async function decodeResult(result) {
-  const arrays = await Promise.all(MESH_ARRAYS.map((name) => decodeArray(result[name])));
-  MESH_ARRAYS.forEach((name, i) => { result[name] = arrays[i]; });
+  await decodeMembers(result, MESH_ARRAYS);
+  if (result.catch) await decodeMembers(result.catch, ['triangles', 'rim']);
   return result;
 }
 
@@ -45,9 +51,7 @@ async function decodeState(result, index) {
   const state = result.states[index];
   if (!state.ready) {
     state.ready = (async () => {
-      const names = ['points', 'residual', 'reaction'].filter((name) => state[name]);
-      const plain = await Promise.all(names.map((name) => decodeArray(state[name])));
-      names.forEach((name, i) => { state[name] = plain[i]; });
+      await decodeMembers(state, ['points', 'residual', 'reaction'].filter((name) => state[name]));
       state.fields = await Promise.all(state.fields.map(decodeArray));
       return state;
     })();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What lies under a point of the screen, or of the plan.
 
+/** Weights of the corners a, b, c of a triangle at p; null: p lies outside. */
 function barycentric(p, a, b, c) {
   const d = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
   if (Math.abs(d) < 1e-12) return null;
@@ -16,52 +17,40 @@ function nearSegment(p, a, b) {
   return [Math.hypot(p[0] - a[0] - s * dx, p[1] - a[1] - s * dy), s];
 }
 
-const REACH = 7;  // pixels within which a rope or a float is hit
+const REACH = 7;    // pixels within which a rope or a float is hit
+const AHEAD = 0.3;  // metres: ropes and floats are drawn wider than they are, and win over netting not far ahead of them
 
-/** The cell nearest to the eye under (x, y) pixels: {kind, index, part, cell, weights, mirrored}; null: none. */
+/** Where elements of each kind are hit by a point p of the screen; `at` has the nodes there: weights and depth, or null. */
+const HITS = {
+  netting(p, [a, b, c]) {
+    if (Math.max(a[0], b[0], c[0]) < p[0] || Math.min(a[0], b[0], c[0]) > p[0] || Math.max(a[1], b[1], c[1]) < p[1] || Math.min(a[1], b[1], c[1]) > p[1]) return null;
+    const weights = barycentric(p, a, b, c);
+    return weights && {weights, depth: weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2]};
+  },
+  rope(p, [a, b]) {
+    const [distance, s] = nearSegment(p, a, b);
+    return distance < REACH ? {weights: [1 - s, s], depth: a[2] + s * (b[2] - a[2]) + AHEAD - 0.01 * distance} : null;
+  },
+  point(p, [a]) {
+    return Math.hypot(a[0] - p[0], a[1] - p[1]) < REACH ? {weights: [1], depth: a[2] + 2 * AHEAD} : null;
+  },
+};
+
+/** The element nearest to the eye under (x, y) pixels: {kind, index, part, cell, nodes, weights, mirrored}; null: none. */
 function pick(model, camera, x, y, isCut) {
-  const {result, points} = model;
-  const screen = new Float64Array(points.length);
+  const {result} = model, screen = new Array(result.nPoints);
   let best = null;
-  const consider = (hit, depth) => { if (!best || depth > best.depth) best = {...hit, depth}; };
-  for (const sign of result.half ? [1, -1] : [1]) {
-    const world = (node) => [points[3 * node], sign > 0 ? points[3 * node + 1] : -2 * result.origin[1] - points[3 * node + 1], points[3 * node + 2]];
-    for (let node = 0; node < result.nPoints; ++node) screen.set(camera.project(world(node)), 3 * node);
-    const at = (node) => [screen[3 * node], screen[3 * node + 1], screen[3 * node + 2]];
-    const seen = (part, nodes, weights) => model.shown[part] && !isCut([0, 1, 2].map((k) => nodes.reduce((sum, node, i) => sum + weights[i] * world(node)[k], 0)));
-    pickNetting(result, at, seen, [x, y], (hit, depth) => consider({...hit, mirrored: sign < 0}, depth));
-    pickBars(result, at, seen, [x, y], (hit, depth) => consider({...hit, mirrored: sign < 0}, depth));
-    pickDots(result, at, seen, [x, y], (hit, depth) => consider({...hit, mirrored: sign < 0}, depth));
+  for (const mirrored of result.half ? [false, true] : [false]) {
+    for (let node = 0; node < result.nPoints; ++node) screen[node] = camera.project(model.at(node, mirrored));
+    for (const c of CELLS)
+      for (let index = 0; index < result[c.parts].length; ++index) {
+        const part = result[c.parts][index];
+        if (!model.shown[part]) continue;
+        const nodes = nodesOfElement(result, c.kind, index), hit = HITS[c.kind]([x, y], nodes.map((n) => screen[n]));
+        if (!hit || (best && hit.depth <= best.depth)) continue;
+        const place = [0, 1, 2].map((d) => nodes.reduce((sum, n, i) => sum + hit.weights[i] * model.at(n, mirrored)[d], 0));
+        if (!isCut(place)) best = {kind: c.kind, index, part, cell: result[c.cells][index], nodes, weights: hit.weights, mirrored, depth: hit.depth};
+      }
   }
   return best;
-}
-
-function pickNetting(result, at, seen, p, consider) {
-  for (let t = 0; t < result.triPart.length; ++t) {
-    const nodes = [result.tri[3 * t], result.tri[3 * t + 1], result.tri[3 * t + 2]], [a, b, c] = nodes.map(at);
-    if (Math.max(a[0], b[0], c[0]) < p[0] || Math.min(a[0], b[0], c[0]) > p[0] || Math.max(a[1], b[1], c[1]) < p[1] || Math.min(a[1], b[1], c[1]) > p[1]) continue;
-    const weights = barycentric(p, a, b, c);
-    if (weights && seen(result.triPart[t], nodes, weights))
-      consider({kind: 'netting', index: t, part: result.triPart[t], cell: result.triCell[t], nodes, weights}, weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2]);
-  }
-}
-
-/** Ropes and floats are drawn wider than they are: within reach they win over netting that is not far ahead of them. */
-const AHEAD = 0.3;  // metres
-
-function pickBars(result, at, seen, p, consider) {
-  for (let i = 0; i < result.barPart.length; ++i) {
-    const nodes = [result.bar[2 * i], result.bar[2 * i + 1]], [a, b] = nodes.map(at);
-    const [distance, s] = nearSegment(p, a, b);
-    if (distance < REACH && seen(result.barPart[i], nodes, [1 - s, s]))
-      consider({kind: 'bar', index: i, part: result.barPart[i], cell: result.barCell[i], nodes, weights: [1 - s, s]}, a[2] + s * (b[2] - a[2]) + AHEAD - 0.01 * distance);
-  }
-}
-
-function pickDots(result, at, seen, p, consider) {
-  for (let i = 0; i < result.dotPart.length; ++i) {
-    const nodes = [result.dot[i]], a = at(nodes[0]);
-    if (Math.hypot(a[0] - p[0], a[1] - p[1]) < REACH && seen(result.dotPart[i], nodes, [1]))
-      consider({kind: 'dot', index: i, part: result.dotPart[i], cell: result.dotCell[i], nodes, weights: [1]}, a[2] + 2 * AHEAD);
-  }
 }

@@ -22,16 +22,20 @@ function placeOnSheet(result) {
 }
 
 class PlanDrawing {
-  constructor(canvas, result, onPick) {
-    Object.assign(this, {canvas, result});
-    placeOnSheet(result);
+  constructor(canvas, viewer) {
+    Object.assign(this, {canvas, viewer, result: viewer.models[0].result});
+    placeOnSheet(this.result);
     this.corners = this.placeCorners();
     this.border = this.findBorder();
+    this.names = this.findNames();
+    new ResizeObserver(() => viewer.redraw()).observe(canvas);
     canvas.addEventListener('click', (event) => {
       const box = canvas.getBoundingClientRect();
-      onPick(this.pick(event.clientX - box.left, event.clientY - box.top));
+      viewer.selection.set(this.pick(event.clientX - box.left, event.clientY - box.top), event.shiftKey);
     });
   }
+
+  get isEmpty() { return this.border.length === 0; }
 
   /** x, y of all corners of triangles on the sheet [m]; NaN off a panel. */
   placeCorners() {
@@ -47,55 +51,97 @@ class PlanDrawing {
     return corners;
   }
 
+  isKnown(t) { return Number.isFinite(this.corners[6 * t]); }
+
   /** Sides that only one triangle has. */
   findBorder() {
-    const sides = new Map(), c = this.corners;
-    for (let t = 0; t < c.length / 6; ++t)
+    const sides = new Map();
+    const corner = (i) => `${Math.round(1e4 * this.corners[i])} ${Math.round(1e4 * this.corners[i + 1])}`;
+    for (let t = 0; t < this.result.triPart.length; ++t) {
+      if (!this.isKnown(t)) continue;
       for (let k = 0; k < 3; ++k) {
-        const a = 6 * t + 2 * k, b = 6 * t + 2 * ((k + 1) % 3);
-        const ends = [a, b].map((i) => `${c[i].toFixed(5)},${c[i + 1].toFixed(5)}`).sort().join(' ');
-        sides.set(ends, sides.has(ends) ? null : [a, b]);
+        const a = 6 * t + 2 * k, b = 6 * t + 2 * ((k + 1) % 3), key = [corner(a), corner(b)].sort().join(' ') + this.result.triPart[t];
+        sides.set(key, sides.has(key) ? null : [a, b]);
       }
-    return [...sides.values()].filter((side) => side && Number.isFinite(c[side[0]]));
+    }
+    return [...sides.values()].filter(Boolean);
+  }
+
+  /** Where names of panels stand: in the middle of each. */
+  findNames() {
+    const boxes = new Map();
+    for (let i = 0; i < this.corners.length; i += 2) {
+      if (!Number.isFinite(this.corners[i])) continue;
+      const part = this.result.triPart[Math.floor(i / 6)], [x, y] = [this.corners[i], this.corners[i + 1]];
+      const box = boxes.get(part) || {x: 0, y: 0, n: 0, lo: [x, y], hi: [x, y]};
+      boxes.set(part, {x: box.x + x, y: box.y + y, n: box.n + 1, lo: [Math.min(box.lo[0], x), Math.min(box.lo[1], y)], hi: [Math.max(box.hi[0], x), Math.max(box.hi[1], y)]});
+    }
+    return [...boxes].map(([part, {x, y, n, lo, hi}]) => ({name: this.result.parts[part].name, x: x / n, y: y / n, lo, hi}));
   }
 
   fit() {
-    const ratio = window.devicePixelRatio || 1, box = this.canvas.getBoundingClientRect();
+    const box = this.canvas.getBoundingClientRect();
+    const lo = [Infinity, Infinity], hi = [-Infinity, -Infinity];
+    this.corners.forEach((v, i) => { if (Number.isFinite(v)) { lo[i % 2] = Math.min(lo[i % 2], v); hi[i % 2] = Math.max(hi[i % 2], v); } });
+    // Plans are long and narrow: lying down they fill the box. The fore end is to the left, as in the view from the side.
+    this.lies = hi[1] - lo[1] > hi[0] - lo[0];
+    const [wide, high] = this.lies ? [1, 0] : [0, 1];
+    const scale = 0.94 * Math.min(box.width / Math.max(hi[wide] - lo[wide], 1e-6), box.height / Math.max(hi[high] - lo[high], 1e-6));
+    const middle = [0, 1].map((axis) => (lo[axis] + hi[axis]) / 2);
+    this.place = ([x, y]) => {
+      const [dx, dy] = [scale * (x - middle[0]), scale * (y - middle[1])];
+      return this.lies ? [box.width / 2 + dy, box.height / 2 + dx] : [box.width / 2 + dx, box.height / 2 + dy];
+    };
+  }
+
+  /** Clears the canvas, as large as it is shown. */
+  begin() {
+    const g = this.canvas.getContext('2d'), box = this.canvas.getBoundingClientRect(), ratio = window.devicePixelRatio || 1;
     this.canvas.width = Math.max(1, Math.round(box.width * ratio));
     this.canvas.height = Math.max(1, Math.round(box.height * ratio));
-    let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
-    for (let i = 0; i < this.corners.length; i += 2) {
-      if (!Number.isFinite(this.corners[i])) continue;
-      x0 = Math.min(x0, this.corners[i]); x1 = Math.max(x1, this.corners[i]);
-      y0 = Math.min(y0, this.corners[i + 1]); y1 = Math.max(y1, this.corners[i + 1]);
-    }
-    const scale = 0.92 * Math.min(box.width / Math.max(x1 - x0, 1e-6), box.height / Math.max(y1 - y0, 1e-6));
-    this.place = {scale, x: box.width / 2 - scale * (x0 + x1) / 2, y: box.height / 2 - scale * (y0 + y1) / 2, ratio};
-  }
-
-  at(i) {
-    return [this.place.x + this.place.scale * this.corners[i], this.place.y + this.place.scale * this.corners[i + 1]];
-  }
-
-  draw(colourOfCell, shown, selection, ink) {
+    g.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.fit();
-    const g = this.canvas.getContext('2d');
-    g.setTransform(this.place.ratio, 0, 0, this.place.ratio, 0, 0);
-    g.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    return g;
+  }
+
+  at(i) { return this.place([this.corners[i], this.corners[i + 1]]); }
+
+  draw() {
+    if (this.isEmpty) return;
+    const g = this.begin(), {models: [model], selection} = this.viewer, ink = styleColour('--ink');
     for (let t = 0; t < this.result.triPart.length; ++t) {
-      if (!Number.isFinite(this.corners[6 * t]) || !shown[this.result.triPart[t]]) continue;
-      g.fillStyle = g.strokeStyle = colourOfCell(this.result.triCell[t], this.result.triPart[t]);
+      if (!this.isKnown(t) || !model.shown[this.result.triPart[t]]) continue;
+      g.fillStyle = g.strokeStyle = this.viewer.colourOnPlan(t);
       this.trace(g, t);
       g.fill();
       g.lineWidth = 0.4;
       g.stroke();
     }
+    this.drawBorder(g, ink);
+    this.drawNames(g, ink);
+    this.mark(g, selection.hit);
+  }
+
+  drawBorder(g, ink) {
     g.strokeStyle = ink;
     g.lineWidth = 1.2;
     g.beginPath();
     for (const [a, b] of this.border) { g.moveTo(...this.at(a)); g.lineTo(...this.at(b)); }
     g.stroke();
-    this.mark(g, selection);
+  }
+
+  drawNames(g, ink) {
+    g.font = '11px system-ui, sans-serif';
+    g.textAlign = 'center';
+    g.lineWidth = 3;
+    for (const {name, x, y, lo, hi} of this.names) {
+      const [px, py] = this.place([x, y]), [a, b] = [this.place(lo), this.place(hi)];
+      if (g.measureText(name).width > Math.abs(a[0] - b[0])) continue;  // the list of parts and a click tell it
+      g.strokeStyle = styleColour('--paper');
+      g.strokeText(name, px, py + 4);
+      g.fillStyle = ink;
+      g.fillText(name, px, py + 4);
+    }
   }
 
   trace(g, t) {
@@ -104,32 +150,28 @@ class PlanDrawing {
     g.closePath();
   }
 
-  mark(g, selection) {
-    if (!selection || selection.kind !== 'netting' || !Number.isFinite(this.corners[6 * selection.index])) return;
-    this.trace(g, selection.index);
+  mark(g, hit) {
+    if (!hit || hit.kind !== 'netting' || !this.isKnown(hit.index)) return;
+    this.trace(g, hit.index);
     g.lineWidth = 2;
-    g.strokeStyle = '#ff3b30';
+    g.strokeStyle = styleColour('--mark');
     g.stroke();
-    const [x, y] = this.whereIs(selection);
     g.beginPath();
-    g.arc(x, y, 6, 0, 2 * Math.PI);
+    g.arc(...this.whereIs(hit), 6, 0, 2 * Math.PI);
     g.stroke();
   }
 
-  whereIs(selection) {
-    const corners = [0, 2, 4].map((k) => this.at(6 * selection.index + k));
-    return [0, 1].map((axis) => corners.reduce((sum, c, k) => sum + selection.weights[k] * c[axis], 0));
+  whereIs(hit) {
+    const corners = [0, 2, 4].map((k) => this.at(6 * hit.index + k));
+    return [0, 1].map((axis) => corners.reduce((sum, c, k) => sum + hit.weights[k] * c[axis], 0));
   }
 
   /** The triangle under a point of the drawing. */
   pick(x, y) {
+    this.fit();
     for (let t = 0; t < this.result.triPart.length; ++t) {
-      if (!Number.isFinite(this.corners[6 * t])) continue;
-      const weights = barycentric([x, y], this.at(6 * t), this.at(6 * t + 2), this.at(6 * t + 4));
-      if (weights) {
-        const nodes = [0, 1, 2].map((k) => this.result.tri[3 * t + k]);
-        return {kind: 'netting', index: t, part: this.result.triPart[t], cell: this.result.triCell[t], nodes, weights, mirrored: false};
-      }
+      const weights = this.isKnown(t) ? barycentric([x, y], this.at(6 * t), this.at(6 * t + 2), this.at(6 * t + 4)) : null;
+      if (weights) return {kind: 'netting', index: t, part: this.result.triPart[t], cell: this.result.triCell[t], nodes: nodesOfElement(this.result, 'netting', t), weights, mirrored: false};
     }
     return null;
   }

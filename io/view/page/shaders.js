@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Programs of the graphics card. Positions are in metres from the origin of the result.
 
 const COMMON_VERTEX = `
 precision highp float;
@@ -15,15 +16,16 @@ precision highp float;
 uniform vec3 stops[9];
 uniform vec2 range;
 uniform bool isLog;
+uniform vec3 noValue;
 uniform vec4 section;
 uniform vec3 plain;
 uniform float usePlain;
 out vec4 result;
 vec3 colourOf(float value, vec3 partColour) {
   if (usePlain > 0.5) return plain;
-  if (isnan(value) || value < -1e37) return vec3(0.55);
-  float place = isLog ? log(max(value, range.x) / range.x) / log(range.y / range.x) : (value - range.x) / (range.y - range.x);
   if (range.x > range.y) return partColour;
+  if (isnan(value) || value < -1e37) return noValue;
+  float place = isLog ? log(max(value, range.x) / range.x) / log(range.y / range.x) : (value - range.x) / (range.y - range.x);
   float at = clamp(place, 0.0, 1.0) * 8.0;
   int k = min(int(at), 7);
   return mix(stops[k], stops[k + 1], at - float(k));
@@ -70,8 +72,8 @@ void main() {
   float light = 0.62 + 0.38 * abs(dot(normal, eye));
   if (hasLines) {
     float alpha = isnan(uv.x) || uv.x < -1e37 ? 0.0 : max(twine(uv.x), twine(uv.y));
-    if (alpha < 0.35) discard;
-    result = vec4(colour, 1.0);
+    if (alpha < 0.1) discard;
+    result = vec4(colour, alpha);
   } else {
     result = vec4(colour * light, fill);
   }
@@ -133,6 +135,30 @@ void main() {
   float r = dot(onDisc, onDisc);
   if (r > 1.0) discard;
   result = vec4(colourOf(shownValue, colourOfPart) * (0.45 + 0.55 * sqrt(1.0 - r)), 1.0);
+}`;
+
+// What is solid and no netting: the catch.
+const SOLID_VERTEX = `
+precision highp float;
+uniform mat4 modelMatrix, viewMatrix, projectionMatrix;
+in vec3 position;
+out vec3 world;
+void main() {
+  vec4 w = modelMatrix * vec4(position, 1.0);
+  world = w.xyz;
+  gl_Position = projectionMatrix * viewMatrix * w;
+}`;
+
+const SOLID_FRAGMENT = `
+precision highp float;
+uniform vec3 colour, eye;
+uniform vec4 section;
+in vec3 world;
+out vec4 result;
+void main() {
+  if (dot(world, section.xyz) > section.w) discard;
+  vec3 normal = normalize(cross(dFdx(world), dFdy(world)));
+  result = vec4(colour * (0.62 + 0.38 * abs(dot(normal, eye))), 1.0);
 }`;
 
 // The bed and the surface: a plane with a grid of whole metres.

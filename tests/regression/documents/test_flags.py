@@ -42,6 +42,7 @@ COMMANDS = (
     (f"netloft check {GEAR} --set ropes.headline.length=7 {COMMON}", '"findings"'),
     (f"netloft draw {GEAR} --set ropes.headline.length=7 {COMMON} --mesh --nodes 200 -o mesh.svg; ls mesh.svg", "mesh.svg"),
     ("netloft draw rope.hdf --view side --field part --state 0 --width 300 --ropes --dark --output rope.png; ls rope.png", "rope.png"),
+    ("netloft draw rope.hdf --log --elements --dimensions -o tension.png; ls tension.png", "tension.png"),
     (f"netloft compare {ROPE} {SCENE} --strategy direct --solver newton --solver lbfgs --tolerance 1e-6:1e-6 --cells rope=10,20 "
      "--reference newton --repeats 1 --csv table.csv --plot work.svg; head -1 table.csv work.svg", "work.svg"),
     ("netloft diff rope.hdf coarse.hdf --json", '"after"'),
@@ -52,9 +53,6 @@ COMMANDS = (
     ("netloft stability tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
     ("netloft import femnet gears/01_two_bars.don --mesh gears/01_two_bars.mdg --json -o bars.toml; ls bars.toml bars.mesh", "bars.mesh"),
     ("netloft import --check gears --color never", "01_two_bars"),
-    (f"netloft study plan study.toml {COMMON} -o ropes", '"points": 4'),
-    (f"netloft study run ropes --items 1-2 --jobs 2 --threads 1 {COMMON}", '"computed": 2'),
-    ("netloft study collect ropes --color never --json; head -1 ropes/table.csv", '"converged": 4'),
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),
     ("netloft report rope.hdf --html --output rope-report.html; ls rope-report.html", "rope-report.html"),
@@ -62,7 +60,6 @@ COMMANDS = (
     ("netloft export rope.hdf elements.csv --table elements --state 0 --json; head -1 elements.csv", "tension"),
     ("netloft export rope.hdf rope.glb --field part --json", "rope.glb"),
 )
-NESTED = ("study",)  # commands of commands
 FLAG = re.compile(r"^ +(?:(-\w),)?(--[\w-]+)", re.MULTILINE)
 
 
@@ -71,13 +68,9 @@ def flags_in_help(*command):
     return {long: short for short, long in FLAG.findall(text)}
 
 
-def subcommands(*command):
-    """All commands, those of commands too: "run", "study", "study plan"."""
-    text = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, timeout=20).stdout
-    if "Subcommands:" not in text:
-        return []
-    names = re.findall(r"^  (\w+) +\w", text.split("Subcommands:")[1], re.MULTILINE)
-    return [full for name in names for full in (" ".join((*command, name)), *subcommands(*command, name))]
+def subcommands():
+    text = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, timeout=20).stdout
+    return re.findall(r"^  (\w+) +\w", text.split("Subcommands:")[1], re.MULTILINE)
 
 
 def typed_flags(line):
@@ -85,7 +78,6 @@ def typed_flags(line):
     words = next(re.finditer(r"netloft [^;&]*", line)).group()
     words = shlex.split(words)[1:]
     command = words[0] if not words[0].startswith("-") else ""
-    command = " ".join(words[:2]) if command in NESTED else command
     return {(command, word) for word in words if re.match(r"--?[a-z]", word)}
 
 
@@ -102,9 +94,6 @@ class Flags(unittest.TestCase):
         shutil.copytree(SOURCE / "tests/validation/femnet_files", cls.folder / "gears")
         shutil.copytree(SOURCE / "tests/stability", cls.folder / "tests/stability")
         shutil.copytree(library, cls.folder / "gear-library")
-        (cls.folder / "study.toml").write_text(f'scene = "{ROPE}"\npath = ["density"]\n'
-                                               '[variables.cells]\nkey = "parts.rope.cells"\nvalues = [10, 20]\n'
-                                               '[variables.density]\nkey = "parts.rope.rope.density"\nvalues = [2000, 3000]\n')
         (cls.folder / "trawl.toml").write_text(f'include = ["{library}/scenes/four-panel.toml"]\n')
 
     def type(self, line):
@@ -124,7 +113,7 @@ class Flags(unittest.TestCase):
         listed = subcommands()
         self.assertGreater(len(listed), 15)
         for command in ["", *listed]:
-            for flag, short in flags_in_help(*command.split()).items():
+            for flag, short in flags_in_help(*filter(None, [command])).items():
                 if flag == "--help" and command:
                     continue  # asked for here
                 self.assertTrue({(command, flag), (command, short)} & typed, f"no command types {command} {flag}")
@@ -132,7 +121,7 @@ class Flags(unittest.TestCase):
     def test_every_flag_that_is_typed_is_in_the_help(self):
         for line, _ in COMMANDS:
             for command, flag in typed_flags(line):
-                known = flags_in_help(*command.split())
+                known = flags_in_help(*filter(None, [command]))
                 self.assertIn(flag, {*known, *known.values()}, line)
 
     def test_a_flag_that_nobody_types_is_noticed(self):

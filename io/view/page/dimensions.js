@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Dimension lines over the picture: which there are, the result says.
+
+const LEAST_DIMENSION = 24;  // pixels: shorter ones are seen from their end
+
+/** A line with an arrow at either end, its words at `along` of it. */
+function drawDimension(svg, a, b, text, along) {
+  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  if (length < LEAST_DIMENSION) return;
+  const u = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+  const head = (tip, sign, side) => `M${tip[0]} ${tip[1]}l${sign * 9 * (u[0] - side * u[1])} ${sign * 9 * (u[1] + side * u[0])}`;
+  const heads = [[a, 1], [b, -1]].flatMap(([tip, sign]) => [0.32, -0.32].map((side) => head(tip, sign, side))).join('');
+  svg.append(svgElement('path', {d: `M${a[0]} ${a[1]}L${b[0]} ${b[1]}${heads}`, class: 'dimension'}));
+  svg.append(svgElement('text', {x: a[0] + along * (b[0] - a[0]) + 7, y: a[1] + along * (b[1] - a[1]) - 7, class: 'dimension'}, text));
+}
+
+/** An end of a dimension, from the origin: a node, or (null) the bed below the other end. */
+function dimensionEnd(model, end, other) {
+  if (end) return model.at(end.node, end.mirrored);
+  const {bed, origin} = model.result;
+  return [other[0], other[1], bed.slopeX * (other[0] + origin[0]) + bed.slopeY * (other[1] + origin[1]) - bed.depth - origin[2]];
+}
+
+function drawDimensions(svg, model, camera) {
+  let along = 0.5;  // lines that cross have their words in different places
+  for (const {name, from, to} of model.result.dimensions) {
+    const a = dimensionEnd(model, from), b = dimensionEnd(model, to, a);
+    drawDimension(svg, camera.project(a), camera.project(b), `${name} ${formatNumber(Math.hypot(...a.map((v, d) => v - b[d])), 3)} m`, along);
+    along = along === 0.5 ? 0.22 : 0.62;
+  }
+}
+
+/** Forces of the holds as arrows at the nodes that are held, the largest `longest` pixels long. */
+function drawHolds(svg, model, camera, longest) {
+  const {reaction} = model.state, {nPoints, half} = model.result;
+  if (!reaction) return;
+  const force = (n) => [reaction[3 * n], reaction[3 * n + 1], reaction[3 * n + 2]], size = (n) => Math.hypot(...force(n));
+  // What the plane of symmetry bears is no hold of the gear.
+  const held = Array.from({length: nPoints}, (_, n) => n).filter((n) => (half ? Math.hypot(force(n)[0], force(n)[2]) : size(n)) > 0);
+  const most = Math.max(...held.map(size));
+  for (const n of held.filter((one) => size(one) > most / 50))
+    for (const mirrored of half ? [false, true] : [false]) {
+      const f = force(n), from = model.at(n, mirrored), scale = longest / camera.pixelsPerMetre / most;
+      const to = from.map((v, d) => v + scale * f[d] * (mirrored && d === 1 ? -1 : 1));
+      const [a, b] = [from, to].map((p) => camera.project(p));
+      drawArrow(svg, a, b);
+      if (size(n) > most / 2 && held.length <= 8) svg.append(svgElement('text', {x: b[0] + 6, y: b[1] - 4, class: 'hold'}, `${formatNumber(size(n) / 1000, 3)} kN`));
+    }
+}
+
+function drawArrow(svg, a, b) {
+  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  if (length < 3) return;
+  const u = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], head = (side) => `M${b[0]} ${b[1]}l${-9 * (u[0] - side * u[1])} ${-9 * (u[1] + side * u[0])}`;
+  svg.append(svgElement('path', {d: `M${a[0]} ${a[1]}L${b[0]} ${b[1]}${head(0.4)}${head(-0.4)}`, class: 'hold'}));
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is selected: its description, its marks, and the distance from what was selected before it.
+
+/** The place of a hit, from the origin of its result [m]. */
+function placeOfHit(model, hit) {
+  return [0, 1, 2].map((d) => hit.nodes.reduce((sum, n, i) => sum + hit.weights[i] * model.at(n, hit.mirrored)[d], 0));
+}
+
+/** Rows of name and value. */
+function describeHit(model, hit) {
+  const {result} = model, part = result.parts[hit.part], rows = [['part', part.name], ['type', part.type]];
+  if (hit.kind === 'netting' && Number.isFinite(result.triUV[6 * hit.index])) {
+    const uv = [0, 1].map((k) => [0, 1, 2].reduce((sum, i) => sum + hit.weights[i] * result.triUV[6 * hit.index + 2 * i + k], 0));
+    rows.push(['on the plan', `${formatNumber(uv[0], 3)} meshes across, ${formatNumber(uv[1], 3)} deep`]);
+  }
+  rows.push(['position', placeOfHit(model, hit).map((v, d) => formatNumber(v + result.origin[d], 5)).join(', ') + ' m']);
+  const node = hit.nodes[hit.weights.indexOf(Math.max(...hit.weights))];
+  rows.push(['nearest node', `${result.parts[result.nodePart[node]].name} ${result.nodeNumber[node]}` + (hit.mirrored ? ', mirrored' : '')]);
+  if (result.nodeError !== null) rows.push(['position, error', `± ${formatNumber(result.nodeError, 2)} m of the solver; of the mesh ±?`]);
+  return [...rows, ...valuesOfHit(model, hit), ...forcesOfNode(model, node)];
+}
+
+function valuesOfHit(model, hit) {
+  const kind = CELLS.findIndex((c) => c.kind === hit.kind);
+  return model.result.fields.map((field, i) => [LABELS[field.name] || words(field.name), model.state.fields[i][hit.cell], field.units[kind]])
+    .filter(([, value]) => Number.isFinite(value)).map(([name, value, unit]) => [name, `${withUnit(value, unit)} ±?`]);
+}
+
+function forcesOfNode(model, node) {
+  const rows = [];
+  for (const [name, text] of [['reaction', 'node held with'], ['residual', 'node out of balance by']]) {
+    if (!model.state[name]) continue;
+    const force = [0, 1, 2].map((d) => model.state[name][3 * node + d]), size = Math.hypot(...force);
+    if (size > 0) rows.push([text, `${formatNumber(size)} N (${force.map((f) => formatNumber(f, 3)).join(', ')})`]);
+  }
+  return rows;
+}
+
+class Selection {
+  constructor(viewer, box) {
+    Object.assign(this, {viewer, box, hit: null, before: null});
+  }
+
+  /** `measures`: the distance from what was selected before is wanted. */
+  set(hit, measures = false) {
+    this.before = hit && measures ? this.hit : null;
+    this.hit = hit;
+    this.describe();
+    this.viewer.draw();
+  }
+
+  /** The next element of the same kind, for those who have no pointer. */
+  step(by) {
+    const {result} = this.viewer.model, kind = this.hit ? this.hit.kind : result.triPart.length ? 'netting' : 'rope', c = cellsOf(kind);
+    const n = result[c.parts].length;
+    if (!n) return;
+    const index = ((this.hit ? this.hit.index + by : 0) + n) % n;
+    this.set({kind, index, part: result[c.parts][index], cell: result[c.cells][index], nodes: nodesOfElement(result, kind, index), weights: Array(c.of).fill(1 / c.of), mirrored: false});
+  }
+
+  distance() {
+    const [a, b] = [this.before, this.hit].map((hit) => placeOfHit(this.viewer.model, hit));
+    return Math.hypot(...a.map((v, d) => v - b[d]));
+  }
+
+  describe() {
+    this.box.replaceChildren();
+    if (!this.hit) { this.box.textContent = 'Nothing is selected. Click a part of the gear, or press N. Shift and a second click measure a distance.'; return; }
+    const list = element('dl'), rows = describeHit(this.viewer.model, this.hit);
+    if (this.before) rows.unshift(['distance', `${formatNumber(this.distance())} m from the place before`]);
+    for (const [name, value] of rows) list.append(element('dt', {}, name), element('dd', {}, value));
+    this.box.append(list);
+  }
+
+  drawMarks(svg, camera) {
+    if (!this.hit) return;
+    const {model} = this.viewer, corners = this.hit.nodes.map((n) => camera.project(model.at(n, this.hit.mirrored)));
+    svg.append(svgElement('path', {d: corners.map((c, i) => `${i ? 'L' : 'M'}${c[0]} ${c[1]}`).join('') + 'Z', class: 'selected'}));
+    const at = camera.project(placeOfHit(model, this.hit));
+    svg.append(svgElement('circle', {cx: at[0], cy: at[1], r: 7, class: 'selected'}));
+    if (this.before) drawDimension(svg, camera.project(placeOfHit(model, this.before)), at, `${formatNumber(this.distance())} m`, 0.5);
+  }
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture, and what it shows of the results: a frame, a field, a selection.
+
+const MARGIN = {left: 40, right: 40, top: 40, bottom: 50};
+
+/** Numbers that the programs of the graphics card share. */
+function makeShared(colours) {
+  const scale = (noValue) => ({range: {value: new L.Vector2(1, 0)}, isLog: {value: false}, noValue: {value: new L.Vector3(...noValue)}});
+  return {
+    common: {pixelsPerMetre: {value: 1}, eye: {value: new L.Vector3()}, right: {value: new L.Vector3()}, up: {value: new L.Vector3()},
+      stops: {value: colours.stops.map((c) => new L.Vector3(...c))}, section: {value: new L.Vector4(0, 0, 0, 1e30)}, fill: {value: 0.45}},
+    scales: {netting: scale(colours.noValue), rope: scale(colours.noValue), point: scale(colours.float)},
+  };
+}
+
+class Viewer {
+  constructor(style, results) {
+    this.results = results;
+    this.canvas = $('canvas');
+    this.colours = new Colours(style);
+    this.camera = new OrbitCamera(style.views);
+    this.renderer = new L.WebGLRenderer({canvas: this.canvas, antialias: true, preserveDrawingBuffer: true});
+    this.shared = makeShared(this.colours);
+    this.models = results.map((result) => new GearModel(result, this.shared, this.colours));
+    this.scene = new L.Scene();
+    this.scene.add(...this.models.map((m) => m.group));
+    this.frames = new Frames(this, results);
+    this.fields = new Fields(this.models);
+    this.selection = new Selection(this, $('selection'));
+  }
+
+  get model() { return this.models[this.frames.current.model]; }
+  get result() { return this.model.result; }
+  get second() { return this.fields.second; }
+
+  async start() {
+    await this.moveTo(this.frames.index);
+    this.ground = new Ground(this.model, this.shared, this.scene);
+    this.plan = new PlanDrawing($('plan'), this);
+    $('plan-box').hidden = this.plan.isEmpty;
+    this.parts = new PartList(this, $('parts'));
+    connectControls(this);
+    listenToPointer(this);
+    listenToKeys(this);
+    this.applyVisibility();
+    this.resize();
+    this.look('oblique');
+    this.setField(this.fields.choices[0].name);
+    this.curves = new Curves(this, this.results, this.frames);
+    this.frames.describe();
+    new ResizeObserver(() => { this.resize(); if (!this.isTouched) this.fit(); this.redraw(); }).observe($('stage'));
+  }
+
+  // ---- what is shown
+
+  async moveTo(index) {
+    const states = await Promise.all(this.frames.statesAt(index).map((state, i) => decodeState(this.results[i], state)));
+    this.frames.index = index;
+    this.models.forEach((model, i) => { model.state = states[i]; model.move(states[i].points); });
+  }
+
+  async showFrame(index) {
+    await this.moveTo(Math.min(index, this.frames.all.length - 1));
+    this.applyVisibility();
+    this.repaint();
+    this.frames.describe();
+    this.curves.showFrame();
+    this.selection.describe();
+  }
+
+  applyVisibility() {
+    const mode = this.second ? $('overlay').value : 'one';
+    this.models.forEach((model, i) => {
+      model.group.visible = this.frames.isSweep ? i === this.frames.current.model : !this.second || mode === 'both' || mode === String(i);
+      model.uniforms.usePlain.value = this.second && mode === 'both' && i === 1 ? 1 : 0;
+    });
+  }
+
+  setField(name) {
+    this.field = this.fields.find(name);
+    $('field').value = this.field.name;
+    this.repaint();
+    this.parts.showContacts(Boolean(this.scales[2] && !this.scales[0] && !this.scales[1]));
+  }
+
+  repaint() {
+    const log = $('log').checked;
+    this.values = this.models.map((model) => this.fields.values(this.field, model));
+    this.models.forEach((model, i) => model.paint(this.values[i], $('by-element').checked));
+    this.scales = this.fields.scales(this.field, this.values[0], log);
+    CELLS.forEach((c, i) => {
+      const scale = this.scales[i], shared = this.shared.scales[c.kind];
+      shared.isLog.value = Boolean(scale && scale.log);
+      // The range (1, 0) means the colours of parts; where a kind has no values all are unknown, and any range does.
+      if (this.field.name === BY_PART) shared.range.value.set(1, 0);
+      else shared.range.value.set(scale ? scale.lo : 0, scale ? scale.hi : 1);
+    });
+    drawLegend($('legend'), this.colours, this.field, this.scales);
+    this.redraw();
+  }
+
+  colourOnPlan(t) {
+    const {result} = this.models[0], value = this.values[0] && this.values[0][result.triCell[t]], {corners} = this.models[0];
+    if (this.field.name === BY_PART) return cssColour(this.colours.ofPart(result.triPart[t]));
+    const shown = corners ? (corners[3 * t] + corners[3 * t + 1] + corners[3 * t + 2]) / 3 : value;
+    return cssColour(Number.isFinite(shown) && this.scales[0] ? this.colours.at(this.scales[0].place(shown)) : this.colours.noValue);
+  }
+
+  // ---- the picture
+
+  look(view) {
+    this.camera.look(view);
+    this.fit();
+  }
+
+  /** The gear fills the window, and does so until somebody moves it. */
+  fit() {
+    this.isTouched = false;
+    this.camera.fit(this.model.places($('extent').checked), MARGIN);
+    this.draw();
+  }
+
+  resize() {
+    const box = $('stage').getBoundingClientRect();
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
+    this.camera.resize(box.width, box.height);
+  }
+
+  /** Draws with the next frame of the screen; redraw() the plan, too, whose colours or parts are others now. */
+  draw() {
+    if (this.isDrawing) return;
+    this.isDrawing = true;
+    requestAnimationFrame(() => { this.isDrawing = false; this.drawNow(); });
+  }
+
+  redraw() {
+    this.isPlanOld = true;
+    this.draw();
+  }
+
+  drawNow() {
+    this.camera.apply();
+    const axes = this.camera.axes(), {pixelsPerMetre, eye, right, up} = this.shared.common, over = $('dimensions');
+    pixelsPerMetre.value = this.camera.pixelsPerMetre * this.renderer.getPixelRatio();
+    eye.value.set(...axes.eye); right.value.set(...axes.right); up.value.set(...axes.up);
+    for (const name of ['bed', 'surface']) this.ground.show(name, $(name).checked);
+    this.renderer.setClearColor(new L.Color(styleColour('--water')), 1);
+    this.renderer.render(this.scene, this.camera.camera);
+    drawScaleBar($('scale'), this.camera.pixelsPerMetre, this.camera.width);
+    over.replaceChildren();
+    if ($('measures').checked) drawDimensions(over, this.model, this.camera);
+    if ($('holds').checked) drawHolds(over, this.model, this.camera, 90);
+    this.selection.drawMarks(over, this.camera);
+    if (this.isPlanOld || this.markedOnPlan !== this.selection.hit) this.drawPlan();
+  }
+
+  drawPlan() {
+    this.isPlanOld = false;
+    this.markedOnPlan = this.selection.hit;
+    if (!this.frames.isSweep) this.plan.draw();
+  }
+
+  pickAt(x, y) {
+    const {x: a, y: b, z: c, w} = this.shared.common.section.value;
+    return pick(this.model, this.camera, x, y, (p) => a * p[0] + b * p[1] + c * p[2] > w);
+  }
+}
