@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -202,6 +203,14 @@ std::vector<double> Assembler::displacements(std::span<const double> positions) 
       u[i] += frame == axes_.end() ? (axis == own ? way : 0.0) : frame->second[3 * axis + own] * way;
     }
   }
+  return u;
+}
+
+std::vector<double> Assembler::displacements_to(std::span<const double> x) const {
+  assert(x.size() == start_.size());
+  std::vector<double> u = displacements(node_positions(x));
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (numbering_.node(static_cast<std::int32_t>(i)) >= scene_nodes_) u[i] = x[i] - start_[i];
   return u;
 }
 

@@ -70,6 +70,9 @@ class Assembler {
   /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
   /// the scene [m].
   std::vector<double> displacements(std::span<const double> positions) const;
+  /// Displacements of the unknowns that bring all of them to where `x` has them, a vector over all degrees of
+  /// freedom of an assembler with as many, numbered alike.
+  std::vector<double> displacements_to(std::span<const double> x) const;
   /// Positions of the nodes of the scene, three of each, out of a vector x over all degrees of freedom [m];
   /// velocities or displacements likewise. What elements share is in no place and is left out.
   std::vector<double> node_positions(std::span<const double> x) const;

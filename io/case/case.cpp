@@ -18,8 +18,16 @@
 
 namespace netloft::io {
 
-Case::Case(CaseSource source, Registry& registry)
-    : source_(std::move(source)), registry_(registry), make_(keep_analyses(make_factorisation)) {}
+namespace {
+
+constexpr int kNearby = 30;  // iterations that find an equilibrium which is near
+
+}  // namespace
+
+Case::Case(CaseSource source, Registry& registry, MakeFactorisation make)
+    : source_(std::move(source)),
+      registry_(registry),
+      make_(make ? std::move(make) : keep_analyses(make_factorisation)) {}
 
 Case::~Case() = default;
 
@@ -65,6 +73,14 @@ Solution Case::solve(const Watch& watch) {
           : netloft::find_equilibrium(sites(), study_options(loaded_.analysis.limits, watch), strategy());
   if (s.status != SolveStatus::converged) s.diagnostics = diagnose(loaded_.scene, *assembler_, s);
   return s;
+}
+
+Solution Case::continue_from(const std::vector<double>& u, const Watch& watch) {
+  if (loaded_.analysis.settles) return solve(watch);  // by a motion, which begins at rest
+  Limits limits = loaded_.analysis.limits;
+  limits.iterations = std::min(limits.iterations, kNearby);
+  const StrategyUse alone{&registry_.strategy(kStrategyOfNamedSolver), {}};
+  return netloft::find_equilibrium(sites(), study_options(limits, watch), alone, u);
 }
 
 Solution Case::judge(std::span<const double> u, Assembler& assembler) const {

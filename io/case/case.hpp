@@ -38,7 +38,8 @@ class Case {
  public:
   enum class State { ready, wrong_input, refused };
 
-  Case(CaseSource source, Registry& registry);
+  /// `make`: of matrices; cases that share one (keep_analyses) order and analyse a common pattern once.
+  Case(CaseSource source, Registry& registry, MakeFactorisation make = {});
   ~Case();
   Case(const Case&) = delete;
   Case& operator=(const Case&) = delete;
@@ -50,6 +51,9 @@ class Case {
 
   /// Finds the equilibrium as the scene's analysis says, from its start.
   Solution solve(const Watch& watch = {});
+  /// Looks for the equilibrium near displacements `u` by the solver of the analysis alone, which few
+  /// iterations find if it is near.
+  Solution continue_from(const std::vector<double>& u, const Watch& watch = {});
   /// What a point of the scene is worth that nobody says is an equilibrium, by an assembler of its own: where
   /// a plugin does not come back, that of the case is never free again.
   Solution judge(std::span<const double> u, Assembler& assembler) const;

@@ -258,6 +258,42 @@ void add_stability_command(CLI::App& app, Options& o) {
   add_plugin_options(*command, o);
 }
 
+void add_study_folder(CLI::App& command, Options& o) {
+  command.add_option("FOLDER", o.target, "folder of a study that was planned")->required();
+  command.add_option("--color", o.color, "colour on standard error")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+  command.add_flag("--json", o.json, "one JSON object on standard output");
+}
+
+CLI::App* add_study_action(CLI::App& study, Options& o, const char* name, const char* doc) {
+  auto* action = study.add_subcommand(name, doc);
+  action->callback([&o, name] { o.study.action = name; });
+  return action;
+}
+
+void add_study_command(CLI::App& app, Options& o) {
+  auto* study = app.add_subcommand("study", "solve one scene many times, with other values");
+  study->require_subcommand(1);
+  auto* plan = add_study_action(*study, o, "plan", "check a study file and write the manifest of its items");
+  plan->add_option("STUDY", o.target, "study file (TOML)")->required();
+  plan->add_option("-o,--output", o.output, "folder of the study; else its name with .study, in this folder")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("FOLDER");
+  add_plugin_options(*plan, o);
+  auto* run = add_study_action(*study, o, "run", "compute the items that have no result yet");
+  add_study_folder(*run, o);
+  run->add_option("--items", o.study.items, "only these, such as 1-10 or 3,7; else all")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("A-B");
+  run->add_option("--jobs", o.study.jobs, "items at a time; else as many as the machine has cores")
+      ->check(CLI::Range(1, 4096));
+  run->add_option("--threads", o.threads, "threads of the assembly of each; else one")
+      ->check(CLI::Range(1, 1024));
+  run->add_option("--plugins", o.plugins, "folder with plugins, searched before all others")
+      ->type_name("DIR");
+  add_study_folder(*add_study_action(*study, o, "collect", "put the results of all items into one table"), o);
+}
+
 void add_import_command(CLI::App& app, Options& o) {
   auto* command = app.add_subcommand(
       "import",
@@ -316,6 +352,7 @@ void add_commands(CLI::App& app, Options& o) {
   add_refine_command(app, o);
   add_import_command(app, o);
   add_stability_command(app, o);
+  add_study_command(app, o);
   app.require_subcommand(1);
 }
 
@@ -329,6 +366,7 @@ int dispatch(const Options& o) {
   if (o.command == "diff") return diff_command(o);
   if (o.command == "refine") return refine_command(o);
   if (o.command == "stability") return stability_command(o);
+  if (o.command == "study") return study_command(o);
   if (o.command == "new") return new_command(o);
   if (o.command == "reference") return reference_command(o);
   if (o.command == "catalogue") return catalogue_command(o);
@@ -348,7 +386,7 @@ int fail(const Options& o, const std::string& message, int code) {
 }
 
 bool solves(const Options& o) {
-  constexpr std::array<const char*, 5> kSolving = {"run", "compare", "refine", "stability", "test"};
+  constexpr std::array<const char*, 6> kSolving = {"run", "compare", "refine", "stability", "study", "test"};
   return std::find(kSolving.begin(), kSolving.end(), o.command) != kSolving.end();
 }
 

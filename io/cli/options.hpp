@@ -2,6 +2,7 @@
 #pragma once
 #include "io/cli/compare_options.hpp"
 #include "io/cli/stability_options.hpp"
+#include "io/cli/study_options.hpp"
 
 #include <cstdint>
 #include <string>
@@ -50,6 +51,7 @@ struct Options {
   PictureOptions picture;          // of view and draw
   CompareOptions compare;          // of that command alone
   StabilityOptions stability;      // of that command alone
+  StudyCommandOptions study;       // of that command alone
   std::vector<std::string> words;  // the command line as given
 };
 

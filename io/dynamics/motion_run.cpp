@@ -3,6 +3,7 @@
 
 #include "io/dynamics/checkpoint.hpp"
 #include "io/dynamics/xdmf.hpp"
+#include "io/hdf5/image.hpp"
 #include "io/report/picture.hpp"
 #include "io/scene/result_request.hpp"
 
@@ -54,7 +55,7 @@ class MotionRun {
     ++result_.outputs;
   }
   void begin_journal() {
-    const auto origins = make_origins([&](Tree& tree) {
+    const auto origins = hdf5_image([&](Tree& tree) {
       write_inputs(tree, loaded_, context_);
       write_gear(tree, loaded_, {});
     });

@@ -2,6 +2,8 @@
 #include "io/files/whole_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,19 +19,37 @@ namespace {
   throw WriteError(path.string() + " cannot be written: " + std::generic_category().message(error));
 }
 
+/// Opens the file beside, empty, for one writer at a time: a second one waits until the first has given it
+/// its name. A writer that was killed has left its file, but not its lock.
+int open_beside(const fs::path& path, const fs::path& beside) {
+  for (;;) {
+    struct stat named {
+    }, opened{};
+    if (lstat(beside.c_str(), &named) == 0 && (!S_ISREG(named.st_mode) || named.st_nlink > 1))
+      unlink(beside.c_str());  // a link or a pipe is not written to
+    const int fd = open(beside.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (fd < 0) fail(path, errno);
+    while (flock(fd, LOCK_EX) != 0 && errno == EINTR)
+      continue;  // without locks, as on some networks, nobody waits
+    const bool is_still_there = stat(beside.c_str(), &named) == 0 && fstat(fd, &opened) == 0 &&
+                                named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
+    if (is_still_there && ftruncate(fd, 0) == 0) return fd;
+    const int error = errno;
+    close(fd);
+    if (is_still_there) fail(path, error);
+  }
+}
+
 /// The file beside; it is removed unless it got its name.
 class FileBeside {
  public:
-  explicit FileBeside(const fs::path& path) : path_(path), beside_(path.string() + ".new") {
-    unlink(beside_.c_str());  // left by a program that was killed
-    fd_ = open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (fd_ < 0) fail(path_, errno);
-  }
+  explicit FileBeside(const fs::path& path)
+      : path_(path), beside_(path.string() + ".new"), fd_(open_beside(path_, beside_)) {}
   FileBeside(const FileBeside&) = delete;
   FileBeside& operator=(const FileBeside&) = delete;
   ~FileBeside() {
-    if (fd_ >= 0) close(fd_);
     if (!is_named_) unlink(beside_.c_str());
+    if (fd_ >= 0) close(fd_);
   }
 
   void write(std::string_view content) {
@@ -43,9 +63,9 @@ class FileBeside {
 
   void sync_and_rename() {
     if (fsync(fd_) != 0 && errno != EINVAL) fail(path_, errno);
-    if (close(std::exchange(fd_, -1)) != 0) fail(path_, errno);
     if (rename(beside_.c_str(), path_.c_str()) != 0) fail(path_, errno);
     is_named_ = true;
+    if (close(std::exchange(fd_, -1)) != 0) fail(path_, errno);
   }
 
  private:

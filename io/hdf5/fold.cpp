@@ -5,21 +5,13 @@
 
 #include <cstdlib>
 
+#include "io/hdf5/image.hpp"
 #include "io/hdf5/result_file.hpp"
 
 namespace netloft::io {
 namespace {
 
 const std::string kRoot = "/netloft";
-constexpr std::size_t kImageBlock = 1 << 16;
-
-/// Access to a file in memory, which is never written to a disk.
-Handle in_memory() {
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  check(H5Pset_fapl_core(access, kImageBlock, false));
-  return access;
-}
-
 /// Rows of all outputs; a column of them is one of the series.
 struct Rows {
   std::size_t columns;
@@ -53,7 +45,7 @@ void write_last_row(Tree& tree, const SeriesJournal& journal) {
 
 void copy_origins(const std::string& image, hid_t file) {
   if (image.empty()) return;
-  const Handle access = in_memory();
+  const Handle access = access_in_memory();
   check(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()));  // which copies it
   const Handle origins(H5Fopen("origins", H5F_ACC_RDONLY, access), H5Fclose);
   const Handle group(H5Gopen2(origins, kRoot.c_str(), H5P_DEFAULT), H5Gclose);
@@ -79,17 +71,6 @@ Handle make_nameless() {
 }
 
 }  // namespace
-
-std::string make_origins(const std::function<void(Tree&)>& write) {
-  silence_hdf5();
-  const Handle file(H5Fcreate("origins", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory()), H5Fclose);
-  Tree tree(file, "memory");
-  write(tree);
-  check(H5Fflush(file, H5F_SCOPE_GLOBAL));
-  std::string image(static_cast<std::size_t>(check(H5Fget_file_image(file, nullptr, 0))), '\0');
-  check(H5Fget_file_image(file, image.data(), image.size()));
-  return image;
-}
 
 void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name) {
   silence_hdf5();

@@ -8,9 +8,6 @@
 
 namespace netloft::io {
 
-/// An HDF5 file in memory, of what `write` puts under /netloft: what a journal keeps of the inputs of a run.
-std::string make_origins(const std::function<void(Tree&)>& write);
-
 /// Writes the outputs of a journal into an open HDF5 file as LAYOUT.md has them, one after the other, so that
 /// a motion may be larger than memory; only times and rows are held together.
 void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name);

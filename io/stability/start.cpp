@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/stability/start.hpp"
 
-#include "io/stability/dice.hpp"
+#include "io/variables/dice.hpp"
 
 #include <algorithm>
 #include <cmath>

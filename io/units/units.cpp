@@ -140,33 +140,54 @@ std::optional<Unit> parse_wanted(const UnitSystem& units, std::string_view si_un
   return parse_unit(units, si_unit == "1" ? "" : si_unit).unit;
 }
 
-Quantity read_checked(const UnitSystem& units, std::string_view text, std::string_view si_unit) {
+/// Takes a text apart into a number and a unit that is known.
+Quantity take_apart(const UnitSystem& units, std::string_view text, Written& written, Unit& unit) {
   if (!units.trouble().empty()) return refuse(units.trouble());
-  const auto wanted = parse_wanted(units, si_unit);
-  if (!wanted) return refuse("the wanted unit " + quoted(si_unit) + " is not known to UDUNITS-2");
-  Written written;
   if (Quantity bad = split(in_ascii(trim(text)), written); !bad.ok()) return bad;
   for (const std::string& word : words_of(written.unit))
     if (std::string hint = ambiguity(word); !hint.empty())
       return refuse("unit " + quoted(word) + " in " + quoted(text) + " has more than one meaning", hint);
-  const auto [unit, unknown] = parse_unit(units, written.unit);
-  if (!unit) return refuse_unknown(text, written.unit, unknown);
-  if (unit->dimension != wanted->dimension)
-    return refuse(quoted(text) + " is " + named(unit->dimension, describe(unit->dimension).unit) + "; " +
+  const auto [parsed, unknown] = parse_unit(units, written.unit);
+  if (!parsed) return refuse_unknown(text, written.unit, unknown);
+  unit = *parsed;
+  return {};
+}
+
+Quantity read_checked(const UnitSystem& units, std::string_view text, std::string_view si_unit) {
+  Written written;
+  Unit unit;
+  if (Quantity bad = take_apart(units, text, written, unit); !bad.ok()) return bad;
+  const auto wanted = parse_wanted(units, si_unit);
+  if (!wanted) return refuse("the wanted unit " + quoted(si_unit) + " is not known to UDUNITS-2");
+  if (unit.dimension != wanted->dimension)
+    return refuse(quoted(text) + " is " + named(unit.dimension, describe(unit.dimension).unit) + "; " +
                       named(wanted->dimension, si_unit) + " is expected",
-                  cure(written.unit, unit->dimension, wanted->dimension));
-  const double value = times(written.number + unit->offset, unit->scale) / wanted->scale - wanted->offset;
+                  cure(written.unit, unit.dimension, wanted->dimension));
+  const double value = times(written.number + unit.offset, unit.scale) / wanted->scale - wanted->offset;
   if (!std::isfinite(value)) return refuse(quoted(text) + " exceeds the range of floating-point numbers");
   return {value, {}, {}};
+}
+
+Quantity refuse_length(std::string_view text) {
+  if (text.size() > kLongestText)
+    return refuse("a text of " + std::to_string(text.size()) + " characters is not a number with a unit");
+  if (trim(text).empty()) return refuse("an empty text is not a number with a unit", "write it as \"10 mm\"");
+  return {};
 }
 
 }  // namespace
 
 Quantity to_si(std::string_view text, std::string_view si_unit) {
-  if (text.size() > kLongestText)
-    return refuse("a text of " + std::to_string(text.size()) + " characters is not a number with a unit");
-  if (trim(text).empty()) return refuse("an empty text is not a number with a unit", "write it as \"10 mm\"");
+  if (Quantity bad = refuse_length(text); !bad.ok()) return bad;
   return read_checked(UnitSystem::shared(), text, si_unit);
+}
+
+WrittenQuantity read_as_written(std::string_view text) {
+  Written written;
+  Unit unit;
+  Quantity read = refuse_length(text);
+  if (read.ok()) read = take_apart(UnitSystem::shared(), text, written, unit);
+  return {written.number, std::move(written.unit), std::move(read.error), std::move(read.hint)};
 }
 
 std::string dimension_name(std::string_view unit) {

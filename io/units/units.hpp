@@ -19,6 +19,16 @@ struct Quantity {
 /// Dimensions must agree, and an angle is not a pure number. Safe to call from several threads.
 Quantity to_si(std::string_view text, std::string_view si_unit);
 
+/// Number and unit as they are written: "2.5 kn" is 2.5 and "kn", "0.2" is 0.2 and "".
+struct WrittenQuantity {
+  double number = 0;
+  std::string unit;   // one that to_si() takes
+  std::string error;  // empty: number and unit are good
+  std::string hint;
+  bool ok() const { return error.empty(); }
+};
+WrittenQuantity read_as_written(std::string_view text);
+
 /// The name of a quantity in `unit`, with its article: "a force" for "N"; a unit without a name is "a value".
 std::string dimension_name(std::string_view unit);
 

@@ -53,6 +53,9 @@ COMMANDS = (
     ("netloft stability tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
     ("netloft import femnet gears/01_two_bars.don --mesh gears/01_two_bars.mdg --json -o bars.toml; ls bars.toml bars.mesh", "bars.mesh"),
     ("netloft import --check gears --color never", "01_two_bars"),
+    (f"netloft study plan study.toml {COMMON} -o ropes", '"points": 4'),
+    (f"netloft study run ropes --items 1-2 --jobs 2 --threads 1 {COMMON}", '"computed": 2'),
+    ("netloft study collect ropes --color never --json; head -1 ropes/table.csv", '"converged": 4'),
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),
     ("netloft report rope.hdf --html --output rope-report.html; ls rope-report.html", "rope-report.html"),
@@ -60,6 +63,7 @@ COMMANDS = (
     ("netloft export rope.hdf elements.csv --table elements --state 0 --json; head -1 elements.csv", "tension"),
     ("netloft export rope.hdf rope.glb --field part --json", "rope.glb"),
 )
+NESTED = ("study",)  # commands of commands
 FLAG = re.compile(r"^ +(?:(-\w),)?(--[\w-]+)", re.MULTILINE)
 
 
@@ -68,9 +72,13 @@ def flags_in_help(*command):
     return {long: short for short, long in FLAG.findall(text)}
 
 
-def subcommands():
-    text = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, timeout=20).stdout
-    return re.findall(r"^  (\w+) +\w", text.split("Subcommands:")[1], re.MULTILINE)
+def subcommands(*command):
+    """All commands, those of commands too: "run", "study", "study plan"."""
+    text = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, timeout=20).stdout
+    if "Subcommands:" not in text:
+        return []
+    names = re.findall(r"^  (\w+) +\w", text.split("Subcommands:")[1], re.MULTILINE)
+    return [full for name in names for full in (" ".join((*command, name)), *subcommands(*command, name))]
 
 
 def typed_flags(line):
@@ -78,6 +86,7 @@ def typed_flags(line):
     words = next(re.finditer(r"netloft [^;&]*", line)).group()
     words = shlex.split(words)[1:]
     command = words[0] if not words[0].startswith("-") else ""
+    command = " ".join(words[:2]) if command in NESTED else command
     return {(command, word) for word in words if re.match(r"--?[a-z]", word)}
 
 
@@ -94,6 +103,9 @@ class Flags(unittest.TestCase):
         shutil.copytree(SOURCE / "tests/validation/femnet_files", cls.folder / "gears")
         shutil.copytree(SOURCE / "tests/stability", cls.folder / "tests/stability")
         shutil.copytree(library, cls.folder / "gear-library")
+        (cls.folder / "study.toml").write_text(f'scene = "{ROPE}"\npath = ["density"]\n'
+                                               '[variables.cells]\nkey = "parts.rope.cells"\nvalues = [10, 20]\n'
+                                               '[variables.density]\nkey = "parts.rope.rope.density"\nvalues = [2000, 3000]\n')
         (cls.folder / "trawl.toml").write_text(f'include = ["{library}/scenes/four-panel.toml"]\n')
 
     def type(self, line):
@@ -113,7 +125,7 @@ class Flags(unittest.TestCase):
         listed = subcommands()
         self.assertGreater(len(listed), 15)
         for command in ["", *listed]:
-            for flag, short in flags_in_help(*filter(None, [command])).items():
+            for flag, short in flags_in_help(*command.split()).items():
                 if flag == "--help" and command:
                     continue  # asked for here
                 self.assertTrue({(command, flag), (command, short)} & typed, f"no command types {command} {flag}")
@@ -121,7 +133,7 @@ class Flags(unittest.TestCase):
     def test_every_flag_that_is_typed_is_in_the_help(self):
         for line, _ in COMMANDS:
             for command, flag in typed_flags(line):
-                known = flags_in_help(*filter(None, [command]))
+                known = flags_in_help(*command.split())
                 self.assertIn(flag, {*known, *known.values()}, line)
 
     def test_a_flag_that_nobody_types_is_noticed(self):

@@ -16,10 +16,12 @@ from pathlib import Path
 PROGRAM, SOURCE = Path(os.environ["NETLOFT_PROGRAM"]), Path(os.environ["NETLOFT_SOURCE_DIR"])
 ELSEWHERE = ("README.md", "framework/guides/", "io/cli/templates/", "build/")
 BLOCK = re.compile(r"^```[^\n]*\n(.*?)^```", re.DOTALL | re.MULTILINE)
+FILE = re.compile(r"^```toml (\S+)\n(.*?)^```", re.DOTALL | re.MULTILINE)  # a page's own file, of that name
 STANDS_FOR = (
     (r"scenes/dynamics/SCENE\.toml", "scenes/dynamics/released-rope.toml"), (r"scenes/verification/SCENE\.toml", "scenes/verification/catenary-wire.toml"),
     (r"scenes/SCENE\.toml", "scenes/dead-weight-panel.toml"), (r"\bSCENE\b", "gear-library/scenes/hanging-rope.toml"),
     (r"gear-library/scenes/…", "gear-library/scenes/hanging-rope.toml"), (r"GEAR\.don", "gears/01_two_bars.don"), (r"\bGEAR\b", "gear-library/gears/four-panel.toml"),
+    (r"\bSTUDY\.toml", "ropes.toml"), (r"^netloft study (\w+)$", r"netloft study \1 ropes.study"),
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
     (r"\bSIZE\b", "small"), (r"^\./bootstrap ", "netloft "), (r"io/compare/work-precision", "work-precision"))
 COARSER = (
@@ -68,6 +70,10 @@ class Pages(unittest.TestCase):
         shutil.copytree(SOURCE / "tests/stability", cls.folder / "tests/stability")
         shutil.copy(SOURCE / "gear-library/scenes/dead-weight-panel.toml", cls.folder / "scene.toml")
         (cls.folder / "gear.toml").write_text('include = ["gear-library/scenes/four-panel.toml"]\n')
+        (cls.folder / "ropes.toml").write_text('scene = "gear-library/scenes/hanging-rope.toml"\n[variables.density]\n'
+                                               'key = "parts.rope.rope.density"\nvalues = [2000, 3000]\n')
+        cls.type("netloft study plan ropes.toml")
+        cls.type("netloft study run ropes.study")
         cls.type("netloft run gear.toml --set gear.nodes=200 -o before.hdf")
         cls.type("netloft run gear.toml --set gear.nodes=200 --set floats.headline-floats.spread='14 along headline' -o after.hdf")
         cls.there = cls.type("netloft list").stdout
@@ -101,7 +107,9 @@ class Pages(unittest.TestCase):
 
 
 for name, commands in pages().items():
-    def test(self, commands=commands):
+    def test(self, name=name, commands=commands):
+        for file, content in FILE.findall((SOURCE / name).read_text()):
+            (self.folder / file).write_text(content)
         for command in commands:
             self.check(command)
     setattr(Pages, "test_" + "".join(c if c.isalnum() else "_" for c in name), test)

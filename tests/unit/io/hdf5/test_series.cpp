@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "io/hdf5/fold.hpp"
+#include "io/hdf5/image.hpp"
 #include "io/hdf5/read.hpp"
 #include "tests/unit/io/hdf5/scratch.hpp"
 #include "tests/unit/io/hdf5/sheet.hpp"
@@ -82,7 +83,7 @@ TEST_F(Series, IsReadWhileItGrows) {
 
 TEST_F(Series, SaysHowItStandsAndWhatItWasMadeFrom) {
   const std::string origins =
-      make_origins([](Tree& tree) { tree.write_text("/netloft/provenance/version", "0.1"); });
+      hdf5_image([](Tree& tree) { tree.write_text("/netloft/provenance/version", "0.1"); });
   SeriesJournal journal = SeriesJournal::create(in("a.hdf.part"), "this run", origins, layout());
   journal.write(state(0), "");
   journal.set_status({"interrupted", "at t = 0 s"});

@@ -27,6 +27,29 @@ TEST(Override, ReplacesAWholeTable) {
   Input in(kScene, {"parts.net.twine={ EA = 7 }"});
   EXPECT_EQ(in.reader.table("parts").table("net").table("twine").keys(), std::vector<std::string>{"EA"});
 }
+TEST(Override, ReplacesAnItemOfAnArray) {
+  Input in(kScene, {"parts.net.cells[1]=64"});
+  EXPECT_EQ(in.reader.table("parts").table("net").integers("cells", {}), (std::vector<std::int64_t>{32, 64}));
+}
+TEST(Override, ReachesIntoTheTablesOfAnArray) {
+  Input in(kScene, {"hold[0].at=[[1, 2, 3]]", "hold[0].at[0][2]=7 m"});
+  EXPECT_EQ(in.reader.tables("hold")[0].rows("at", {.unit = "m"}),
+            (std::vector<std::vector<double>>{{1, 2, 7}}));
+}
+TEST(Override, RefusesItemsThatAreNotThere) {
+  EXPECT_EQ(Input(kScene, {"parts.net.cells[2]=1"}).error(),
+            "1:1: parts.net.cells has 2 items, so there is no parts.net.cells[2]");
+  EXPECT_EQ(Input(kScene, {"parts.net[0]=1"}).error(),
+            "1:1: parts.net is not an array in the scene, so parts.net[0] cannot be set");
+  for (const char* path : {"[0]", "hold[", "hold[]", "hold[x]", "hold[-1]", "hold[0]x", "hold[0].",
+                           "hold[99999999999999999999]"})
+    EXPECT_TRUE(Input(kScene, {std::string(path) + "=1"}).error().ends_with("is not a path of dotted keys"))
+        << path;
+}
+TEST(Override, LeavesBracketsInQuotesAlone) {
+  Input in(kScene, {"\"a[0]\".b=3"});
+  EXPECT_EQ(in.reader.table("a[0]").integer("b", {}), 3);
+}
 TEST(Override, TakesABareWordAsAText) {
   Input in(kScene, {"solver=newton"});
   EXPECT_EQ(in.reader.text("solver", {}), "newton");
@@ -65,7 +88,8 @@ TEST(Override, DoesNotWalkThroughAValue) {
             "1:1: parts.net.cells is not a table, so parts.net.cells.x cannot be set");
 }
 TEST(Override, DoesNotWalkThroughAnArrayOfTables) {
-  EXPECT_EQ(Input(kScene, {"hold.on=1"}).hint(), "set the whole array: hold=[...]");
+  EXPECT_EQ(Input(kScene, {"hold.on=1"}).hint(),
+            "set the whole array: hold=[...], or one of its items: hold[0]=...");
 }
 TEST(Override, DoesNotWalkThroughWhatAnotherOneSet) {
   EXPECT_EQ(Input(kScene, {"a=1", "a.b=2"}).error(), "1:1: a is not a table, so a.b cannot be set");
@@ -88,8 +112,7 @@ TEST_P(BadPath, IsRefused) {
   EXPECT_NE(in.error().find("is not a path of dotted keys"), std::string::npos) << in.error();
 }
 INSTANTIATE_TEST_SUITE_P(Override, BadPath,
-                         ::testing::Values("", ".", "a.", "a..b", "a b", "hold[0].on", "[a]", "#", "a\nb",
-                                           "é"));
+                         ::testing::Values("", ".", "a.", "a..b", "a b", "hold[0", "[a]", "#", "a\nb", "é"));
 
 }  // namespace
 }  // namespace netloft::io

@@ -28,6 +28,17 @@ void expect_refused(const char* text, const char* unit, const std::string& error
   EXPECT_EQ(read.hint, hint);
 }
 
+TEST(Units, KeepsNumberAndUnitAsTheyAreWritten) {
+  const WrittenQuantity speed = read_as_written(" 2.5 kn");
+  EXPECT_TRUE(speed.ok());
+  EXPECT_EQ(speed.number, 2.5);
+  EXPECT_EQ(speed.unit, "kn");
+  EXPECT_EQ(read_as_written("0.2").unit, "");
+  EXPECT_EQ(to_si("1 m/s", speed.unit).value, 3600.0 / 1852);
+  EXPECT_EQ(read_as_written("3 knn").error, to_si("3 knn", "m/s").error);
+  EXPECT_EQ(read_as_written("").error, to_si("", "m").error);
+  EXPECT_FALSE(read_as_written("pe-braided-4mm").ok());
+}
 TEST(Units, ReadsMillimetres) { expect_reads("10 mm", "m", 0.01); }
 TEST(Units, ReadsMetresUnchanged) { expect_reads("34 m", "m", 34); }
 TEST(Units, ReadsKilonewtons) { expect_reads("2 kN", "N", 2000); }

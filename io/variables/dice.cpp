@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/stability/dice.hpp"
+#include "io/variables/dice.hpp"
 
 #include <cmath>
 

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cli/error_json.hpp"
+#include "io/cli/session.hpp"
+#include "io/cli/worker_pool.hpp"
+#include "io/files/whole_file.hpp"
+#include "io/sweep/check_study.hpp"
+#include "io/sweep/path_run.hpp"
+#include "io/sweep/study_table.hpp"
+#include "io/units/units.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void print(const Options& o, const Json& json, const std::string& text) {
+  std::puts(o.json ? json.dump(2, ' ', false, Json::error_handler_t::replace).c_str() : text.c_str());
+}
+
+/// "1 item", "2 items".
+std::string count_of(std::size_t n, const char* what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+Study read_study(const fs::path& folder) {
+  try {
+    return read_manifest(manifest_path(folder));
+  } catch (const StudyError& e) {
+    throw UsageError{e.what()};
+  }
+}
+
+// ---- plan
+
+/// The folder of a study: that of -o, or one with the name of the study file in this folder.
+fs::path folder_for(const Options& o) {
+  return fs::path(o.output.empty() ? fs::path(o.target).stem().string() + ".study" : o.output);
+}
+
+/// A path as seen from the folder of a study, so that both can be moved together.
+std::string seen_from(const fs::path& folder, const fs::path& path) {
+  const fs::path from = fs::weakly_canonical(fs::absolute(folder)),
+                 to = fs::weakly_canonical(fs::absolute(path));
+  return to.lexically_relative(from).generic_string();
+}
+
+void check_size(const StudyFile& file, Diagnostics& diagnostics) {
+  if (const double points = count_points(file); points > kMostPoints)
+    diagnostics.error({0, 0, 0},
+                      fmt::format("the design has {:.3g} points; {:.3g} are the most", points, kMostPoints),
+                      "fewer values, fewer draws, or combine = \"list\"");
+}
+
+/// Makes the folder, the manifest last: who reads it finds the rest.
+void write_study(const fs::path& folder, const Study& study) {
+  std::error_code error;
+  fs::create_directories(folder / "items", error);
+  if (error) throw WriteError((folder / "items").string() + " cannot be made: " + error.message());
+  write_whole(manifest_path(folder), manifest_text(study));
+}
+
+std::size_t count_computed(const Study& study, const fs::path& folder) {
+  std::string unused;
+  return static_cast<std::size_t>(
+      std::count_if(study.items.begin(), study.items.end(),
+                    [&](const StudyItem& item) { return find_record(folder, item, unused).has_value(); }));
+}
+
+void say_plan(const Options& o, const Study& study, const fs::path& folder) {
+  const std::size_t before = count_computed(study, folder);
+  const Json json = {{"folder", folder.string()},
+                     {"items", study.items.size()},
+                     {"points", study.point_count()},
+                     {"computed_before", before}};
+  std::string text = fmt::format("{}: {}, {} in all\n", study.name, count_of(study.items.size(), "item"),
+                                 count_of(study.point_count(), "point"));
+  for (const StudyColumn& c : study.columns)
+    text += fmt::format("  {}{}\n", c.name, c.is_in_path ? ", along the path of every item" : "");
+  if (before) text += fmt::format("  {} computed before\n", count_of(before, "item"));
+  text +=
+      fmt::format("  written to {}; `netloft study run {}` computes them", folder.string(), folder.string());
+  print(o, json, text);
+}
+
+int plan_study(const Options& o) {
+  Terminal terminal(o.color, o.json);
+  Diagnostics diagnostics;
+  const StudyFile file = read_study_file(o.target, diagnostics);
+  Registry registry;
+  find_plugins(o, registry);
+  CheckedScenes scenes;
+  const fs::path at = fs::path(o.target).parent_path();
+  if (!diagnostics.errors()) check_size(file, diagnostics);
+  if (!diagnostics.errors()) scenes = check_scenes(file, at, registry, diagnostics);
+  if (diagnostics.errors())
+    return tell_why_not(diagnostics, scenes.refused ? Case::State::refused : Case::State::wrong_input, o,
+                        terminal);
+  if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
+  const fs::path folder = folder_for(o);
+  for (auto& [path, hash] : scenes.files) path = seen_from(folder, path);
+  const Study study = make_study(file, seen_from(folder, at / file.scene), std::move(scenes.files));
+  write_study(folder, study);
+  say_plan(o, study, folder);
+  return kDone;
+}
+
+// ---- run
+
+std::size_t read_id(std::string_view word, const std::string& all, std::size_t most) {
+  std::size_t id = 0;
+  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), id);
+  if (word.empty() || code != std::errc() || end != word.data() + word.size())
+    throw UsageError{"--items " + all + ": \"" + std::string(word) +
+                     "\" is no number; write 1-10 or 1-10,15"};
+  if (id < 1 || id > most)
+    throw UsageError{fmt::format("--items {}: there is no item {}; the study has 1 to {}", all, id, most)};
+  return id;
+}
+
+/// "1-10,15" as places of items in the study; all of them if nothing is said.
+std::vector<std::size_t> read_items(const std::string& text, std::size_t count) {
+  std::vector<std::size_t> places;
+  if (text.empty())
+    for (std::size_t i = 0; i < count; ++i) places.push_back(i);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string_view range(text.data() + at, comma - at);
+    const std::size_t dash = range.find('-');
+    const std::size_t from = read_id(range.substr(0, dash), text, count);
+    const std::size_t to =
+        dash == std::string_view::npos ? from : read_id(range.substr(dash + 1), text, count);
+    if (to < from) throw UsageError{fmt::format("--items {}: {} comes after {}", text, from, to)};
+    for (std::size_t id = from; id <= to; ++id) places.push_back(id - 1);
+    at = comma + 1;
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+void note_failure(const fs::path& folder, const StudyItem& item, const std::string& reason) {
+  try {
+    write_whole(failure_path(folder, item), reason + "\n");
+  } catch (const WriteError&) {  // the item stays missing without a reason, such as where the disk is full
+  }
+}
+
+/// Solves one item in this process.
+int compute(const Options& o, const Study& study, const StudyItem& item) {
+  Registry registry;
+  find_plugins(o, registry);
+  const fs::path folder = o.target;
+  const PathContext context{folder, &registry, &interrupt_flag(), std::max(o.threads, 1)};
+  const auto record = run_path(study, item, context);
+  if (!record) return kInterrupted;
+  write_whole(record_path(folder, item), record_text(*record));
+  std::error_code none;
+  fs::remove(failure_path(folder, item), none);
+  return kDone;
+}
+
+/// Items that are to be computed, and how that went.
+class Campaign {
+ public:
+  Campaign(const Options& o, const Study& study, std::vector<std::size_t> places)
+      : o_(o), study_(study), asked_(places.size()), terminal_(o.color, o.json) {
+    std::string fault;
+    for (const std::size_t place : places)
+      if (!find_record(o.target, study.items[place], fault)) left_.push_back(place);
+  }
+
+  int run() {
+    const int jobs = o_.study.jobs > 0 ? o_.study.jobs : threads_for(o_);
+    if (asked_ == 1 && left_.size() == 1)
+      return alone();
+    else
+      run_workers(
+          left_.size(), jobs, [&](std::size_t job) { return command(left_[job]); },
+          [&](std::size_t job, const WorkerEnd& end) { note(left_[job], end); }, interrupt_flag());
+    return finish();
+  }
+
+ private:
+  /// Where somebody else starts one program for every item.
+  int alone() {
+    const StudyItem& item = study_.items[left_.front()];
+    try {
+      const int code = compute(o_, study_, item);
+      done_ = code == kDone;
+      return code == kDone ? finish() : code;
+    } catch (const StudyError& e) {
+      note_failure(o_.target, item, e.what());
+      throw;
+    }
+  }
+
+  std::vector<std::string> command(std::size_t place) const {
+    std::vector<std::string> words = {"/proc/self/exe",          "study",   "run",  o_.target, "--items",
+                                      std::to_string(place + 1), "--color", "never"};
+    for (const std::string& folder : o_.plugins) words.insert(words.end(), {"--plugins", folder});
+    if (o_.threads > 0) words.insert(words.end(), {"--threads", std::to_string(o_.threads)});
+    return words;
+  }
+
+  void note(std::size_t place, const WorkerEnd& end) {
+    if (end.code == kDone) {
+      ++done_;
+      return;
+    }
+    if (interrupt_flag()) return;
+    ++failed_;
+    const std::string sentence = end.sentence();
+    note_failure(o_.target, study_.items[place], sentence);
+    terminal_.say(fmt::format("netloft: item {}: {}", place + 1, sentence));
+  }
+
+  int finish() {
+    const std::size_t before = asked_ - left_.size();
+    const Json json = {
+        {"items", asked_}, {"computed", done_}, {"computed_before", before}, {"failed", failed_}};
+    print(o_, json,
+          fmt::format("{}: {} computed, {} before, {} failed", count_of(asked_, "item"), done_, before,
+                      failed_));
+    if (interrupt_flag()) return kInterrupted;
+    return failed_ ? kOther : kDone;
+  }
+
+  const Options& o_;
+  const Study& study_;
+  std::size_t asked_, done_ = 0, failed_ = 0;
+  Terminal terminal_;
+  std::vector<std::size_t> left_;  // places of items without a record
+};
+
+int run_study(const Options& o) {
+  catch_interrupts();
+  const Study study = read_study(o.target);
+  return Campaign(o, study, read_items(o.study.items, study.items.size())).run();
+}
+
+// ---- collect
+
+int collect_study(const Options& o) {
+  Terminal terminal(o.color, o.json);
+  const fs::path folder = o.target;
+  const Study study = read_study(folder);
+  const StudyTable table = collect_table(study, folder);
+  write_whole(folder / "table.csv", study_csv(table));
+  write_whole(folder / "table.hdf", study_hdf5(study, table));
+  write_whole(folder / "costs.csv", costs_csv(study, folder));
+  for (const std::string& sentence : table.sentences) terminal.say("netloft: " + sentence);
+  const auto counts = table.count_by_status();
+  std::string text = fmt::format("{}: {}", study.name, count_of(table.rows.size(), "point"));
+  for (const auto& [status, count] : counts) text += fmt::format(", {} {}", count, status);
+  text += fmt::format("\n  written to {}", (folder / "table.csv").string() + ", table.hdf and costs.csv");
+  print(o,
+        {{"points", table.rows.size()},
+         {"by_status", counts},
+         {"missing_items", table.missing_items},
+         {"sentences", table.sentences}},
+        text);
+  if (table.missing_items) return kOther;
+  return counts.size() == 1 && counts.contains("converged") ? kDone : kNotConverged;
+}
+
+}  // namespace
+
+int study_command(const Options& o) {
+  if (o.study.action == "plan") return plan_study(o);
+  if (o.study.action == "run") return run_study(o);
+  return collect_study(o);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace netloft::io {
+
+/// How draws fill the space of their variables.
+enum class Drawing { latin_hypercube, sobol };
+
+/// Variables for which there are numbers of Sobol's sequence.
+inline constexpr std::size_t kMostSobolVariables = 3667;
+
+/// `count` points in the open unit cube of `dimensions`, the same on every machine.
+///   latin_hypercube   in every dimension one point in each of `count` equal intervals, at random within it,
+///   in
+///                     random order (McKay, Beckman and Conover, Technometrics 21, 1979)
+///   sobol             Sobol's sequence with the direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30,
+///                     2008), every dimension shifted digit by digit by a random number, so that points keep
+///                     their distribution and differ between seeds; counts that are powers of two fill evenly
+std::vector<std::vector<double>> unit_points(Drawing drawing, std::size_t count, std::size_t dimensions,
+                                             std::uint64_t seed);
+
+}  // namespace netloft::io
