@@ -13,7 +13,7 @@ namespace {
 using Place = std::array<double, 2>;    // (u, v) of netting
 using Weights = std::array<double, 3>;  // of the corners of a triangle; they add up to one
 
-/// The triangles of a panel in twine coordinates.
+/// The triangles of a panel in twine coordinates, with a grid of cells that lists those in each.
 class Netting {
  public:
   explicit Netting(const Part& part) : part_(part), u_(part.data.at("u")), v_(part.data.at("v")) {}
@@ -30,21 +30,53 @@ class Netting {
     const double l2 = ((b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1])) / twice;
     return {1 - l1 - l2, l1, l2};
   }
-  /// The triangle of which the place is least outside.
+  /// The first triangle that holds the place; where there is none, the one of which it is least outside.
   std::size_t triangle_at(const Place& p) const {
+    for (const std::uint32_t t : cells_[cell(p)])
+      if (depth(t, p) >= 0) return t;
     std::size_t best = 0;
-    double depth = -std::numeric_limits<double>::infinity();
-    for (std::size_t t = 0; t < triangles() && depth < 0; ++t) {
-      const Weights w = weights(t, p);
-      if (const double least = std::min({w[0], w[1], w[2]}); least > depth) depth = least, best = t;
-    }
+    for (std::size_t t = 1; t < triangles(); ++t)
+      if (depth(t, p) > depth(best, p)) best = t;
     return best;
   }
   std::uint32_t node(std::size_t triangle, std::size_t k) const { return part_.nodes[3 * triangle + k]; }
 
+  /// Before places are looked for.
+  void make_grid() {
+    for (const std::size_t k : {0u, 1u}) {
+      const auto [low, high] = std::minmax_element((k ? v_ : u_).begin(), (k ? v_ : u_).end());
+      low_[k] = *low, side_[k] = std::max(*high - *low, std::numeric_limits<double>::min());
+    }
+    count_ = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles()))) + 1;
+    cells_.assign(count_ * count_, {});
+    for (std::size_t t = 0; t < triangles(); ++t) list(t);
+  }
+
  private:
+  double depth(std::size_t t, const Place& p) const {
+    const Weights w = weights(t, p);
+    return std::min({w[0], w[1], w[2]});
+  }
+  std::size_t index(double x, std::size_t k) const {
+    const double at = (x - low_[k]) / side_[k] * static_cast<double>(count_);
+    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(count_ - 1)));
+  }
+  std::size_t cell(const Place& p) const { return index(p[0], 0) * count_ + index(p[1], 1); }
+  void list(std::size_t t) {
+    Place low = corner(t, 0), high = low;
+    for (std::size_t c = 1; c < 3; ++c)
+      for (const std::size_t k : {0u, 1u})
+        low[k] = std::min(low[k], corner(t, c)[k]), high[k] = std::max(high[k], corner(t, c)[k]);
+    for (std::size_t i = index(low[0], 0); i <= index(high[0], 0); ++i)
+      for (std::size_t j = index(low[1], 1); j <= index(high[1], 1); ++j)
+        cells_[i * count_ + j].push_back(static_cast<std::uint32_t>(t));
+  }
+
   const Part& part_;
   const std::vector<double>&u_, &v_;
+  Place low_{}, side_{};
+  std::size_t count_ = 1;
+  std::vector<std::vector<std::uint32_t>> cells_;  // triangles whose box touches the cell, in order
 };
 
 std::size_t at(std::uint32_t node) { return 3 * std::size_t{node}; }
@@ -69,7 +101,9 @@ std::vector<std::uint32_t> row_of(const Part& rope) {
 
 void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
                  std::vector<double>& positions) {
-  const Netting source(from), target(to);
+  Netting source(from);
+  const Netting target(to);
+  source.make_grid();
   for (std::size_t t = 0; t < target.triangles(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const Place place = target.corner(t, k);

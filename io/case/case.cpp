@@ -20,14 +20,14 @@ namespace netloft::io {
 
 namespace {
 
-constexpr int kNearby = 30;  // iterations that find an equilibrium which is near
+constexpr int kFromElsewhere = 100;  // iterations from a point that a user names, before it is given up
 
 }  // namespace
 
 Case::Case(CaseSource source, Registry& registry, MakeFactorisation make)
     : source_(std::move(source)),
       registry_(registry),
-      make_(make ? std::move(make) : keep_analyses(make_factorisation)) {}
+      make_(make ? std::move(make) : keep_analyses(make_factorisation_with(source_.threads))) {}
 
 Case::~Case() = default;
 
@@ -75,12 +75,21 @@ Solution Case::solve(const Watch& watch) {
   return s;
 }
 
-Solution Case::continue_from(const std::vector<double>& u, const Watch& watch) {
+Solution Case::continue_from(const std::vector<double>& u, int iterations, const Watch& watch) {
   if (loaded_.analysis.settles) return solve(watch);  // by a motion, which begins at rest
   Limits limits = loaded_.analysis.limits;
-  limits.iterations = std::min(limits.iterations, kNearby);
+  limits.iterations = std::min(limits.iterations, iterations);
   const StrategyUse alone{&registry_.strategy(kStrategyOfNamedSolver), {}};
   return netloft::find_equilibrium(sites(), study_options(limits, watch), alone, u);
+}
+
+Solution Case::solve_from(const std::vector<double>& u, const Watch& watch) {
+  Solution near = continue_from(u, kFromElsewhere, watch);
+  if (near.status == SolveStatus::converged || near.status == SolveStatus::interrupted) return near;
+  Solution found = solve(watch);
+  found.stages.insert(found.stages.begin(), near.stages.begin(), near.stages.end());
+  found.statistics.add(near.statistics), found.work += near.work;
+  return found;
 }
 
 Solution Case::judge(std::span<const double> u, Assembler& assembler) const {

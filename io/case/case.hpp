@@ -51,9 +51,11 @@ class Case {
 
   /// Finds the equilibrium as the scene's analysis says, from its start.
   Solution solve(const Watch& watch = {});
-  /// Looks for the equilibrium near displacements `u` by the solver of the analysis alone, which few
-  /// iterations find if it is near.
-  Solution continue_from(const std::vector<double>& u, const Watch& watch = {});
+  /// Looks for the equilibrium near displacements `u` by the solver of the analysis alone, for no more than
+  /// so many iterations.
+  Solution continue_from(const std::vector<double>& u, int iterations, const Watch& watch = {});
+  /// The same, and where that does not converge, as solve() does.
+  Solution solve_from(const std::vector<double>& u, const Watch& watch = {});
   /// What a point of the scene is worth that nobody says is an equilibrium, by an assembler of its own: where
   /// a plugin does not come back, that of the case is never free again.
   Solution judge(std::span<const double> u, Assembler& assembler) const;

@@ -129,7 +129,7 @@ class Inspection {
 void write_files(const Comparison& result, const CompareOptions& o) {
   if (!o.csv.empty()) write_whole(o.csv, comparison_csv(result));
   if (o.plot.empty()) return;
-  const LogLogPlot plot = comparison_plot(result);
+  const LinePlot plot = comparison_plot(result);
   write_whole(o.plot, o.plot.ends_with(".html") ? draw_html(plot) : draw_svg(plot));
 }
 

@@ -39,8 +39,9 @@ void add_input_options(CLI::App& command, Options& o) {
       ->type_name("path=value")
       ->allow_extra_args(false);
   command
-      .add_option("--threads", o.threads,
-                  "threads of the assembly; results have the same bits for any number")
+      .add_option(
+          "--threads", o.threads,
+          "threads of the assembly and of large factorisations; results have the same bits for any number")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--scene-plugins", o.scene_plugins, "search the scene's folder for plugins, too");
   add_plugin_options(command, o);
@@ -271,6 +272,23 @@ CLI::App* add_study_action(CLI::App& study, Options& o, const char* name, const 
   return action;
 }
 
+void add_show_action(CLI::App& study, Options& o) {
+  auto* show = add_study_action(study, o, "show", "draw figures over a variable, with bands over the draws");
+  add_study_folder(*show, o);
+  const auto named = [&](const char* flag, auto& value, const char* doc, const char* type) {
+    show->add_option(flag, value, doc)
+        ->check(CLI::Validator(not_empty, "", "not empty"))
+        ->type_name(type)
+        ->allow_extra_args(false);
+  };
+  named("--figure", o.study.figures, "a figure of the table, may be repeated; else all that vary", "NAME");
+  named("--over", o.study.over, "variable of the axis; else the first of the path", "NAME");
+  named("--by", o.study.by, "variable with a line for every value; else the next listed one", "NAME");
+  named("--at", o.study.at, "value of another variable; may be repeated; else its first", "NAME=VALUE");
+  named("-o,--output", o.output, "page or picture; else the study's name with .html, in its folder",
+        "FILE.html|FILE.svg");
+}
+
 void add_study_command(CLI::App& app, Options& o) {
   auto* study = app.add_subcommand("study", "solve one scene many times, with other values");
   study->require_subcommand(1);
@@ -291,7 +309,23 @@ void add_study_command(CLI::App& app, Options& o) {
       ->check(CLI::Range(1, 1024));
   run->add_option("--plugins", o.plugins, "folder with plugins, searched before all others")
       ->type_name("DIR");
+  auto* missing =
+      add_study_action(*study, o, "missing", "print the numbers of the items that have no result yet");
+  missing->add_option("FOLDER", o.target, "folder of a study that was planned")->required();
+  auto* submit =
+      add_study_action(*study, o, "submit", "write a script that lets an engine compute the items");
+  add_study_folder(*submit, o);
+  submit->add_option("--engine", o.study.engine, "GNU parallel, or a job array of Slurm")
+      ->required()
+      ->check(CLI::IsMember({"parallel", "slurm"}));
+  submit->add_option("--chunk", o.study.chunk, "of Slurm: items of a task; else as many as take a minute")
+      ->check(CLI::Range(1, 1000000));
+  submit->add_option("--jobs", o.study.jobs, "of parallel: items at a time; else as many as there are cores")
+      ->check(CLI::Range(1, 4096));
+  submit->add_option("--plugins", o.plugins, "folder with plugins, searched before all others")
+      ->type_name("DIR");
   add_study_folder(*add_study_action(*study, o, "collect", "put the results of all items into one table"), o);
+  add_show_action(*study, o);
 }
 
 void add_import_command(CLI::App& app, Options& o) {
@@ -330,6 +364,10 @@ void add_commands(CLI::App& app, Options& o) {
   run->add_flag("--resume", o.resume,
                 "go on with a motion from the .part that a killed or interrupted run left");
   run->add_flag("--overwrite", o.overwrite, "replace the .part that such a run left, and all its outputs")
+      ->excludes("--resume");
+  run->add_option("--start-from", o.start_from, "begin the search where another result has the gear")
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("RESULT.hdf")
       ->excludes("--resume");
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");

@@ -35,6 +35,7 @@ struct Options {
   bool resume = false;               // --resume
   bool overwrite = false;            // --overwrite
   bool error = false;                // --error
+  std::string start_from;            // --start-from RESULT.hdf
   std::vector<std::int64_t> nodes;   // refine: --nodes
   std::string strategy;              // --strategy NAME[:key=value[,key=value]]
   std::string solver;                // --solver, likewise

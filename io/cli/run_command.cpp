@@ -6,6 +6,7 @@
 #include "io/hdf5/read.hpp"
 #include "io/report/provenance.hpp"
 #include "io/report/write_result.hpp"
+#include "io/result/start_from.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -146,8 +147,9 @@ struct RunSoFar {
   Session& session;
   RunResult& result;
   KeptPoint kept;
-  FileOfRun* file = nullptr;  // once there is one
-  std::string part;           // of a motion
+  FileOfRun* file = nullptr;                      // once there is one
+  std::optional<std::vector<double>> start = {};  // displacements where the search begins
+  std::string part;                               // of a motion
 };
 
 void print_result(const Options& options, Session& session, const RunResult& result) {
@@ -185,12 +187,29 @@ void solve(Session& session, Watchdog& watchdog, RunSoFar& run) {
   const Limits& limits = session.loaded().analysis.limits;
   run.result.reading_seconds = session.the_case().reading_seconds();
   run.result.setup_seconds = session.the_case().setup_seconds();
+  const Watch watch{
+      &interrupt_flag(),
+      [&](const IterationRecord& record) { session.terminal().progress(record, limits.tolerance); },
+      &run.kept};
   watchdog.allow(limits.seconds);
-  run.result.solution = session.the_case().solve(
-      {&interrupt_flag(),
-       [&](const IterationRecord& record) { session.terminal().progress(record, limits.tolerance); },
-       &run.kept});
+  run.result.solution =
+      run.start ? session.the_case().solve_from(*run.start, watch) : session.the_case().solve(watch);
   watchdog.allow(std::numeric_limits<double>::infinity());  // what follows has limits of its own
+}
+
+}  // namespace
+
+namespace {
+
+/// Displacements that bring the gear to where another result has it; nothing if none is named.
+std::optional<std::vector<double>> read_start(const Options& options, Session& session) {
+  if (options.start_from.empty()) return {};
+  try {
+    const StoredResult result(options.start_from);
+    return session.assembler().displacements(positions_from(result, session.loaded()));
+  } catch (const FileError& e) {
+    throw UsageError{std::string("--start-from: ") + e.what()};
+  }
 }
 
 }  // namespace
@@ -200,12 +219,14 @@ int run_command(const Options& options) {
   catch_interrupts();
   Session session(options);
   RunResult result;
-  RunSoFar so_far{options, context, session, result, {}, nullptr, ""};
+  RunSoFar so_far{options, context, session, result, {}, nullptr, {}, ""};
   Watchdog watchdog([&](const Overdue& overdue) { return keep_what_was_found(so_far, overdue); });
   if (const int code = session.open(); code != kDone) return code;
   context.plugins = session.registry().opened();
   context.plan_text = plan_text(session.plan(), session.plan_extras());
   if (session.loaded().analysis.kind == AnalysisKind::dynamics) {
+    if (!options.start_from.empty())
+      throw UsageError{"--start-from is for equilibria; a motion begins where its scene says"};
     so_far.part = output_file(options, session.loaded()) + ".part";
     watchdog.allow(2 * session.loaded().analysis.limits.seconds);  // the start may take as long as the motion
     return run_in_time(options, session, context);
@@ -214,6 +235,7 @@ int run_command(const Options& options) {
     throw UsageError{"--resume goes on with motions; an equilibrium is found from its start"};
 
   if (const auto why_not = session.the_case().why_unfit()) throw UsageError{*why_not};
+  so_far.start = read_start(options, session);
   const auto levels = levels_for_errors(options, session.loaded());
   spare_outputs(options, output_file(options, session.loaded()) + ".part");
   FileOfRun file(output_file(options, session.loaded()));

@@ -384,6 +384,8 @@ Json plan_schema(const char* doc, bool is_list) {
 void put_gear(Json& scene) {
   Json gear = object(), elements = object();
   put_table(gear, gear_keys());
+  Json& nodes = gear["properties"]["nodes"];
+  nodes = {{"anyOf", Json::array({nodes, {{"const", kKnots}}})}, {"description", nodes["description"]}};
   Json finer = {{"type", "object"}, {"additionalProperties", {{"type", "number"}, {"exclusiveMinimum", 0}}}};
   finer["description"] = "by panel or rope: sides of triangles, or bars, that many times shorter";
   put(gear, "finer", finer, false);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/error_json.hpp"
+#include "io/cli/prefix.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/worker_pool.hpp"
 #include "io/files/whole_file.hpp"
 #include "io/sweep/check_study.hpp"
+#include "io/sweep/engine_script.hpp"
 #include "io/sweep/path_run.hpp"
+#include "io/sweep/study_plots.hpp"
 #include "io/sweep/study_table.hpp"
 #include "io/units/units.hpp"
 
@@ -86,7 +89,7 @@ void say_plan(const Options& o, const Study& study, const fs::path& folder) {
   std::string text = fmt::format("{}: {}, {} in all\n", study.name, count_of(study.items.size(), "item"),
                                  count_of(study.point_count(), "point"));
   for (const StudyColumn& c : study.columns)
-    text += fmt::format("  {}{}\n", c.name, c.is_in_path ? ", along the path of every item" : "");
+    text += fmt::format("  {}{}\n", c.variable.name, c.is_in_path ? ", along the path of every item" : "");
   if (before) text += fmt::format("  {} computed before\n", count_of(before, "item"));
   text +=
       fmt::format("  written to {}; `netloft study run {}` computes them", folder.string(), folder.string());
@@ -249,6 +252,44 @@ int run_study(const Options& o) {
   return Campaign(o, study, read_items(o.study.items, study.items.size())).run();
 }
 
+// ---- engines
+
+/// The numbers of items without a record, one a line.
+int list_missing(const Options& o) {
+  const Study study = read_study(o.target);
+  std::string fault;
+  for (const StudyItem& item : study.items)
+    if (!find_record(o.target, item, fault)) std::printf("%zu\n", item.id);
+  return kDone;
+}
+
+std::string why_chunk(const Options& o, std::size_t chunk, double seconds) {
+  if (o.study.chunk > 0) return fmt::format("--chunk said so ({} a task)", count_of(chunk, "item"));
+  if (seconds == 0)
+    return "No item has been computed that would tell how many fill a minute: `netloft study run FOLDER "
+           "--items 1` first, or --chunk N.";
+  return fmt::format(
+      "An item has taken {:.3g} s on average, so that a task takes a minute or more, or is the only one.",
+      seconds);
+}
+
+int write_script(const Options& o) {
+  const fs::path folder = o.target;
+  const Study study = read_study(folder);
+  const Engine engine = o.study.engine == "slurm" ? Engine::slurm : Engine::parallel;
+  double seconds = 0;
+  ScriptOptions script{(installed_prefix() / "bin" / "netloft").string(), o.plugins, 1, "", o.study.jobs};
+  script.chunk = items_per_minute(study, folder, seconds);
+  if (o.study.chunk > 0) script.chunk = std::min(static_cast<std::size_t>(o.study.chunk), study.items.size());
+  script.why_chunk = why_chunk(o, script.chunk, seconds);
+  const fs::path path = folder / script_name(engine);
+  write_whole(path, engine_script(engine, study, script));
+  const std::string start = engine == Engine::slurm ? "sbatch --wait slurm.sh" : "bash parallel.sh";
+  print(o, {{"script", path.string()}, {"items_per_task", engine == Engine::slurm ? script.chunk : 1}},
+        fmt::format("written to {}; in that folder `{}` computes the study", path.string(), start));
+  return kDone;
+}
+
 // ---- collect
 
 int collect_study(const Options& o) {
@@ -274,11 +315,50 @@ int collect_study(const Options& o) {
   return counts.size() == 1 && counts.contains("converged") ? kDone : kNotConverged;
 }
 
+// ---- show
+
+PlotRequest read_request(const Options& o) {
+  PlotRequest request{o.study.figures, o.study.over, o.study.by, {}};
+  for (const std::string& word : o.study.at) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw UsageError{"--at " + word + ": write it as --at NAME=VALUE, such as --at depth=\"80 m\""};
+    request.at[word.substr(0, equals)] = word.substr(equals + 1);
+  }
+  return request;
+}
+
+int show_study(const Options& o) {
+  const fs::path folder = o.target;
+  const Study study = read_study(folder);
+  const fs::path page = o.output.empty() ? folder / (study.name + ".html") : fs::path(o.output);
+  const std::string ending = page.extension().string();
+  if (ending != ".html" && ending != ".svg")
+    throw UsageError{"-o " + page.string() + ": plots are drawn as .svg or .html"};
+  std::vector<LinePlot> plots;
+  try {
+    plots = plots_of(collect_table(study, folder), read_request(o));
+  } catch (const StudyError& e) {
+    throw UsageError{e.what()};
+  }
+  if (ending == ".svg" && plots.size() > 1)
+    throw UsageError{fmt::format(
+        "-o {}: a picture has one plot, and {} figures vary; name one with --figure, or write .html",
+        page.string(), plots.size())};
+  write_whole(page, ending == ".svg" ? draw_svg(plots.front()) : draw_html("Study " + study.name, plots));
+  print(o, {{"output", page.string()}, {"plots", plots.size()}},
+        fmt::format("{} written to {}", count_of(plots.size(), "plot"), page.string()));
+  return kDone;
+}
+
 }  // namespace
 
 int study_command(const Options& o) {
   if (o.study.action == "plan") return plan_study(o);
   if (o.study.action == "run") return run_study(o);
+  if (o.study.action == "missing") return list_missing(o);
+  if (o.study.action == "show") return show_study(o);
+  if (o.study.action == "submit") return write_script(o);
   return collect_study(o);
 }
 

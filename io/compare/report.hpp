@@ -17,6 +17,6 @@ std::string comparison_json(const Comparison& c);
 
 /// The work-precision diagram: a line per method, from its loosest tolerance to its tightest, and a mark at
 /// the discretisation error of each mesh.
-LogLogPlot comparison_plot(const Comparison& c);
+LinePlot comparison_plot(const Comparison& c);
 
 }  // namespace netloft::io

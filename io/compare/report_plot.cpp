@@ -38,12 +38,12 @@ PlotSeries series_of(const Comparison& c, const MethodResult& m) {
 
 }  // namespace
 
-LogLogPlot comparison_plot(const Comparison& c) {
-  LogLogPlot plot{with_times_signs(c.scene + ", " + c.mesh),
-                  "solver error: largest node distance [m]",
-                  "CPU time [s]",
-                  {},
-                  {}};
+LinePlot comparison_plot(const Comparison& c) {
+  LinePlot plot{with_times_signs(c.scene + ", " + c.mesh),
+                "solver error: largest node distance [m]",
+                "CPU time [s]",
+                {},
+                {}};
   for (const auto& m : c.methods) plot.series.push_back(series_of(c, m));
   if (c.discretisation)
     for (const auto& level : c.discretisation->levels)

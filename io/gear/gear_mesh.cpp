@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gear/gear_mesh.hpp"
 
+#include "io/gear/knots.hpp"
 #include "io/gear/seam_lines.hpp"
 #include "io/gear/triangulation.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -148,8 +150,10 @@ class Divider {
 
   PlaneMesh fill(const Cloth& cloth, const Border& border) const {
     const GearPanel& panel = gear_.panels[cloth.panel];
+    const auto points = on_plane(*panel.panel, border);
     try {
-      return triangulate(on_plane(*panel.panel, border), size_of(cloth));
+      return fineness_.knots ? connect_points(points, knots_within(*panel.panel, cloth.sign, points))
+                             : triangulate(points, size_of(cloth));
     } catch (const std::invalid_argument& e) {
       throw std::invalid_argument(
           fmt::format("panels.{}: its border encloses no netting, {}: do its cuttings meet?",
@@ -157,7 +161,10 @@ class Divider {
     }
   }
 
-  double size_of(const Cloth& cloth) const { return size_ / finer(fineness_, gear_.panels[cloth.panel]); }
+  double size_of(const Cloth& cloth) const {
+    const GearPanel& panel = gear_.panels[cloth.panel];
+    return fineness_.knots ? panel.panel->mesh / 2 : size_ / finer(fineness_, panel);
+  }
 
   using PlaneSide = std::array<std::uint32_t, 2>;
 
@@ -201,7 +208,8 @@ class Divider {
     for (std::size_t c = 0; c < planes_.size(); ++c) {
       std::erase_if(sides[c], [&](const PlaneSide& side) { return times[tags(c, side)] < 2; });
       if (sides[c].empty()) continue;
-      planes_[c] = split_sides(planes_[c], borders_[c].nodes.size(), size_of(cloths_.cloths[c]), sides[c]);
+      planes_[c] = split_sides(planes_[c], borders_[c].nodes.size(), size_of(cloths_.cloths[c]), sides[c],
+                               fineness_.knots ? Smoothing::none : Smoothing::all);
       was_any = true;
     }
     return was_any;
@@ -393,6 +401,27 @@ double size_for(const Gear& gear, const Fineness& fineness) {
   return (l + std::sqrt(l * l + 4 * n * a)) / (2 * n);
 }
 
+/// About the number of knots: two a mesh.
+double knots_of(const Gear& gear) {
+  double knots = 0;
+  for (const auto& panel : gear.panels)
+    for (const auto& edge : panel.outline.edges) knots += edge.from.x * edge.to.y - edge.to.x * edge.from.y;
+  return std::abs(knots);
+}
+
+/// The shortest bar, for whatever is divided by length.
+double shortest_bar(const Gear& gear) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& panel : gear.panels) shortest = std::min(shortest, panel.panel->mesh / 2);
+  return shortest;
+}
+
+void check_knots(const Gear& gear) {
+  if (const double knots = knots_of(gear); knots > kMostNodes)
+    throw std::invalid_argument(
+        fmt::format("the netting has {:.3g} knots; {:g} nodes are the most", knots, kMostNodes));
+}
+
 void check_size(const Gear& gear, const Fineness& fineness) {
   const double netting = area_of(gear, fineness) / std::pow(fineness.size, 2);
   if (netting + length_of(gear) / fineness.size > kMostNodes)
@@ -404,6 +433,10 @@ void check_size(const Gear& gear, const Fineness& fineness) {
 
 GearMesh divide(const Gear& gear, const Fineness& fineness) {
   const Cloths cloths = cloths_of(gear);
+  if (fineness.knots) {
+    check_knots(gear);
+    return Divider(gear, cloths, fineness, shortest_bar(gear)).divide();
+  }
   if (fineness.size > 0) {
     check_size(gear, fineness);
     return Divider(gear, cloths, fineness, fineness.size).divide();

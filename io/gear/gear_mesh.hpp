@@ -10,8 +10,12 @@
 
 namespace netloft::io {
 
-/// The fineness of a mesh, by number of nodes or by size; `nodes` counts the whole modelled part.
+/// The fineness of a mesh, by number of nodes, by size, or by the knots of the netting; `nodes` counts the
+/// whole modelled part.
 struct Fineness {
+  // every knot is a node, and both twines of every triangle run from knot to knot; `nodes` and `size` do not
+  // count
+  bool knots = false;
   std::size_t nodes = 2000;  // approximate number of nodes of ropes and netting
   double size = 0;           // if not 0, used instead of `nodes`: length of edges in the spread netting [m]
   // by panel or rope: the factor by which edges are shorter than elsewhere
@@ -50,9 +54,14 @@ struct GearMesh {
   MeshQuality quality;
 };
 
-/// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes. Throws
-/// std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and for a
-/// size that would give millions of nodes.
+/// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes.
+///
+/// By knots, netting that is spread with an opening of one half is a lattice of equilateral triangles, each
+/// of them with one bar of either twine direction as its sides, and every bar is a side of two triangles. The
+/// energy of Priour's triangle, ½ bar of each direction in each, is then that of the bars themselves, twine
+/// by twine. Only along borders, which are straight where cuttings go in steps, are there triangles of other
+/// shapes. Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses
+/// itself, and for a size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness);
 
 }  // namespace netloft::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gear/seam_lines.hpp"
 
+#include "io/gear/knots.hpp"
 #include "io/gear/rope_course.hpp"
 
 #include <algorithm>
@@ -64,6 +65,11 @@ class LineMaker {
     return size_ / finer(fineness_, panel.name, panel.panel->name);
   }
 
+  double knots_of(const ClothSide& side) const {
+    const Cloth& cloth = cloths_.cloths[side.cloth];
+    return knots_along(*gear_.panels[cloth.panel].panel, cloth.sign, side.from, side.to);
+  }
+
   void add_side_lines() {
     all_.sides.resize(cloths_.sides.size());
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s) {
@@ -78,7 +84,7 @@ class LineMaker {
   }
 
   std::size_t add_line() {
-    all_.lines.push_back({{}, 0, std::numeric_limits<double>::infinity(), true, {}});
+    all_.lines.push_back({{}, 0, std::numeric_limits<double>::infinity(), 0, true, {}});
     all_.is_on_plane.push_back(false);
     return all_.lines.size() - 1;
   }
@@ -119,6 +125,7 @@ class LineMaker {
     const double length = side.length * (run.to - run.from);
     line.length = line.length > 0 ? std::sqrt(line.length * length) : length;
     line.size = std::min(line.size, size_of(side));
+    if (fineness_.knots) line.knots = std::max(line.knots, knots_of(side) * (run.to - run.from));
     if (gear_.extent == Extent::half && side.kind == EdgeKind::middle) all_.is_on_plane[l] = true;
   }
 
@@ -137,7 +144,8 @@ class LineMaker {
   }
 
   RopeRun free_run(const RopeStretch& stretch, double size) {
-    all_.lines.push_back({{number_of(stretch.from), number_of(stretch.to)}, stretch.length, size, false, {}});
+    all_.lines.push_back(
+        {{number_of(stretch.from), number_of(stretch.to)}, stretch.length, size, 0, false, {}});
     all_.is_on_plane.push_back(false);
     return {{all_.lines.size() - 1, true}, stretch.length};
   }
@@ -154,8 +162,11 @@ class LineMaker {
       for (const std::size_t end : line.ends)
         if (line.is_netting) smallest[end] = std::min({smallest[end], line.size, line.length});
     for (auto& line : all_.lines)
-      divide_line(line, line.is_netting ? smallest[line.ends[0]] : line.size,
-                  line.is_netting ? smallest[line.ends[1]] : line.size);
+      if (line.knots > 0)
+        divide_evenly(line);
+      else
+        divide_line(line, line.is_netting ? smallest[line.ends[0]] : line.size,
+                    line.is_netting ? smallest[line.ends[1]] : line.size);
     part_parallel_lines();
   }
 
@@ -175,6 +186,15 @@ class LineMaker {
                         h(line.length * (static_cast<double>(k) + 0.5) / static_cast<double>(steps)));
     const std::size_t fewest = line.ends[0] == line.ends[1] ? 3 : 1;
     spread_nodes(line, sum, std::max(fewest, static_cast<std::size_t>(std::lround(sum.back()))));
+  }
+
+  /// From knot to knot.
+  static void divide_evenly(Line& line) {
+    const std::size_t fewest = line.ends[0] == line.ends[1] ? 3 : 1;
+    const auto elements = std::max(fewest, static_cast<std::size_t>(std::lround(line.knots)));
+    line.fractions.clear();
+    for (std::size_t i = 1; i < elements; ++i)
+      line.fractions.push_back(static_cast<double>(i) / static_cast<double>(elements));
   }
 
   static void spread_nodes(Line& line, const std::vector<double>& sum, std::size_t elements) {

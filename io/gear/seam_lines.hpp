@@ -15,6 +15,7 @@ struct Line {
   std::array<std::size_t, 2> ends{};  // points
   double length = 0;                  // in the spread netting, or of rope [m]
   double size = 0;                    // wanted size of its elements [m]
+  double knots = 0;  // where every knot is a node: along it, of the side that has more; 0: by size
   bool is_netting = false;
   std::vector<double> fractions;  // fractions of its length at its inner nodes, increasing in (0, 1)
 };

@@ -58,10 +58,19 @@ class Filler {
     return finish();
   }
 
-  PlaneMesh add(const std::vector<std::array<std::uint32_t, 2>>& sides) {
+  /// The points as they are.
+  PlaneMesh connect_all() {
+    connect();
+    collect();
+    open_corners();
+    return std::move(mesh_);
+  }
+
+  PlaneMesh add(const std::vector<std::array<std::uint32_t, 2>>& sides, Smoothing smoothing) {
     for (const auto& [a, b] : sides)
       mesh_.points.push_back(
           {(mesh_.points[a][0] + mesh_.points[b][0]) / 2, (mesh_.points[a][1] + mesh_.points[b][1]) / 2});
+    if (smoothing == Smoothing::none) return connect_all();
     connect();
     collect();
     return finish();
@@ -214,9 +223,15 @@ PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size) {
   return Filler(border, size).fill();
 }
 
+PlaneMesh connect_points(const std::vector<PlanePoint>& border, const std::vector<PlanePoint>& inside) {
+  PlaneMesh mesh{border, {}};
+  mesh.points.insert(mesh.points.end(), inside.begin(), inside.end());
+  return Filler(std::move(mesh), border.size(), 0).connect_all();
+}
+
 PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
-                      const std::vector<std::array<std::uint32_t, 2>>& sides) {
-  return Filler(mesh, border, size).add(sides);
+                      const std::vector<std::array<std::uint32_t, 2>>& sides, Smoothing smoothing) {
+  return Filler(mesh, border, size).add(sides, smoothing);
 }
 
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {

@@ -20,10 +20,16 @@ struct PlaneMesh {
 /// Throws std::invalid_argument on a border that crosses itself.
 PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size);
 
+/// Connects a border and given points inside by Delaunay's triangles; corners are divided as above.
+PlaneMesh connect_points(const std::vector<PlanePoint>& border, const std::vector<PlanePoint>& inside);
+
+enum class Smoothing { none, all };
+
 /// Returns the same triangles with an additional point in the middle of some sides, given by their end
-/// points; all points are smoothed.
+/// points; then points inside are smoothed, or none is.
 PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
-                      const std::vector<std::array<std::uint32_t, 2>>& sides);
+                      const std::vector<std::array<std::uint32_t, 2>>& sides,
+                      Smoothing smoothing = Smoothing::all);
 
 /// The angles of one triangle [rad].
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);

@@ -36,9 +36,12 @@ int label_stride(int count, int most) { return std::max(1, (count + most - 1) / 
 }  // namespace
 
 LogAxis::LogAxis(std::span<const double> values, int most_labels) {
+  low_ = 1, high_ = 10, labels_powers_ = true;
   find_ends(values);
   find_ticks(most_labels);
 }
+
+bool LogAxis::has_place(double value) const { return value > 0 && std::isfinite(value); }
 
 double LogAxis::place(double value) const { return std::log(value / low_) / std::log(high_ / low_); }
 

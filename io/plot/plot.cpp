@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/plot/plot.hpp"
 
+#include "io/plot/linear_axis.hpp"
 #include "io/plot/log_axis.hpp"
 #include "io/plot/svg.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace netloft::io {
 
@@ -15,6 +17,7 @@ namespace {
 // Lengths are in units of the picture; kWidth units are a column of 8.5 cm, so one unit is 0.71 pt.
 constexpr double kWidth = 340, kInnerHeight = 210;
 constexpr double kLeft = 46, kRight = 10, kTop = 24, kAxisRoom = 38, kLegendLine = 14, kMargin = 6;
+constexpr double kShade = 0.2;  // opacity of bands
 constexpr double kText = 10, kSmall = 8.5;
 constexpr double kLetter = 0.6;  // width of a letter relative to its height, estimated generously
 constexpr const char *kInk = "#222222", *kGrid = "#dddddd", *kMinorGrid = "#f0f0f0", *kMarkInk = "#666666";
@@ -23,28 +26,38 @@ constexpr const char *kInk = "#222222", *kGrid = "#dddddd", *kMinorGrid = "#f0f0
 constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                               "#e69f00", "#56b4e9", "#000000"};
 
-bool has_place(double value) { return value > 0 && std::isfinite(value); }
-bool has_place(const PlotSeries::Point& p) { return has_place(p.x) && has_place(p.y); }
-
-/// All x or all y that can be drawn.
-std::vector<double> values_of(const LogLogPlot& plot, bool of_x) {
+/// All x or all y of a plot, the ends of bands included.
+std::vector<double> values_of(const LinePlot& plot, bool of_x) {
   std::vector<double> values;
-  for (const auto& series : plot.series)
+  for (const auto& series : plot.series) {
     for (const auto& p : series.points)
-      if (has_place(p)) values.push_back(of_x ? p.x : p.y);
+      if (std::isfinite(p.x) && std::isfinite(p.y)) values.push_back(of_x ? p.x : p.y);
+    for (const auto& span : series.band) {
+      values.push_back(of_x ? span.x : span.low);
+      if (!of_x) values.push_back(span.high);
+    }
+  }
   for (const auto& mark : plot.marks)
     if (of_x) values.push_back(mark.x);
   return values;
 }
 
+std::unique_ptr<Axis> make_axis(Scale scale, const std::vector<double>& values) {
+  if (scale == Scale::linear) return std::make_unique<LinearAxis>(values);
+  return std::make_unique<LogAxis>(values);
+}
+
 class Drawing {
  public:
-  explicit Drawing(const LogLogPlot& plot)
-      : plot_(plot), x_(values_of(plot, true)), y_(values_of(plot, false)) {}
+  explicit Drawing(const LinePlot& plot)
+      : plot_(plot),
+        x_(make_axis(plot.x_scale, values_of(plot, true))),
+        y_(make_axis(plot.y_scale, values_of(plot, false))) {}
 
   std::string draw() {
     draw_ticks();
     draw_marks();
+    for (std::size_t i = 0; i < plot_.series.size(); ++i) draw_band(i);
     for (std::size_t i = 0; i < plot_.series.size(); ++i) draw_series(i);
     draw_frame();
     draw_legend();
@@ -52,8 +65,8 @@ class Drawing {
   }
 
  private:
-  double x(double value) const { return kLeft + x_.place(value) * (kWidth - kLeft - kRight); }
-  double y(double value) const { return bottom() - y_.place(value) * kInnerHeight; }
+  double x(double value) const { return kLeft + x_->place(value) * (kWidth - kLeft - kRight); }
+  double y(double value) const { return bottom() - y_->place(value) * kInnerHeight; }
   static double bottom() { return kTop + kInnerHeight; }
   static double right() { return kWidth - kRight; }
   static double legend_top() { return bottom() + kAxisRoom; }
@@ -62,20 +75,21 @@ class Drawing {
   void draw_ticks() {
     for (const bool labelled : {false, true}) {  // labelled lines are drawn last
       const char* grid = labelled ? kGrid : kMinorGrid;
-      for (const auto& tick : x_.ticks())
+      for (const auto& tick : x_->ticks())
         if (tick.labelled == labelled)
           picture_.line({x(tick.value), kTop}, {x(tick.value), bottom()}, grid, 0.6);
-      for (const auto& tick : y_.ticks())
+      for (const auto& tick : y_->ticks())
         if (tick.labelled == labelled)
           picture_.line({kLeft, y(tick.value)}, {right(), y(tick.value)}, grid, 0.6);
     }
-    for (const auto& tick : x_.ticks())
+    for (const auto& tick : x_->ticks())
       if (tick.labelled)
-        picture_.number({x(tick.value), bottom() + 13}, tick.value, x_.labels_powers(), kText,
+        picture_.number({x(tick.value), bottom() + 13}, tick.value, x_->labels_powers(), kText,
                         Anchor::middle);
-    for (const auto& tick : y_.ticks())
+    for (const auto& tick : y_->ticks())
       if (tick.labelled)
-        picture_.number({kLeft - 5, y(tick.value) + 3.5}, tick.value, y_.labels_powers(), kText, Anchor::end);
+        picture_.number({kLeft - 5, y(tick.value) + 3.5}, tick.value, y_->labels_powers(), kText,
+                        Anchor::end);
   }
 
   void draw_frame() {
@@ -89,7 +103,7 @@ class Drawing {
   /// Draws marks from left to right with labels above the lines; of two close labels the right one is lower.
   void draw_marks() {
     std::vector<PlotMark> marks = plot_.marks;
-    std::erase_if(marks, [](const PlotMark& mark) { return !has_place(mark.x); });
+    std::erase_if(marks, [&](const PlotMark& mark) { return !x_->has_place(mark.x); });
     std::sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
     for (const auto& mark : marks)
       picture_.line({x(mark.x), kTop}, {x(mark.x), bottom()}, kMarkInk, 0.9, "5 3");
@@ -102,38 +116,55 @@ class Drawing {
     }
   }
 
+  void draw_band(std::size_t i) {
+    std::vector<PicturePoint> outline;
+    const auto has_place = [&](const PlotSeries::Span& s) {
+      return x_->has_place(s.x) && y_->has_place(s.low) && y_->has_place(s.high);
+    };
+    const auto& band = plot_.series[i].band;
+    for (const auto& span : band)
+      if (has_place(span)) outline.push_back({x(span.x), y(span.high)});
+    for (auto span = band.rbegin(); span != band.rend(); ++span)
+      if (has_place(*span)) outline.push_back({x(span->x), y(span->low)});
+    picture_.area(outline, colour(i), kShade);
+  }
+
   void draw_series(std::size_t i) {
     std::vector<PicturePoint> path;
     for (const auto& p : plot_.series[i].points)
-      if (has_place(p)) path.push_back({x(p.x), y(p.y)});
-    picture_.path(path, colour(i), 1.4);
+      if (x_->has_place(p.x) && y_->has_place(p.y)) path.push_back({x(p.x), y(p.y)});
+    if (plot_.series[i].is_line) picture_.path(path, colour(i), 1.4);
     for (const auto& at : path) picture_.marker(at, i, colour(i));
   }
 
   void draw_legend() {
     for (std::size_t i = 0; i < plot_.series.size(); ++i) {
       const double at = legend_top() + kLegendLine * (double(i) + 0.5);
-      picture_.line({kLeft, at}, {kLeft + 22, at}, colour(i), 1.4);
+      if (plot_.series[i].is_line) picture_.line({kLeft, at}, {kLeft + 22, at}, colour(i), 1.4);
       picture_.marker({kLeft + 11, at}, i, colour(i));
       picture_.text({kLeft + 28, at + 3.5}, plot_.series[i].name, kText, kInk, Anchor::start);
     }
   }
 
-  const LogLogPlot& plot_;
-  LogAxis x_, y_;
+  const LinePlot& plot_;
+  std::unique_ptr<Axis> x_, y_;
   SvgPicture picture_;
 };
 
 }  // namespace
 
-std::string draw_svg(const LogLogPlot& plot) { return Drawing(plot).draw(); }
+std::string draw_svg(const LinePlot& plot) { return Drawing(plot).draw(); }
 
-std::string draw_html(const LogLogPlot& plot) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>" +
-         escape_markup(plot.title) +
-         "</title>\n<style>body { margin: 2em; background: #ffffff; } svg { width: 100%; max-width: 42em; "
-         "height: auto; }</style></head>\n<body>\n" +
-         draw_svg(plot) + "</body>\n</html>\n";
+std::string draw_html(const LinePlot& plot) { return draw_html(plot.title, {plot}); }
+
+std::string draw_html(const std::string& heading, const std::vector<LinePlot>& plots) {
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>" + escape_markup(heading) +
+      "</title>\n<style>body { margin: 2em; background: #ffffff; font-family: sans-serif; } svg { width: "
+      "100%; max-width: 42em; height: auto; }</style></head>\n<body>\n";
+  if (plots.size() != 1) page += "<h1>" + escape_markup(heading) + "</h1>\n";
+  for (const LinePlot& plot : plots) page += draw_svg(plot);
+  return page + "</body>\n</html>\n";
 }
 
 }  // namespace netloft::io

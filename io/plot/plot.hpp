@@ -10,8 +10,14 @@ struct PlotSeries {
   struct Point {
     double x, y;
   };
+  /// Two ends above one x, between which the plot is shaded.
+  struct Span {
+    double x, low, high;
+  };
   std::string name;
   std::vector<Point> points;
+  std::vector<Span> band = {};  // in the order of x
+  bool is_line = true;          // else markers alone
 };
 
 /// A dashed vertical line with a label at its top, at a special value of x.
@@ -20,19 +26,24 @@ struct PlotMark {
   std::string label;
 };
 
-/// Lines over two logarithmic axes. Values that are not positive and finite are left out.
-struct LogLogPlot {
+enum class Scale { linear, logarithmic };
+
+/// Lines over two axes. Values that an axis has no place for are left out: those that are not finite, and on
+/// a logarithmic one those that are not positive.
+struct LinePlot {
   std::string title, x_label, y_label;  // labels with their unit: "CPU time [s]"
   std::vector<PlotSeries> series;
-  std::vector<PlotMark> marks;
+  std::vector<PlotMark> marks = {};
+  Scale x_scale = Scale::logarithmic, y_scale = Scale::logarithmic;
 };
 
 /// The plot as a self-contained SVG: white ground, colours that colour-blind readers can distinguish (Okabe
 /// and Ito), a marker of its own for each series. Drawn for a column of 8.5 cm, in which letters are 7 pt
 /// high.
-std::string draw_svg(const LogLogPlot& plot);
+std::string draw_svg(const LinePlot& plot);
 
-/// The plot as an HTML page that needs no other file.
-std::string draw_html(const LogLogPlot& plot);
+/// The plot as an HTML page that needs no other file; several, one after the other under a heading.
+std::string draw_html(const LinePlot& plot);
+std::string draw_html(const std::string& heading, const std::vector<LinePlot>& plots);
 
 }  // namespace netloft::io

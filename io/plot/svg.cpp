@@ -109,6 +109,13 @@ void SvgPicture::path(const std::vector<PicturePoint>& points, const char* colou
       list, colour, width);
 }
 
+void SvgPicture::area(const std::vector<PicturePoint>& outline, const char* colour, double opacity) {
+  if (outline.size() < 3) return;
+  std::string list;
+  for (const auto& p : outline) list += (list.empty() ? "" : " ") + pair(p);
+  body_ += fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", list, colour, opacity);
+}
+
 void SvgPicture::marker(PicturePoint at, std::size_t shape, const char* colour) {
   body_ += fmt::format("{} fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"0.6\"/>\n", marker_shape(at, shape),
                        colour);

@@ -17,6 +17,8 @@ class SvgPicture {
   void line(PicturePoint from, PicturePoint to, const char* colour, double width, const char* dashes = "");
   void frame(PicturePoint corner, PicturePoint opposite, const char* colour);
   void path(const std::vector<PicturePoint>& points, const char* colour, double width);
+  /// A closed area without an outline; `opacity` from 0 to 1.
+  void area(const std::vector<PicturePoint>& outline, const char* colour, double opacity);
   /// One of eight shapes that differ even without their colour; after the eighth they repeat.
   void marker(PicturePoint at, std::size_t shape, const char* colour);
   void text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor);

@@ -37,6 +37,19 @@ void put(Table& table, const std::string& key, Value value) {
   table.members.push_back({key, place, std::move(value)});
 }
 
+/// Whether `nodes = "knots"`, beside which no other key says how fine the mesh is.
+bool wants_knots(TableReader& table) {
+  const Value* nodes = table.kind("nodes") == Kind::text ? table.raw("nodes") : nullptr;
+  return nodes && *nodes->as<std::string>() == kKnots;
+}
+
+/// The keys of `[gear]`, without the number of nodes where it is a word.
+Values read_gear_keys(TableReader& table, bool knots) {
+  std::vector<netloft_parameter> keys(gear_keys().begin(), gear_keys().end());
+  if (knots) std::erase_if(keys, [](const auto& key) { return std::string_view(key.name) == "nodes"; });
+  return read_parameters(keys, table);
+}
+
 /// Either the number of nodes or the length of sides says how fine a mesh is.
 void check_fineness(const GearKeys& keys, TableReader& table) {
   if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
@@ -73,24 +86,33 @@ GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice
   read_exceptions(table);
   if (diagnostics_.errors() > errors_before) return;
   mesh_ = divide(gear_, fineness_);
+  if (fineness_.knots) draft_.out.gear->nodes = mesh_.nodes;
   start_ = start_shape(gear_, mesh_);
   own_.resize(mesh_.nodes);
 }
 
 void GearParts::read_model(TableReader& root, const NetPlan& plan) {
   TableReader table = root.table("gear", Presence::optional);
-  const Values values = read_parameters(gear_keys(), table);
+  fineness_.knots = wants_knots(table);
+  const Values values = read_gear_keys(table, fineness_.knots);
   std::vector<std::string> faults;
   const ParameterBlock block(gear_keys(), sizeof(GearKeys), values, faults);
   if (!faults.empty()) return;
   const auto& keys = *static_cast<const GearKeys*>(block.data());
-  check_fineness(keys, table);
+  fineness_.knots ? check_knots(table) : check_fineness(keys, table);
   gear_ = make_gear(plan, keys.extent == 1 ? Extent::half : Extent::whole);
   fineness_.nodes = static_cast<std::size_t>(keys.nodes), fineness_.size = keys.size;
   read_finer(table);
   draft_.out.gear->times = gear_.extent == Extent::half ? 2 : 1;
   draft_.out.gear->nodes = fineness_.nodes, draft_.out.gear->size = fineness_.size;
   draft_.out.gear->bill = bill_of(plan), draft_.out.gear->sheet = sheet_of(plan, gear_);
+}
+
+void GearParts::check_knots(TableReader& gear) const {
+  for (const char* key : {"size", "finer"})
+    if (gear.has(key))
+      gear.error(key, "stands beside nodes = \"knots\", which says how fine the mesh is",
+                 "leave one of them out");
 }
 
 /// `finer = { top-codend = 2 }`, by panels and ropes.

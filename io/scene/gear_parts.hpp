@@ -46,6 +46,7 @@ class GearParts {
   };
 
   void read_model(TableReader& root, const NetPlan& plan);
+  void check_knots(TableReader& gear) const;
   void read_finer(TableReader& gear);
   Made read_elements(TableReader& elements, const GearElements& of) const;
   void read_exceptions(TableReader& elements);

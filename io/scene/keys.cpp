@@ -80,7 +80,7 @@ std::span<const netloft_parameter> gear_keys() {
     t.integer(
         "nodes", &GearKeys::nodes,
         "about as many nodes in all that is modelled, at least 20; what is finer than its neighbours adds to "
-        "them; 0: by size",
+        "them; 0: by size; \"knots\": every knot of the netting",
         0, 1000000, 2000);
     t.real("size", &GearKeys::size, "m", "instead: length of the sides of triangles; 0: by nodes",
            {.lo = 0, .hi = 1000, .fallback = 0});

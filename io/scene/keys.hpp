@@ -33,6 +33,9 @@ struct TowKeys {
   double leeway = 0;  // [rad]
 };
 
+/// The word for every knot a node, in place of the number of nodes of `[gear]`.
+inline constexpr const char* kKnots = "knots";
+
 /// `[gear]`, but for the table `finer`.
 struct GearKeys {
   const char *title = nullptr, *source = nullptr;

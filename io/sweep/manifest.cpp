@@ -18,11 +18,17 @@ std::string line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Json column_json(const StudyColumn& column) {
+  Json keys = Json::array();
+  for (const FollowingKey& key : column.variable.keys)
+    keys.push_back({{"key", key.path}, {"factor", key.factor}, {"offset", key.offset}});
+  return {{"name", column.variable.name}, {"unit", column.variable.unit}, {"is_number", column.is_number},
+          {"in_path", column.is_in_path}, {"is_drawn", column.is_drawn},  {"keys", std::move(keys)}};
+}
+
 Json columns_json(const Study& study) {
   Json columns = Json::array();
-  for (const StudyColumn& c : study.columns)
-    columns.push_back(
-        {{"name", c.name}, {"unit", c.unit}, {"is_number", c.is_number}, {"in_path", c.is_in_path}});
+  for (const StudyColumn& column : study.columns) columns.push_back(column_json(column));
   return columns;
 }
 
@@ -69,6 +75,17 @@ std::vector<VariableValue> read_values(const Json& json) {
   return values;
 }
 
+StudyColumn read_column(const Json& json) {
+  StudyColumn column;
+  json.at("name").get_to(column.variable.name), json.at("unit").get_to(column.variable.unit);
+  json.at("is_number").get_to(column.is_number), json.at("in_path").get_to(column.is_in_path);
+  json.at("is_drawn").get_to(column.is_drawn);
+  for (const Json& key : json.at("keys"))
+    column.variable.keys.push_back(
+        {key.at("key").get<std::string>(), key.at("factor").get<double>(), key.at("offset").get<double>()});
+  return column;
+}
+
 void read_head(const Json& json, Study& study) {
   if (const int format = json.at("netloft_study").get<int>(); format != kFormat)
     throw StudyError("it has format " + std::to_string(format) + ", and this version of Netloft reads " +
@@ -76,9 +93,7 @@ void read_head(const Json& json, Study& study) {
   json.at("name").get_to(study.name), json.at("scene").get_to(study.scene), json.at("set").get_to(study.set);
   json.at("figures").get_to(study.figures), json.at("draw").get_to(study.drawing);
   json.at("seed").get_to(study.seed);
-  for (const Json& c : json.at("variables"))
-    study.columns.push_back({c.at("name").get<std::string>(), c.at("unit").get<std::string>(),
-                             c.at("is_number").get<bool>(), c.at("in_path").get<bool>()});
+  for (const Json& column : json.at("variables")) study.columns.push_back(read_column(column));
   for (const Json& file : json.at("files"))
     study.files.emplace_back(file.at("path").get<std::string>(), file.at("hash").get<std::string>());
 }

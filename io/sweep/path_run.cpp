@@ -4,6 +4,7 @@
 #include "framework/problem/statistics.hpp"
 #include "io/report/provenance.hpp"
 #include "io/report/run_result.hpp"
+#include "io/sweep/branch.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
 
@@ -29,37 +30,24 @@ std::string first_fault(const Diagnostics& diagnostics) {
   return "a plugin is missing";
 }
 
-/// A point that has been solved, for those that are continued from it.
-struct Solved {
-  std::unique_ptr<Case> the_case;
-  std::vector<double> x;  // over all degrees of freedom [m]
-  const StudyPoint* point = nullptr;
-};
-
-/// Whether what is known of one scene can be used in the other: the same unknowns, numbered alike.
-bool have_one_topology(Case& a, Case& b) {
-  return a.assembler().numbering().dofs() == b.assembler().numbering().dofs() &&
-         a.assembler().pattern() == b.assembler().pattern();
-}
-
-/// How far from the last point the next one is, over the way from the one before that; nothing if they do not
-/// lie on a line.
-std::optional<double> way_on(const StudyPoint& before, const StudyPoint& last, const StudyPoint& next) {
-  std::optional<double> ratio;
-  for (std::size_t v = 0; v < next.values.size(); ++v) {
-    const auto &a = before.values[v], &b = last.values[v], &c = next.values[v];
-    if (a.text == b.text && b.text == c.text) continue;
-    if (ratio || !a.number || !b.number || !c.number || *a.number == *b.number) return std::nullopt;
-    ratio = (*c.number - *b.number) / (*b.number - *a.number);
-  }
-  return ratio;
+std::vector<Variable> variables_of_path(const Study& study) {
+  std::vector<Variable> variables;
+  for (const StudyColumn& column : study.columns)
+    if (column.is_in_path) variables.push_back(column.variable);
+  return variables;
 }
 
 /// One item while it is solved.
 class PathRun {
  public:
   PathRun(const Study& study, const StudyItem& item, const PathContext& context)
-      : study_(study), item_(item), context_(context), make_(keep_analyses(make_factorisation)) {}
+      : study_(study),
+        item_(item),
+        context_(context),
+        make_(keep_analyses(make_factorisation)),
+        watch_{context.interrupt, {}, nullptr},
+        branch_(
+            variables_of_path(study), [this](const auto& values) { return open_at(values); }, watch_) {}
 
   std::optional<ItemRecord> run() {
     ItemRecord record;
@@ -77,9 +65,23 @@ class PathRun {
  private:
   bool is_interrupted() const { return context_.interrupt && context_.interrupt->load(); }
 
+  std::shared_ptr<Case> make_case(const std::vector<std::string>& set) const {
+    return std::make_shared<Case>(source_of(study_, item_, set, context_), *context_.registry, make_);
+  }
+
+  /// Between points.
+  std::shared_ptr<Case> open_at(const std::vector<VariableValue>& values) const {
+    std::vector<std::string> set;
+    std::size_t v = 0;
+    for (const StudyColumn& column : study_.columns)
+      if (column.is_in_path)
+        for (auto& word : column.variable.overrides(values[v++])) set.push_back(std::move(word));
+    auto the_case = make_case(set);
+    return the_case->open() == Case::State::ready ? the_case : nullptr;
+  }
+
   PointRecord solve(const StudyPoint& point) {
-    auto the_case =
-        std::make_unique<Case>(source_of_point(study_, item_, point, context_), *context_.registry, make_);
+    const auto the_case = make_case(point.set);
     PointRecord record;
     if (the_case->open() != Case::State::ready) {
       record.status = "wrong input", record.reason = first_fault(the_case->diagnostics());
@@ -87,9 +89,9 @@ class PathRun {
     }
     require_same_files(*the_case);
     if (const auto why_not = the_case->why_unfit()) throw StudyError(*why_not);
-    const Solution solution = find(*the_case, point, record);
-    fill(record, *the_case, solution);
-    keep(std::move(the_case), solution, point);
+    const Reached reached = branch_.reach(the_case, point.values);
+    record.start = reached.was_continued ? "continued" : "anew", record.events = reached.events;
+    fill(record, *the_case, reached.solution);
     return record;
   }
 
@@ -98,31 +100,6 @@ class PathRun {
       if (std::none_of(study_.files.begin(), study_.files.end(),
                        [&](const auto& known) { return known.second == file.hash; }))
         throw StudyError(file.path + " has changed since the study was planned; plan it again");
-  }
-
-  Solution find(Case& the_case, const StudyPoint& point, PointRecord& record) {
-    const Watch watch{context_.interrupt, {}, nullptr};
-    std::optional<Solution> continued;
-    if (!trail_.empty() && have_one_topology(*trail_.back().the_case, the_case))
-      continued = the_case.continue_from(the_case.assembler().displacements_to(predict(point)), watch);
-    record.start = "continued";
-    if (continued && continued->status == SolveStatus::converged) return std::move(*continued);
-    record.start = "anew";
-    Solution found = the_case.solve(watch);
-    if (continued) found.statistics.add(continued->statistics), found.work += continued->work;
-    return found;
-  }
-
-  /// Where the last points lead: on the line through two of them, or to the last.
-  std::vector<double> predict(const StudyPoint& point) const {
-    const Solved& last = trail_.back();
-    std::vector<double> x = last.x;
-    if (trail_.size() < 2) return x;
-    const Solved& before = trail_[trail_.size() - 2];
-    const auto ratio = way_on(*before.point, *last.point, point);
-    if (!ratio || before.x.size() != x.size()) return x;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += *ratio * (x[i] - before.x[i]);
-    return x;
   }
 
   void fill(PointRecord& record, Case& the_case, const Solution& s) const {
@@ -136,18 +113,12 @@ class PathRun {
     });
   }
 
-  /// Points go on only from equilibria that are stable.
-  void keep(std::unique_ptr<Case> the_case, const Solution& s, const StudyPoint& point) {
-    if (s.status != SolveStatus::converged) return trail_.clear();
-    trail_.push_back({std::move(the_case), s.x, &point});
-    if (trail_.size() > 2) trail_.erase(trail_.begin());
-  }
-
   const Study& study_;
   const StudyItem& item_;
   const PathContext& context_;
   MakeFactorisation make_;
-  std::vector<Solved> trail_;  // the last two points, the newest behind
+  Watch watch_;
+  Branch branch_;
 };
 
 }  // namespace
@@ -156,11 +127,11 @@ std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, co
   return PathRun(study, item, context).run();
 }
 
-CaseSource source_of_point(const Study& study, const StudyItem& item, const StudyPoint& point,
-                           const PathContext& context) {
+CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
+                     const PathContext& context) {
   CaseSource source{context.folder / study.scene, study.set, context.threads};
   source.overrides.insert(source.overrides.end(), item.set.begin(), item.set.end());
-  source.overrides.insert(source.overrides.end(), point.set.begin(), point.set.end());
+  source.overrides.insert(source.overrides.end(), set.begin(), set.end());
   return source;
 }
 

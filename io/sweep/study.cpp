@@ -104,8 +104,11 @@ class Maker {
 
  private:
   void add_columns(const Chosen& chosen, bool in_path) {
-    for (const auto* v : chosen)
-      study_.columns.push_back({v->variable.name, v->variable.unit, v->variable.is_number(), in_path});
+    for (const auto* v : chosen) {
+      Variable variable = v->variable;
+      variable.values.clear(), variable.interval.reset();
+      study_.columns.push_back({std::move(variable), v->variable.is_number(), in_path, v->is_drawn()});
+    }
   }
 
   void add_item(const Combined& combined, std::size_t draw, const std::vector<double>& p) {

@@ -28,8 +28,8 @@ struct StudyItem {
 
 /// A variable as a column of tables.
 struct StudyColumn {
-  std::string name, unit;
-  bool is_number = true, is_in_path = false;
+  Variable variable;  // its name, unit and keys
+  bool is_number = true, is_in_path = false, is_drawn = false;
 };
 
 /// A study that has been planned: what its manifest says, and all that workers need.

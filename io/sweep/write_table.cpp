@@ -70,9 +70,9 @@ class Columns {
 void write_variables(Columns& columns, const StudyTable& table) {
   for (std::size_t v = 0; v < table.columns.size(); ++v) {
     const StudyColumn& c = table.columns[v];
-    const std::string path = "/study/variables/" + c.name;
+    const std::string path = "/study/variables/" + c.variable.name;
     if (c.is_number)
-      columns.write_reals(path, c.unit.empty() ? "1" : c.unit, "value of the variable",
+      columns.write_reals(path, c.variable.unit.empty() ? "1" : c.variable.unit, "value of the variable",
                           [&](const StudyRow& row) {
                             return row.values[v].number.value_or(std::numeric_limits<double>::quiet_NaN());
                           });
@@ -103,7 +103,7 @@ void write_outcomes(Columns& columns) {
 
 std::string study_csv(const StudyTable& table) {
   std::string text = "item,draw,point";
-  for (const StudyColumn& c : table.columns) text += "," + with_unit(c.name, c.unit);
+  for (const StudyColumn& c : table.columns) text += "," + with_unit(c.variable.name, c.variable.unit);
   text += ",status,reason,start,events,iterations,factorisations";
   for (const StudyFigure& f : table.figures) text += "," + with_unit(f.name, f.unit);
   text += "\n";

@@ -11,4 +11,7 @@ namespace netloft {
 /// MUMPS. Fits `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
+/// The same with so many threads for large matrices; factors have the same bits for any number of them.
+MakeFactorisation make_factorisation_with(int threads);
+
 }  // namespace netloft

@@ -13,8 +13,7 @@ using wide::Eight, wide::Four, wide::Two;
 
 // a pivot of at least this fraction of the norm of the entries below it is accepted without exchange
 constexpr double kSuits = 0.1;
-// number of pivots that are eliminated one by one before the rest is updated
-constexpr std::ptrdiff_t kBlock = 8;
+constexpr std::ptrdiff_t kBlock = kPivotBlock;
 
 /// The number of columns of a tile, such that its sums and a column of A fit into the registers.
 template <class Register>
@@ -248,11 +247,6 @@ NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t 
   return {};
 }
 
-/// The number of pivots that are eliminated together once those before `end` are done: blocks are merged in
-/// pairs, pairs of pairs and so on. The same number of columns comes next and is updated by all of these at
-/// once.
-NETLOFT_INLINE std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
-
 /// C ← L⁻¹ C, L unit lower triangular of kBlock columns, C of `columns` columns of the same stride.
 template <class Register>
 NETLOFT_INLINE void solve_lower(const double* L, std::ptrdiff_t stride, double* c, std::ptrdiff_t columns) {
@@ -276,23 +270,34 @@ NETLOFT_INLINE void solve_lower(const double* L, std::ptrdiff_t stride, double* 
   }
 }
 
-/// U of the rows from `begin` to `end` in the columns from `end` to `last`.
+/// U of the rows from `begin` to `end` in the columns from `from` to `to`.
 template <class Register>
 NETLOFT_INLINE void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
-                               std::ptrdiff_t last) {
+                               std::ptrdiff_t from, std::ptrdiff_t to) {
   const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
   for (; begin < end; begin += kBlock) {
     const std::ptrdiff_t next = begin + kBlock;
-    solve_lower<Register>(f.left + begin + begin * stride, stride, f.left + begin + end * stride, last - end);
-    subtract_product<Register>(end - next, last - end, kBlock, f.left + next + begin * stride, stride,
-                               {f.left + begin + end * stride, 1, stride}, f.left + next + end * stride,
+    solve_lower<Register>(f.left + begin + begin * stride, stride, f.left + begin + from * stride, to - from);
+    subtract_product<Register>(end - next, to - from, kBlock, f.left + next + begin * stride, stride,
+                               {f.left + begin + from * stride, 1, stride}, f.left + next + from * stride,
                                stride);
   }
 }
 
+/// Subtracts L U of the pivots from `begin` to `end` in the columns from `end` to `last` and the rows from
+/// `from` to `to`.
+template <class Register>
+NETLOFT_INLINE void subtract_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
+                                  std::ptrdiff_t last, std::ptrdiff_t from, std::ptrdiff_t to) {
+  const std::ptrdiff_t stride = left_stride(f.pivots, f.others);
+  subtract_product<Register>(to - from, last - end, end - begin, f.left + from + begin * stride, stride,
+                             {f.left + begin + end * stride, 1, stride}, f.left + from + end * stride,
+                             stride);
+}
+
 template <class Register>
 NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, double least_pivot, std::int32_t* exchanged) {
-  const std::ptrdiff_t n = f.pivots, rows = n + f.others, stride = left_stride(n, f.others);
+  const std::ptrdiff_t n = f.pivots, rows = n + f.others;
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kBlock, n);
     if (const Elimination e = eliminate_block<Register>(f, done, end, least_pivot, exchanged);
@@ -302,45 +307,47 @@ NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, double least_piv
     if (end == n) break;
     const std::ptrdiff_t width = eliminated_together(end), begin = end - width,
                          last = std::min(end + width, n);
-    solve_rows<Register>(f, begin, end, last);
-    subtract_product<Register>(rows - end, last - end, width, f.left + end + begin * stride, stride,
-                               {f.left + begin + end * stride, 1, stride}, f.left + end + end * stride,
-                               stride);
+    solve_rows<Register>(f, begin, end, end, last);
+    subtract_rows<Register>(f, begin, end, last, end, rows);
   }
   return {};
 }
 
+/// U₁₂ of the others from `from` to `to`.
 template <class Register>
-NETLOFT_INLINE void solve_upper(const FrontPanels& f, const std::int32_t* exchanged) {
-  const std::ptrdiff_t n = f.pivots, u = f.others, across = left_stride(n, u), stride = upper_stride(u);
+NETLOFT_INLINE void solve_upper(const FrontPanels& f, const std::int32_t* exchanged, std::ptrdiff_t from,
+                                std::ptrdiff_t to) {
+  const std::ptrdiff_t n = f.pivots, u = to - from, across = left_stride(n, f.others),
+                       stride = upper_stride(f.others);
   constexpr double kOnes[kBlock] = {1, 1, 1, 1, 1, 1, 1, 1};
-  double unused = 0;
+  double unused = 0, *const upper = f.upper + from;
   for (std::ptrdiff_t k = 0; k < n; ++k)
-    if (exchanged[k] != k) exchange(f.upper + k * stride, f.upper + exchanged[k] * stride, u, 1);
+    if (exchanged[k] != k) exchange(upper + k * stride, upper + exchanged[k] * stride, u, 1);
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kBlock, n);
-    solve_block<Register>(end - done, u, f.upper + done * stride, stride,
+    solve_block<Register>(end - done, u, upper + done * stride, stride,
                           {f.left + done + done * across, across, 1}, kOnes, unused);
     done = end;
     const std::ptrdiff_t width = eliminated_together(end), begin = end - width,
                          last = std::min(end + width, n);
     if (end < n)
-      subtract_product<Register>(u, last - end, width, f.upper + begin * stride, stride,
-                                 {f.left + end + begin * across, across, 1}, f.upper + end * stride, stride);
+      subtract_product<Register>(u, last - end, width, upper + begin * stride, stride,
+                                 {f.left + end + begin * across, across, 1}, upper + end * stride, stride);
   }
 }
 
 template <class Register>
 NETLOFT_INLINE Elimination eliminate(const FrontPanels& f, double least_pivot, std::int32_t* exchanged) {
   const Elimination e = eliminate_left<Register>(f, least_pivot, exchanged);
-  if (e.stopped_at < 0) solve_upper<Register>(f, exchanged);
+  if (e.stopped_at < 0) solve_upper<Register>(f, exchanged, 0, f.others);
   return e;
 }
 
 template <class Register>
-NETLOFT_INLINE void update(const FrontPanels& f, double* C) {
+NETLOFT_INLINE void update(const FrontPanels& f, double* C, std::ptrdiff_t from, std::ptrdiff_t to) {
   const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u);
-  subtract_product<Register>(u, u, n, f.left + n, left_stride(n, u), {f.upper, stride, 1}, C, stride);
+  subtract_product<Register>(u, to - from, n, f.left + n, left_stride(n, u), {f.upper + from, stride, 1},
+                             C + from * stride, stride);
 }
 
 template <class Register>
@@ -410,10 +417,35 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
     __VA_ARGS__ static Elimination eliminate(const FrontPanels& f, double least, std::int32_t* exchanged) {  \
       return netloft::eliminate<Register>(f, least, exchanged);                                              \
     }                                                                                                        \
-    __VA_ARGS__ static void update(const FrontPanels& f, double* C) { netloft::update<Register>(f, C); }     \
+    __VA_ARGS__ static void update(const FrontPanels& f, double* C) {                                        \
+      netloft::update<Register>(f, C, 0, f.others);                                                          \
+    }                                                                                                        \
     __VA_ARGS__ static void forward(const FrontPanels& f, double* y) { netloft::forward<Register>(f, y); }   \
     __VA_ARGS__ static void backward(const FrontPanels& f, double* y) { netloft::backward<Register>(f, y); } \
-    static constexpr FrontKernels all{eliminate, update, forward, backward};                                 \
+    __VA_ARGS__ static Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin,               \
+                                                   std::ptrdiff_t end, double least,                         \
+                                                   std::int32_t* exchanged) {                                \
+      return netloft::eliminate_block<Register>(f, begin, end, least, exchanged);                            \
+    }                                                                                                        \
+    __VA_ARGS__ static void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,       \
+                                       std::ptrdiff_t from, std::ptrdiff_t to) {                             \
+      netloft::solve_rows<Register>(f, begin, end, from, to);                                                \
+    }                                                                                                        \
+    __VA_ARGS__ static void subtract_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,    \
+                                          std::ptrdiff_t last, std::ptrdiff_t from, std::ptrdiff_t to) {     \
+      netloft::subtract_rows<Register>(f, begin, end, last, from, to);                                       \
+    }                                                                                                        \
+    __VA_ARGS__ static void solve_upper(const FrontPanels& f, const std::int32_t* exchanged,                 \
+                                        std::ptrdiff_t from, std::ptrdiff_t to) {                            \
+      netloft::solve_upper<Register>(f, exchanged, from, to);                                                \
+    }                                                                                                        \
+    __VA_ARGS__ static void update_columns(const FrontPanels& f, double* C, std::ptrdiff_t from,             \
+                                           std::ptrdiff_t to) {                                              \
+      netloft::update<Register>(f, C, from, to);                                                             \
+    }                                                                                                        \
+    static constexpr FrontKernels all{                                                                       \
+        eliminate,  update,        forward,     backward,      eliminate_block,                              \
+        solve_rows, subtract_rows, solve_upper, update_columns};                                             \
   };
 
 NETLOFT_KERNELS(Plain, Two, )

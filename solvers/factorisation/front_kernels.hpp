@@ -29,6 +29,14 @@ struct Elimination {
   bool column_is_zero = false;   // whether all of its column is zero, too
 };
 
+/// Number of pivots that are eliminated one by one before the rest is updated.
+inline constexpr std::ptrdiff_t kPivotBlock = 8;
+
+/// The number of pivots that are eliminated together once those before `end` are done: blocks are merged in
+/// pairs, pairs of pairs and so on. The same number of columns comes next and is updated by all of these at
+/// once.
+constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
+
 /// The dense operations on a front, for the instruction set of this processor:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
@@ -44,6 +52,24 @@ struct FrontKernels {
   void (*forward)(const FrontPanels& front, double* y);
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); the numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);
+
+  // (1) and (2) in pieces, for several threads. Pieces from one row or column to another do not depend on one
+  // another; rows begin at multiples of kTileRows behind the first.
+  /// L₁₁\\U₁₁ and L₂₁ in columns of one block of pivots.
+  Elimination (*eliminate_block)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
+                                 double least_pivot, std::int32_t* exchanged);
+  /// U₁₁ of the rows from `begin` to `end` in the columns from `from` to `to`.
+  void (*solve_rows)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t from,
+                     std::ptrdiff_t to);
+  /// Subtracts the contribution of the pivots from `begin` to `end` from the columns from `end` to `last`, in
+  /// the rows from `from` to `to`.
+  void (*subtract_rows)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
+                        std::ptrdiff_t last, std::ptrdiff_t from, std::ptrdiff_t to);
+  /// U₁₂ of the others from `from` to `to`.
+  void (*solve_upper)(const FrontPanels& front, const std::int32_t* exchanged, std::ptrdiff_t from,
+                      std::ptrdiff_t to);
+  /// (2) in the columns from `from` to `to`.
+  void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t from, std::ptrdiff_t to);
 };
 
 /// The best kernels for this processor, and all that run on it, the best last.

@@ -83,7 +83,6 @@ class FrontTreeBuilder {
   void list_fronts(const Supernodes& supernodes);
   void find_parents();
   void lay_out();
-  void stack_updates();
   void find_places();
   void number_locally(const Front& front);
   void list_runs();
@@ -124,7 +123,6 @@ FrontTree FrontTreeBuilder::build(OrderingMethod method) {
   list_fronts(supernodes);
   find_parents();
   lay_out();
-  stack_updates();
   find_places();
   list_runs();
   list_pieces();
@@ -185,23 +183,7 @@ void FrontTreeBuilder::lay_out() {
         front.pivots * (left_stride(front.pivots, front.others) + upper_stride(front.others)));
     tree_.most_unknowns = std::max(tree_.most_unknowns, front.pivots + front.others);
     tree_.entries += n * (n + 2 * u);
-    tree_.flops += 2. / 3. * n * n * n + 2 * n * n * u + 2 * n * u * u;
-  }
-}
-
-void FrontTreeBuilder::stack_updates() {
-  auto& fronts = tree_.fronts;
-  tree_.parity.resize(fronts.size());
-  for (std::size_t s = fronts.size(); s-- > 0;)
-    tree_.parity[s] = fronts[s].parent < 0 ? 0 : 1 - tree_.parity[fronts[s].parent];
-  std::size_t top[2]{};
-  for (std::size_t s = 0; s < fronts.size(); ++s) {
-    std::size_t &own = top[tree_.parity[s]], &below = top[1 - tree_.parity[s]];
-    fronts[s].update = own;
-    own += static_cast<std::size_t>(fronts[s].others * upper_stride(fronts[s].others));
-    for (int parity : {0, 1}) tree_.stack[parity] = std::max(tree_.stack[parity], top[parity]);
-    for (std::int32_t c = tree_.child_start[s]; c < tree_.child_start[s + 1]; ++c)
-      below = std::min(below, fronts[tree_.child[c]].update);
+    tree_.flops += flops_of(front);
   }
 }
 
@@ -352,6 +334,11 @@ void FrontTreeBuilder::find_targets() {
 }
 
 }  // namespace
+
+double flops_of(const Front& front) {
+  const double n = front.pivots, u = front.others;
+  return 2. / 3. * n * n * n + 2 * n * n * u + 2 * n * u * u;
+}
 
 FrontTree make_front_tree(const SparsePattern& pattern, OrderingMethod method) {
   return FrontTreeBuilder(pattern).build(method);

@@ -19,10 +19,12 @@ struct Front {
   std::int32_t parent = -1;  // front of the first of the others
   std::size_t indices = 0;   // of the others, in FrontTree::other and FrontTree::place
   std::size_t panels = 0;    // in the factors
-  std::size_t update = 0;    // in the stack of its parity
   std::size_t runs = 0;      // of the others, in FrontTree::runs
   std::size_t entries = 0;   // of the matrix, in FrontTree::of_matrix
 };
+
+/// Operations that the elimination of a front takes.
+double flops_of(const Front& front);
 
 /// Entries of the matrix that are added to a front at its start: one entry, or the nine of three rows and
 /// columns of a pair of nodes, whose slots are adjacent row by row.
@@ -36,8 +38,7 @@ struct FrontEntries {
 /// The elimination of a matrix of symmetric pattern front by front (Duff and Reid 1983). Every front adds up
 /// its entries of the matrix and the updates of its children, eliminates its pivots, and passes the update
 ///   C = Σ C_child − L₂₁ U₁₂                                               (1)
-/// to its parent. Children come before parents. Updates lie on two stacks, by the parity of a front's depth:
-/// children are on top of the one when their parent pushes its own onto the other.
+/// to its parent. Children come before parents, and all below a front come in a row.
 struct FrontTree {
   std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
   std::vector<Front> fronts;          // with one more that marks the end
@@ -45,12 +46,11 @@ struct FrontTree {
   std::vector<std::int32_t> place;    // place of each of them among the unknowns of the parent, pivots first
   std::vector<UnknownRun> runs;       // the same as runs, for each front
   std::vector<std::int32_t> child_start, child;
-  std::vector<std::uint8_t> parity;     // of the depth of each front
   std::vector<FrontEntries> of_matrix;  // by front
   MatrixBlocks matrix;
-  std::size_t panels = 0, stack[2]{};  // doubles
-  std::int32_t most_unknowns = 0;      // of any front
-  double entries = 0, flops = 0;       // of the factors
+  std::size_t panels = 0;          // doubles
+  std::int32_t most_unknowns = 0;  // of any front
+  double entries = 0, flops = 0;   // of the factors
   std::string ordering;
 };
 

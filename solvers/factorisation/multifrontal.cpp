@@ -2,6 +2,7 @@
 #include "solvers/factorisation/multifrontal.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -13,13 +14,16 @@
 
 #include "solvers/factorisation/finite_values.hpp"
 #include "solvers/factorisation/front_kernels.hpp"
-#include "solvers/factorisation/front_tree.hpp"
+#include "solvers/factorisation/front_schedule.hpp"
+#include "solvers/factorisation/shared_front.hpp"
 
 namespace netloft {
 namespace {
 
-constexpr double kLeastPivot = 1e-8;      // relative to the norm of the columns of L
-constexpr double kLargestError = 1e-9;    // (2); a larger error is handed over to another code
+constexpr double kLeastPivot = 1e-8;    // relative to the norm of the columns of L
+constexpr double kLargestError = 1e-9;  // (2); a larger error is handed over to another code
+// Below this [floating-point operations] a factorisation takes less than 5 ms, and threads would hardly help.
+constexpr double kWorthThreads = 2e8;
 constexpr double kErrorToRefine = 1e-12;  // (2); a smaller error is not refined
 
 /// Uninitialised doubles that begin at a cache line.
@@ -44,8 +48,8 @@ class Room {
 
 class MultifrontalFactorisation final : public Factorisation {
  public:
-  MultifrontalFactorisation(MakeSpare make_spare, OrderingMethod method)
-      : make_spare_(std::move(make_spare)), method_(method) {}
+  MultifrontalFactorisation(MakeSpare make_spare, OrderingMethod method, int threads)
+      : make_spare_(std::move(make_spare)), method_(method), threads_(threads) {}
 
   std::string description() const override;
   void analyse(const SparsePattern& pattern) override;
@@ -62,7 +66,8 @@ class MultifrontalFactorisation final : public Factorisation {
   bool has_room();
   bool take(std::span<const double> values);
   Elimination eliminate_all(std::size_t& front);
-  Elimination eliminate(std::size_t front);
+  Elimination eliminate_branches(std::size_t& failed);
+  Elimination eliminate(std::size_t front, bool together);
   FrontPanels panels_of(std::size_t front);
   double* update_of(std::size_t front);
   void set_entries(std::size_t front);
@@ -78,6 +83,10 @@ class MultifrontalFactorisation final : public Factorisation {
   OrderingMethod method_;
   const SparsePattern* pattern_ = nullptr;
   FrontTree tree_;
+  int threads_;
+  std::unique_ptr<Workers> workers_;  // null: one thread
+  FrontSchedule schedule_;
+  std::vector<Elimination> ends_;  // of branches
   const FrontKernels& kernels_ = front_kernels();
   const MatrixKernels& matrix_kernels_ = matrix_kernels();
   std::vector<double> values_;  // by slots
@@ -102,6 +111,13 @@ void MultifrontalFactorisation::analyse(const SparsePattern& pattern) {
   spare_.reset();
   forget_room();
   tree_ = pattern.size > 0 ? make_front_tree(pattern, method_) : FrontTree{};
+  if (threads_ < 2 || tree_.flops < kWorthThreads)
+    workers_.reset();
+  else if (!workers_)
+    workers_ = std::make_unique<Workers>(threads_);
+  schedule_ =
+      pattern.size > 0 ? make_front_schedule(tree_, workers_ ? workers_->size() : 1) : FrontSchedule{};
+  ends_.resize(schedule_.branches.size());
   pattern_ = &pattern;
 }
 
@@ -112,7 +128,7 @@ void MultifrontalFactorisation::forget_room() {
 
 void MultifrontalFactorisation::make_room() {
   const auto size = static_cast<std::size_t>(pattern_->size);
-  for (int parity : {0, 1}) updates_[parity].resize(tree_.stack[parity]);
+  for (int parity : {0, 1}) updates_[parity].resize(schedule_.room[parity]);
   values_.resize(pattern_->value_slots()), exchanged_.resize(size);
   for (auto* v : {&by_place_, &rhs_, &residual_}) v->resize(size);
   for (auto* v : {&products_, &sizes_}) v->resize(3 * size);
@@ -152,9 +168,37 @@ bool MultifrontalFactorisation::take(std::span<const double> values) {
          find_column_not_finite(*pattern_, values) < 0;
 }
 
+/// Of several fronts that cannot be eliminated the first is reported, as one thread would meet it.
 Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
-  for (front = 0; front + 1 < tree_.fronts.size(); ++front)
-    if (const Elimination e = eliminate(front); e.stopped_at >= 0) return e;
+  std::size_t failed = tree_.fronts.size();
+  const Elimination e = eliminate_branches(failed);
+  for (const std::size_t f : schedule_.trunk) {
+    if (f > failed) break;
+    if (const Elimination own = eliminate(f, workers_ != nullptr); own.stopped_at >= 0) {
+      front = f;
+      return own;
+    }
+  }
+  front = failed;
+  return e;
+}
+
+/// `failed` becomes the first front that cannot be eliminated, if there is one. All before it are.
+Elimination MultifrontalFactorisation::eliminate_branches(std::size_t& failed) {
+  if (schedule_.branches.empty()) return {};
+  std::atomic<std::size_t> first{failed};
+  workers_->run(schedule_.branches.size(), 2, [&](std::size_t, std::size_t b) {
+    ends_[b] = {};
+    for (std::size_t f = schedule_.branches[b].first; f < schedule_.branches[b].last && f < first; ++f) {
+      if ((ends_[b] = eliminate(f, false)).stopped_at < 0) continue;
+      for (std::size_t known = first; f < known && !first.compare_exchange_weak(known, f);) {
+      }
+      return;
+    }
+  });
+  failed = first;
+  for (std::size_t b = 0; b < ends_.size(); ++b)
+    if (schedule_.branches[b].first <= failed && failed < schedule_.branches[b].last) return ends_[b];
   return {};
 }
 
@@ -165,10 +209,11 @@ FrontPanels MultifrontalFactorisation::panels_of(std::size_t front) {
 }
 
 double* MultifrontalFactorisation::update_of(std::size_t front) {
-  return updates_[tree_.parity[front]].at(tree_.fronts[front].update);
+  return updates_[schedule_.parity[front]].at(schedule_.update[front]);
 }
 
-Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
+/// By this thread alone, or by all threads `together`.
+Elimination MultifrontalFactorisation::eliminate(std::size_t front, bool together) {
   const Front& f = tree_.fronts[front];
   const FrontPanels panels = panels_of(front);
   double* update = update_of(front);
@@ -177,8 +222,11 @@ Elimination MultifrontalFactorisation::eliminate(std::size_t front) {
   set_entries(front);
   for (std::int32_t c = tree_.child_start[front]; c < tree_.child_start[front + 1]; ++c)
     matrix_kernels_.add_child(left_by(static_cast<std::size_t>(tree_.child[c])), panels, update);
-  const Elimination e = kernels_.eliminate(panels, kLeastPivot, exchanged_.data() + f.first);
-  if (e.stopped_at < 0) kernels_.update(panels, update);
+  std::int32_t* exchanged = exchanged_.data() + f.first;
+  const Elimination e = together ? eliminate_together(kernels_, panels, kLeastPivot, exchanged, *workers_)
+                                 : kernels_.eliminate(panels, kLeastPivot, exchanged);
+  if (e.stopped_at < 0)
+    together ? update_together(kernels_, panels, update, *workers_) : kernels_.update(panels, update);
   return e;
 }
 
@@ -290,8 +338,9 @@ void MultifrontalFactorisation::check(std::span<double> x) {
 
 }  // namespace
 
-std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_spare, OrderingMethod method) {
-  return std::make_unique<MultifrontalFactorisation>(std::move(make_spare), method);
+std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_spare, OrderingMethod method,
+                                                               int threads) {
+  return std::make_unique<MultifrontalFactorisation>(std::move(make_spare), method, threads);
 }
 
 }  // namespace netloft

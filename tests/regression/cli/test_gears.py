@@ -127,6 +127,11 @@ class GearScenes(InFreshFolder):
         self.assertIn("size: stands beside nodes", run.err)
         self.assertEqual(self.netloft("plan", str(FLUME), "--set", "gear.size=1", "--set", "gear.nodes=0").code, 0)
         self.assertIn("is outside [20, 1000000]", self.netloft("plan", str(FLUME), "--set", "gear.nodes=0").err)
+        said = self.netloft("plan", str(FLUME), "--set", "gear.nodes=knots", "--set", "gear.size=0.5 m", "--set", "gear.finer={ top-body = 2 }")
+        self.assertEqual(said.code, 2)
+        for key in ("size", "finer"):
+            self.assertIn(f'gear.{key}: stands beside nodes = "knots"', said.err)
+        self.assertIn('"knots": every knot', self.netloft("plan", str(FLUME), "--set", "gear.nodes=knot").err)
 
     def test_twine_of_elements_is_thinner_than_its_bar(self):
         run = self.netloft("plan", str(FLUME), "--set", "elements.netting.twine.diameter=60 mm")

@@ -61,6 +61,28 @@ class Runs(InFreshFolder):
         self.netloft("run", str(CODEND), "--set", "analysis.max_iterations=1", "--solver", "newton", "-o", "tube.hdf")
         self.assertAlmostEqual(meshes_of_netting(self.folder / "tube.hdf"), 100 * 100 * (1 - 1 / 48 / 2))
 
+    def test_a_search_begins_where_another_result_has_the_gear(self):
+        self.assertEqual(self.run_panel("-o", "a.hdf").code, 0)
+        again = self.run_panel("--start-from", "a.hdf", "-o", "b.hdf", "--json").json()
+        self.assertLessEqual(again["factorisations"], 1)
+        np.testing.assert_allclose(points(self.folder / "b.hdf"), points(self.folder / "a.hdf"), atol=1e-9)
+        finer = ["--set", "parts.net.cells=[16,16]", "--json"]
+        fresh = self.run_panel(*finer, "-o", "c.hdf").json()
+        led = self.run_panel(*finer, "--start-from", "a.hdf", "-o", "d.hdf").json()
+        self.assertLess(led["factorisations"], fresh["factorisations"])
+        np.testing.assert_allclose(led["energy"], fresh["energy"], rtol=1e-9)
+
+    def test_a_search_begins_nowhere_else(self):
+        self.assertEqual(self.run_panel("-o", "a.hdf").code, 0)
+        self.write("b.hdf", "no result")
+        for words, says in (((str(SCENES / "hanging-rope.toml"), "--start-from", "a.hdf"), "a.hdf has none of the parts of hanging-rope"),
+                            ((str(PANEL), "--start-from", "b.hdf"), "b.hdf"), ((str(PANEL), "--start-from", "none.hdf"), "there is no such file"),
+                            ((str(SCENES / "dynamics/hanging-panel.toml"), "--start-from", "a.hdf"), "is for equilibria")):
+            ended = self.netloft("run", *words, "-o", "c.hdf")
+            self.assertEqual(ended.code, 2, ended.err)
+            self.assertIn(says, ended.err)
+            self.assertFalse((self.folder / "c.hdf").exists())
+
     def test_json_says_what_a_script_needs(self):
         ended = self.run_panel("--json")
         report = ended.json()

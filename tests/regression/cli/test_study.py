@@ -148,6 +148,54 @@ combine = "list"
         self.assertEqual([c for c in self.rows()[0] if "/" in c], ["results/lowest_z [m]"])
 
 
+class ShownStudies(Studies):
+    def setUp(self):
+        super().setUp()
+        self.whole = self.whole_study()
+
+    def picture(self, *words):
+        self.study("show", "s.study", "-o", "p.svg", *words)
+        return (self.folder / "p.svg").read_text()
+
+    def test_a_page_has_a_plot_of_every_figure_that_varies(self):
+        self.assertIn("plots written to s.study/s.html", self.study("show", "s.study").out)
+        page = (self.folder / "s.study/s.html").read_text()
+        self.assertIn("results/pull [N]", page)
+        self.assertNotIn("<script", page)
+
+    def test_lines_are_medians_and_bands_have_nine_tenths_of_the_draws(self):
+        svg = self.picture("--figure", "results/pull", "--over", "rope", "--by", "water")
+        self.assertEqual(svg.count("<polyline"), 4)
+        self.assertEqual(svg.count("fill-opacity"), 4)
+        self.assertIn(">rope [kg/m3]<", svg)
+        points = [[float(x) for x in pair.split(",")] for pair in svg.split("<polyline points=\"")[1].split("\"")[0].split()]
+        rows = [r for r in self.rows() if r["water"] == "1000"]
+        medians = [np.median([float(r["results/pull [N]"]) for r in rows if r["rope [kg/m3]"] == rope]) for rope in ("2000", "3000", "4000")]
+        drawn = [(points[0][1] - p[1]) / (points[0][1] - points[2][1]) for p in points]
+        for got, wanted in zip(drawn, medians):
+            self.assertAlmostEqual(got, (wanted - medians[0]) / (medians[2] - medians[0]), delta=1e-3)
+
+    def test_what_is_neither_axis_nor_line_is_held_and_said(self):
+        svg = self.picture("--figure", "results/pull", "--over", "twine", "--by", "water", "--at", "rope=3000 kg/m3")
+        self.assertIn(">at rope 3000 kg/m3<", svg)
+        self.assertIn(">at rope 2000 kg/m3<", self.picture("--figure", "results/pull", "--over", "twine", "--by", "water"))
+
+    def test_over_a_variable_that_is_drawn_there_are_markers_alone(self):
+        svg = self.picture("--figure", "results/lowest_z", "--over", "twine")
+        self.assertEqual(svg.count("<polyline"), 0)
+        self.assertGreaterEqual(svg.count("<circle"), 6)
+
+    def test_wrong_names_are_answered(self):
+        for words, answer in ((["--figure", "results/pul"], 'did you mean "results/pull"?'), (["--over", "wter"], 'did you mean "water"?'),
+                              (["--by", "twine"], "twine is drawn"), (["--at", "rope=1"], "rope is nowhere 1; there are 2000 kg/m3"),
+                              (["--at", "rope"], "--at NAME=VALUE"), (["-o", "a.png"], ".svg or .html"), (["-o", "a.svg"], "name one with --figure"),
+                              (["--over", "water", "--by", "water"], "water is the axis")):
+            self.assertIn(answer, self.study("show", "s.study", *words, code=2).err, words)
+        for record in self.records():
+            record.unlink()
+        self.assertIn("no point that would be drawn", self.study("show", "s.study", code=2).err)
+
+
 class LostStudies(Studies):
     """Kills, full disks, garbage: one command goes on, and the table is the one of an undisturbed study."""
 

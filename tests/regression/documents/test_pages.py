@@ -18,10 +18,12 @@ ELSEWHERE = ("README.md", "framework/guides/", "io/cli/templates/", "build/")
 BLOCK = re.compile(r"^```[^\n]*\n(.*?)^```", re.DOTALL | re.MULTILINE)
 FILE = re.compile(r"^```toml (\S+)\n(.*?)^```", re.DOTALL | re.MULTILINE)  # a page's own file, of that name
 STANDS_FOR = (
+    (r"SCENE --start-from", "gear.toml --set gear.nodes=200 --start-from"),
     (r"scenes/dynamics/SCENE\.toml", "scenes/dynamics/released-rope.toml"), (r"scenes/verification/SCENE\.toml", "scenes/verification/catenary-wire.toml"),
     (r"scenes/SCENE\.toml", "scenes/dead-weight-panel.toml"), (r"\bSCENE\b", "gear-library/scenes/hanging-rope.toml"),
     (r"gear-library/scenes/…", "gear-library/scenes/hanging-rope.toml"), (r"GEAR\.don", "gears/01_two_bars.don"), (r"\bGEAR\b", "gear-library/gears/four-panel.toml"),
-    (r"\bSTUDY\.toml", "ropes.toml"), (r"^netloft study (\w+)$", r"netloft study \1 ropes.study"),
+    (r"\bSTUDY\.toml", "ropes.toml"), (r"^netloft study submit$", "netloft study submit ropes.study --engine slurm"),
+    (r"^netloft study (\w+)$", r"netloft study \1 ropes.study"), (r"^(netloft study .*)\bFOLDER\b", r"\1ropes.study"), (r"--items \d+", "--items 1"),
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
     (r"\bSIZE\b", "small"), (r"^\./bootstrap ", "netloft "), (r"io/compare/work-precision", "work-precision"))
 COARSER = (

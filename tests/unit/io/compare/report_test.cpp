@@ -71,14 +71,14 @@ TEST(ComparisonCsv, CountsWorkInFactorisations) {
 }
 
 TEST(ComparisonPlot, DrawsAnErrorOfZeroAtTheRoundOffOfTheGear) {
-  const LogLogPlot plot = comparison_plot(sample());
+  const LinePlot plot = comparison_plot(sample());
   ASSERT_EQ(plot.series[0].points.size(), 2u);
   EXPECT_EQ(plot.series[0].points[0].x, 0.5);
   EXPECT_DOUBLE_EQ(plot.series[0].points[1].x, 40 * 2.220446049250313e-16);
 }
 
 TEST(ComparisonPlot, DrawsNoErrorsOfAnotherEquilibrium) {
-  const LogLogPlot plot = comparison_plot(sample());
+  const LinePlot plot = comparison_plot(sample());
   EXPECT_TRUE(plot.series[1].points.empty());
   EXPECT_EQ(plot.series[1].name, "lbfgs (other equilibrium)");
   ASSERT_EQ(plot.marks.size(), 2u);

@@ -2,6 +2,7 @@
 #include "io/gear/gear_mesh.hpp"
 
 #include "io/gear/cloths.hpp"
+#include "io/gear/twine_coordinates.hpp"
 #include "tests/unit/io/gear/divided.hpp"
 #include "tests/unit/io/gear/plans.hpp"
 
@@ -72,6 +73,67 @@ void with_all_gears(const Fineness& fineness, Test test) {
 TEST(GearMesh, HasTheAreaOfItsOutlines) {
   for (const std::size_t nodes : {500u, 2000u})
     with_all_gears(by_nodes(nodes), [](const Divided& all) { expect_areas(all.gear, all.mesh); });
+}
+
+Fineness by_knots() {
+  Fineness fineness;
+  fineness.knots = true;
+  return fineness;
+}
+
+/// A plan of one rectangle.
+std::string rectangle(const std::string& more) {
+  return "[panels.net]\nstands = \"alone\"\nmesh = \"0.1 m\"\ntwine = { diameter = \"2 mm\", EA = 1000, "
+         "density = 1140 }\n"
+         "fore = 12\ndepth = 9\nouter = \"AN\"\ninner = \"AN\"\nopen = [\"fore\", \"aft\", \"outer\", "
+         "\"inner\"]\n" +
+         more;
+}
+
+/// Whether two sides of a triangle are single bars, one of either direction.
+bool is_between_knots(const PanelMesh& panel, std::size_t t, const Panel& plan) {
+  std::set<std::array<double, 2>> bars;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto a = panel.meshes[panel.triangles[3 * t + k]],
+               b = panel.meshes[panel.triangles[3 * t + (k + 1) % 3]];
+    const auto from = twine_coordinates(plan.orientation, plan.angle, a[0], a[1]),
+               to = twine_coordinates(plan.orientation, plan.angle, b[0], b[1]);
+    const double u = std::abs(to[0] - from[0]), v = std::abs(to[1] - from[1]);
+    if (std::abs(u + v - 1) < 1e-9 && std::min(u, v) < 1e-9) bars.insert({std::round(u), std::round(v)});
+  }
+  return bars.size() == 2;
+}
+
+TEST(GearMeshByKnots, HasEveryKnotOfARectangleForANodeAndNoOther) {
+  for (const char* orientation : {"diamond", "t90"}) {
+    const Divided all =
+        divided(rectangle("orientation = \"" + std::string(orientation) + "\"\n"), Extent::whole, by_knots());
+    EXPECT_EQ(all.mesh.nodes, 13u * 10 + 12 * 9);
+    const PanelMesh& net = all.mesh.panels[0];
+    for (std::size_t t = 0; t < net.triangles.size() / 3; ++t)
+      EXPECT_TRUE(is_between_knots(net, t, *all.gear.panels[0].panel)) << t;
+  }
+}
+TEST(GearMeshByKnots, HasEveryKnotOfSquareNettingToo) {
+  const Divided all = divided(rectangle("orientation = \"square\"\n"), Extent::whole, by_knots());
+  EXPECT_EQ(all.mesh.nodes, 13u * 10);
+}
+TEST(GearMeshByKnots, IsWithoutHolesAndHasTheAreaOfItsOutlines) {
+  with_all_gears(by_knots(), [](const Divided& all) {
+    expect_areas(all.gear, all.mesh);
+    expect_closed_and_oriented(all.gear, all.mesh);
+  });
+}
+// Off the borders: most of all triangles.
+TEST(GearMeshByKnots, HasTrianglesBetweenKnotsButForItsBorders) {
+  const Divided all = divided(library_text("codend-100-round.toml"), Extent::whole, by_knots());
+  for (std::size_t p = 0; p < all.mesh.panels.size(); ++p) {
+    const PanelMesh& panel = all.mesh.panels[p];
+    const std::size_t count = panel.triangles.size() / 3;
+    std::size_t between = 0;
+    for (std::size_t t = 0; t < count; ++t) between += is_between_knots(panel, t, *all.gear.panels[p].panel);
+    EXPECT_GT(static_cast<double>(between), 0.95 * static_cast<double>(count)) << all.gear.panels[p].name;
+  }
 }
 
 TEST(GearMesh, IsWithoutHolesAndShowsOneFaceOutwards) {

@@ -12,7 +12,7 @@
 namespace netloft::io {
 namespace {
 
-LogLogPlot sample() {
+LinePlot sample() {
   return {"a panel",
           "error [m]",
           "CPU time [s]",
@@ -55,6 +55,26 @@ TEST(Plot, IsTrueToScale) {
   EXPECT_LT(line[2].second, line[0].second);  // more is higher: y runs downwards in SVG
 }
 
+TEST(Plot, ShadesBandsBehindTheirLines) {
+  LinePlot plot{
+      "", "x",           "y",          {{"one", {{0, 1}, {1, 3}, {2, 2}}, {{0, 0, 2}, {1, 2, 4}, {2, 1, 3}}}},
+      {}, Scale::linear, Scale::linear};
+  const std::string svg = draw_svg(plot);
+  EXPECT_EQ(count(svg, "fill-opacity"), 1u);
+  EXPECT_LT(svg.find("fill-opacity"), svg.find("<polyline"));
+  const auto line = points_of_line(svg, 0);
+  EXPECT_NEAR(line[1].first - line[0].first, line[2].first - line[1].first, 0.02);
+  EXPECT_NEAR(line[0].second - line[1].second, 2 * (line[2].second - line[1].second), 0.02);
+  plot.series[0].is_line = false;
+  EXPECT_EQ(count(draw_svg(plot), "<polyline"), 0u);
+}
+
+TEST(Plot, PutsSeveralOnAPage) {
+  const std::string page = draw_html("all", {sample(), sample(), sample()});
+  EXPECT_EQ(count(page, "<svg"), 3u);
+  EXPECT_NE(page.find("<h1>all</h1>"), std::string::npos);
+}
+
 TEST(Plot, NamesEverything) {
   const std::string svg = draw_svg(sample());
   for (const char* text : {"a panel", "error [m]", "CPU time [s]", ">one<", ">two<", "32 cells", "8 cells"})
@@ -62,7 +82,7 @@ TEST(Plot, NamesEverything) {
 }
 
 TEST(Plot, GivesEverySeriesAColourAndAMarkerOfItsOwn) {
-  LogLogPlot plot = sample();
+  LinePlot plot = sample();
   plot.series.clear(), plot.marks.clear();
   for (int i = 0; i < 7; ++i) plot.series.push_back({"s", {{1, 1.0 + i}, {10, 2.0 + i}}});
   const std::string svg = draw_svg(plot);
@@ -76,7 +96,7 @@ TEST(Plot, GivesEverySeriesAColourAndAMarkerOfItsOwn) {
 }
 
 TEST(Plot, LeavesOutWhatHasNoPlace) {
-  LogLogPlot plot = sample();
+  LinePlot plot = sample();
   plot.series[0].points.push_back({0, 1});
   plot.series[0].points.push_back({1e-3, std::nan("")});
   plot.marks.push_back({0, "none"});
@@ -91,7 +111,7 @@ TEST(Plot, HasAPictureOfNothing) {
 }
 
 TEST(Plot, KeepsMarkupOfNamesHarmless) {
-  LogLogPlot plot = sample();
+  LinePlot plot = sample();
   plot.title = "a < b & \"c\"\x01";
   for (const std::string& text : {draw_svg(plot), draw_html(plot)}) {
     EXPECT_NE(text.find("a &lt; b &amp; &quot;c&quot; "), std::string::npos);
@@ -107,7 +127,7 @@ TEST(Plot, MakesAPageThatNeedsNoOtherFile) {
 }
 
 TEST(Plot, WritesTicksOfOneAxisInOneManner) {
-  LogLogPlot plot;
+  LinePlot plot;
   plot.series = {{"s", {{1e-6, 0.03}, {1, 0.4}}}};  // many decades across, little more than one upwards
   const std::string svg = draw_svg(plot);
   for (const char* label : {">0.05<", ">0.1<", ">0.2<", ">\u22124<"})

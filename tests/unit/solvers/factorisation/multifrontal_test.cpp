@@ -31,8 +31,9 @@ class Spare final : public Factorisation {
 
 class Multifrontal : public testing::Test {
  protected:
-  std::unique_ptr<Factorisation> make(OrderingMethod method = OrderingMethod::best) {
-    return make_multifrontal_factorisation([this] { return std::make_unique<Spare>(handed_over_); }, method);
+  std::unique_ptr<Factorisation> make(OrderingMethod method = OrderingMethod::best, int threads = 1) {
+    return make_multifrontal_factorisation([this] { return std::make_unique<Spare>(handed_over_); }, method,
+                                           threads);
   }
   int handed_over_ = 0;
 };
@@ -88,6 +89,42 @@ TEST_F(Multifrontal, SolvesALargeNetAlone) {
   const TestMatrix net = make_net_matrix({.rings = 60, .nodes_per_ring = 60, .symmetric = false, .skew = 3});
   EXPECT_LT(error_of_solving(*make(), net), kRoundOff);
   EXPECT_EQ(handed_over_, 0);
+}
+
+// Branches, trunk, shared fronts: every number is computed by the same operations whoever does so.
+TEST_F(Multifrontal, HasTheSameBitsForAnyNumberOfThreads) {
+  const TestMatrix net = make_random_matrix({.rings = 90, .nodes_per_ring = 90}, 1, 30);
+  std::vector<std::vector<double>> solutions;
+  for (const int threads : {1, 2, 3, 8}) {
+    const auto f = make(OrderingMethod::best, threads);
+    f->analyse(net.pattern);
+    ASSERT_GT(f->factor_flops(), 2e8) << "too small for several threads";
+    for (int again = 0; again < 2; ++again) ASSERT_EQ(f->factorise(net.value).status, FactorStatus::ok);
+    std::vector<double> x(static_cast<std::size_t>(net.pattern.size), 1.0);
+    f->solve(x, x);
+    solutions.push_back(x);
+  }
+  for (const auto& x : solutions) EXPECT_EQ(x, solutions[0]);
+  EXPECT_EQ(handed_over_, 0);
+}
+
+// The first front that fails is the one that one thread meets, wherever it lies.
+TEST_F(Multifrontal, FindsTheSameColumnOfZerosForAnyNumberOfThreads) {
+  const TestMatrix good = make_random_matrix({.rings = 90, .nodes_per_ring = 90}, 1, 30);
+  for (const std::int32_t zero : {0, 5000, 12345, good.pattern.size - 1}) {
+    TestMatrix net = good;
+    for (std::int32_t c = 0; c < net.pattern.size; ++c)
+      for (std::int32_t e = net.pattern.column_start[c]; e < net.pattern.column_start[c + 1]; ++e)
+        if (c == zero || net.pattern.row[e] == zero)
+          net.value[net.pattern.slot_of(static_cast<std::size_t>(e))] = 0;
+    for (const int threads : {1, 3}) {
+      const auto f = make(OrderingMethod::best, threads);
+      f->analyse(net.pattern);
+      const FactorResult result = f->factorise(net.value);
+      EXPECT_EQ(result.status, FactorStatus::singular);
+      EXPECT_EQ(result.column, zero) << threads;
+    }
+  }
 }
 
 TEST_F(Multifrontal, SolvesPartsThatDoNotHangTogether) {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/result/stored_result.hpp"
+#include "io/scene/loaded_scene.hpp"
+
+namespace netloft::io {
+
+/// Where a result has the nodes of a scene [m], 3 per node: an initial guess. Parts are the same if they have
+/// one name. Nodes with the same numbers are where the result has them; of a panel or a rope that is divided
+/// otherwise, where the result has that place of the netting, or that share of the rope. Nodes of parts that
+/// the result has not stay where they start. Throws FileError if it has none of the parts.
+std::vector<double> positions_from(const StoredResult& result, const LoadedScene& loaded);
+
+}  // namespace netloft::io

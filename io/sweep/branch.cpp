@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/sweep/branch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+using Values = std::vector<VariableValue>;
+
+// Of a step, after `halvings`: a smooth way would have 2^-5 of it, a jump all of it.
+constexpr double kLeftOfAJump = 0.25;
+constexpr double kElsewhere = 4;  // times as far as the way so far leads
+
+bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
+
+/// Whether what is known of one scene can be used in the other: the same unknowns, numbered alike.
+bool have_one_topology(Case& a, Case& b) {
+  return a.assembler().numbering().dofs() == b.assembler().numbering().dofs() &&
+         a.assembler().pattern() == b.assembler().pattern();
+}
+
+/// How far from the last point the next one is, over the way from the one before that; nothing if they do not
+/// lie on a line.
+std::optional<double> way_on(const Values& before, const Values& last, const Values& next) {
+  std::optional<double> ratio;
+  for (std::size_t v = 0; v < next.size(); ++v) {
+    const auto &a = before[v], &b = last[v], &c = next[v];
+    if (a.text == b.text && b.text == c.text) continue;
+    if (ratio || !a.number || !b.number || !c.number || *a.number == *b.number) return std::nullopt;
+    ratio = (*c.number - *b.number) / (*b.number - *a.number);
+  }
+  return ratio;
+}
+
+/// Whether there are values between two points: only numbers differ.
+bool can_be_halved(const Values& a, const Values& b) {
+  for (std::size_t v = 0; v < a.size(); ++v)
+    if (a[v].text != b[v].text && !(a[v].number && b[v].number)) return false;
+  return true;
+}
+
+struct Move {
+  double distance = 0;  // [m]
+  std::uint32_t node = 0;
+};
+
+/// The node that is furthest apart in two states of one topology.
+Move largest_move(const Case& the_case, const std::vector<double>& from_x, const std::vector<double>& to_x) {
+  const auto from = the_case.positions(from_x), to = the_case.positions(to_x);
+  Move largest;
+  for (std::uint32_t n = 0; 3 * std::size_t{n} < from.size(); ++n) {
+    const double *p = &from[3 * std::size_t{n}], *q = &to[3 * std::size_t{n}];
+    const double distance = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+    if (distance > largest.distance) largest = {distance, n};
+  }
+  return largest;
+}
+
+Move largest_move(const Solved& a, const Solved& b) {
+  return largest_move(*b.the_case, a.solution.x, b.solution.x);
+}
+
+std::string name_of(const Solved& solved, const Move& move) {
+  return solved.the_case->assembler().node_name(solved.the_case->loaded().scene, move.node);
+}
+
+/// Largest distance between coordinates of a scene as it is sketched [m].
+double size_of(const Scene& scene) {
+  double size = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = scene.positions[axis], high = low;
+    for (std::size_t d = axis; d < scene.positions.size(); d += 3)
+      low = std::min(low, scene.positions[d]), high = std::max(high, scene.positions[d]);
+    size = std::max(size, high - low);
+  }
+  return size;
+}
+
+}  // namespace
+
+Reached Branch::reach(std::shared_ptr<Case> the_case, const Values& values) {
+  Reached reached;
+  Solved solved{std::move(the_case), {}, values};
+  spent_ = {}, work_ = 0;
+  Way way;
+  if (!trail_.empty() && have_one_topology(*trail_.back().the_case, *solved.the_case)) {
+    way = known_places(values);
+    const std::size_t known = way.size();
+    reached.was_continued = walk(solved.the_case, values, way);
+    for (std::size_t p = known; p < way.size(); ++p)
+      if (may_have_jumped(way, p)) look_for_jump(way[p - 1].solved, way[p].solved, reached.events);
+  }
+  if (reached.was_continued) {
+    solved = way.back().solved;
+  } else {
+    solved.solution = solved.the_case->solve(watch_);
+    spent_.add(solved.solution.statistics), work_ += solved.solution.work;
+    if (!way.empty() && has_converged(solved.solution)) look_for_fold(way, solved, reached.events);
+  }
+  reached.solution = solved.solution;
+  reached.solution.statistics = spent_, reached.solution.work = work_;
+  has_converged(solved.solution) ? trail_.push_back(std::move(solved)) : trail_.clear();
+  if (trail_.size() > 2) trail_.erase(trail_.begin());
+  return reached;
+}
+
+/// The last point, and the one before it if both lead to the next.
+Branch::Way Branch::known_places(const Values& values) const {
+  Way way;
+  if (trail_.size() == 2)
+    if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)
+      if (have_one_topology(*trail_[0].the_case, *trail_[1].the_case))
+        way.push_back({-1 / *ratio, trail_[0]});
+  way.push_back({0, trail_.back()});
+  return way;
+}
+
+/// Goes from the last point to the next, by the whole step or by halves of it. False: the way ends before.
+bool Branch::walk(const std::shared_ptr<Case>& the_case, const Values& values, Way& way) {
+  const Solved start = way.back().solved;
+  const double shortest = std::ldexp(1.0, -options_.halvings);
+  for (double length = 1; length >= shortest;) {
+    const double at = std::min(1.0, way.back().at + length);
+    Solved next{the_case, {}, values};
+    if (at < 1) next.the_case = open_between(start, values, at, next.values);
+    if (!next.the_case || !have_one_topology(*start.the_case, *next.the_case)) return false;
+    next.solution = step(*next.the_case, way, at);
+    if (has_converged(next.solution)) {
+      way.push_back({at, std::move(next)});
+      if (at == 1) return true;
+    } else {
+      if (next.solution.status == SolveStatus::interrupted || !can_be_halved(start.values, values))
+        return false;
+      length /= 2;
+    }
+  }
+  return false;
+}
+
+/// Where the last two places lead, or the last one alone.
+std::vector<double> Branch::led_on(const Way& way, double at) {
+  const Place& last = way.back();
+  std::vector<double> x = last.solved.solution.x;
+  if (way.size() < 2) return x;
+  const Place& before = way[way.size() - 2];
+  const double t = (at - last.at) / (last.at - before.at);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += t * (x[i] - before.solved.solution.x[i]);
+  return x;
+}
+
+Solution Branch::step(Case& the_case, const Way& way, double at) {
+  Solution solution = the_case.continue_from(the_case.assembler().displacements_to(led_on(way, at)),
+                                             options_.iterations, watch_);
+  spent_.add(solution.statistics), work_ += solution.work;
+  return solution;
+}
+
+bool Branch::may_have_jumped(const Way& way, std::size_t place) const {
+  const Solution& found = way[place].solved.solution;
+  const Case& the_case = *way[place].solved.the_case;
+  if (place < 2) return found.statistics.iterations > options_.few_iterations;
+  const auto led = led_on({way[place - 2], way[place - 1]}, way[place].at);
+  const double off = largest_move(the_case, led, found.x).distance;
+  return is_noticed(off, the_case) &&
+         off > largest_move(the_case, way[place - 1].solved.solution.x, led).distance;
+}
+
+bool Branch::is_noticed(double distance, const Case& of) const {
+  return distance > options_.noticed * size_of(of.loaded().scene);
+}
+
+/// The scene a part t of the way from one point to another, and its values.
+std::shared_ptr<Case> Branch::open_between(const Solved& from, const Values& to, double t,
+                                           Values& values) const {
+  values = from.values;
+  for (std::size_t v = 0; v < to.size(); ++v)
+    if (from.values[v].text != to[v].text)
+      values[v] = variables_[v].value_of((1 - t) * *from.values[v].number + t * *to[v].number);
+  return open_(values);
+}
+
+void Branch::look_for_jump(Solved from, Solved to, std::vector<std::string>& events) {
+  if (!can_be_halved(from.values, to.values)) return;
+  const double whole = largest_move(from, to).distance;
+  for (int k = 0; k < options_.halvings; ++k) {
+    Solved middle;
+    middle.the_case = open_between(from, to.values, 0.5, middle.values);
+    if (!middle.the_case || !have_one_topology(*from.the_case, *middle.the_case)) return;
+    middle.solution = step(*middle.the_case, {{0, from}}, 0.5);
+    if (!has_converged(middle.solution)) break;
+    const bool is_behind = largest_move(from, middle).distance < largest_move(middle, to).distance;
+    (is_behind ? from : to) = std::move(middle);
+  }
+  const Move left = largest_move(from, to);
+  if (left.distance > kLeftOfAJump * whole)
+    events.push_back(fmt::format("jump between {} and {}: {} moves by {:.3g} m",
+                                 spell(from.values, to.values), spell(to.values, from.values),
+                                 name_of(to, left), left.distance));
+}
+
+void Branch::look_for_fold(const Way& way, const Solved& anew, std::vector<std::string>& events) const {
+  const Place& end = way.back();
+  const Move move = largest_move(end.solved, anew);
+  double expected = 0;
+  if (way.size() > 1)
+    expected =
+        largest_move(way.front().solved, end.solved).distance / (end.at - way.front().at) * (1 - end.at);
+  if (!is_noticed(move.distance, *anew.the_case) ||
+      (way.size() > 1 && move.distance <= kElsewhere * expected))
+    return;
+  events.push_back(
+      fmt::format("fold beyond {}: the equilibrium followed so far ends, and {} is {:.3g} m from there",
+                  spell(end.solved.values, anew.values), name_of(anew, move), move.distance));
+}
+
+/// The values that differ from another point's: "speed 3.125 kn".
+std::string Branch::spell(const Values& values, const Values& other) const {
+  std::string text;
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (values[v].text != other[v].text)
+      text += (text.empty() ? "" : ", ") + variables_[v].name + " " + values[v].text;
+  return text;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The hanging panel of the paper's fig. 6a from a net plan with every knot a node, against the same net twine
+// by twine, which an independent program has solved (lumped_test.cpp). Twines and knots are the same; only
+// weights at the edges differ, of which a triangle gives a third to each corner and a bar half to each end.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "io/case/case.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::io {
+namespace {
+
+constexpr double kLowestZ = -42.67468699107;     // [m], of the independent program
+constexpr double kEnergy = -58151.570400698;     // [J], relative to z = 0
+constexpr double kTopReaction = 2884.660640009;  // [N]
+
+constexpr const char* kPlan = R"([water]
+density = 1025
+gravity = 9.81
+[gear]
+nodes = "knots"
+[panels.net]
+stands = "alone"
+mesh = "1.2 m"
+twine = { diameter = "10 mm", EA = "10 kN", EA_compression = "1 N", density = 2000 }
+fore = 40
+depth = 40
+outer = "AN"
+inner = "AN"
+open = ["fore", "aft", "outer", "inner"]
+sketch = [[0, -16, 0], [0, 16, 0], [0, 16, -34], [0, -16, -34]]
+[[hold]]
+on = "net.fore"
+[analysis]
+strategy = "coarse-to-fine"
+)";
+
+class PanelByKnots : public testing::Test {
+ protected:
+  std::unique_ptr<Case> opened(std::vector<std::string> overrides) {
+    const auto folder = std::filesystem::path(NETLOFT_BINARY_DIR) / "scratch";
+    std::filesystem::create_directories(folder);
+    const auto file = folder / "panel-by-knots.toml";
+    std::ofstream(file) << kPlan;
+    auto one = std::make_unique<Case>(CaseSource{file, std::move(overrides), 1}, test::shipped_plugins());
+    EXPECT_EQ(one->open(), Case::State::ready) << one->diagnostics().render(false);
+    return one;
+  }
+  static double lowest(Case& one, const Solution& s) {
+    double low = 0;
+    const auto x = one.positions(s.x);
+    for (std::size_t d = 2; d < x.size(); d += 3) low = std::min(low, x[d]);
+    return low;
+  }
+};
+
+TEST_F(PanelByKnots, HangsTwineByTwineAsTheIndependentProgramSays) {
+  const auto one = opened({});
+  EXPECT_EQ(one->loaded().scene.node_count(), 41u * 41 + 40 * 40) << "a node for every knot";
+  const Solution s = one->solve();
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_NEAR(lowest(*one, s), kLowestZ, 2e-3);
+  EXPECT_NEAR(s.energy, kEnergy, 2e-3 * std::abs(kEnergy));
+  double held = 0;
+  for (std::uint32_t n = 0; n < one->loaded().scene.node_count(); ++n)
+    held += one->assembler().reaction(n, s.residual)[2];
+  EXPECT_NEAR(held, kTopReaction, 1e-6 * kTopReaction);
+}
+
+// What triangles that are not between knots cost: of as many nodes, ten times as much.
+TEST_F(PanelByKnots, IsNearerToTheNetThanTrianglesOfAsManyNodes) {
+  const auto one = opened({"gear.nodes=3281"});
+  const Solution s = one->solve();
+  ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
+  EXPECT_GT(std::abs(lowest(*one, s) - kLowestZ), 1e-2);
+}
+
+}  // namespace
+}  // namespace netloft::io
