@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace netloft::io {
@@ -45,7 +46,39 @@ std::string trimmed(const std::string& line) {
   return first == std::string::npos ? "" : line.substr(first);
 }
 
-/// What changed in the input, in a line: what is new first, what is gone if nothing took its place.
+/// The key of a line "key = value"; empty for other lines.
+std::string key_of(const std::string& line) {
+  const auto equals = line.find('=');
+  return equals == std::string::npos || equals == 0 ? "" : line.substr(0, equals);
+}
+
+/// New lines; "key = before -> after" where a line with the same key went. Comments change nothing.
+void add_line_changes(const std::vector<LineChange>& lines, std::vector<std::string>& changes) {
+  const auto is_comment = [](const LineChange& line) {
+    return trimmed(line.text).empty() || trimmed(line.text).starts_with("#");
+  };
+  std::set<const LineChange*> replaced;
+  for (const auto& line : lines) {
+    if (!line.is_new || is_comment(line)) continue;
+    const std::string text = trimmed(line.text), key = key_of(text);
+    const auto old = std::find_if(lines.begin(), lines.end(), [&](const LineChange& other) {
+      return !other.is_new && !key.empty() && !replaced.contains(&other) &&
+             key_of(trimmed(other.text)) == key;
+    });
+    if (old == lines.end()) {
+      changes.push_back(text);
+      continue;
+    }
+    replaced.insert(&*old);
+    const std::string before = trimmed(old->text);
+    changes.push_back(before + " -> " + trimmed(text.substr(text.find('=') + 1)));
+  }
+  for (const auto& line : lines)
+    if (!line.is_new && !is_comment(line) && !replaced.contains(&line))
+      changes.push_back("without " + trimmed(line.text));
+}
+
+/// What changed in the input, in a line: what is new first, what is gone where nothing took its place.
 std::string inputs_line(const InputDifferences& inputs) {
   std::vector<std::string> changes;
   for (const auto& option : inputs.options_after) changes.push_back(option);
@@ -53,22 +86,26 @@ std::string inputs_line(const InputDifferences& inputs) {
   for (const auto& file : inputs.files) {
     if (file.before.empty() || file.after.empty())
       changes.push_back(file.after.empty() ? "without " + file.before : "with " + file.after);
-    const bool has_new =
-        std::any_of(file.lines.begin(), file.lines.end(), [](const auto& l) { return l.is_new; });
-    for (const auto& line : file.lines)
-      if (line.is_new || !has_new) changes.push_back((line.is_new ? "" : "without ") + trimmed(line.text));
+    add_line_changes(file.lines, changes);
   }
   for (const auto& plugin : inputs.plugins) changes.push_back("plugin " + plugin);
   if (inputs.other_program) changes.push_back("another version of netloft");
-  return changes.empty() ? "the same" : first_of(changes);
+  if (changes.empty()) return inputs.none() ? "the same" : "comments alone";
+  return first_of(changes);
+}
+
+/// A coordinate; round-off of zero is zero.
+double plain(double metres) {
+  constexpr double kNothing = 1e-9;  // [m]: less than any gear is computed to
+  return std::abs(metres) < kNothing ? 0 : metres;
 }
 
 std::string move_line(const std::optional<NodeMove>& move) {
   if (!move) return "not known: the results have no nodes in common";
-  std::string text =
-      fmt::format("{:.4g} m, {} node {}, from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})",
-                  move->distance, move->part, move->number, move->before[0], move->before[1], move->before[2],
-                  move->after[0], move->after[1], move->after[2]);
+  std::string text = fmt::format(
+      "{:.4g} m, {} node {}, from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})", move->distance,
+      move->part, move->number, plain(move->before[0]), plain(move->before[1]), plain(move->before[2]),
+      plain(move->after[0]), plain(move->after[1]), plain(move->after[2]));
   if (move->distance == 0) text = "none";
   if (move->compared < move->nodes)
     text += fmt::format(" ({} of {} nodes could be compared)", move->compared, move->nodes);

@@ -3,6 +3,7 @@
 
 #include "io/picture/plan_sketch.hpp"
 #include "io/picture/sheet.hpp"
+#include "io/view/key_figures.hpp"
 #include "io/view/page_parts.hpp"
 #include "io/view/report_html.hpp"
 #include "io/view/result_json.hpp"
@@ -11,12 +12,12 @@ namespace netloft::io {
 
 namespace {
 
-std::string head(const std::string& title, const std::string& policy) {
+std::string head(const std::string& title, const std::string& badge, const std::string& policy) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
          policy + "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          in_html(title) + "</title>\n<style>" + kPageStyle + "</style>\n</head>\n<body>\n<header><h1>" +
-         in_html(title) + "</h1>\n<p id=\"status\" role=\"status\" hidden></p></header>\n";
+         in_html(title) + "</h1>\n" + badge + "<p id=\"status\" role=\"status\" hidden></p></header>\n";
 }
 
 std::string title_of(const std::vector<const StoredResult*>& results) {
@@ -35,16 +36,19 @@ std::string unfinished_html(const StoredResult& result) {
          "</strong>, so that this is not the shape in equilibrium. " + in_html(result.sentence) + "</p>\n";
 }
 
+std::string picture_html(const StoredResult& result, View view, const std::string& words) {
+  SheetOptions options;
+  options.view = view, options.width = kPictureWidth;
+  options.with_dimensions = options.is_small = true;
+  return "<figure>" + svg_sheet(result, options) + "<figcaption>" + words + "</figcaption></figure>\n";
+}
+
 /// Views from the side, the top and the front, and the plan, for readers without scripts and for paper.
 std::string pictures_html(const StoredResult& result) {
   std::string html = "<section id=\"pictures\" aria-label=\"Pictures\">\n";
   for (const auto& [view, words] :
-       {std::pair{View::side, "From the side"}, {View::top, "From above"}, {View::front, "From the front"}}) {
-    SheetOptions options;
-    options.view = view, options.width = kPictureWidth;
-    options.with_dimensions = options.is_small = true;
-    html += "<figure>" + svg_sheet(result, options) + "<figcaption>" + words + "</figcaption></figure>\n";
-  }
+       {std::pair{View::side, "From the side"}, {View::top, "From above"}, {View::front, "From the front"}})
+    html += picture_html(result, view, words);
   if (const std::string plan = plan_sketch(result); !plan.empty())
     html += "<figure>" + plan.substr(plan.find("<svg")) + "<figcaption>The plan" +
             (result.is_half ? ", of the half that was modelled" : "") + "</figcaption></figure>\n";
@@ -54,8 +58,9 @@ std::string pictures_html(const StoredResult& result) {
 }  // namespace
 
 std::string view_page(const std::vector<const StoredResult*>& results, std::size_t most_states) {
-  std::string page = head(title_of(results), kPagePolicy);
-  page += "<main>\n";
+  std::string page =
+      head(title_of(results), results.size() == 1 ? badge_html(*results.front()) : "", kPagePolicy);
+  page += "<main>\n" + key_figures_html(results);
   for (const auto* result : results)
     if (!result->is_answer()) page += unfinished_html(*result);
   page += kPageBody;
@@ -64,7 +69,8 @@ std::string view_page(const std::vector<const StoredResult*>& results, std::size
     page += diff_html(compare_results(read_summary(results[0]->path), read_summary(results[1]->path)));
   for (const auto* result : results)
     page += "<section aria-label=\"Report\">\n<h2>Report: " + in_html(result->path.filename().string()) +
-            "</h2>\n" + report_html(*result) + "</section>\n";
+            "</h2>\n" + badge_html(*result) + summary_html(*result) + materials_table(*result) +
+            details_html(*result) + "</section>\n";
   page += "</main>\n<script type=\"application/json\" id=\"data\">" + results_json(results, most_states) +
           "</script>\n<script>" + std::string(kPageLibraries) + "</script>\n<script>" + kPageViewer +
           "</script>\n</body>\n</html>\n";
@@ -72,8 +78,12 @@ std::string view_page(const std::vector<const StoredResult*>& results, std::size
 }
 
 std::string report_page(const StoredResult& result) {
-  return head(result.title(), kPageQuietPolicy) + "<main>\n" + report_html(result) + pictures_html(result) +
-         "</main>\n</body>\n</html>\n";
+  return head(result.title(), badge_html(result), kPageQuietPolicy) + "<main>\n<div class=\"sheet\">\n" +
+         summary_html(result) + key_figures_html({&result}) +
+         picture_html(result, View::oblique, "Obliquely from ahead") + materials_table(result) +
+         "</div>\n<div class=\"sheet next-page\">\n" + pictures_html(result) +
+         "</div>\n<div class=\"sheet next-page\">\n<h2>Details</h2>\n" + details_html(result) +
+         "</div>\n</main>\n</body>\n</html>\n";
 }
 
 }  // namespace netloft::io

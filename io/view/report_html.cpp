@@ -56,6 +56,16 @@ class HtmlTable {
     html_ += "<td class=\"number\">" + in_html(text) + "</td>";
     return *this;
   }
+  /// A part of a whole, as a bar with its per cent beside it; `of` is what has it.
+  HtmlTable& share(double share, const std::string& of) {
+    if (!std::isfinite(share)) return value("–");
+    const std::string percent = number(100 * share, "{:.0f}");
+    html_ +=
+        "<td class=\"number\"><meter min=\"0\" max=\"100\" low=\"50\" high=\"100\" optimum=\"0\" value=\"" +
+        percent + "\" aria-label=\"load on " + in_html(of) + " in per cent of its breaking load\"></meter> " +
+        percent + " %</td>";
+    return *this;
+  }
   void end() { html_ += "</tr>\n", ++rows_; }
   std::string finish() const { return rows_ ? html_ + "</table>\n" : ""; }
 
@@ -72,10 +82,7 @@ std::string folded(const std::string& title, const std::string& text) {
 }
 
 std::string head_html(const StoredResult& result) {
-  std::string head = result.outcome.empty() ? "the run has not ended" : result.outcome;
-  if (!result.stability.empty() && result.stability != "unknown")
-    head += ", " + result.stability + " equilibrium";
-  std::string html = "<p><strong>" + in_html(head) + "</strong>. " + in_html(result.sentence) + "</p>\n";
+  std::string html = paragraph(result.sentence);
   for (const auto& note : result.notes) html += paragraph("Note: " + note + ".");
   if (result.is_half)
     html += paragraph(
@@ -188,7 +195,7 @@ std::string held_html(const StoredResult& result) {
   return rows.empty() ? "" : heading("Forces of the holds on the gear, as modelled") + rows;
 }
 
-std::string materials_html(const StoredResult& result) {
+std::string materials_rows(const StoredResult& result) {
   HtmlTable table({"", "part", "number", "diameter [mm]", "length [m]", "twine area [m²]", "mass [kg]",
                    "largest load [N]", "breaking load [N]", "of it"});
   const auto materials = materials_of(result);
@@ -196,13 +203,11 @@ std::string materials_html(const StoredResult& result) {
     table.row().text(m.item.name).text(m.item.part_name).value(number(m.item.number, "{:g}"));
     for (const double value : {1e3 * m.item.diameter, m.length, m.area, m.mass, m.load, m.item.breaking_load})
       table.value(number(value));
-    table.value(number(100 * m.utilisation(), "{:.0f} %")).end();
+    table.share(m.utilisation(), m.item.name).end();
   }
   const std::string rows = table.finish();
   if (rows.empty()) return "";
-  std::string html = heading("Materials, and loads against breaking loads") + rows;
-  for (const auto& warning : load_warnings(materials)) html += paragraph("Warning: " + warning + ".");
-  return html;
+  return heading("Materials, and loads against breaking loads") + rows;
 }
 
 std::string convergence_html(const StoredResult& result) {
@@ -243,9 +248,18 @@ std::string origins_html(const StoredResult& result) {
 
 std::string in_html(const std::string& text) { return escape_markup(text); }
 
-std::string report_html(const StoredResult& result) {
-  return head_html(result) + figures_html(result) + groups_html(result) + held_html(result) +
-         materials_html(result) + convergence_html(result) + origins_html(result);
+std::string summary_html(const StoredResult& result) {
+  std::string html = head_html(result);
+  for (const auto& warning : load_warnings(materials_of(result)))
+    html += "<p class=\"warning\">Warning: " + in_html(warning) + ".</p>\n";
+  return html;
+}
+
+std::string materials_table(const StoredResult& result) { return materials_rows(result); }
+
+std::string details_html(const StoredResult& result) {
+  return figures_html(result) + groups_html(result) + held_html(result) + convergence_html(result) +
+         origins_html(result);
 }
 
 std::string diff_html(const ResultDiff& diff) {

@@ -7,9 +7,14 @@
 
 namespace netloft::io {
 
-/// The report of a result as elements of a page: figures with their errors, parts, materials, warnings, where
-/// it comes from. All texts of the result are escaped.
-std::string report_html(const StoredResult& result);
+// The report of a result as elements of a page. All texts of the result are escaped.
+
+/// How it ended, notes and warnings.
+std::string summary_html(const StoredResult& result);
+/// The bill of materials, with loads against breaking loads; empty if there is none.
+std::string materials_table(const StoredResult& result);
+/// All figures with their errors, tables by part, convergence, where it comes from.
+std::string details_html(const StoredResult& result);
 
 /// What changed between two results, as a table.
 std::string diff_html(const ResultDiff& diff);

@@ -7,9 +7,11 @@
 #include "io/result/dimensions.hpp"
 #include "io/result/field_scale.hpp"
 #include "io/view/packed_array.hpp"
+#include "io/view/sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace netloft::io {
 
@@ -215,6 +217,16 @@ Json result_json(const StoredResult& result, std::size_t most_states) {
   return json;
 }
 
+/// The setting of a sweep; two results are no sweep.
+Varied varied_among(const std::vector<const StoredResult*>& results) {
+  std::vector<SweepInput> inputs;
+  for (const auto* result : results) {
+    const auto& [command, files] = std::tie(result->origins.command, result->origins.files);
+    inputs.push_back({command, files.empty() ? "" : files.front().second});
+  }
+  return results.size() > 2 ? varied_setting(inputs) : Varied{};
+}
+
 }  // namespace
 
 std::vector<std::size_t> kept_states(std::size_t states, std::size_t most) {
@@ -226,7 +238,13 @@ std::vector<std::size_t> kept_states(std::size_t states, std::size_t most) {
 
 std::string results_json(const std::vector<const StoredResult*>& results, std::size_t most_states) {
   Json all = Json::array();
-  for (const auto* result : results) all.push_back(result_json(*result, most_states));
+  const Varied varied = varied_among(results);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    all.push_back(result_json(*results[i], most_states));
+    if (varied.name.empty()) continue;
+    all.back()["varied"] = varied.name + " = " + varied.values[i];
+    all.back()["variedName"] = varied.name, all.back()["variedBy"] = varied.numbers[i];
+  }
   const std::string text = Json{{"style", style_json()}, {"results", std::move(all)}}.dump(
       -1, ' ', true, Json::error_handler_t::replace);
   std::string safe;

@@ -5,6 +5,7 @@ import {mkdirSync, readFileSync, statSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
+import validator from 'gltf-validator';
 import {PNG} from 'pngjs';
 import {blocks, canvasPixels, drawn, launch, luminances, open, quarter, variance} from './browser.mjs';
 
@@ -244,14 +245,18 @@ test('two results on different meshes are compared place by place on their panel
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
-test('three results are a sweep', async () => {
+test('three results are a sweep over the setting in which they differ', async () => {
   const {page} = await opened('sweep', 'slower', 'trawl', 'faster');
-  assert.match(await page.textContent('#when'), /faster\.hdf/);
+  const curve = await page.evaluate(() => { const {choices} = window.netloftViewer.curves; return {x: choices[0].x, over: choices[0].over}; });
+  assert.deepEqual(curve, {x: [2, 3, 4], over: 'tow.speed'});
+  const drag = page.locator('#keys [data-figure="drag/all/x"]'), fast = await drag.textContent();
+  assert.equal(await page.textContent('#when'), 'tow.speed = 4.0 kn');
   await page.locator('#frame').focus();
   await page.keyboard.press('Home');
   await page.waitForFunction(() => window.netloftViewer.frames.index === 0);
-  assert.match(await page.textContent('#when'), /slower\.hdf/);
+  assert.equal(await page.textContent('#when'), 'tow.speed = 2.0 kn');
   assert.deepEqual(await page.evaluate(() => window.netloftViewer.models.map((m) => m.group.visible)), [true, false, false]);
+  assert.notEqual(await drag.textContent(), fast);
 });
 
 test('a page with scripts and WebGL switched off keeps its report and its pictures', async () => {
@@ -277,6 +282,14 @@ test('what a result says is shown and never executed', async () => {
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
+test('shapes for other programs are valid glTF', async () => {
+  for (const result of ['trawl', 'codend', 'motion', 'hostile']) {
+    execFileSync(process.env.NETLOFT_PROGRAM, ['export', `${result}.hdf`, `${result}.glb`], {stdio: 'pipe'});
+    const {issues} = await validator.validateBytes(new Uint8Array(readFileSync(`${result}.glb`)));
+    assert.deepEqual(issues.messages.map((m) => `${m.code} ${m.pointer}`), [], result);
+  }
+});
+
 const PAGES = {motion: ['motion'], trawl: ['trawl'], two: ['slower', 'faster'], sweep: ['slower', 'trawl', 'faster']};
 
 async function violations(page) {
@@ -295,9 +308,13 @@ for (const scheme of ['light', 'dark'])
       await page.close();
     });
 
-test('the report as a page is accessible', async () => {
+test('the report as a page has key figures, loads and pictures with dimensions, and is accessible', async () => {
   execFileSync(process.env.NETLOFT_PROGRAM, ['report', 'trawl.hdf', '--html', '-o', 'report.html'], {stdio: 'pipe'});
   const {page, seen} = await open(browser.context, join(process.cwd(), 'report.html'), {scripts: false});
+  assert.match(await page.textContent('#keys'), /headline height[0-9.]+ m ±/);
+  assert.ok(await page.locator('meter').count() > 4);
+  assert.equal(await page.locator('figure svg').count(), 5);  // four views and the plan
+  assert.match(await page.textContent('main'), /upper wing spread 17\.\d m/);
   assert.deepEqual(await violations(page), []);
   assert.deepEqual(seen, {errors: [], requests: []});
   await page.close();

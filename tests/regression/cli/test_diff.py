@@ -84,10 +84,15 @@ class Differences(InFreshFolder):
         self.assertRegex(told, r"none of \d+ numbers changed\nthe inputs are the same\n$")
         self.assertEqual(told.splitlines()[2:5], ["inputs: the same", "largest move of a node: none", "figures that changed: none"])
 
+    def test_says_that_comments_alone_changed(self):
+        a, b = self.run_scene("a", GOOD), self.run_scene("b", changed(GOOD, ("[water]\n", "[water]\n# colder\n")))
+        self.assertEqual(self.diff(a, b).out.splitlines()[2], "inputs: comments alone")
+
     def test_begins_with_five_lines(self):
-        a, b = self.run_scene("a", GOOD), self.run_scene("b", changed(GOOD, HEAVIER))
+        a, b = self.run_scene("a", GOOD), self.run_scene("b", changed(GOOD, HEAVIER, ("[water]\n", "[water]\n# colder\n")))
         lines = self.diff(a, b).out.splitlines()
-        self.assertEqual(lines[:3], ["before: a.hdf", "after:  b.hdf", 'inputs: twine = { diameter = "10 mm", EA = "10 kN", density = 2600 }'])
+        self.assertEqual(lines[:3], ["before: a.hdf", "after:  b.hdf", 'inputs: twine = { diameter = "10 mm", EA = "10 kN", density = 2000 }'
+                                     ' -> { diameter = "10 mm", EA = "10 kN", density = 2600 }'])
         with h5py.File(self.folder / a) as f, h5py.File(self.folder / b) as g:
             before, after = f["VTKHDF/Points"][:], g["VTKHDF/Points"][:]
             moves = numpy.linalg.norm(after - before, axis=1)

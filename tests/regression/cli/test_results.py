@@ -116,8 +116,8 @@ class Results(InFreshFolder):
         self.done("report", result, "--html", "-o", "page.html")
         page = (self.folder / "page.html").read_text()
         parts, words = Elements(page), " ".join(Elements(page).texts)
-        self.assertEqual((parts.names.count("svg"), parts.names.count("image"), parts.names.count("script")), (4, 3, 0))
-        for text in ("headline height", "Materials, and loads against breaking loads", "6x19-fc-16mm", "From the front",
+        self.assertEqual((parts.names.count("svg"), parts.names.count("image"), parts.names.count("script")), (5, 4, 0))
+        for text in ("headline height", "Obliquely from ahead", "Materials, and loads against breaking loads", "6x19-fc-16mm", "From the front",
                      "The plan, of the half that was modelled"):
             self.assertIn(text, words)
         plan = page[page.rindex("<svg"):]

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// The setting in which the results of a sweep differ.
+struct Varied {
+  std::string name;                 // "tow.speed"; empty: nothing was found
+  std::vector<std::string> values;  // as they are written, by result
+  std::vector<double> numbers;      // the numbers they begin with; NaN where there is none
+};
+
+/// What a result was made from.
+struct SweepInput {
+  std::vector<std::string> command;  // word by word
+  std::string scene;                 // the text of its scene
+};
+
+/// Looks for it in the options --set of the command lines first, then in the scenes' own lines. Of several
+/// settings the first is taken whose values are numbers, and all different.
+Varied varied_setting(const std::vector<SweepInput>& results);
+
+}  // namespace netloft::io
