@@ -80,6 +80,10 @@ Solution StudyHost::solve(const netloft_stage& stage, const SolverUse& solver) {
   record({stage.name, solver.type->type, size, s.status, s.reason, s.statistics, stage.variant,
           site->model.of(s.judging)},
          *site);
+  if (options_.on_stage && !s.u.empty()) {
+    const auto moved = stage.variant.level ? sites_.transfer(stage.variant.level, s.u, 0) : s.u;
+    if (!moved.empty()) options_.on_stage(stages_.back(), moved);
+  }
   return s;
 }
 

@@ -128,6 +128,7 @@ StudyOptions Case::study_options(const Limits& limits, const Watch& watch) {
   options.given = loaded_.analysis.given;
   options.limits.kept = watch.kept;
   options.work = loaded_.analysis.work, options.on_iteration = watch.on_iteration;
+  options.on_stage = watch.on_stage;
   return options;
 }
 

@@ -30,6 +30,7 @@ struct Watch {
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const IterationRecord&)> on_iteration;
   KeptPoint* kept = nullptr;  // the best point so far, while it is looked for
+  std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};  // after every stage
 };
 
 /// A scene on its way from a file to an answer: read, planned, assembled, solved. What `run`, `plan`,

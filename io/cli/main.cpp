@@ -369,6 +369,8 @@ void add_commands(CLI::App& app, Options& o) {
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("RESULT.hdf")
       ->excludes("--resume");
+  run->add_flag("--stages", o.stages,
+                "keep the start and the shape after every stage of the solve, for the slider of view");
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);

@@ -36,6 +36,7 @@ struct Options {
   bool overwrite = false;            // --overwrite
   bool error = false;                // --error
   std::string start_from;            // --start-from RESULT.hdf
+  bool stages = false;               // --stages
   std::vector<std::int64_t> nodes;   // refine: --nodes
   std::string strategy;              // --strategy NAME[:key=value[,key=value]]
   std::string solver;                // --solver, likewise

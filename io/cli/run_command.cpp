@@ -183,15 +183,32 @@ int keep_what_was_found(RunSoFar& run, const Overdue& overdue) {
   return code;
 }
 
+constexpr std::size_t kMostStages = 60;  // a page with as many states of 2 000 nodes has some 6 MB
+
+/// Keeps the start, and the shape in which each stage ended; stages beyond the first kMostStages are left
+/// out.
+void keep_stages(Session& session, std::vector<StageShape>& stages, Watch& watch) {
+  const auto& assembler = session.assembler();
+  const auto start = assembler.start();
+  stages.push_back({"start", {start.begin(), start.end()}});
+  watch.on_stage = [&stages, &assembler](const StageRecord& stage, std::span<const double> u) {
+    if (stages.size() >= kMostStages) return;
+    std::vector<double> x(assembler.start().begin(), assembler.start().end());
+    assembler.place(u, x);
+    stages.push_back(
+        {(stage.name.empty() ? stage.solver : stage.name) + ": " + name_of(stage.status), std::move(x)});
+  };
+}
+
 void solve(Session& session, Watchdog& watchdog, RunSoFar& run) {
   const Limits& limits = session.loaded().analysis.limits;
   run.result.reading_seconds = session.the_case().reading_seconds();
   run.result.setup_seconds = session.the_case().setup_seconds();
-  const Watch watch{
-      &interrupt_flag(),
-      [&](const IterationRecord& record) { session.terminal().progress(record, limits.tolerance); },
-      &run.kept};
+  Watch watch{&interrupt_flag(),
+              [&](const IterationRecord& record) { session.terminal().progress(record, limits.tolerance); },
+              &run.kept};
   watchdog.allow(limits.seconds);
+  if (run.options.stages) keep_stages(session, run.result.stages, watch);
   run.result.solution =
       run.start ? session.the_case().solve_from(*run.start, watch) : session.the_case().solve(watch);
   watchdog.allow(std::numeric_limits<double>::infinity());  // what follows has limits of its own
@@ -227,6 +244,8 @@ int run_command(const Options& options) {
   if (session.loaded().analysis.kind == AnalysisKind::dynamics) {
     if (!options.start_from.empty())
       throw UsageError{"--start-from is for equilibria; a motion begins where its scene says"};
+    if (options.stages)
+      throw UsageError{"--stages is for equilibria; output_interval says when a motion is kept"};
     so_far.part = output_file(options, session.loaded()) + ".part";
     watchdog.allow(2 * session.loaded().analysis.limits.seconds);  // the start may take as long as the motion
     return run_in_time(options, session, context);

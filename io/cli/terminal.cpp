@@ -29,6 +29,13 @@ double fraction_done(const IterationRecord& r, double first, double tolerance) {
   return std::clamp(std::log(first / r.residual) / std::log(first / goal), 0.0, 1.0);
 }
 
+/// Seconds that a stage still takes if its residual goes on to fall by as many decades a second; empty until
+/// it has gone a tenth of its way, before which nobody can know.
+std::string seconds_left(double done, double seconds) {
+  constexpr double kKnown = 0.1;
+  return done > kKnown ? fmt::format("{:.0f}", seconds * (1 - done) / done) : "";
+}
+
 std::string bar_of(double fraction) {
   return fmt::format("[{:<20}]",
                      std::string(static_cast<std::size_t>(20 * std::clamp(fraction, 0.0, 1.0)), '='));
@@ -82,20 +89,22 @@ void Terminal::progress_in_time(double t, double end, double seconds) {
 
 void Terminal::progress(const IterationRecord& r, double tolerance) {
   if (last_iteration_ >= 0 && r.iteration <= last_iteration_ && r.iteration == 0) ++stage_;
-  if (r.iteration == 0 || first_residual_ == 0) first_residual_ = r.residual;
-  last_iteration_ = r.iteration;
   const double now = wall_seconds();
+  if (r.iteration == 0 || first_residual_ == 0) first_residual_ = r.residual, stage_begun_ = now;
+  last_iteration_ = r.iteration;
   if (!is_due(now)) return;
   const double wanted = tolerance * r.scale, seconds = now - begun_;
+  const double done = fraction_done(r, first_residual_, tolerance);
+  const std::string left = seconds_left(done, now - stage_begun_);
   show(
-      fmt::format("{} stage {}, iteration {}, residual {:.2e} N of {:.2e} N, {:.1f} s",
-                  bar_of(fraction_done(r, first_residual_, tolerance)), stage_, r.iteration, r.residual,
-                  wanted, seconds),
-      fmt::format("iteration={} residual={:.3e} wanted={:.3e} stage={} seconds={:.1f}", r.iteration,
-                  r.residual, wanted, stage_, seconds),
+      fmt::format("{} stage {}, iteration {}, residual {:.2e} N of {:.2e} N, {:.1f} s gone{}", bar_of(done),
+                  stage_, r.iteration, r.residual, wanted, seconds,
+                  left.empty() ? "" : ", about " + left + " s left in this stage"),
+      fmt::format("iteration={} residual={:.3e} wanted={:.3e} stage={} seconds={:.1f}{}", r.iteration,
+                  r.residual, wanted, stage_, seconds, left.empty() ? "" : " left=" + left),
       fmt::format(
-          R"({{"event": "progress", "stage": {}, "iteration": {}, "residual": {:.3e}, "wanted": {:.3e}, "seconds": {:.1f}}})",
-          stage_, r.iteration, r.residual, wanted, seconds));
+          R"({{"event": "progress", "stage": {}, "iteration": {}, "residual": {:.3e}, "wanted": {:.3e}, "seconds": {:.1f}, "left": {}}})",
+          stage_, r.iteration, r.residual, wanted, seconds, left.empty() ? "null" : left));
 }
 
 void Terminal::clear() {

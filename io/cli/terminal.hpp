@@ -36,7 +36,7 @@ class Terminal {
   bool is_terminal_, color_, json_, drawn_ = false;
   double begun_, last_ = 0;
   int stage_ = 1, last_iteration_ = -1;
-  double first_residual_ = 0;
+  double first_residual_ = 0, stage_begun_ = 0;
 };
 
 /// Set by the first SIGINT, SIGTERM, SIGHUP or SIGQUIT; a second one ends the program at once.

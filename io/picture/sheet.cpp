@@ -37,6 +37,7 @@ std::string shortened(std::string text, std::size_t most) {
 
 void add_title(const StoredResult& result, std::size_t state, Layout& layout) {
   std::string title = result.title();
+  if (!result.stages.empty()) title += ", " + result.stages[state];
   if (result.is_motion) title += fmt::format(", {:.4g} s", result.times[state]);
   layout.words.push_back({kMargin, 27, shortened(title, 40), kTitleSize});
   if (!result.is_answer())

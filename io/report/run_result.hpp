@@ -32,9 +32,16 @@ struct NamedScalar {
 /// Returns null if none has this name.
 const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const std::string& name);
 
+/// Where a stage of the solve ended.
+struct StageShape {
+  std::string name;       // "coarse: converged"
+  std::vector<double> x;  // positions over all dofs
+};
+
 /// The record of a run, from which the terminal, JSON and file outputs are written.
 struct RunResult {
   Solution solution;
+  std::vector<StageShape> stages;  // before the solution; kept if they are asked for
   std::vector<PartForce> part_forces;
   std::vector<HoldForce> hold_forces;
   std::array<double, 3> balance{};  // sum of all forces on the gear, those of the holds included [N]

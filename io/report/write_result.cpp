@@ -15,29 +15,67 @@ namespace netloft::io {
 
 namespace {
 
-void write_picture(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
-                   const RunResult& result) {
-  const auto points = assembler.node_positions(result.solution.x);
-  std::vector<double> displacement(points.size()), residual, reaction;
-  for (std::size_t d = 0; d < points.size(); ++d) displacement[d] = points[d] - loaded.scene.positions[d];
-  for (std::uint32_t node = 0; node < loaded.scene.node_count(); ++node) {
-    const auto left = assembler.unbalanced(node, result.solution.residual);
-    const auto held = assembler.reaction(node, result.solution.residual);
-    residual.insert(residual.end(), left.begin(), left.end());
-    reaction.insert(reaction.end(), held.begin(), held.end());
-  }
-  const auto cells = gather_outputs(loaded, assembler, result.outputs);
-  std::vector<FieldSpec> changing = {
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// What changes from state to state, in one order of fields.
+struct StateFields {
+  std::vector<FieldSpec> specs = {
       {"displacement", "m", "movement from the start", Location::kPoint, 3, false},
       {"residual", "N", "force out of balance that the solver left", Location::kPoint, 3, false},
       {"reaction", "N", "force of the hold on the node", Location::kPoint, 3, false}};
-  std::vector<std::span<const double>> values = {displacement, residual, reaction};
-  for (const auto& cell : cells) changing.push_back(cell.spec), values.push_back(cell.values);
+  std::vector<std::vector<double>> values;
+  std::vector<double> points;
+};
+
+/// `residual` is empty where it is not known.
+StateFields fields_at(const LoadedScene& loaded, const Assembler& assembler, std::span<const double> x,
+                      std::span<const double> residual, const FamilyOutputs& outputs) {
+  StateFields state;
+  state.points = assembler.node_positions(x);
+  std::vector<double> displacement(state.points.size()), left(state.points.size(), kNone), held = left;
+  for (std::size_t d = 0; d < displacement.size(); ++d)
+    displacement[d] = state.points[d] - loaded.scene.positions[d];
+  for (std::uint32_t node = 0; node < loaded.scene.node_count() && !residual.empty(); ++node) {
+    const auto unbalanced = assembler.unbalanced(node, residual),
+               reaction = assembler.reaction(node, residual);
+    std::copy(unbalanced.begin(), unbalanced.end(), left.begin() + 3 * std::ptrdiff_t{node});
+    std::copy(reaction.begin(), reaction.end(), held.begin() + 3 * std::ptrdiff_t{node});
+  }
+  state.values = {std::move(displacement), std::move(left), std::move(held)};
+  for (auto& cell : gather_outputs(loaded, assembler, outputs))
+    state.specs.push_back(cell.spec), state.values.push_back(std::move(cell.values));
+  return state;
+}
+
+void write_state(ResultFile& file, double number, const StateFields& state) {
+  const std::vector<std::span<const double>> values(state.values.begin(), state.values.end());
+  file.write_state(number, state.points, values);
+}
+
+/// The stages of the solve, if they were kept, and where it ended.
+void write_picture(ResultFile& file, const LoadedScene& loaded, Assembler& assembler,
+                   const RunResult& result) {
+  const StateFields end =
+      fields_at(loaded, assembler, result.solution.x, result.solution.residual, result.outputs);
   auto fixed = label_points(loaded);
   fixed.push_back(label_cells(loaded, assembler));
   fixed.push_back(label_corners(loaded, assembler));
-  file.begin(make_mesh(loaded, assembler), changing, fixed);
-  file.write_state(0, points, values);
+  file.begin(make_mesh(loaded, assembler), end.specs, fixed, result.stages.size() + 1);
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    const auto& x = result.stages[i].x;
+    write_state(file, static_cast<double>(i),
+                fields_at(loaded, assembler, x, {}, ask_elements(loaded.scene, assembler, x).outputs));
+  }
+  write_state(file, static_cast<double>(result.stages.size()), end);
+}
+
+void write_stages(Tree& tree, const RunResult& result) {
+  if (result.stages.empty()) return;
+  std::vector<std::string> names;
+  for (const auto& stage : result.stages) names.push_back(stage.name);
+  names.push_back(std::string(name_of(result.solution.status)));
+  tree.write_strings("/netloft/stages", names,
+                     "what each state is: the start, stages of the solve, and its end");
 }
 
 void write_provenance(Tree& tree, const LoadedScene& loaded, const RunContext& context) {
@@ -202,10 +240,11 @@ void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedSc
   write_bill(tree, loaded.gear->bill);
 }
 
-void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
-                  const RunResult& result, const RunContext& context) {
+void write_result(ResultFile& file, const LoadedScene& loaded, Assembler& assembler, const RunResult& result,
+                  const RunContext& context) {
   write_picture(file, loaded, assembler, result);
   Tree& tree = file.tree();
+  write_stages(tree, result);
   write_status(tree, result.solution);
   write_origins(tree, loaded, context, result.solution.statistics);
   write_convergence(tree, result.solution);

@@ -29,7 +29,7 @@ std::filesystem::path name_beside_better(const std::filesystem::path& wanted, co
 
 /// Writes the complete result of a run into `file`, as described in io/hdf5/LAYOUT.md, and finishes it as
 /// `result.output_file`.
-void write_result(ResultFile& file, const LoadedScene& loaded, const Assembler& assembler,
-                  const RunResult& result, const RunContext& context);
+void write_result(ResultFile& file, const LoadedScene& loaded, Assembler& assembler, const RunResult& result,
+                  const RunContext& context);
 
 }  // namespace netloft::io

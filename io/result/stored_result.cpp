@@ -121,6 +121,8 @@ void StoredResult::read_parts() {
 void StoredResult::read_mesh() {
   times = reader_.times();
   require(!times.empty(), path, "it counts no states");
+  stages = strings_or_nothing(kRoot + "stages");
+  if (stages.size() != times.size()) stages.clear();
   mesh.n_points = static_cast<std::size_t>(reader_.integer("/VTKHDF/NumberOfPoints"));
   mesh.n_cells = static_cast<std::size_t>(reader_.integer("/VTKHDF/NumberOfCells"));
   constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();

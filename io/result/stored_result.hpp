@@ -92,6 +92,7 @@ class StoredResult {
   std::vector<StoredPart> parts;
   StoredMesh mesh;
   std::vector<double> times;
+  std::vector<std::string> stages;  // what each state of a solve is; empty: not kept
   std::vector<StoredField> fields;
   std::vector<NamedScalar> figures, scalars;
   std::vector<PartForce> part_forces;

@@ -209,6 +209,10 @@ Json result_json(const StoredResult& result, std::size_t most_states) {
     json["bed"] = {{"depth", number(result.bed->depth)},
                    {"slopeX", number(result.bed->slope_x)},
                    {"slopeY", number(result.bed->slope_y)}};
+  if (!result.stages.empty()) {
+    json["stages"] = Json::array();
+    for (const auto state : kept) json["stages"].push_back(result.stages[state]);
+  }
   put_mesh(result.mesh, json);
   put_states(result, kept, json);
   json["figures"] = figures_json(result), json["series"] = series_json(result, kept);

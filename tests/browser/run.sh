@@ -69,6 +69,7 @@ make_results() {
   solve trawl "$scenes/83-112-flume-3.0kn.toml"
   solve faster "$scenes/83-112-flume-4.0kn.toml" --set gear.nodes=500
   solve slower "$scenes/83-112-flume-2.0kn.toml" --set gear.nodes=500
+  solve stages "$scenes/83-112-flume-3.0kn.toml" --set gear.nodes=500 --stages
   solve codend "$scenes/codend-from-plan.toml"
   solve motion "$scenes/dynamics/elastic-pendulum.toml"
   /usr/bin/python3 "$here/hostile.py" "$work/motion.hdf" "$work/hostile.hdf"

@@ -245,6 +245,23 @@ test('two results on different meshes are compared place by place on their panel
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
+test('the slider goes through the stages of a solve, from the start to its end', async () => {
+  const {page, seen} = await opened('stages', 'stages');
+  const names = await page.evaluate(() => window.netloftViewer.result.stages);
+  assert.ok(names.length > 2, names.join(', '));
+  assert.equal(names[0], 'start');
+  assert.equal(names.at(-1), 'converged');
+  assert.match(await page.textContent('#when'), /converged$/);
+  const end = await page.evaluate(() => Array.from(window.netloftViewer.model.points));
+  await page.locator('#frame').focus();
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => window.netloftViewer.frames.index === 0);
+  assert.match(await page.textContent('#when'), /start$/);
+  const moved = await page.evaluate((before_) => Math.max(...before_.map((v, i) => Math.abs(v - window.netloftViewer.model.points[i]))), end);
+  assert.ok(moved > 0.1, `moved ${moved}`);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
 test('three results are a sweep over the setting in which they differ', async () => {
   const {page} = await opened('sweep', 'slower', 'trawl', 'faster');
   const curve = await page.evaluate(() => { const {choices} = window.netloftViewer.curves; return {x: choices[0].x, over: choices[0].over}; });

@@ -83,6 +83,25 @@ class Runs(InFreshFolder):
             self.assertIn(says, ended.err)
             self.assertFalse((self.folder / "c.hdf").exists())
 
+    def test_stages_are_kept_before_the_result(self):
+        self.assertEqual(self.run_panel("-o", "alone.hdf").code, 0)
+        self.assertEqual(self.run_panel("--stages", "-o", "stages.hdf").code, 0)
+        with h5py.File(self.folder / "stages.hdf") as f:
+            names = [name.decode() for name in f["netloft/stages"]]
+            self.assertEqual((names[0], names[-1]), ("start", "converged"))
+            offsets, n = f["VTKHDF/Steps/PointOffsets"][:], f["VTKHDF/NumberOfPoints"][0]
+            states = [f["VTKHDF/Points"][at : at + n] for at in offsets]
+            moved = [f["VTKHDF/PointData/displacement"][at : at + n] for at in offsets]
+        alone = points(self.folder / "alone.hdf")
+        self.assertGreater(len(names), 2)
+        np.testing.assert_array_equal(states[-1], alone)
+        np.testing.assert_array_equal(moved[0], 0)
+        np.testing.assert_allclose(states[-1] - moved[-1], states[0], atol=1e-12)
+        self.assertGreater(abs(states[0] - alone).max(), 0.1)
+        motion = self.netloft("run", str(SCENES / "dynamics/hanging-panel.toml"), "--stages", "-o", "motion.hdf")
+        self.assertEqual(motion.code, 2)
+        self.assertIn("--stages is for equilibria", motion.err)
+
     def test_json_says_what_a_script_needs(self):
         ended = self.run_panel("--json")
         report = ended.json()
@@ -151,6 +170,7 @@ class Runs(InFreshFolder):
         line = process.stderr.readline().decode()  # the first sign of life, after a second
         event = json.loads(line)
         self.assertEqual((event["event"], event["stage"]), ("progress", 1))
+        self.assertIn("left", event)
         self.assertGreater(event["residual"], event["wanted"])
         self.assertGreaterEqual(event["seconds"], 1)
         process.send_signal(signal.SIGINT)
