@@ -18,6 +18,7 @@
 #include "io/case/case.hpp"
 #include "io/toml/diagnostics.hpp"
 #include "solvers/factorisation/factorisation.hpp"
+#include "tests/folders.hpp"
 
 namespace netloft {
 namespace {

@@ -12,6 +12,7 @@
 #include "io/scene/read_scene.hpp"
 #include "io/toml/diagnostics.hpp"
 #include "solvers/factorisation/factorisation.hpp"
+#include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 #include <cstdio>

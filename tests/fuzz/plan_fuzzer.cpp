@@ -4,6 +4,7 @@
 #include "io/gear/drawing.hpp"
 #include "io/gear/gear.hpp"
 #include "io/gear/read_plan.hpp"
+#include "tests/folders.hpp"
 
 #include <cstdint>
 #include <string>

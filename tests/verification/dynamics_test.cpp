@@ -2,6 +2,7 @@
 //
 // Time schemes on scenes of the gear library: orders by halving the step, energies, equilibria by dynamics.
 #include "io/case/case.hpp"
+#include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
 #include <gtest/gtest.h>

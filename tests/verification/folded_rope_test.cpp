@@ -10,6 +10,7 @@
 
 #include "io/case/case.hpp"
 #include "io/report/run_result.hpp"
+#include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
 namespace netloft::test {

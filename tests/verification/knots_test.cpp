@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "io/case/case.hpp"
+#include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
 namespace netloft::io {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "tests/folders.hpp"
+
 #include <cstdint>
 #include <fstream>
 #include <sstream>

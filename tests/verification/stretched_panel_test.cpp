@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <random>
 
+#include "tests/folders.hpp"
 #include "tests/verification/reference.hpp"
 #include "tests/verification/scene_file.hpp"
 

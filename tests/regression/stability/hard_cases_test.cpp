@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/stability/matrix.hpp"
+#include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
 #include <gtest/gtest.h>

@@ -9,6 +9,7 @@
 
 #include "framework/conformance/practice_motion.hpp"
 #include "io/case/case.hpp"
+#include "tests/folders.hpp"
 #include "tests/unit/framework/problem/oscillator.hpp"
 
 namespace netloft::test {

@@ -3,6 +3,7 @@
 // Everything shipped passes the suite, in each of its builds, and all builds give the same bits.
 #include "framework/conformance/law_bench.hpp"
 #include "framework/registry/library.hpp"
+#include "tests/folders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #pragma once
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/registry.hpp"
+#include "tests/folders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 //
 // What must not be loaded, and what the author is told. Sources: tests/support/refused.
 #include "framework/registry/library.hpp"
+#include "tests/folders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/registry.hpp"
+#include "tests/folders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "io/case/case.hpp"
+#include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
 namespace netloft::io {

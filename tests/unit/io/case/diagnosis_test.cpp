@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "io/case/case.hpp"
+#include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
 namespace netloft::io {

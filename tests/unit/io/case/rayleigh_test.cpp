@@ -2,6 +2,7 @@
 //
 // Rayleigh's damping C = α M + β K on one mass and one spring, which has a closed form.
 #include "io/case/case.hpp"
+#include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
 #include <gtest/gtest.h>

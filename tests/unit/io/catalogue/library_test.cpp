@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/catalogue/folders.hpp"
+#include "tests/folders.hpp"
 #include "tests/unit/io/catalogue/folder.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 // Nonsensical plans get a message and do not crash. Findings of tests/fuzz are added here.
 #include "io/gear/drawing.hpp"
 #include "io/gear/gear.hpp"
+#include "tests/folders.hpp"
 #include "tests/unit/io/gear/plans.hpp"
 
 #include <random>

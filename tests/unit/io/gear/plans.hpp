@@ -2,6 +2,7 @@
 #pragma once
 #include "io/gear/check.hpp"
 #include "io/gear/read_plan.hpp"
+#include "tests/folders.hpp"
 
 #include <gtest/gtest.h>
 

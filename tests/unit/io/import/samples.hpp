@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/import/femnet_scene.hpp"
+#include "tests/folders.hpp"
 
 #include <gtest/gtest.h>
 

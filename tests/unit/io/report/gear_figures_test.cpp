@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/folders.hpp"
 #include "tests/unit/io/report/hand_made.hpp"
 
 namespace netloft::io {

@@ -3,6 +3,7 @@
 
 #include "io/case/case.hpp"
 #include "solvers/factorisation/factorisation.hpp"
+#include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
 #include <gtest/gtest.h>

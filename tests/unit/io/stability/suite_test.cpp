@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/stability/suite.hpp"
 
+#include "tests/folders.hpp"
 #include "tests/unit/io/toml/scratch.hpp"
 
 #include <algorithm>

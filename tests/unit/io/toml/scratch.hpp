@@ -9,6 +9,7 @@
 
 #include "io/toml/document.hpp"
 #include "io/toml/table_reader.hpp"
+#include "tests/folders.hpp"
 
 namespace netloft::io::testing {
 

@@ -3,6 +3,7 @@
 // A plugin built by clang for AVX2 runs in this program and agrees with the one built beside it.
 #include "framework/conformance/bench.hpp"
 #include "framework/registry/library.hpp"
+#include "tests/folders.hpp"
 
 #include <gtest/gtest.h>
 

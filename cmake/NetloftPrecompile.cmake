@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Headers compiled once for many sources: most of them take longer to read the standard library than all else.
+#
+# netloft_precompile_programs(TARGET): a program of the tests reads the standard headers, and GoogleTest's, compiled.
+# netloft_precompile_libraries(FOLDER): so do, without GoogleTest's, all static libraries of a folder and of those below.
+#
+# A target of its own compiles them, because the others must have its flags, and because a compiler cache serves other
+# checkouts only if no path stands in these flags.
+#
+# What includes too little compiles all the same, so that people's builds do without: products have NETLOFT_PRECOMPILE,
+# which is off but where a preset wants time more, and nightly builds set CMAKE_DISABLE_PRECOMPILE_HEADERS for tests, too.
+include_guard(GLOBAL)
+
+set(netloft_standard_headers
+  <algorithm> <array> <cmath> <cstdint> <cstdio> <cstring> <filesystem> <functional> <limits> <map> <memory> <numeric>
+  <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector>)
+set(netloft_no_source ${PROJECT_BINARY_DIR}/headers.cpp)
+file(CONFIGURE OUTPUT ${netloft_no_source} CONTENT "int main() {}\n")
+
+function(netloft_precompile_flags target)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # ccache wants it
+endfunction()
+
+function(netloft_precompile_programs target)
+  if(NOT TARGET netloft_headers_of_tests)
+    add_executable(netloft_headers_of_tests ${netloft_no_source})
+    target_link_libraries(netloft_headers_of_tests PRIVATE netloft_root GTest::gtest)
+    target_compile_options(netloft_headers_of_tests PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_precompile_headers(netloft_headers_of_tests PRIVATE ${netloft_standard_headers} <gtest/gtest.h>)
+    netloft_precompile_flags(netloft_headers_of_tests)
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_precompile_headers(${target} REUSE_FROM netloft_headers_of_tests)
+  netloft_precompile_flags(${target})
+endfunction()
+
+function(netloft_precompile_library target)
+  if(NOT TARGET netloft_headers_of_libraries)
+    add_library(netloft_headers_of_libraries STATIC ${netloft_no_source})
+    target_link_libraries(netloft_headers_of_libraries PRIVATE netloft_root)
+    target_precompile_headers(netloft_headers_of_libraries PRIVATE ${netloft_standard_headers})
+    netloft_precompile_flags(netloft_headers_of_libraries)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM netloft_headers_of_libraries)
+  netloft_precompile_flags(${target})
+endfunction()
+
+function(netloft_precompile_libraries folder)
+  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL STATIC_LIBRARY)
+      netloft_precompile_library(${target})
+    endif()
+  endforeach()
+  get_property(below DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+  foreach(one IN LISTS below)
+    netloft_precompile_libraries(${one})
+  endforeach()
+endfunction()
