@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/mesh/mesh.hpp"
 #include "io/mesh/text_rows.hpp"
+#include "io/units/in_quotes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,11 +16,6 @@ namespace {
 constexpr std::size_t kMostNodes = 4000000, kMostElements = 4000000;  // of one mesh
 constexpr double kFarthest = 1e6;                                     // coordinates [m] and meshes
 constexpr int kMostErrors = 50;
-constexpr std::size_t kLongestQuote = 40;
-
-std::string quoted(std::string_view text) {
-  return "\"" + std::string(text.substr(0, kLongestQuote)) + (text.size() > kLongestQuote ? "…\"" : "\"");
-}
 
 std::optional<RegionKind> kind_named(std::string_view name) {
   for (const auto kind : {RegionKind::triangles, RegionKind::bars, RegionKind::twines})
@@ -87,13 +83,14 @@ class MeshReader {
       begin_region(row[1].place, *region, name);
     else
       error(row[0].place,
-            "there is no section " + quoted(kind) + (has_name ? " with a name" : " without a name"),
+            "there is no section " + in_quotes(kind) + (has_name ? " with a name" : " without a name"),
             "there are [nodes], [triangles NAME], [bars NAME], [twines NAME], [set NAME] and [end]");
   }
 
   void begin_region(const Place& place, RegionKind kind, const std::string& name) {
     if (!names_.insert(name).second)
-      return error(place, "there is a region " + quoted(name) + " already", "a region stands in one section");
+      return error(place, "there is a region " + in_quotes(name) + " already",
+                   "a region stands in one section");
     section_ = Section::region;
     mesh_.regions.push_back({kind, name});
     element_places_.emplace_back();
@@ -101,7 +98,7 @@ class MeshReader {
 
   void begin_set(const Place& place, const std::string& name) {
     if (!set_names_.insert(name).second)
-      return error(place, "there is a set " + quoted(name) + " already", "a set stands in one section");
+      return error(place, "there is a set " + in_quotes(name) + " already", "a set stands in one section");
     section_ = Section::set;
     mesh_.sets.push_back({name});
   }
@@ -149,7 +146,7 @@ class MeshReader {
   double read_number(const Word& word) {
     const auto value = number_in(word.text);
     if (value && std::abs(*value) <= kFarthest) return *value;
-    error(word.place, quoted(word.text) + (value ? " is beyond a million" : " is no number"));
+    error(word.place, in_quotes(word.text) + (value ? " is beyond a million" : " is no number"));
     return 0;
   }
 
@@ -157,7 +154,7 @@ class MeshReader {
     const auto value = integer_in(word.text);
     if (value && *value >= 0 && *value < static_cast<std::int64_t>(kMostNodes))
       return static_cast<std::uint32_t>(*value);
-    error(word.place, quoted(word.text) + " is no number of a node", "nodes are counted from 0");
+    error(word.place, in_quotes(word.text) + " is no number of a node", "nodes are counted from 0");
     return {};
   }
 

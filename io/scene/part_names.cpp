@@ -11,7 +11,6 @@ namespace netloft::io {
 namespace {
 
 constexpr std::size_t kLongestName = 100;
-constexpr std::size_t kLongestQuote = 60;
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
@@ -50,13 +49,6 @@ bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::stri
   if (error != std::errc() || end != name.data() + name.size() || number >= count) return false;
   own = {number};
   return true;
-}
-
-std::string in_quotes(const std::string& name) {
-  if (name.size() <= kLongestQuote) return '"' + name + '"';
-  std::size_t end = kLongestQuote;
-  while ((static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;
-  return '"' + name.substr(0, end) + "...\"";
 }
 
 std::string name_hint(const std::string& name, const std::vector<std::string>& there) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/scene/loaded_scene.hpp"
+#include "io/units/in_quotes.hpp"
 
 #include <string>
 #include <vector>
@@ -13,9 +14,6 @@ std::string name_fault(const std::string& name);
 /// Own nodes of a part by the name of a set, or "node-17". False: there is none.
 bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::string& name,
                     std::vector<std::uint32_t>& own);
-
-/// In quotes, and shortened when it is very long.
-std::string in_quotes(const std::string& name);
 
 /// "did you mean "rope"?", or what there is.
 std::string name_hint(const std::string& name, const std::vector<std::string>& there);

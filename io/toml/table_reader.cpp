@@ -7,27 +7,20 @@
 #include <unordered_map>
 
 #include "framework/registry/nearest.hpp"
+#include "io/units/in_quotes.hpp"
 #include "io/units/units.hpp"
 
 namespace netloft::io {
 namespace {
 
-constexpr std::size_t kLongestQuote = 60;
 constexpr int kMostErrorsInAnArray = 5;
 constexpr int kMostUnknownKeys = 50;  // in one table
-
-std::string quoted(std::string_view text) {
-  if (text.size() <= kLongestQuote) return '"' + std::string(text) + '"';
-  std::size_t end = kLongestQuote;
-  while ((static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return '"' + std::string(text.substr(0, end)) + "...\"";
-}
 
 std::string listed(const std::vector<std::string>& words) {
   constexpr std::size_t kMostListed = 40;
   std::string text;
   for (std::size_t i = 0; i < std::min(words.size(), kMostListed); ++i)
-    text += (i > 0 ? ", " : "") + quoted(words[i]);
+    text += (i > 0 ? ", " : "") + in_quotes(words[i]);
   return words.size() > kMostListed ? text + ", ..." : text;
 }
 
@@ -62,7 +55,7 @@ std::string describe(const Value& value) {
     case Kind::array:
       return "an array of " + std::to_string(value.as<Array>()->items.size());
     case Kind::text:
-      return "the text " + quoted(*value.as<std::string>());
+      return "the text " + in_quotes(*value.as<std::string>());
     case Kind::integer:
       return "the integer " + std::to_string(*value.as<std::int64_t>());
     case Kind::real:
@@ -215,10 +208,10 @@ struct TableReader::State {
     const std::string in = path.empty() ? "" : " in " + path;
     std::string hint;
     if (const auto near = nearest(member.key, known))
-      hint = "did you mean " + quoted(*near) + '?';
+      hint = "did you mean " + in_quotes(*near) + '?';
     else if (!known.empty())
       hint = "allowed here: " + listed(known);
-    diagnostics->error(member.place, "unknown key " + quoted(member.key) + in, hint);
+    diagnostics->error(member.place, "unknown key " + in_quotes(member.key) + in, hint);
   }
   void finish() const {
     int unknown = 0;
@@ -247,7 +240,7 @@ const Value* TableReader::ask(std::string_view key, bool required, const std::st
   if (!value && required && !state_->silent) {
     const std::string in = state_->path.empty() ? "" : " in " + state_->path;
     state_->diagnostics->error(state_->place,
-                               "missing key " + quoted(key) + in + ": " + wanted + in_parentheses(doc));
+                               "missing key " + in_quotes(key) + in + ": " + wanted + in_parentheses(doc));
   }
   return value;
 }
@@ -291,9 +284,9 @@ std::string TableReader::choice(std::string_view key, const ChoiceSpec& spec) {
   if (!word) return stand_in;
   if (std::find(spec.allowed.begin(), spec.allowed.end(), *word) != spec.allowed.end()) return *word;
   const auto near = nearest(*word, spec.allowed);
-  at.refuse(
-      at.path + " = " + quoted(*word) + " is not one of " + listed(spec.allowed) + in_parentheses(spec.doc),
-      near ? "did you mean " + quoted(*near) + '?' : "");
+  at.refuse(at.path + " = " + in_quotes(*word) + " is not one of " + listed(spec.allowed) +
+                in_parentheses(spec.doc),
+            near ? "did you mean " + in_quotes(*near) + '?' : "");
   return stand_in;
 }
 

@@ -10,6 +10,7 @@
 
 #include "framework/registry/nearest.hpp"
 #include "io/units/expression.hpp"
+#include "io/units/in_quotes.hpp"
 #include "io/units/udunits.hpp"
 
 namespace netloft::io {
@@ -20,8 +21,6 @@ constexpr std::size_t kLongestText = 200;
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_space(char c) { return c == ' ' || c == '\t'; }
-
-std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
 Quantity refuse(std::string error, std::string hint = {}) { return {0, std::move(error), std::move(hint)}; }
 
@@ -54,13 +53,13 @@ Quantity split(std::string_view text, Written& out) {
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
   const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), out.number);
   if (code == std::errc::result_out_of_range)
-    return refuse(quoted(text) + " exceeds the range of floating-point numbers");
+    return refuse(in_quotes(text) + " exceeds the range of floating-point numbers");
   if (code != std::errc())
-    return refuse(quoted(text) + " does not begin with a number", "write it as \"10 mm\"");
-  if (!std::isfinite(out.number)) return refuse(quoted(text) + " is not a finite number");
+    return refuse(in_quotes(text) + " does not begin with a number", "write it as \"10 mm\"");
+  if (!std::isfinite(out.number)) return refuse(in_quotes(text) + " is not a finite number");
   out.unit = trim(rest.substr(static_cast<std::size_t>(end - rest.data())));
   const bool comma = out.unit.size() > 1 && out.unit[0] == ',' && is_digit(out.unit[1]);
-  if (comma) return refuse(quoted(text) + " has a decimal comma", "write a decimal point");
+  if (comma) return refuse(in_quotes(text) + " has a decimal comma", "write a decimal point");
   return {};
 }
 
@@ -107,11 +106,11 @@ const std::vector<std::string>& common_units() {
 
 Quantity refuse_unknown(std::string_view text, const std::string& unit, const std::string& word) {
   if (word.empty())
-    return refuse(quoted(unit) + " in " + quoted(text) + " cannot be read as a unit",
+    return refuse(in_quotes(unit) + " in " + in_quotes(text) + " cannot be read as a unit",
                   "write products and powers as \"kg/m3\", \"N.m/rad\", \"m^2\"");
   const auto near = nearest(word, common_units());
-  return refuse("unit " + quoted(word) + " in " + quoted(text) + " is not known",
-                near ? "did you mean " + quoted(*near) + "?" : "");
+  return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " is not known",
+                near ? "did you mean " + in_quotes(*near) + "?" : "");
 }
 
 std::string named(const Dimension& dimension, std::string_view unit) {
@@ -146,7 +145,8 @@ Quantity take_apart(const UnitSystem& units, std::string_view text, Written& wri
   if (Quantity bad = split(in_ascii(trim(text)), written); !bad.ok()) return bad;
   for (const std::string& word : words_of(written.unit))
     if (std::string hint = ambiguity(word); !hint.empty())
-      return refuse("unit " + quoted(word) + " in " + quoted(text) + " has more than one meaning", hint);
+      return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " has more than one meaning",
+                    hint);
   const auto [parsed, unknown] = parse_unit(units, written.unit);
   if (!parsed) return refuse_unknown(text, written.unit, unknown);
   unit = *parsed;
@@ -158,13 +158,13 @@ Quantity read_checked(const UnitSystem& units, std::string_view text, std::strin
   Unit unit;
   if (Quantity bad = take_apart(units, text, written, unit); !bad.ok()) return bad;
   const auto wanted = parse_wanted(units, si_unit);
-  if (!wanted) return refuse("the wanted unit " + quoted(si_unit) + " is not known to UDUNITS-2");
+  if (!wanted) return refuse("the wanted unit " + in_quotes(si_unit) + " is not known to UDUNITS-2");
   if (unit.dimension != wanted->dimension)
-    return refuse(quoted(text) + " is " + named(unit.dimension, describe(unit.dimension).unit) + "; " +
+    return refuse(in_quotes(text) + " is " + named(unit.dimension, describe(unit.dimension).unit) + "; " +
                       named(wanted->dimension, si_unit) + " is expected",
                   cure(written.unit, unit.dimension, wanted->dimension));
   const double value = times(written.number + unit.offset, unit.scale) / wanted->scale - wanted->offset;
-  if (!std::isfinite(value)) return refuse(quoted(text) + " exceeds the range of floating-point numbers");
+  if (!std::isfinite(value)) return refuse(in_quotes(text) + " exceeds the range of floating-point numbers");
   return {value, {}, {}};
 }
 
