@@ -71,8 +71,12 @@ std::size_t widest_element(std::span<const std::unique_ptr<ElementFamily>> famil
   return dofs;
 }
 
-Memory make_memory(const ElementFamily& family, std::size_t tiles) {
-  return {tiles, family.reads(NETLOFT_READS_STATE) ? family.type().element.state_width : 0};
+/// What only slides on a ground that passes has no past to remember.
+Memory make_memory(const ElementFamily& family, std::size_t tiles, bool ground_passes) {
+  const bool reads = std::ranges::any_of(family.active_terms(), [&](const netloft_term& term) {
+    return term.traits & NETLOFT_READS_STATE && !(ground_passes && term.traits & NETLOFT_READS_GROUND);
+  });
+  return {tiles, reads ? family.type().element.state_width : 0};
 }
 
 }  // namespace
@@ -110,7 +114,7 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
     tiles += group.tiling.tiles;
   }
   for (std::size_t f = 0; f < families_.size(); ++f)
-    memories_.push_back(make_memory(*families_[f], group_of(f).tiling.tiles));
+    memories_.push_back(make_memory(*families_[f], group_of(f).tiling.tiles, ground_passes_));
   value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
   start_.resize(numbering_.dofs());

@@ -65,6 +65,15 @@ TEST(Memory, KeepsItsPastWhenAnElementHasNoForceThere) {
   EXPECT_NEAR(force_on(a, shifted(a, 3), 149), 0, 1e-12);
 }
 
+TEST(Memory, IsNotKeptOfWhatOnlySlidesOnAPassingGround) {
+  Scene scene = leashes();
+  scene.ground = {1.5, 0, 0};
+  Assembled a(scene);
+  EXPECT_TRUE(a.assembler.memory().empty());
+  EXPECT_NEAR(force_on(a, shifted(a, 3), 0), -2 * 1.5, 1e-12);
+  EXPECT_TRUE(a.assembler.remember(shifted(a, 3)));
+}
+
 TEST(Memory, IsOnlyKeptForElementsThatWantIt) {
   Memory none(7, 0), some(3, 2);
   EXPECT_TRUE(none.empty());

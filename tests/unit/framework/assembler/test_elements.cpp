@@ -112,7 +112,8 @@ struct Load {
   };
 };
 
-/// f = k (x - a) along x, a its position when it last remembered a step; has no force beyond x = 1000.
+/// f = k (x - a) along x, a its position when it last remembered a step; has no force beyond x = 1000. On a
+/// ground that passes it is dragged along by k times the velocity.
 struct Leash {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
@@ -124,7 +125,8 @@ struct Leash {
       for (std::size_t i = 0; i < t.count; ++i) {
         t.lane_at_fault = static_cast<std::uint32_t>(i);
         if (t.x[i] > 1000) return Status::outside_domain;
-        if (t.force) t.force[i] += family.parameters(t.first + i).k * (t.x[i] - t.state[i]);
+        const double k = family.parameters(t.first + i).k;
+        if (t.force) t.force[i] += t.ground ? -k * t.ground[0] : k * (t.x[i] - t.state[i]);
         if (t.state_new) t.state_new[i] = t.x[i], t.state_new[kLanes + i] += 1;
       }
       return Status::ok;
@@ -160,7 +162,7 @@ void describe(Plugin& plugin) {
   auto& leash = plugin.element<Leash>("leash", "Pulls back to where it was");
   leash.real("k", &Leash::Parameters::k, "N/m", "stiffness", {});
   leash.remembers(2);
-  leash.term<Leash::Pull, reads_state | from_outside>("pull", "pull of the leash");
+  leash.term<Leash::Pull, reads_state | reads_ground | from_outside>("pull", "pull of the leash");
 
   auto& load = plugin.element<Load>("load", "A constant force");
   load.real("x", &Load::Parameters::x, "N", "force along x", {.fallback = 0});
