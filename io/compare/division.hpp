@@ -14,12 +14,13 @@ struct MeshLevel {
 };
 
 /// The measure of how finely a scene is divided, by which meshes are compared.
-struct MeshCount {
+struct MeshSize {
   std::int64_t count = 0;  // cells of the leading part, or nodes of a gear
   double width = 0;        // mesh width in arbitrary units: 1/cells, 1/√nodes
   std::string of;          // what is counted: "cells of net", "nodes of the gear"
+  bool is_similar = true;  // to those of other counts: cells are divided evenly, a gear is triangulated anew
 };
-MeshCount count_mesh(const LoadedScene& loaded);
+MeshSize count_mesh(const LoadedScene& loaded);
 
 /// The argument of `--cells`: "8,16,32" for all parts, or "net=8,16,32" for one part alone.
 struct CellList {
@@ -45,8 +46,8 @@ std::vector<MeshLevel> gear_levels(const LoadedScene& loaded, const std::vector<
 
 /// Two divisions to compare with the scene's own in order to estimate its mesh error. Preferred are a quarter
 /// and a half of its cells, which cost little; then half and twice as many; then twice as many alone. For a
-/// gear they are a sixteenth and a quarter of its nodes, or a quarter and four times as many. Throws as
-/// above.
+/// gear they are half and twice its nodes, or twice and four times as many if half would be too few to
+/// be worth a solve. Throws as above.
 std::vector<MeshLevel> levels_around(const LoadedScene& loaded);
 
 }  // namespace netloft::io

@@ -7,8 +7,8 @@
 namespace netloft::io {
 
 /// Solves the scene of `own` on other meshes and fills in the mesh errors of the scalars of `result` (the
-/// answer of `own`) by Richardson extrapolation. Adds a note that says which meshes were used, or why there
-/// are no errors. Each level is solved as the scene says, from its own initial guess.
+/// answer of `own`), richardson.hpp (4). Adds a note that says which meshes were used, what does not converge
+/// with them, or why there are no errors. Each level is solved as the scene says, from its own initial guess.
 void find_mesh_errors(const CaseSource& source, Registry& registry, const Case& own,
                       const std::vector<MeshLevel>& levels, const Watch& watch, RunResult& result);
 

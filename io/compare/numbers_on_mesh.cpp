@@ -7,6 +7,16 @@
 
 namespace netloft::io {
 
+NumbersOnMesh numbers_of(const Case& solved, const RunResult& result) {
+  return {count_mesh(solved.loaded()),
+          solved.plan().unknowns,
+          result.solution.statistics.total_seconds,
+          result.solution.status == SolveStatus::converged,
+          result.scalars,
+          result.gear,
+          result.ropes};
+}
+
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& source, Registry& registry,
                                       const Watch& watch, std::string& why_not) {
   CaseSource divided = source;
@@ -20,15 +30,14 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& 
   }
   RunResult result;
   result.solution = one.solve(watch);
-  const MeshCount mesh = count_mesh(one.loaded());
-  if (result.solution.status != SolveStatus::converged) {
+  const MeshSize mesh = count_mesh(one.loaded());
+  if (!is_stationary(result.solution)) {
     why_not =
         fmt::format("with {} {} the result was {}", mesh.count, mesh.of, name_of(result.solution.status));
     return {};
   }
   collect(one.loaded(), one.assembler(), result);
-  return NumbersOnMesh{mesh, one.plan().unknowns, result.solution.statistics.total_seconds,
-                       std::move(result.scalars), std::move(result.gear)};
+  return numbers_of(one, result);
 }
 
 Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<NumbersOnMesh>& meshes,
@@ -39,7 +48,7 @@ Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<
     if (!found || !std::isfinite(found->value)) return {};
     values.push_back(found->value), widths.push_back(mesh.mesh.width);
   }
-  return find_trend(values, widths, asked);
+  return find_trend(values, widths, asked, meshes[asked].mesh.is_similar);
 }
 
 }  // namespace netloft::io

@@ -11,16 +11,22 @@ namespace netloft::io {
 
 /// The numbers that a run reports on one mesh.
 struct NumbersOnMesh {
-  MeshCount mesh;
+  MeshSize mesh;
   std::size_t unknowns = 0;
   double seconds = 0;  // wall time of the solver
+  bool is_stable = true;
   std::vector<NamedScalar> scalars, gear;
+  std::vector<RopeTensions> ropes;
 };
+
+/// The mesh of a run that has an answer, and that answer's numbers.
+NumbersOnMesh numbers_of(const Case& solved, const RunResult& result);
 
 /// Selects one of the two lists of numbers.
 using Numbers = std::vector<NamedScalar> NumbersOnMesh::*;
 
-/// Solves a scene on another mesh. Returns nothing unless it converged; `why_not` then says why.
+/// Solves a scene on another mesh. Returns nothing unless forces balance there, `why_not` then says why. An
+/// equilibrium that is not stable will do: its figures go with the mesh like those of a stable one.
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& source, Registry& registry,
                                       const Watch& watch, std::string& why_not);
 

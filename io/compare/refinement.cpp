@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/compare/refinement.hpp"
 
+#include "io/compare/rope_ends.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,24 +16,35 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view kResults = "results/", kGear = "gear/";
 constexpr double kRoundOff = 1e-12;  // relative to the value: a smaller difference counts as no change
 
-void add_trends(const Refinement& refinement, const std::string& group, Numbers numbers,
+void add_trends(const Refinement& refinement, std::string_view group, Numbers numbers,
                 std::vector<RefinedNumber>& all) {
   const auto& meshes = refinement.meshes;
   for (const auto& finest : meshes.back().*numbers) {
-    RefinedNumber number{group + finest.name, finest.unit, {}, {}};
+    RefinedNumber number{std::string(group) + finest.name, finest.unit, {}, {}};
     for (const auto& mesh : meshes) {
       const NamedScalar* found = find_scalar(mesh.*numbers, finest.name);
       number.values.push_back(found ? found->value : NamedScalar::kUnknown);
     }
     number.trend = find_trend_of(finest.name, numbers, meshes, meshes.size() - 1);
+    if (number.diverges()) number.trend.error = NamedScalar::kUnknown;
     all.push_back(std::move(number));
   }
 }
 
 std::string number(double value, const char* format = "{:.6g}") {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+/// A sentence for every end of a rope whose tension has no limit.
+std::string divergences_text(const Refinement& r, const std::vector<RefinedNumber>& numbers) {
+  std::string text;
+  for (const auto& n : numbers)
+    if (n.diverges())
+      text += divergence_text(n.name.substr(kGear.size()), r.meshes, r.meshes.size() - 1) + "\n";
+  return text;
 }
 
 bool is_of_one_part(const std::string& name) { return name.find("_by_part/") != std::string::npos; }
@@ -57,6 +70,10 @@ std::string heading_text(const Refinement& r, std::size_t width) {
 
 }  // namespace
 
+bool RefinedNumber::diverges() const {
+  return trend.diverges && name.starts_with(kGear) && is_of_rope_end(name);
+}
+
 bool RefinedNumber::varies() const {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   return !(*most - *least <= kRoundOff * std::max(std::abs(*least), std::abs(*most)));
@@ -81,8 +98,8 @@ Refinement refine(const CaseSource& source, Registry& registry, const std::vecto
 std::vector<RefinedNumber> find_trends(const Refinement& refinement) {
   std::vector<RefinedNumber> all;
   if (refinement.meshes.size() < 2) return all;
-  add_trends(refinement, "results/", &NumbersOnMesh::scalars, all);
-  add_trends(refinement, "gear/", &NumbersOnMesh::gear, all);
+  add_trends(refinement, kResults, &NumbersOnMesh::scalars, all);
+  add_trends(refinement, kGear, &NumbersOnMesh::gear, all);
   return all;
 }
 
@@ -96,9 +113,9 @@ std::string refinement_text(const Refinement& r) {
   for (const auto& n : numbers) text += row_text(n, width);
   if (!numbers.empty())
     text +=
-        "error: of the finest mesh; its distance from what all tend to, or the largest difference where "
-        "there is "
-        "no steady order\n";
+        "error: of the finest mesh; the largest of its differences from the two before and of extrapolations "
+        "with first and observed order, and a quarter more\n";
+  text += divergences_text(r, numbers);
   for (const auto& sentence : r.missing) text += "missing: " + sentence + "\n";
   text.pop_back();
   return text;
@@ -107,15 +124,19 @@ std::string refinement_text(const Refinement& r) {
 std::string refinement_json(const Refinement& r) {
   Json meshes = Json::array(), rows = Json::array();
   for (const auto& m : r.meshes)
-    meshes.push_back(
-        {{"count", m.mesh.count}, {"of", m.mesh.of}, {"unknowns", m.unknowns}, {"seconds", m.seconds}});
+    meshes.push_back({{"count", m.mesh.count},
+                      {"of", m.mesh.of},
+                      {"unknowns", m.unknowns},
+                      {"seconds", m.seconds},
+                      {"stable", m.is_stable}});
   for (const auto& n : find_trends(r))
     rows.push_back({{"name", n.name},
                     {"unit", n.unit},
                     {"values", n.values},
                     {"limit", n.trend.limit},
                     {"error", n.trend.error},
-                    {"order", n.trend.steady ? Json(n.trend.order) : Json(nullptr)}});
+                    {"order", n.trend.steady ? Json(n.trend.order) : Json(nullptr)},
+                    {"diverges", n.diverges()}});
   const Json json = {{"scene", r.scene},
                      {"status", r.missing.empty() ? "done" : "not converged"},
                      {"meshes", meshes},

@@ -19,9 +19,11 @@ struct RefinedNumber {
 
   /// Whether the values differ by more than round-off.
   bool varies() const;
+  /// Whether it is the tension at the end of a rope that has no limit; there is no error then.
+  bool diverges() const;
 };
 
-/// Solves the scene on every mesh. A mesh that does not converge is left out and named in `missing`.
+/// Solves the scene on every mesh. A mesh without an equilibrium is left out and named in `missing`.
 Refinement refine(const CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
                   const Watch& watch);
 

@@ -35,6 +35,18 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
   }
 }
 
+/// The number, with its error where it is known from other meshes.
+std::string with_error(const NamedScalar* scalar, const char* format) {
+  const std::string text = number(scalar, format);
+  return scalar && std::isfinite(scalar->mesh_error) ? text + fmt::format(" ± {:<7.1e}", total_error(*scalar))
+                                                     : text;
+}
+
+bool any_has_error(const std::vector<NamedScalar>& figures) {
+  return std::any_of(figures.begin(), figures.end(),
+                     [](const auto& f) { return std::isfinite(f.mesh_error); });
+}
+
 /// A column of a table with a line per member: it shows the figure `before` + member + `after`.
 struct Column {
   std::string heading, before, after;
@@ -53,13 +65,15 @@ void table(const std::vector<NamedScalar>& figures, const std::string& title,
     });
   });
   if (members.empty()) return;
+  const int width = any_has_error(figures) ? 20 : 11;
   fmt::format_to(out, "  {:<24}", title);
-  for (const auto& column : columns) fmt::format_to(out, " {:>11}", column.heading);
+  for (const auto& column : columns) fmt::format_to(out, " {:>{}}", column.heading, width);
   fmt::format_to(out, "\n");
   for (const auto& member : members) {
     fmt::format_to(out, "    {:<22}", member);
     for (const auto& c : columns)
-      fmt::format_to(out, " {:>11}", number(find_scalar(figures, c.before + member + c.after), c.format));
+      fmt::format_to(out, " {:>{}}", with_error(find_scalar(figures, c.before + member + c.after), c.format),
+                     width);
     fmt::format_to(out, "\n");
   }
 }
@@ -103,6 +117,12 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
 }  // namespace
 
 double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
+
+std::string mesh_note_text(std::string note) {
+  for (auto at = note.find('\n'); at != std::string::npos; at = note.find('\n', at + 1))
+    note.insert(at + 1, 4, ' ');
+  return note;
+}
 
 std::string error_text(const NamedScalar& scalar) {
   const double error = total_error(scalar);

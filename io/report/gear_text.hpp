@@ -12,6 +12,9 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half);
 /// mesh is by far the larger one as a rule.
 double total_error(const NamedScalar& scalar);
 
+/// The sentences of a note on meshes, each on a line of its own that is indented.
+std::string mesh_note_text(std::string note);
+
 /// That error as "± 1.3e-02", or "±?" where it is not known.
 std::string error_text(const NamedScalar& scalar);
 

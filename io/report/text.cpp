@@ -119,7 +119,9 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   for (const auto& scalar : result.scalars)
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8}{} {}\n", scalar.name, scalar.value,
                    scalar.unit == "1" ? "" : scalar.unit, with_errors ? errors_text(scalar) : "", scalar.doc);
-  if (with_errors) fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n", result.mesh_note);
+  if (with_errors)
+    fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n",
+                   mesh_note_text(result.mesh_note));
   if (!result.hold_forces.empty())
     fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",
                    result.gear.empty() ? "forces on the gear [N]" : "forces as modelled [N]", "x", "y", "z");

@@ -109,7 +109,7 @@ std::string result_text(const StoredResult& result) {
   text += gear_text(result.figures, result.is_half);
   materials_text(materials_of(result), out);
   if (!result.mesh_note.empty())
-    fmt::format_to(out, "  ± of solver and mesh; the latter {}\n", result.mesh_note);
+    fmt::format_to(out, "  ± of solver and mesh; the latter {}\n", mesh_note_text(result.mesh_note));
   fmt::format_to(out, "  read from {}, written by netloft {}\n", result.path.string(),
                  result.origins.version.empty() ? "of an unknown version" : result.origins.version);
   return text;

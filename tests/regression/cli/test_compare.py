@@ -137,7 +137,7 @@ class Comparisons(InFreshFolder):
         sag = next(row for row in report["quantities"] if row["name"] == "results/sag_z")
         self.assertAlmostEqual(sag["order"], 2, delta=0.05)
         self.assertAlmostEqual(sag["limit"], -2.95736530, delta=1e-6)  # the closed form, as the scene says
-        self.assertAlmostEqual(sag["error"], abs(sag["values"][-1] - sag["limit"]))
+        self.assertAlmostEqual(sag["error"], 1.25 * abs(sag["values"][-1] - sag["limit"]))
         alone = self.netloft("run", ROPE, "--json", "--set", "parts.rope.cells=40").json()
         self.assertAlmostEqual(sag["values"][1], alone["results"]["sag_z"], delta=1e-9)
         told = self.netloft("refine", ROPE, "--cells", "20,40,80").out

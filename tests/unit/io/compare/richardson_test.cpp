@@ -36,10 +36,33 @@ TEST(Richardson, FindsTheLimitOfAPowerLaw) {
   for (std::size_t asked = 0; asked < 3; ++asked) {
     const Trend t = find_trend(f, h, asked);
     EXPECT_TRUE(t.steady);
+    EXPECT_FALSE(t.diverges);
     EXPECT_NEAR(t.order, 1.5, 1e-9);
     EXPECT_NEAR(t.limit, 10, 1e-9);
-    EXPECT_NEAR(t.error, 0.3 * std::pow(h[asked], 1.5), 1e-9);
   }
+}
+
+// 12.4, 10.85, 10.3: to the limit 2.4, 0.85, 0.3; to 9.6, that of first order, 2.8, 1.25, 0.7; to each other
+// at most 2.1, 1.55, 2.1.
+TEST(Richardson, BoundsTheErrorByTheLargestThatItMayBe) {
+  const std::vector<double> h{4, 2, 1};
+  const auto f = samples(10, 0.3, 1.5, h);
+  EXPECT_NEAR(find_trend(f, h, 0).error, 1.25 * 2.8, 1e-9);
+  EXPECT_NEAR(find_trend(f, h, 1).error, 1.25 * (f[0] - f[1]), 1e-9);
+  EXPECT_NEAR(find_trend(f, h, 2).error, 1.25 * 2.1, 1e-9);
+}
+
+TEST(Richardson, BelievesTheOrderOfSimilarMeshes) {
+  const std::vector<double> h{4, 2, 1};
+  const auto f = samples(10, 0.3, 1.5, h);
+  EXPECT_NEAR(find_trend(f, h, 2, true).error, 1.25 * 0.3, 1e-9);
+  EXPECT_NEAR(find_trend({1.0, 1.3, 1.2}, h, 2, true).error, 1.25 * 0.2, 1e-12) << "if there is one";
+}
+
+TEST(Richardson, UsesTheThreeFinestOfManyMeshes) {
+  const Trend t = find_trend({50, 12.4, 10 + 0.3 * std::pow(2, 1.5), 10.3}, {8, 4, 2, 1}, 3);
+  EXPECT_NEAR(t.limit, 10, 1e-9);
+  EXPECT_NEAR(t.error, 1.25 * 2.1, 1e-9);
 }
 
 TEST(Richardson, AssumesFirstOrderOfTwoMeshes) {
@@ -47,19 +70,28 @@ TEST(Richardson, AssumesFirstOrderOfTwoMeshes) {
   EXPECT_TRUE(std::isnan(t.order));
   EXPECT_FALSE(t.steady);
   EXPECT_NEAR(t.limit, 1.0, 1e-12);
-  EXPECT_NEAR(t.error, 0.1, 1e-12);
+  EXPECT_NEAR(t.error, 0.125, 1e-12);
 }
 
-TEST(Richardson, FallsBackToDifferencesWhereLevelsTurnRound) {
+TEST(Richardson, HasNoLimitWhereLevelsTurnRound) {
   const Trend t = find_trend({1.0, 1.3, 1.2}, {4, 2, 1}, 2);
   EXPECT_FALSE(t.steady);
   EXPECT_TRUE(std::isnan(t.limit));
-  EXPECT_NEAR(t.error, 0.2, 1e-12);
+  EXPECT_NEAR(t.error, 1.25 * 0.2, 1e-12);
 }
 
 TEST(Richardson, DoesNotBelieveAnOrderThatNoElementHas) {
   EXPECT_FALSE(find_trend({1.0, 2.0, 2.001}, {4, 2, 1}, 2).steady);  // lg₂ 1000 ≈ 10
-  EXPECT_FALSE(find_trend({1.0, 2.0, 2.95}, {4, 2, 1}, 2).steady);   // lg₂ (1/0.95) ≈ 0.07
+  EXPECT_FALSE(find_trend(samples(1, 1, 3, {4, 2, 1}), {4, 2, 1}, 2).steady);
+  EXPECT_FALSE(find_trend({1.0, 2.0, 2.95}, {4, 2, 1}, 2).steady);  // lg₂ (1/0.95) ≈ 0.07
+  EXPECT_FALSE(find_trend(samples(1, 1, 0.4, {4, 2, 1}), {4, 2, 1}, 2).steady);
+}
+
+TEST(Richardson, SaysWhatDoesNotConverge) {
+  EXPECT_TRUE(find_trend({3.7, 4.6, 5.9}, {4, 2, 1}, 2).diverges);
+  EXPECT_FALSE(find_trend({3.7, 5.3, 5.9}, {4, 2, 1}, 2).diverges) << "differences fall";
+  EXPECT_FALSE(find_trend({3.7, 4.6, 3.9}, {4, 2, 1}, 2).diverges) << "it turns round";
+  EXPECT_FALSE(find_trend({3.70, 3.71, 3.73}, {4, 2, 1}, 2).diverges) << "too little";
 }
 
 TEST(Richardson, CallsOrdersSteadyThatAgree) {
