@@ -117,6 +117,9 @@ class Assembler {
   /// Force of one active term summed per part of the family, +dE/dx [N]: 3 numbers per part.
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
                 const Kinematics& motion = {});
+  /// What the elements ask of laws at positions x, and how much of it lies outside the ranges that these were
+  /// measured in: one entry per family and law, without those that have no range.
+  std::vector<LawUse> find_law_use(std::span<const double> x, const Kinematics& motion = {});
   /// Outputs of a family: [output][element], NaN where an output could not be computed; the result is then
   /// false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,

@@ -45,6 +45,7 @@ void ElementFamily::gather_parameters(const Scene& scene) {
 }
 
 void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
+  law_parameters_.reserve(plan.laws.size());  // watches point there
   for (const auto& law : plan.laws) {
     if (!law.type) {
       laws_.push_back({});  // still water: no term reads it
@@ -54,7 +55,8 @@ void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
     law_parameters_.emplace_back(law.type->parameters, law.type->law.parameter_bytes, law.choice.parameters,
                                  wrong);
     if (!wrong.empty()) throw SceneError({{scene.parts[parts_[0]].name, law.slot + ": " + wrong[0]}});
-    laws_.push_back({law.type->law.kind, 0, law_parameters_.back().data(), law.type->law.evaluate});
+    watches_.push_back(std::make_unique<LawWatch>(*law.type, law_parameters_.back()));
+    laws_.push_back(watches_.back()->bound());
   }
 }
 

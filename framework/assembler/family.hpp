@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/assembler/law_watch.hpp"
 #include "framework/scene/plan.hpp"
 
 #include <array>
@@ -46,6 +47,8 @@ class ElementFamily {
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
+  /// One per law slot in use.
+  const std::vector<std::unique_ptr<LawWatch>>& law_watches() const { return watches_; }
   /// Whether some active term needs this input from the host.
   bool reads(std::uint32_t trait) const {
     for (const auto& term : terms_)
@@ -68,6 +71,7 @@ class ElementFamily {
   std::vector<std::uint32_t> part_, nodes_;  // per element: index in parts_; its nodes
   std::vector<ParameterBlock> parameters_, law_parameters_;
   std::vector<netloft_bound_law> laws_;
+  std::vector<std::unique_ptr<LawWatch>> watches_;
   std::vector<netloft_term> terms_;
   std::vector<double> global_starts_;  // [part][global]
   std::vector<GlobalNode> global_nodes_;

@@ -76,6 +76,25 @@ bool Assembler::outputs(std::span<const double> x, std::size_t family,
   return all_known;
 }
 
+std::vector<LawUse> Assembler::find_law_use(std::span<const double> x, const Kinematics& motion) {
+  std::vector<LawUse> uses;
+  for (std::size_t f = 0; f < families_.size(); ++f) {
+    const ElementFamily& family = *families_[f];
+    for (const auto& watch : family.law_watches()) watch->begin();
+    for (const auto& term : family.active_terms())
+      if (term.traits & NETLOFT_READS_CURRENT)
+        visit_tiles(
+            x, motion, f, [&](std::size_t, netloft_tile& t) { return family.evaluate(term, t); },
+            [](std::size_t, const netloft_tile&, const Workspace&) {});
+    for (const auto& watch : family.law_watches()) {
+      uses.push_back(watch->end());
+      uses.back().parts = family.parts();
+    }
+  }
+  std::erase_if(uses, [](const LawUse& use) { return use.ranges.empty(); });
+  return uses;
+}
+
 bool Assembler::remember(std::span<const double> x, const Kinematics& motion) {
   for (std::size_t f = 0; f < families_.size(); ++f)
     if (!memories_[f].empty() && !remember_family(f, x, motion)) return false;

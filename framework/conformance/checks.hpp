@@ -69,6 +69,7 @@ Finding moments_sum_to_zero(Bench&);
 // Is it passive in the water? (flow_checks.cpp)
 Finding no_force_without_flow(Bench&);
 Finding never_gains_energy(Bench&);
+Finding says_how_much_it_stands_for(Bench&);
 
 // Are the members what their term is? (member_checks.cpp)
 Finding members_make_their_term(Bench&);

@@ -75,4 +75,18 @@ Finding never_gains_energy(Bench& b) {
   return judged(worst, kNoCurrent);
 }
 
+/// Reports weigh by it where a law is asked beyond its range.
+Finding says_how_much_it_stands_for(Bench& b) {
+  if (b.type.laws.empty()) return nothing_to_ask("it has no place for a law");
+  for (const auto& term : b.type.terms)
+    if (term.traits & NETLOFT_READS_CURRENT)
+      for (const auto& tile : b.tiles) b.specimen->evaluate(term, tile, NETLOFT_WANT_FORCE);
+  const AskedLanes& asked = b.specimen->asked();
+  if (asked.told == 0) return nothing_to_ask("it tells its laws nothing of it");
+  if (asked.wrong > 0)
+    return failed(std::to_string(asked.wrong) + " of " + std::to_string(asked.told) +
+                  " lanes stand for no metres of twine and no area of netting");
+  return {};
+}
+
 }  // namespace netloft::conformance

@@ -34,7 +34,7 @@ std::uint32_t kind_for(const netloft_law_slot& slot, std::uint32_t wanted) {
 
 Specimen::Specimen(const ElementType& type, const Sample& sample)
     : type_(type), forgotten_(type.element.state_width * kLanes, 0.0) {
-  for (const auto& slot : type.laws) laws_.push_back(test_law(kind_for(slot, sample.law_kind)));
+  for (const auto& slot : type.laws) laws_.push_back(test_law(kind_for(slot, sample.law_kind), &asked_));
   std::vector<std::string> faults;
   std::vector<const void*> blocks;
   std::vector<const double*> data;
@@ -121,6 +121,7 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   if (!(term.traits & NETLOFT_READS_CURRENT)) t.current = t.current_dz = nullptr;
   if (!(term.traits & NETLOFT_READS_STATE)) t.state = nullptr;
   if (!(term.traits & NETLOFT_READS_GROUND)) t.ground = nullptr;
+  if (t.ground) t.state = nullptr;
   t.state_new = remembered(term) ? memory : nullptr;
   t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
   t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;

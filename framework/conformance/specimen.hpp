@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/conformance/test_laws.hpp"
 #include "framework/parameters/parameters.hpp"
 #include "framework/registry/descriptors.hpp"
 
@@ -86,6 +87,8 @@ class Specimen {
   std::vector<netloft_member> members(std::uint32_t first, std::uint32_t count) const;
 
   std::size_t entries(const netloft_term& term) const;
+  /// What laws were asked so far.
+  const AskedLanes& asked() const { return asked_; }
   /// Numbers that a term remembers of each element.
   std::size_t remembered(const netloft_term& term) const;
 
@@ -94,6 +97,7 @@ class Specimen {
 
   const ElementType& type_;
   std::vector<ParameterBlock> parameters_;
+  AskedLanes asked_;
   std::vector<netloft_bound_law> laws_;
   std::vector<double> forgotten_;  // zeros: the memory of new elements
   void* self_ = nullptr;

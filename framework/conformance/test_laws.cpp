@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace netloft::conformance {
 
@@ -30,20 +31,29 @@ void write_lane(const netloft_flow& f, std::size_t i, double half) {
   }
 }
 
-int twine(const void*, const netloft_flow* f) {
+void count(const void* law, const netloft_flow& f) {
+  if (!law || f.size < offsetof(netloft_flow, extent) + sizeof f.extent || !f.extent) return;
+  AskedLanes& asked = *static_cast<AskedLanes*>(const_cast<void*>(law));
+  asked.told += f.count;
+  for (std::size_t i = 0; i < f.count; ++i) asked.wrong += !(f.extent[i] > 0 && std::isfinite(f.extent[i]));
+}
+
+int twine(const void* law, const netloft_flow* f) {
+  count(law, *f);
   for (std::size_t i = 0; i < f->count; ++i) write_lane(*f, i, 0.5 * f->water_density * f->diameter[i]);
   return NETLOFT_OK;
 }
 
-int screen(const void*, const netloft_flow* f) {
+int screen(const void* law, const netloft_flow* f) {
+  count(law, *f);
   for (std::size_t i = 0; i < f->count; ++i) write_lane(*f, i, 0.5 * f->water_density);
   return NETLOFT_OK;
 }
 
 }  // namespace
 
-netloft_bound_law test_law(std::uint32_t kind) {
-  return {kind, 0, nullptr, kind == NETLOFT_SCREEN_LAW ? screen : twine};
+netloft_bound_law test_law(std::uint32_t kind, AskedLanes* asked) {
+  return {kind, 0, asked, kind == NETLOFT_SCREEN_LAW ? screen : twine};
 }
 
 }  // namespace netloft::conformance

@@ -3,6 +3,7 @@
 
 #include "framework/parameters/parameters.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -223,6 +224,24 @@ SolverType read_solver(const netloft_solver& raw, const std::string& plugin, Fau
   return s;
 }
 
+bool has_parameter(const LawType& law, const char* name) {
+  return std::any_of(law.parameters.begin(), law.parameters.end(),
+                     [&](const auto& p) { return named(p.name) && std::string_view(p.name) == name; });
+}
+
+void check_validity(const LawType& law, Faults& faults) {
+  for (const auto& v : law.validity) {
+    faults.require(v.quantity <= NETLOFT_ATTACK,
+                   law.type + " has a range of a quantity this program does not know (" +
+                       std::to_string(v.quantity) + ")");
+    faults.require(v.lo <= v.hi, law.type + " has an empty range");
+    faults.require(named(v.source), law.type + " has a range without a source");
+    for (const char* name : {v.where, v.unless})
+      faults.require(!name || has_parameter(law, name), law.type + " has a range that depends on \"" +
+                                                            shown(name) + "\", which is no parameter of it");
+  }
+}
+
 LawType read_law(const netloft_law& raw, const std::string& plugin, Faults& faults) {
   LawType l;
   l.law = raw;
@@ -231,6 +250,8 @@ LawType read_law(const netloft_law& raw, const std::string& plugin, Faults& faul
   faults.require(raw.evaluate != nullptr, l.type + " has no function");
   faults.require(raw.kind == NETLOFT_TWINE_LAW || raw.kind == NETLOFT_SCREEN_LAW,
                  l.type + " is a law of a kind this program does not know");
+  l.validity = read_rows(raw.validity, raw.validity_count);
+  check_validity(l, faults);
   check_parameters(l.parameters, raw.parameter_bytes, l.type, faults);
   return l;
 }

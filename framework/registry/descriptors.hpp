@@ -100,6 +100,7 @@ struct LawType {
   std::string type;  // "hydro/morison"
   netloft_law law{};
   std::vector<netloft_parameter> parameters;
+  std::vector<netloft_validity> validity;
   const PluginOrigin* origin = nullptr;
 };
 

@@ -106,7 +106,10 @@ void read_words(const ElementType& e) {
 void read_words(const PluginContent& content) {
   for (const auto& e : content.elements) read_words(e);
   for (const auto& s : content.solvers) read_words(s.parameters), read_text(s.solver.doc);
-  for (const auto& l : content.laws) read_words(l.parameters), read_text(l.law.doc);
+  for (const auto& l : content.laws) {
+    read_words(l.parameters), read_text(l.law.doc);
+    for (const auto& v : l.validity) read_text(v.source), read_text(v.where), read_text(v.unless);
+  }
   for (const auto& i : content.integrators) read_words(i.parameters), read_text(i.integrator.doc);
   for (const auto& s : content.strategies) read_words(s.parameters), read_text(s.strategy.doc);
 }

@@ -3,6 +3,7 @@
 
 #include "framework/parameters/parameters.hpp"
 #include "framework/scene/plan.hpp"
+#include "io/report/law_range.hpp"
 #include "io/scene/geometry.hpp"
 
 #include <fmt/format.h>
@@ -199,7 +200,21 @@ std::string law_text(const LawType& l) {
       l.type, l.law.doc, l.law.kind == NETLOFT_TWINE_LAW ? "twines and ropes" : "netting as a screen",
       l.origin->name, l.origin->version, l.origin->file.empty() ? "compiled in" : l.origin->file);
   append_parameters(l.parameters, out);
+  if (!l.validity.empty())
+    fmt::format_to(out, "\nmeasured for (reports say for how much of a gear it is asked outside)\n");
+  for (const auto& range : l.validity) fmt::format_to(out, "  {}\n", validity_text(range));
   return text;
+}
+
+Json validity_json(const LawType& l) {
+  Json rows = Json::array();
+  for (const auto& range : l.validity)
+    rows.push_back({{"quantity", name_of_quantity(range.quantity)},
+                    {"lo", range.lo},
+                    {"hi", range.hi},
+                    {"source", range.source},
+                    {"text", validity_text(range)}});
+  return rows;
 }
 
 Json law_json(const LawType& l) {
@@ -208,6 +223,7 @@ Json law_json(const LawType& l) {
           {"doc", l.law.doc},
           {"for", l.law.kind == NETLOFT_TWINE_LAW ? "twine" : "screen"},
           {"parameters", parameter_json(l.parameters)},
+          {"measured_for", validity_json(l)},
           {"plugin", l.origin->file},
           {"version", l.origin->version}};
 }

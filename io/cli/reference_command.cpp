@@ -33,6 +33,7 @@ const std::vector<Section>& sections() {
        {{"name", "name"}, {"allowed", "allowed"}, {"default", "default"}, {"what it is", "doc"}}},
       {"data", "Data of each element", {{"name", "name"}, {"unit", "unit"}, {"what it is", "doc"}}},
       {"laws", "Places for laws", {{"key", "name"}, {"default", "default"}, {"what it is", "doc"}}},
+      {"measured_for", "Measured for", {{"range and source", "text"}}},
       {"terms", "Terms", {{"name", "name"}, {"traits", "traits"}, {"what it is", "doc"}}},
       {"outputs", "Outputs", {{"name", "name"}, {"unit", "unit"}, {"what it is", "doc"}}},
   };

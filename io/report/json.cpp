@@ -80,6 +80,37 @@ Json shapes_json(const Shapes& shapes) {
   return {{"restarts", shapes.restarts}, {"times", shapes.times}, {"others", others}};
 }
 
+/// What is asked of laws within and beyond the ranges that they were measured in.
+Json laws_json(const Scene& scene, const std::vector<LawUse>& uses) {
+  Json rows = Json::array();
+  for (const LawUse& use : uses) {
+    Json parts = Json::array();
+    for (const auto part : use.parts) parts.push_back(scene.parts[part].name);
+    for (const RangeUse& range : use.ranges)
+      rows.push_back({{"law", use.law->type},
+                      {"parts", parts},
+                      {"quantity", name_of_quantity(range.range->quantity)},
+                      {"range", {range.range->lo, range.range->hi}},
+                      {"source", range.range->source},
+                      {"fraction_outside", range.fraction_outside()},
+                      {"seen", {range.least, range.most}}});
+  }
+  return rows;
+}
+
+Json part_forces_json(const RunResult& r) {
+  Json forces = Json::array();
+  for (const auto& f : r.part_forces)
+    forces.push_back({{"part", f.part}, {"term", f.term}, {"force", f.force}});
+  return forces;
+}
+
+Json hold_forces_json(const RunResult& r) {
+  Json held = Json::array();
+  for (const auto& h : r.hold_forces) held.push_back({{"name", h.name}, {"force", h.force}});
+  return held;
+}
+
 /// One indented JSON text. Invalid bytes of a file name are replaced, so that the output is always valid
 /// JSON.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
@@ -106,17 +137,15 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
 
 std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResult& r) {
   const Solution& s = r.solution;
-  Json results = Json::object(), units = Json::object(), forces = Json::array(), held = Json::array();
+  Json results = Json::object(), units = Json::object();
   for (const auto& scalar : r.scalars) results[scalar.name] = scalar.value, units[scalar.name] = scalar.unit;
-  for (const auto& f : r.part_forces)
-    forces.push_back({{"part", f.part}, {"term", f.term}, {"force", f.force}});
-  for (const auto& h : r.hold_forces) held.push_back({{"name", h.name}, {"force", h.force}});
   return dump({{"scene", loaded.scene.name},
                {"status", name_of(s.status)},
                {"stability", name_of(s.stability)},
                {"reason", s.reason},
                {"diagnostics", s.diagnostics},
                {"warnings", r.warnings},
+               {"laws", laws_json(loaded.scene, r.law_use)},
                {"shapes", shapes_json(s.shapes)},
                {"at_fault", s.status == SolveStatus::converged ? Json(nullptr) : Json(s.at_fault)},
                {"iterations", s.statistics.iterations},
@@ -139,8 +168,8 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"mesh_note", r.mesh_note.empty() ? Json(nullptr) : Json(r.mesh_note)},
                {"node_error", s.correction},
                {"gear", gear_json(loaded, r.gear)},
-               {"part_forces", forces},
-               {"hold_forces", held},
+               {"part_forces", part_forces_json(r)},
+               {"hold_forces", hold_forces_json(r)},
                {"balance", {{"force", r.balance}, {"largest_force", r.largest_force}}},
                {"output", r.output_file.empty() ? Json(nullptr) : Json(r.output_file)}});
 }

@@ -4,6 +4,7 @@
 #include "io/report/overload.hpp"
 
 #include "io/report/gear_figures.hpp"
+#include "io/report/law_range.hpp"
 #include "io/scene/result_request.hpp"
 
 #include <algorithm>
@@ -93,7 +94,11 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
   Answer answer = ask_elements(loaded.scene, assembler, result.solution.x, at_rest(result.solution));
   result.scalars = collect_scalars(loaded, assembler, result.solution, answer.outputs);
   result.gear = collect_gear(loaded, assembler, answer);
+  result.ropes = find_rope_tensions(loaded, assembler, answer);
   result.warnings = overload_warnings(loaded, assembler, answer);
+  result.law_use = assembler.find_law_use(result.solution.x, at_rest(result.solution));
+  for (auto& sentence : law_range_warnings(loaded.scene, result.law_use))
+    result.warnings.push_back(std::move(sentence));
   result.outputs = std::move(answer.outputs), result.part_forces = std::move(answer.forces);
   collect_hold_forces(loaded, assembler, result);
   collect_balance(result);

@@ -3,6 +3,7 @@
 #include "framework/problem/verdict.hpp"
 #include "framework/scene/plan.hpp"
 #include "io/report/answer.hpp"
+#include "io/report/rope_tensions.hpp"
 #include "io/scene/loaded_scene.hpp"
 
 #include <array>
@@ -24,8 +25,9 @@ struct NamedScalar {
   std::string name, unit, doc;
   double value = 0;
   double solver_error = kUnknown;  // its change by the next Newton step
-  double mesh_error = kUnknown;    // distance from the limit of finer meshes, if that was asked for
-  // observed; unknown: an order of one was assumed, or the error is a difference between meshes
+  double mesh_error =
+      kUnknown;  // bound of the distance from the limit of finer meshes, if that was asked for
+  // observed; unknown: there is no order to be believed
   double mesh_order = kUnknown;
 };
 
@@ -47,8 +49,10 @@ struct RunResult {
   std::array<double, 3> balance{};  // sum of all forces on the gear, those of the holds included [N]
   double largest_force = 0;         // the largest of the forces that were summed [N]
   std::vector<NamedScalar> scalars;
+  std::vector<RopeTensions> ropes;    // of a scene with a net plan
   std::vector<NamedScalar> gear;      // figures of a scene with a net plan (gear_figures.hpp)
-  std::vector<std::string> warnings;  // of parts that bear more than they can
+  std::vector<LawUse> law_use;        // of laws that were measured in some range
+  std::vector<std::string> warnings;  // of parts that bear more than they can, of laws outside their range
   // the meshes behind the mesh errors, or why there are no errors; empty: not asked for
   std::string mesh_note;
   FamilyOutputs outputs;

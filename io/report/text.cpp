@@ -77,6 +77,22 @@ std::string ground_text(const Plan& plan) {
   return fmt::format("passes the gear with ({:.4g}, {:.4g}) m/s; friction is that of sliding", v[0], v[1]);
 }
 
+void forces_text(const RunResult& result, Out out) {
+  if (!result.hold_forces.empty())
+    fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",
+                   result.gear.empty() ? "forces on the gear [N]" : "forces as modelled [N]", "x", "y", "z");
+  for (const auto& f : result.part_forces)
+    if (f.term != "elastic" && (result.gear.empty() || !is_in_gear_tables(f.term)))
+      fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", f.part + ", " + f.term, f.force[0],
+                     f.force[1], f.force[2]);
+  for (const auto& h : result.hold_forces)
+    fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", h.name + ", held", h.force[0], h.force[1],
+                   h.force[2]);
+  if (!result.hold_forces.empty())
+    fmt::format_to(out, "  {:<24} {:>14.2g} {:>14.2g} {:>14.2g}\n", "sum of all", result.balance[0],
+                   result.balance[1], result.balance[2]);
+}
+
 }  // namespace
 
 std::string plan_text(const Plan& plan, const PlanExtras& extras) {
@@ -122,19 +138,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   if (with_errors)
     fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n",
                    mesh_note_text(result.mesh_note));
-  if (!result.hold_forces.empty())
-    fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",
-                   result.gear.empty() ? "forces on the gear [N]" : "forces as modelled [N]", "x", "y", "z");
-  for (const auto& f : result.part_forces)
-    if (f.term != "elastic" && (result.gear.empty() || !is_in_gear_tables(f.term)))
-      fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", f.part + ", " + f.term, f.force[0],
-                     f.force[1], f.force[2]);
-  for (const auto& h : result.hold_forces)
-    fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", h.name + ", held", h.force[0], h.force[1],
-                   h.force[2]);
-  if (!result.hold_forces.empty())
-    fmt::format_to(out, "  {:<24} {:>14.2g} {:>14.2g} {:>14.2g}\n", "sum of all", result.balance[0],
-                   result.balance[1], result.balance[2]);
+  forces_text(result, out);
   text += gear_text(result.gear, loaded.gear && loaded.gear->times == 2);
   if (!result.output_file.empty()) fmt::format_to(out, "  written to {}\n", result.output_file);
   return text;

@@ -80,7 +80,7 @@ inline Status add_drag(const Lanes& p, const netloft_bound_law& law, netloft_til
   const std::size_t count = t.count;
   FlowLanes f;
   fill_flow(p, chord, t, f);
-  f.call(law, t, t.tangent != nullptr);
+  f.call(law, t, t.tangent != nullptr, p.twine);
   if (t.force)
     for (int axis = 0; axis < 3; ++axis) {
       double *first = t.force + at(axis, 0), *second = t.force + at(axis + 3, 0);
@@ -101,7 +101,7 @@ inline void drag_of(const Lanes& p, const netloft_bound_law& law, const netloft_
   const Chords chord(t, p.l0);
   FlowLanes f;
   fill_flow(p, chord, t, f);
-  f.call(law, t, false);
+  f.call(law, t, false, p.twine);
   for (std::size_t i = 0; i < t.count; ++i)
     values[i] = p.twine[i] * std::hypot(f.force[0][i], f.force[1][i], f.force[2][i]);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/float/float.hpp"
 
+#include "plugins/common/sphere.hpp"
+
 #include <netloft/dual.hpp>
 
 #include <numbers>
@@ -34,7 +36,7 @@ Coefficient drag_coefficient(const Float::Parameters& p, const Water& w, double 
   constexpr double kLeast =
       1e-3;  // Reynolds number, below which drag is less than round-off of anything else
   const double Re = std::max(kLeast, speed * p.diameter / w.viscosity);
-  const auto at = Float::sphere_drag(Dual<1, 1>::variable(Re, 0));
+  const auto at = sphere_drag(Dual<1, 1>::variable(Re, 0));
   return {at.value, Re * at.gradient[0]};
 }
 

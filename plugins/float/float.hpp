@@ -19,12 +19,8 @@ namespace netloft::floats {
 /// the sphere in potential flow, C_d = 0.47 the smooth sphere at Reynolds numbers of 1e3 to 2e5 (Hoerner,
 /// Fluid-Dynamic Drag, 1965, chapter III). The acceleration of the water itself is left out: currents here
 /// are steady.
-/// The law `sphere` lets C_d follow Re = |W| D/ν, across the drag crisis:
-///   C_d = 24/Re + 2.6 a/(1 + a^1.52) + 0.411 b^−7.94/(1 + b^−8) + 0.25 c/(1 + c)            (6)
-///   a = Re/5, b = Re/2.63e5, c = Re/1e6
-/// for a smooth sphere and Re < 1e6; held above. Source: F. A. Morrison, An Introduction to Fluid Mechanics,
-/// Cambridge University Press 2013, and "Data correlation for drag coefficient for sphere", Michigan
-/// Technological University 2016. A float with lugs or growth is rough and meets the crisis earlier.
+/// The law `sphere` lets C_d follow Re = |W| D/ν, across the drag crisis (plugins/common/sphere.hpp). A float
+/// with lugs or growth is rough and meets the crisis earlier.
 struct Float {
   static constexpr auto stencil = NETLOFT_NODE;
 
@@ -42,9 +38,6 @@ struct Float {
   static void check(const Parameters&, const Data& d);
   static double net_buoyancy(const Parameters& p, const Water& w);  // (1)
   static double drag_factor(const Parameters& p, const Water& w);   // κ [kg/m]
-  /// (6)
-  template <class T>
-  static T sphere_drag(const T& reynolds);
 
   struct Buoyancy {
     static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
@@ -56,14 +49,5 @@ struct Float {
     static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
   };
 };
-
-template <class T>
-T Float::sphere_drag(const T& reynolds) {
-  using std::pow;
-  const T Re = reynolds < T(1e6) ? reynolds : T(1e6);
-  const T a = 0.2 * Re, b8 = pow((1 / 2.63e5) * Re, 8.0), c = 1e-6 * Re;
-  return 24.0 / Re + 2.6 * a / (1.0 + pow(a, 1.52)) + 0.411 * pow((1 / 2.63e5) * Re, 0.06) / (b8 + 1.0) +
-         0.25 * c / (1.0 + c);  // b^−7.94/(1 + b^−8)
-}
 
 }  // namespace netloft::floats

@@ -13,10 +13,9 @@ struct Shape {
 };
 
 template <class Model>
-Shape shape(double measured_at, double c, double S, double Re) {
+Shape shape(const typename Model::Parameters& p, double c, double S, double Re) {
   using Three = Dual<3, 1>;
-  const auto at =
-      scaled<Model>(measured_at, Three::variable(c, 0), Three::variable(S, 1), Three::variable(Re, 2));
+  const auto at = scaled<Model>(p, Three::variable(c, 0), Three::variable(S, 1), Three::variable(Re, 2));
   const double l = at.lift.value;
   const auto &D = at.drag.gradient, &L = at.lift.gradient;
   return {at.drag.value - l * c * c,
@@ -82,7 +81,7 @@ void Screen<Model>::lanes(const Parameters& p, const netloft_flow& f) {
     const auto r = flow_left(p, Dual<1, 1>::variable(f.solidity[i], 0));
     const Incidence s(r.value, row(f.flow, i), row(f.direction, i));
     const double Re = s.u * f.diameter[i] / f.water_viscosity;
-    const Shape k = shape<Model>(p.measured_at, s.c, f.solidity[i], Re);
+    const Shape k = shape<Model>(p, s.c, f.solidity[i], Re);
     const Vec3<double> force =
         (0.5 * f.water_density * s.u) * (k.alpha * s.U + (k.lambda * s.q) * s.n);  // (3)
     for (int axis = 0; axis < 3; ++axis) f.force[static_cast<std::size_t>(axis) * kLanes + i] = force[axis];
@@ -93,5 +92,6 @@ void Screen<Model>::lanes(const Parameters& p, const netloft_flow& f) {
 template struct Screen<LolandModel>;
 template struct Screen<AarsnesModel>;
 template struct Screen<KristiansenFaltinsenModel>;
+template struct Screen<KnottedModel>;
 
 }  // namespace netloft::hydro

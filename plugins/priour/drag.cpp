@@ -54,7 +54,7 @@ void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const do
     for (int axis = 0; axis < 3; ++axis) f.direction[axis][i] = twines.t[axis][i];
     f.solidity[i] = 0, length[i] = p.bars[i] * p.l0[i];
   }
-  f.call(law, t, t.tangent != nullptr);
+  f.call(law, t, t.tangent != nullptr, length);
   add_law<turn>(f, length, t, out);
   if (!t.tangent) return;
   for (int r = 0; r < 3; ++r)
@@ -104,7 +104,7 @@ void set_screen(const netloft_bound_law& law, const Triangle::Lanes& p, const ne
                 Force& out) {
   double area[kLanes];
   fill_screen(p, t, area, f);
-  f.call(law, t, t.tangent != nullptr);
+  f.call(law, t, t.tangent != nullptr, area);
   add_law<Turn::first>(f, area, t, out);  // (5)
   if (t.tangent) set_screen_tangent(t, f, out);
 }

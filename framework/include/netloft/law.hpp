@@ -28,13 +28,15 @@ struct FlowLanes {
   double flow[3][kLanes], direction[3][kLanes], diameter[kLanes], solidity[kLanes];
   double force[3][kLanes], d_flow[9][kLanes], d_direction[9][kLanes], d_solidity[3][kLanes];
 
-  /// Calls the law on lanes below `count`.
-  void call(const netloft_bound_law& law, const netloft_tile& t, bool derivatives) {
+  /// Calls the law on lanes below `count`. `extent` [kLanes]: metres of twine or square metres of netting
+  /// that each lane stands for, by which reports weigh.
+  void call(const netloft_bound_law& law, const netloft_tile& t, bool derivatives,
+            const double* extent = nullptr) {
     netloft_flow f{};
     f.size = sizeof f, f.count = t.count;
     f.water_density = t.water_density, f.water_viscosity = t.water_viscosity;
     f.flow = flow[0], f.direction = direction[0], f.diameter = diameter, f.solidity = solidity;
-    f.force = force[0];
+    f.force = force[0], f.extent = extent;
     if (derivatives) f.d_flow = d_flow[0], f.d_direction = d_direction[0], f.d_solidity = d_solidity[0];
     if (law.evaluate(law.parameters, &f) != NETLOFT_OK)
       throw std::runtime_error("the hydrodynamic law failed");
@@ -82,11 +84,36 @@ int evaluate_law(const void* parameters, const netloft_flow* flow) noexcept {
 
 }  // namespace detail
 
+/// What a law may be valid over a range of only.
+enum class Quantity : std::uint32_t {
+  reynolds = NETLOFT_REYNOLDS,                      // ‖W‖ D/ν
+  reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // of the flow across a twine
+  reynolds_in_meshes = NETLOFT_REYNOLDS_IN_MESHES,  // ‖W‖ D/(ν (1 − S))
+  solidity = NETLOFT_SOLIDITY,
+  attack = NETLOFT_ATTACK,  // angle between flow and twine or netting [rad]
+};
+
+/// Parameters, by name, that a range depends on. One is given unless it is a real at zero, an empty table or
+/// the first word of a choice.
+struct Condition {
+  const char* where = nullptr;   // the range holds only where this one is given
+  const char* unless = nullptr;  // and not where this one is
+};
+
 /// Describes one law to the host.
 template <class L>
 class LawTable : public ParameterTable<typename L::Parameters> {
  public:
   LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
+
+  /// The law was measured where lo ≤ quantity ≤ hi. It has to answer outside, too; reports then say for how
+  /// much of the gear it was asked there.
+  void valid(Quantity quantity, double lo, double hi, const char* source, Condition condition = {}) {
+    netloft_validity v{};
+    v.size = sizeof v, v.quantity = static_cast<std::uint32_t>(quantity), v.lo = lo, v.hi = hi;
+    v.source = source, v.where = condition.where, v.unless = condition.unless;
+    validity_.push_back(v);
+  }
 
   netloft_law descriptor() const {
     detail::OwnParameters<L>::declare(this->rows());
@@ -95,11 +122,13 @@ class LawTable : public ParameterTable<typename L::Parameters> {
     l.parameter_bytes = sizeof(typename L::Parameters);
     l.parameter_count = static_cast<std::uint32_t>(this->rows().size()), l.parameters = this->rows().data();
     l.evaluate = &detail::evaluate_law<L>;
+    l.validity = validity_.data(), l.validity_count = static_cast<std::uint32_t>(validity_.size());
     return l;
   }
 
  private:
   const char *name_, *doc_;
+  std::vector<netloft_validity> validity_;
 };
 
 }  // namespace netloft

@@ -125,7 +125,8 @@ enum {
   NETLOFT_OF_MEMBERS = 1 << 14,   /* the force is that of the element's members (netloft_member), no more */
   NETLOFT_IS_WEIGHT = 1 << 15,    /* reports count it as weight in water */
   NETLOFT_IS_DRAG = 1 << 16,      /* reports count it as force of the flowing water */
-  NETLOFT_READS_GROUND = 1 << 17  /* wants tile.ground when the ground passes the gear */
+  NETLOFT_READS_GROUND = 1 << 17  /* wants tile.ground when the ground passes the gear; it may be given no
+                                     tile.state then, for what only slides remembers nothing */
 };
 
 /* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC
@@ -228,7 +229,30 @@ typedef struct netloft_flow {
   double* d_flow;          /* [9][64] dforce[r]/dflow[c] at 3r+c */
   double* d_direction;     /* [9][64] dforce[r]/ddirection[c] */
   double* d_solidity;      /* [3][64] */
+  const double* extent; /* [64] metres of twine, square metres of netting that a lane stands for, for reports
+                           of how much of a gear is where; null: not told. No force depends on it */
 } netloft_flow;
+
+/* Quantities of a flow in which a law may be valid over a range only. */
+enum netloft_flow_quantity {
+  NETLOFT_REYNOLDS = 0,        /* |flow| D/viscosity */
+  NETLOFT_REYNOLDS_ACROSS = 1, /* the same of the flow across a twine */
+  NETLOFT_REYNOLDS_IN_MESHES =
+      2, /* |flow| D/(viscosity (1 - solidity)): of the flow through a screen's meshes */
+  NETLOFT_SOLIDITY = 3,
+  NETLOFT_ATTACK = 4 /* angle between the flow and the twine or the netting, 0 to pi/2 [rad] */
+};
+
+/* A range that a law was measured in. The host compares what the law is asked with it and reports how much of
+ * a gear lies outside; the law itself answers everywhere. */
+typedef struct netloft_validity {
+  uint32_t size;
+  uint32_t quantity;
+  double lo, hi;
+  const char* source;         /* who measured: "Loland 1991" */
+  const char *where, *unless; /* parameters with which the range holds, with which it does not: those that are
+                                 given, no real at zero, no empty table, no first word of a choice; or null */
+} netloft_validity;
 
 /* A pure function that elements use without knowing it: "hydro/morison". */
 typedef struct netloft_law {
@@ -239,6 +263,9 @@ typedef struct netloft_law {
   uint32_t parameter_count;
   const netloft_parameter* parameters;
   int (*evaluate)(const void* parameters, const netloft_flow* flow);
+  const netloft_validity* validity;
+  uint32_t validity_count;
+  uint32_t reserved;
 } netloft_law;
 
 /* A place in an element for a law: the user names one under this key. */

@@ -41,7 +41,8 @@ enum Flaw {
   FLAW_two_strategies,
   FLAW_no_run,
   FLAW_strategy_outside,
-  FLAW_wild_table
+  FLAW_wild_table,
+  FLAW_empty_validity
 };
 
 #define JOIN(a, b) a##b
@@ -151,6 +152,26 @@ const netloft_element* elements() {
   return rows.data();
 }
 
+int push(const void*, const netloft_flow*) { return NETLOFT_OK; }
+
+const netloft_validity* validity() {
+  netloft_validity v{};
+  v.quantity = has(FLAW_empty_validity) ? 99 : NETLOFT_SOLIDITY, v.lo = has(FLAW_empty_validity) ? 1 : 0,
+  v.hi = 0.5;
+  v.source = has(FLAW_empty_validity) ? "" : "nobody", v.where = has(FLAW_empty_validity) ? "speed" : "rate";
+  static const Array<netloft_validity, 1, step_of(sizeof v, sizeof v)> rows({v});
+  return rows.data();
+}
+
+const netloft_law* laws() {
+  netloft_law l{};
+  l.kind = NETLOFT_TWINE_LAW, l.name = "law", l.doc = "a law", l.evaluate = push;
+  l.parameter_bytes = sizeof(Parameters), l.parameter_count = 2, l.parameters = parameters();
+  l.validity = validity(), l.validity_count = 1;
+  static const Array<netloft_law, 1, step_of(sizeof l, offsetof(netloft_law, validity))> rows({l});
+  return rows.data();
+}
+
 netloft_strategy strategy(const char* name) {
   netloft_strategy s{};
   s.name = name, s.doc = "a strategy", s.run = has(FLAW_no_run) ? nullptr : run;
@@ -175,6 +196,7 @@ netloft_plugin plugin() {
   p.version = "1", p.doc = "a plugin", p.compiler = "";
   p.elements = elements(), p.element_count = 2;
   if (has(FLAW_wild_table)) p.elements = reinterpret_cast<const netloft_element*>(std::uintptr_t{0x1230});
+  p.laws = laws(), p.law_count = 1;
   p.strategies = strategies(), p.strategy_count = 2;  // minor version 0 ends before them
   return p;
 }

@@ -2,6 +2,7 @@
 //
 // Elements that are wrong in one place each. The sentence of each names the check that must find it, and no
 // other may: tests/unit/framework/conformance/wrong_elements_test.cpp reads it from there.
+#include "tests/support/wrong_elements/drag_by_law.hpp"
 #include "tests/support/wrong_elements/spring.hpp"
 
 #include <algorithm>
@@ -361,6 +362,9 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   add<Drag<1, true>, kWater>(plugin, "right_in_water", "nothing");
   add<Drag<-1, true>, kWater>(plugin, "gains_energy", "never-gains-energy");
   add<Drag<1, false>, kWater>(plugin, "ignores_motion", "no-force-without-flow");
+  auto& by_law = bar<DragByLaw>(plugin, "drag_by_law", "says-how-much-it-stands-for");
+  by_law.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water");
+  by_law.term<DragByLaw::Term, kWater>("drag", "right");
   bar<KeepsThread>(plugin, "keeps_thread", "starts-no-threads")
       .term<KeepsThread, kPotential>("elastic", "right");
   bar<RefusesAll>(plugin, "refuses_all", "makes-elements").term<NeverMade, kPotential>("elastic", "unused");

@@ -85,6 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"nameless_parameter", "a parameter has no name"},
         Case{"no_unit", "has no unit (\"1\" is the unit of a pure number)"},
         Case{"bad_choice", "parameter \"rate\" has a default that is none of its words"},
+        Case{"empty_validity",
+             "empty_validity/law has a range of a quantity this program does not know (99)"},
         Case{"two_strategies", "two strategies are called \"two_strategies\"; names must be unique"},
         Case{"no_run", "no_run/no_run has no run"},
         Case{"strategy_outside",
@@ -111,6 +113,13 @@ TEST(Loader, TellsAllFaultsOfAPluginAtOnce) {
   const std::string text = refusal(plugin("many"));
   for (const char* fault :
        {"many/bar has no term", "many/rod has no term", "outside its struct", "has no unit"})
+    EXPECT_NE(text.find(fault), std::string::npos) << fault << " is missing in:\n" << text;
+}
+
+TEST(Loader, TellsAllFaultsOfTheRangesOfALaw) {
+  const std::string text = refusal(plugin("empty_validity"));
+  for (const char* fault : {"law has an empty range", "law has a range without a source",
+                            "law has a range that depends on \"speed\", which is no parameter of it"})
     EXPECT_NE(text.find(fault), std::string::npos) << fault << " is missing in:\n" << text;
 }
 

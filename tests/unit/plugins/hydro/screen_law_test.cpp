@@ -10,6 +10,8 @@ namespace {
 
 using namespace netloft;
 using hydro::Aarsnes;
+using hydro::Knotted;
+using hydro::KnottedParameters;
 using hydro::KristiansenFaltinsen;
 using hydro::Loland;
 using hydro::ScreenParameters;
@@ -53,6 +55,18 @@ TYPED_TEST(ScreenAtOneReynoldsNumber, FollowsTheDragOfACylinder) {
   EXPECT_NEAR(norm(there - plain), 0, 1e-12 * norm(plain));
   const double factor = (1.1 + 4 / std::sqrt(Re)) / (1.1 + 4 / std::sqrt(400));
   EXPECT_NEAR(norm(other - factor * plain), 0, 1e-12 * norm(plain));
+}
+
+constexpr auto kTakagi = static_cast<std::int64_t>(hydro::Cylinder::takagi);
+
+/// C_n goes with Re^−0.3 between 14 and 160.
+TYPED_TEST(ScreenAtOneReynoldsNumber, FollowsTakagisCylinderIfAskedTo) {
+  const Vec3<double> normal{0.8, 0, 0.6};
+  const double fast = 120 * kViscosity / kTwine, slow = 30 * kViscosity / kTwine;
+  const ScreenParameters p{1, 0, 50, kTakagi};
+  const double at_fast = norm(force_of<TypeParam>(p, {fast, 0, 0}, normal, kTwine, 0.2)),
+               at_slow = norm(force_of<TypeParam>(p, {slow, 0, 0}, normal, kTwine, 0.2));
+  EXPECT_NEAR(std::log(at_fast / at_slow) / std::log(4), 1.7, 1e-9);
 }
 
 /// Coefficients of drag and lift at an angle of the flow to the normal, from the force.
@@ -124,6 +138,57 @@ TEST(Loland, HasThePublishedCoefficients) {
 TEST(Aarsnes, HasThePublishedCoefficients) {
   EXPECT_NEAR(coefficients<Aarsnes>(0, 0.2).first, 0.26, 1e-12);
   EXPECT_NEAR(coefficients<Aarsnes>(45, 0.2).second, 0.0532, 1e-12);
+}
+
+KnottedParameters knotted(double normal, double friction, double slope) {
+  KnottedParameters p;
+  p.shielding = 1, p.normal = normal, p.friction = friction, p.friction_slope = slope;
+  return p;
+}
+
+TEST(Knotted, LanesMatchTheDualNumbersOfTheFormula) {
+  for (const double measured_at : {0.0, 1000.0}) {
+    KnottedParameters p = knotted(1.35, 0.4, 0.1);
+    p.wake = 1, p.measured_at = measured_at, p.cylinder = kTakagi;
+    TestFlow t = sample_flows(8);
+    expect_lanes_match_oracle<Knotted>(p, t);
+  }
+}
+
+/// Drag and lift at an angle of attack, over those of the twines' area, S = 0.2.
+std::pair<double, double> knotted_coefficients(double attack, const KnottedParameters& p) {
+  const double theta = (90 - attack) * std::numbers::pi / 180, q = 0.5 * kDensity * 0.2;
+  const auto f = force_of<Knotted>(p, {1, 0, 0}, {std::cos(theta), 0, std::sin(theta)}, kTwine, 0.2);
+  return {f.x / q, f.z / q};
+}
+
+TEST(Knotted, HasThePowersOfThePublishedAbstract) {
+  const auto p = knotted(1.5, 0, 0);
+  for (const double attack : {5.0, 20.0, 45.0, 89.0}) {
+    const double s = std::sin(attack * std::numbers::pi / 180), c = std::cos(attack * std::numbers::pi / 180);
+    const auto [drag, lift] = knotted_coefficients(attack, p);
+    EXPECT_NEAR(drag, 1.5 * std::pow(s, 0.4), 1e-12) << attack;
+    EXPECT_NEAR(lift, 1.5 * std::pow(s, 1.5) * c, 1e-12) << attack;
+  }
+}
+
+TEST(Knotted, AddsFrictionAlongTheFlow) {
+  const auto [without, no_lift] = knotted_coefficients(30, knotted(1.5, 0, 0));
+  const auto [with, lift] = knotted_coefficients(30, knotted(1.5, 0.4, 0.2));
+  EXPECT_NEAR(with - without, std::cos(std::numbers::pi / 6) * (0.4 + 0.2 * 0.5), 1e-12);
+  EXPECT_NEAR(lift, no_lift, 1e-12);
+  EXPECT_NEAR(knotted_coefficients(0, knotted(1.5, 0.4, 0.2)).first, 0.4, 1e-12);
+}
+
+TEST(Knotted, HasNoKinkAtGrazingAndNormalIncidence) {
+  const auto p = knotted(1.5, 0.4, 0.1);
+  for (const double attack : {0.0, 2.866, 87.134, 90.0}) {
+    const double h = 1e-4;
+    const auto left = knotted_coefficients(attack - h, p), at = knotted_coefficients(attack, p),
+               right = knotted_coefficients(attack + h, p);
+    EXPECT_NEAR((right.first - at.first) / h, (at.first - left.first) / h, 2e-4) << attack;
+    EXPECT_NEAR((right.second - at.second) / h, (at.second - left.second) / h, 2e-4) << attack;
+  }
 }
 
 // The polynomial gives 1.03439 at Re = 10³; S (2 − S)/(2 (1 − S)²) = 0.28125.

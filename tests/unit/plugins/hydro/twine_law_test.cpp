@@ -2,6 +2,7 @@
 //
 // Laws of twines and ropes against the dual numbers of their formulas, by hand, and where they are 0/0.
 #include "plugins/hydro/morison.hpp"
+#include "plugins/hydro/netting_twine.hpp"
 #include "plugins/hydro/reynolds.hpp"
 
 #include "tests/unit/plugins/hydro/law_oracle.hpp"
@@ -11,6 +12,7 @@ namespace {
 using namespace netloft;
 using hydro::Morison;
 using hydro::MorisonReynolds;
+using hydro::NettingTwine;
 
 const Morison::Parameters kUsual{1.2, 0.08, 1};
 
@@ -117,6 +119,87 @@ TEST(MorisonReynolds, TakesATableInstead) {
     TestFlow t = sample_flows(seed);
     expect_lanes_match_oracle<MorisonReynolds>(p, t);
   }
+}
+
+const MorisonReynolds::Parameters kTakagi{0.08, 0.9, {}, static_cast<std::int64_t>(hydro::Cylinder::takagi)};
+
+TEST(MorisonReynolds, LanesMatchTheDualNumbersOfTakagisFormula) {
+  for (const unsigned seed : {6u, 7u}) {
+    TestFlow t = sample_flows(seed);
+    expect_lanes_match_oracle<MorisonReynolds>(kTakagi, t);
+  }
+}
+
+TEST(Takagi, HasThePublishedCoefficientsAwayFromTheJoints) {
+  EXPECT_NEAR(hydro::takagi_phi(100.0) / 100, 1.2589254, 1e-6);  // 10^(0.7 − 0.6)
+  EXPECT_NEAR(hydro::takagi_phi(20.0) / 20, 2.0402858, 1e-6);
+  EXPECT_DOUBLE_EQ(hydro::takagi_phi(1000.0) / 1000, 1.2);
+  EXPECT_DOUBLE_EQ(hydro::takagi_phi(5.0), hydro::choo_casarella_phi(5.0));
+}
+
+TEST(Takagi, CrossesChooAndCasarellaWhereTheyAreJoined) {
+  EXPECT_NEAR(std::pow(10, 0.7) * std::pow(11, -0.3) / drag_coefficient(11), 1, 0.002);
+}
+
+TEST(Takagi, HasNoStepAndNoKinkAtAnyJoint) {
+  const auto slope_at = [](double Re) { return hydro::takagi_phi(Dual<1, 1>::variable(Re, 0)).gradient[0]; };
+  for (const double joint : {8.8, 13.75, 160.0, 250.0}) {
+    const double below = joint * (1 - 1e-9), above = joint * (1 + 1e-9);
+    EXPECT_NEAR(hydro::takagi_phi(above) / hydro::takagi_phi(below), 1, 1e-8) << joint;
+    EXPECT_NEAR(slope_at(above) / slope_at(below), 1, 1e-6) << joint;
+  }
+}
+
+TEST(NettingTwine, LanesMatchTheDualNumbersOfTheFormula) {
+  for (const std::int64_t cylinder : {0, 1})
+    for (const unsigned seed : {9u, 10u}) {
+      TestFlow t = sample_flows(seed);
+      expect_lanes_match_oracle<NettingTwine>({0.9, 0.12, 2.5, cylinder}, t);
+    }
+}
+
+/// Force along x of a metre of twine at an angle to a flow along x, over ½ ρ D U² [1]; Re = U D/ν.
+double pull(double degrees, double Re, const NettingTwine::Parameters& p) {
+  const double a = degrees * std::numbers::pi / 180, D = 0.002, U = Re * kViscosity / D;
+  return force_of<NettingTwine>(p, {U, 0, 0}, {std::cos(a), std::sin(a), 0}, D).x /
+         (0.5 * kDensity * D * U * U);
+}
+
+TEST(NettingTwine, IsACylinderAcross) {
+  EXPECT_NEAR(pull(90, 400, {1, 0, 2.5, 0}), 1.3, 1e-12);  // 1.1 + 4/√400
+  EXPECT_NEAR(pull(90, 100, {1, 0, 2.5, 1}), 1.2589254, 1e-6);
+}
+
+// At 30° of Re = 200: across 100, so that 1.5 sin³ 30° is dragged across and 2π (0.55 √100 + 0.084 100^⅔)/200
+// cos² 30° along, within 1 % of it, for the flow along counts a little.
+TEST(NettingTwine, HasThePublishedFrictionAlong) {
+  const double along = 2 * std::numbers::pi * (0.55 * 10 + 0.084 * std::pow(100, 2.0 / 3)) / 200 * 0.75;
+  EXPECT_NEAR(pull(30, 200, {1, 0, 2.5, 0}) - 1.5 * 0.125, along, 0.01 * along);
+}
+
+TEST(NettingTwine, AddsKnotsThatHaveNoDirection) {
+  for (const double angle : {0.0, 30.0, 90.0}) {
+    const double knots = pull(angle, 200, {1, 0.1, 2.5, 0}) - pull(angle, 200, {1, 0, 2.5, 0});
+    EXPECT_NEAR(knots, 0.1 * sphere_drag(500.0), 1e-12) << angle;
+  }
+}
+
+TEST(NettingTwine, HasFrictionAndASlopeAlongTheTwine) {
+  TestFlow t(1);
+  t.set(0, {1, 0, 0}, {1, 0, 0}, 0.002, 0);
+  NettingTwine::lanes({1, 0, 2.5, 0}, t.f);
+  EXPECT_GT(t.force(0).x, 0);
+  for (const auto& row : t.lanes.d_flow) EXPECT_TRUE(std::isfinite(row[0]));
+  EXPECT_NEAR(t.lanes.d_flow[1][0], 0, 1e-12) << "even in the flow across";
+}
+
+TEST(NettingTwine, IsRegularInStillWater) {
+  TestFlow t(1);
+  t.set(0, {0, 0, 0}, {0, 0, 1}, 0.002, 0);
+  NettingTwine::lanes({1, 0.1, 2.5, 0}, t.f);
+  EXPECT_EQ(norm(t.force(0)), 0);
+  EXPECT_GT(t.lanes.d_flow[0][0], 0) << "creeping flow";
+  for (const auto& row : t.lanes.d_direction) EXPECT_EQ(row[0], 0);
 }
 
 TEST(MorisonReynolds, SaysThatItNeedsAViscosity) {

