@@ -92,6 +92,11 @@ Solution Case::solve_from(const std::vector<double>& u, const Watch& watch) {
   return found;
 }
 
+bool Case::has_topology_of(Case& other) {
+  return assembler().numbering().dofs() == other.assembler().numbering().dofs() &&
+         assembler().pattern() == other.assembler().pattern();
+}
+
 Solution Case::judge(std::span<const double> u, Assembler& assembler) const {
   Limits limits = loaded_.analysis.limits;
   limits.ask_growth = false;

@@ -57,6 +57,8 @@ class Case {
   Solution continue_from(const std::vector<double>& u, int iterations, const Watch& watch = {});
   /// The same, and where that does not converge, as solve() does.
   Solution solve_from(const std::vector<double>& u, const Watch& watch = {});
+  /// Whether displacements of another case can be used in this one: the same unknowns, numbered alike.
+  bool has_topology_of(Case& other);
   /// What a point of the scene is worth that nobody says is an equilibrium, by an assembler of its own: where
   /// a plugin does not come back, that of the case is never free again.
   Solution judge(std::span<const double> u, Assembler& assembler) const;

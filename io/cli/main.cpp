@@ -328,6 +328,14 @@ void add_study_command(CLI::App& app, Options& o) {
   add_show_action(*study, o);
 }
 
+void add_calibrate_command(CLI::App& app, Options& o) {
+  auto* command = app.add_subcommand(
+      "calibrate",
+      "find what is not known of scenes out of what was measured, and predict what was held back");
+  command->add_option("CALIBRATION", o.target, "calibration file (TOML)")->required();
+  add_plugin_options(*command, o);
+}
+
 void add_import_command(CLI::App& app, Options& o) {
   auto* command = app.add_subcommand(
       "import",
@@ -355,7 +363,7 @@ void add_import_command(CLI::App& app, Options& o) {
   command->add_flag("--json", o.json, "one JSON object on standard output");
 }
 
-void add_commands(CLI::App& app, Options& o) {
+void add_run_command(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
   add_scene_options(*run, o);
   run->add_option("-o,--output", o.output, "result file; else the scene's name with .hdf, in this folder")
@@ -373,6 +381,10 @@ void add_commands(CLI::App& app, Options& o) {
                 "keep the start and the shape after every stage of the solve, for the slider of view");
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
+}
+
+void add_commands(CLI::App& app, Options& o) {
+  add_run_command(app, o);
   add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
   add_plugin_options(*app.add_subcommand("list", "list all elements and solvers"), o);
   auto* describe = app.add_subcommand(
@@ -393,6 +405,7 @@ void add_commands(CLI::App& app, Options& o) {
   add_import_command(app, o);
   add_stability_command(app, o);
   add_study_command(app, o);
+  add_calibrate_command(app, o);
   app.require_subcommand(1);
 }
 
@@ -407,6 +420,7 @@ int dispatch(const Options& o) {
   if (o.command == "refine") return refine_command(o);
   if (o.command == "stability") return stability_command(o);
   if (o.command == "study") return study_command(o);
+  if (o.command == "calibrate") return calibrate_command(o);
   if (o.command == "new") return new_command(o);
   if (o.command == "reference") return reference_command(o);
   if (o.command == "catalogue") return catalogue_command(o);
@@ -426,7 +440,8 @@ int fail(const Options& o, const std::string& message, int code) {
 }
 
 bool solves(const Options& o) {
-  constexpr std::array<const char*, 6> kSolving = {"run", "compare", "refine", "stability", "study", "test"};
+  constexpr std::array<const char*, 7> kSolving = {"run",   "compare",   "refine", "stability",
+                                                   "study", "calibrate", "test"};
   return std::find(kSolving.begin(), kSolving.end(), o.command) != kSolving.end();
 }
 

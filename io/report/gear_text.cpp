@@ -35,16 +35,16 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
   }
 }
 
-/// The number, with its error where it is known from other meshes.
-std::string with_error(const NamedScalar* scalar, const char* format) {
-  const std::string text = number(scalar, format);
-  return scalar && std::isfinite(scalar->mesh_error) ? text + fmt::format(" ± {:<7.1e}", total_error(*scalar))
-                                                     : text;
+/// Whether its error from other meshes is known and more than round-off.
+bool depends_on_mesh(const NamedScalar& scalar) {
+  constexpr double kRoundOff = 1e-9;  // of the number, which has five digits
+  return std::isfinite(scalar.mesh_error) && scalar.mesh_error > kRoundOff * std::abs(scalar.value);
 }
 
-bool any_has_error(const std::vector<NamedScalar>& figures) {
-  return std::any_of(figures.begin(), figures.end(),
-                     [](const auto& f) { return std::isfinite(f.mesh_error); });
+/// The number, and how far it may be off on account of the mesh.
+std::string with_error(const NamedScalar* scalar, const char* format) {
+  const std::string text = number(scalar, format);
+  return scalar && depends_on_mesh(*scalar) ? text + fmt::format(" ± {:<7.1e}", total_error(*scalar)) : text;
 }
 
 /// A column of a table with a line per member: it shows the figure `before` + member + `after`.
@@ -65,7 +65,7 @@ void table(const std::vector<NamedScalar>& figures, const std::string& title,
     });
   });
   if (members.empty()) return;
-  const int width = any_has_error(figures) ? 20 : 11;
+  const int width = std::any_of(figures.begin(), figures.end(), depends_on_mesh) ? 20 : 11;
   fmt::format_to(out, "  {:<24}", title);
   for (const auto& column : columns) fmt::format_to(out, " {:>{}}", column.heading, width);
   fmt::format_to(out, "\n");

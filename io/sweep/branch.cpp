@@ -18,12 +18,6 @@ constexpr double kElsewhere = 4;  // times as far as the way so far leads
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
-/// Whether what is known of one scene can be used in the other: the same unknowns, numbered alike.
-bool have_one_topology(Case& a, Case& b) {
-  return a.assembler().numbering().dofs() == b.assembler().numbering().dofs() &&
-         a.assembler().pattern() == b.assembler().pattern();
-}
-
 /// How far from the last point the next one is, over the way from the one before that; nothing if they do not
 /// lie on a line.
 std::optional<double> way_on(const Values& before, const Values& last, const Values& next) {
@@ -88,7 +82,7 @@ Reached Branch::reach(std::shared_ptr<Case> the_case, const Values& values) {
   Solved solved{std::move(the_case), {}, values};
   spent_ = {}, work_ = 0;
   Way way;
-  if (!trail_.empty() && have_one_topology(*trail_.back().the_case, *solved.the_case)) {
+  if (!trail_.empty() && trail_.back().the_case->has_topology_of(*solved.the_case)) {
     way = known_places(values);
     const std::size_t known = way.size();
     reached.was_continued = walk(solved.the_case, values, way);
@@ -114,8 +108,7 @@ Branch::Way Branch::known_places(const Values& values) const {
   Way way;
   if (trail_.size() == 2)
     if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)
-      if (have_one_topology(*trail_[0].the_case, *trail_[1].the_case))
-        way.push_back({-1 / *ratio, trail_[0]});
+      if (trail_[0].the_case->has_topology_of(*trail_[1].the_case)) way.push_back({-1 / *ratio, trail_[0]});
   way.push_back({0, trail_.back()});
   return way;
 }
@@ -128,7 +121,7 @@ bool Branch::walk(const std::shared_ptr<Case>& the_case, const Values& values, W
     const double at = std::min(1.0, way.back().at + length);
     Solved next{the_case, {}, values};
     if (at < 1) next.the_case = open_between(start, values, at, next.values);
-    if (!next.the_case || !have_one_topology(*start.the_case, *next.the_case)) return false;
+    if (!next.the_case || !start.the_case->has_topology_of(*next.the_case)) return false;
     next.solution = step(*next.the_case, way, at);
     if (has_converged(next.solution)) {
       way.push_back({at, std::move(next)});
@@ -190,7 +183,7 @@ void Branch::look_for_jump(Solved from, Solved to, std::vector<std::string>& eve
   for (int k = 0; k < options_.halvings; ++k) {
     Solved middle;
     middle.the_case = open_between(from, to.values, 0.5, middle.values);
-    if (!middle.the_case || !have_one_topology(*from.the_case, *middle.the_case)) return;
+    if (!middle.the_case || !from.the_case->has_topology_of(*middle.the_case)) return;
     middle.solution = step(*middle.the_case, {{0, from}}, 0.5);
     if (!has_converged(middle.solution)) break;
     const bool is_behind = largest_move(from, middle).distance < largest_move(middle, to).distance;

@@ -42,7 +42,8 @@ class StudyReader {
       TableReader table = variables.table(name, Presence::required, "key, and values or range");
       DesignVariable read{read_variable(name, table), {}, false};
       check_name(read.variable);
-      if (read.is_drawn()) read_distribution(table, read);
+      if (read.is_drawn())
+        read.distribution = read_distribution(read.variable, table, {"uniform", "logarithmic", "normal"});
       study_.variables.push_back(std::move(read));
     }
     if (root_.has("variables") && study_.variables.empty())
@@ -70,25 +71,6 @@ class StudyReader {
         if (!is_new)
           root_.diagnostics().error(variable.place, key.path + " is varied by " + owner->second + " already");
       }
-  }
-
-  void read_distribution(TableReader& table, DesignVariable& read) {
-    static const std::vector<std::string> kKinds = {"uniform", "logarithmic", "normal"};
-    const std::string kind = table.choice(
-        "distribution", {.allowed = kKinds, .doc = "how draws lie in the range", .fallback = kKinds[0]});
-    read.distribution.kind =
-        static_cast<Distribution::Kind>(std::find(kKinds.begin(), kKinds.end(), kind) - kKinds.begin());
-    const Variable& v = read.variable;
-    if (read.distribution.kind == Distribution::Kind::logarithmic && !(v.interval->low > 0))
-      table.error("range", "must be above zero to be divided by its logarithm");
-    if (read.distribution.kind != Distribution::Kind::normal) return;
-    read.distribution.mean =
-        read_number_of(v, table, "mean", "the middle of the normal distribution").value_or(v.interval->low);
-    read.distribution.deviation =
-        read_number_of(v, table, "deviation", "standard deviation of the normal distribution").value_or(1);
-    if (v.interval && !v.interval->contains(read.distribution.mean))
-      table.error("mean", "lies outside the range, at which the distribution is cut off");
-    if (!(read.distribution.deviation > 0)) table.error("deviation", "must be above zero");
   }
 
   void read_design() {

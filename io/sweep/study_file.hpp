@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/sweep/distribution.hpp"
 #include "io/sweep/unit_points.hpp"
 #include "io/toml/document.hpp"
+#include "io/variables/distribution.hpp"
 
 #include <cstdint>
 #include <string>

@@ -36,10 +36,11 @@ Factor cylinder(const NettingTwine::Parameters& p, double half, double Re) {
   return {half * phi.value, half * Re * phi.gradient[0]};  // (3)
 }
 
-Factor friction(double density, double viscosity, double Re) {
+Factor friction(double density, double viscosity, double along) {
+  const double square = along * along + 1, Re = std::sqrt(square), log_slope = along * along / square;
   const double scale = std::numbers::pi * density * viscosity;
   const double root = 0.55 * std::sqrt(Re), third = 0.084 * std::pow(Re, 2.0 / 3);
-  return {scale * (root + third), scale * (root / 2 + 2 * third / 3)};  // (4)
+  return {scale * (root + third), scale * log_slope * (root / 2 + 2 * third / 3)};  // (4)
 }
 
 Factor knots(double scale, double Re) {

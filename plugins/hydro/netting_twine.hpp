@@ -11,7 +11,7 @@ namespace netloft::hydro {
 ///   U = r W,  τ = U·t,  U_n = U − τ t,  s = ‖U_n‖,  u = ‖U‖,  û = U_n/s,  ê = U/u              (1)
 ///   F = k(s) U_n + a(e) τ t + m(u) U                                                          (2)
 ///   k = ½ ρ ν φ(s D/ν)                                   a cylinder across, reynolds.hpp       (3)
-///   a = π ρ ν (0.55 Re^½ + 0.084 Re^⅔),  Re = e D/ν,  e² = s² + ε² τ²,  ε = 0.1     friction    (4)
+///   a = π ρ ν (0.55 Re^½ + 0.084 Re^⅔),  Re² = 1 + (e D/ν)²,  e² = s² + ε² τ²      friction    (4)
 ///   m = ½ ρ ν (K/κ) ψ(κ u D/ν)                           knots as spheres, ψ of sphere.hpp     (5)
 /// with g = s dk/ds, h = e da/de, n = u dm/du:
 ///   ∂F/∂U = k (I − t tᵀ) + g û ûᵀ + a t tᵀ + h (τ/e²) t (U_n + ε² τ t)ᵀ + m I + n ê êᵀ           (6)
@@ -22,9 +22,9 @@ namespace netloft::hydro {
 /// little, and knots, which have no direction, as much as ever; in the tank of a model friction along twines
 /// counts several times what it does at sea. Sources: (3), (4) Choo and Casarella 1971, as in reynolds.hpp,
 /// (4) with the Reynolds number across, for 30 < Re < 10⁴; (5) Morrison 2013. Knots as spheres: Fredheim,
-/// Current forces on net structures, NTNU 2005. Deviation: along the twine, where s = 0, (4) as published has
-/// no friction, and no slope; ε keeps it within 6° of the twine at what it is there. The wake of other twines
-/// is in nothing but r.
+/// Current forces on net structures, NTNU 2005. Deviations: along the twine, where s = 0, (4) as published
+/// has no friction, and no slope; ε = 0.1 keeps it within 6° of the twine at what it is there, and the one
+/// beside Re² makes it linear in the velocity at rest. The wake of other twines is in nothing but r.
 struct NettingTwine {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {
@@ -34,8 +34,9 @@ struct NettingTwine {
   static constexpr double kAlong = 0.1;  // ε
 
   template <class T>
-  static T friction(double density, double viscosity, const T& Re) {  // (4)
+  static T friction(double density, double viscosity, const T& along) {  // (4), of e D/ν
     using std::pow, std::sqrt;
+    const T Re = sqrt(along * along + 1.0);
     return (std::numbers::pi * density * viscosity) * (0.55 * sqrt(Re) + 0.084 * pow(Re, 2.0 / 3));
   }
   /// (2) for dual numbers: the reference implementation for tests.

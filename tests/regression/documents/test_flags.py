@@ -63,6 +63,7 @@ COMMANDS = (
     (f"netloft study submit ropes --engine parallel --jobs 2 {COMMON}; ls ropes/parallel.sh", "parallel.sh"),
     ("netloft study show ropes --figure results/sag_z --over density --by cells --color never --json -o sag.svg; ls sag.svg", "sag.svg"),
     ("netloft study show ropes --figure results/sag_z --over density --at cells=20 --output sag.html; ls sag.html", "sag.html"),
+    (f"netloft calibrate calibration.toml {COMMON}", '"variables"'),
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),
     ("netloft report rope.hdf --html --output rope-report.html; ls rope-report.html", "rope-report.html"),
@@ -113,6 +114,9 @@ class Flags(unittest.TestCase):
         (cls.folder / "study.toml").write_text(f'scene = "{ROPE}"\npath = ["density"]\n'
                                                '[variables.cells]\nkey = "parts.rope.cells"\nvalues = [10, 20]\n'
                                                '[variables.density]\nkey = "parts.rope.rope.density"\nvalues = [2000, 3000]\n')
+        (cls.folder / "calibration.toml").write_text(f'[scenes.one]\nscene = "{ROPE}"\n[variables.density]\n'
+                                                     'key = "parts.rope.rope.density"\nrange = [2000, 3000]\n[[measured]]\n'
+                                                     'scene = "one"\nfigure = "results/sag_z"\nvalue = -2.9\ndeviation = 0.1\n')
         (cls.folder / "trawl.toml").write_text(f'include = ["{library}/scenes/four-panel.toml"]\n')
 
     def type(self, line):

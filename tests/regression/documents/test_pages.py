@@ -22,7 +22,7 @@ STANDS_FOR = (
     (r"scenes/dynamics/SCENE\.toml", "scenes/dynamics/released-rope.toml"), (r"scenes/verification/SCENE\.toml", "scenes/verification/catenary-wire.toml"),
     (r"scenes/SCENE\.toml", "scenes/dead-weight-panel.toml"), (r"\bSCENE\b", "gear-library/scenes/hanging-rope.toml"),
     (r"gear-library/scenes/…", "gear-library/scenes/hanging-rope.toml"), (r"GEAR\.don", "gears/01_two_bars.don"), (r"\bGEAR\b", "gear-library/gears/four-panel.toml"),
-    (r"\bSTUDY\.toml", "ropes.toml"), (r"^netloft study submit$", "netloft study submit ropes.study --engine slurm"),
+    (r"\bSTUDY\.toml", "ropes.toml"), (r"\bCALIBRATION\.toml", "calibration.toml"), (r"^netloft study submit$", "netloft study submit ropes.study --engine slurm"),
     (r"^netloft study (\w+)$", r"netloft study \1 ropes.study"), (r"^(netloft study .*)\bFOLDER\b", r"\1ropes.study"), (r"--items \d+", "--items 1"),
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
     (r"\bSIZE\b", "small"), (r"^\./bootstrap ", "netloft "), (r"io/compare/work-precision", "work-precision"))
@@ -74,6 +74,9 @@ class Pages(unittest.TestCase):
         (cls.folder / "gear.toml").write_text('include = ["gear-library/scenes/four-panel.toml"]\n')
         (cls.folder / "ropes.toml").write_text('scene = "gear-library/scenes/hanging-rope.toml"\n[variables.density]\n'
                                                'key = "parts.rope.rope.density"\nvalues = [2000, 3000]\n')
+        (cls.folder / "calibration.toml").write_text('[scenes.one]\nscene = "gear-library/scenes/hanging-rope.toml"\n[variables.density]\n'
+                                                     'key = "parts.rope.rope.density"\nrange = [2000, 3000]\n[[measured]]\n'
+                                                     'scene = "one"\nfigure = "results/sag_z"\nvalue = -2.9\ndeviation = 0.1\n')
         cls.type("netloft study plan ropes.toml")
         cls.type("netloft study run ropes.study")
         cls.type("netloft run gear.toml --set gear.nodes=200 -o before.hdf")

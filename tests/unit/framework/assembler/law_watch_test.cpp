@@ -55,12 +55,14 @@ struct Two {
     f.flow = lanes.flow[0], f.direction = lanes.direction[0], f.diameter = lanes.diameter;
     f.solidity = lanes.solidity, f.force = lanes.force[0], f.extent = area;
   }
+  Two(const Two&) = delete;
   FlowLanes lanes{};
   double area[kLanes] = {3, 1};
   netloft_flow f{};
 };
 
-LawUse watched(const LawType& law, const ParameterBlock& block, Two two = {}, bool is_told = true) {
+LawUse watched(const LawType& law, const ParameterBlock& block, bool is_told = true) {
+  Two two;
   LawWatch watch(law, block);
   if (!is_told) two.f.extent = nullptr;
   const netloft_bound_law bound = watch.bound();
@@ -80,8 +82,7 @@ TEST(LawWatch, WeighsWhatLiesOutsideByItsArea) {
   EXPECT_DOUBLE_EQ(use.ranges[0].fraction_outside(), 0.25);
   EXPECT_DOUBLE_EQ(use.ranges[0].least, 0.2);
   EXPECT_DOUBLE_EQ(use.ranges[0].most, 0.4);
-  EXPECT_DOUBLE_EQ(watched(law, block, {}, false).ranges[0].fraction_outside(), 0.5)
-      << "every call weighs one";
+  EXPECT_DOUBLE_EQ(watched(law, block, false).ranges[0].fraction_outside(), 0.5) << "every call weighs one";
 }
 
 TEST(LawWatch, BeginsAnewEachTime) {

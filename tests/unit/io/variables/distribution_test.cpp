@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/sweep/distribution.hpp"
+#include "io/variables/distribution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/toml/table_reader.hpp"
 #include "io/variables/variable.hpp"
 
 namespace netloft::io {
@@ -16,7 +17,16 @@ struct Distribution {
   double mean = 0, deviation = 1;  // of (3), in the variable's unit
 };
 
+/// F⁻¹ of (3), the quantile of the standard normal distribution; 0 < q < 1.
+double normal_quantile(double q);
+
 /// The number below which a fraction p of all draws lies.
 double quantile(const Distribution& distribution, const Interval& interval, double p);
+
+/// Reads how the draws of `variable`, which has an interval, lie in it, out of the same table:
+///   distribution = "normal"   or one of the other `kinds`, the first of which is the default
+///   mean, deviation           of a normal one, numbers like those of the range
+Distribution read_distribution(const Variable& variable, TableReader& table,
+                               const std::vector<std::string>& kinds);
 
 }  // namespace netloft::io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/calibration/calibration.hpp"
+#include "io/cli/session.hpp"
+
+#include <cstdio>
+
+namespace netloft::io {
+
+int calibrate_command(const Options& options) {
+  catch_interrupts();
+  Terminal terminal(options.color, options.json);
+  Diagnostics diagnostics;
+  CalibrationFile file = read_calibration_file(options.target, diagnostics);
+  Registry registry;
+  find_plugins(options, registry);
+  const std::filesystem::path folder = std::filesystem::path(options.target).parent_path();
+  CheckedCalibration checked;
+  if (!diagnostics.errors()) checked = check_calibration(file, folder, registry, diagnostics);
+  if (diagnostics.errors())
+    return tell_why_not(diagnostics, checked.refused ? Case::State::refused : Case::State::wrong_input,
+                        options, terminal);
+  if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
+  const Calibration done = calibrate(std::move(file), checked, folder, registry, &interrupt_flag());
+  if (interrupt_flag()) return kInterrupted;
+  std::puts(options.json ? calibration_json(done).c_str() : calibration_text(done).c_str());
+  return done.fit.converged ? kDone : kNotConverged;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// What is known of a parameter before: a normal distribution, cut off at both ends.
+struct Prior {
+  double mean = 0, deviation = 1;
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+};
+
+/// What was measured, with its standard deviation.
+struct Measurement {
+  double value = 0, deviation = 1;
+};
+
+/// A model f of measurements over parameters θ.
+class Model {
+ public:
+  virtual ~Model() = default;
+  /// f(θ); nothing where the model has no answer. The last point asked for is where `slopes` starts from.
+  virtual std::optional<std::vector<double>> predict(const std::vector<double>& parameters) = 0;
+  /// ∂f/∂θ at θ, a row per measurement; nothing where the model has no answer near by.
+  virtual std::optional<std::vector<std::vector<double>>> slopes(const std::vector<double>& parameters) = 0;
+  /// Whether to end where it is.
+  virtual bool is_interrupted() const { return false; }
+};
+
+struct FitOptions {
+  int iterations = 30;      // steps at most, tried ones included
+  double tolerance = 0.01;  // of S: less than that to be gained counts as nothing
+};
+
+/// A calibration by least squares:
+///   S(θ) = Σ ((y_i − f_i)/σ_i)² + Σ ((θ_j − m_j)/s_j)²                                            (1)
+///   (N + λ diag N) δ = −g,  N = JᵀJ + I,  g = Jᵀr + z,  z_j = (θ_j − m_j)/s_j, J = −(∂f/∂θ) s/σ       (2)
+/// in units of the prior's deviations s; r the first residuals of (1). Steps are those of K. Levenberg,
+/// Quart. Appl. Math. 2, 1944, and D. Marquardt, SIAM J. Appl. Math. 11, 1963, cut off at the ends of the
+/// prior; what stands at an end and pulls outwards stays. The posterior is the normal distribution with
+///   mean θ*, covariance N⁻¹ at λ = 0                                                              (3)
+/// exact for a linear model. Predictions of a measurement that is not yet made have the variance
+///   J_f N⁻¹ J_fᵀ + σ²,  J_f = (∂f/∂θ) s                                                           (4)
+struct Fit {
+  bool converged = false;
+  std::string reason;                             // a sentence
+  std::vector<double> parameters;                 // θ*
+  std::vector<double> deviations;                 // of the posterior
+  std::vector<std::vector<double>> correlations;  // of the posterior
+  std::vector<bool> at_end;                       // of its prior's range
+  std::vector<double> predictions;                // f(θ*)
+  std::vector<double> model_deviations;           // of f, by (4) without σ²
+  double misfit = 0, prior_misfit = 0;            // the two sums of (1)
+  int steps = 0;
+};
+
+/// Fits `measured`; the model may predict more, for which there are deviations, too. Nothing is known, and
+/// `parameters` is empty, if the model has no answer at the prior's mean, or around a point that was stepped
+/// to.
+Fit fit(Model& model, const std::vector<Prior>& priors, const std::vector<Measurement>& measured,
+        const FitOptions& options = {});
+
+}  // namespace netloft
