@@ -3,6 +3,8 @@
 
 #include "io/picture/bytes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace netloft::io {
@@ -34,6 +36,20 @@ nlohmann::ordered_json packed(std::span<const double> values) {
 
 nlohmann::ordered_json packed(std::span<const std::uint32_t> values) {
   return pack<std::uint32_t>(values, "u32");
+}
+
+float rounded_to_shown(double value) {
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  if (!std::isfinite(value)) return static_cast<float>(value);
+  return static_cast<float>(
+      std::ldexp(std::nearbyint(std::ldexp(fraction, kShownBits)), exponent - kShownBits));
+}
+
+nlohmann::ordered_json packed_as_shown(std::span<const double> values) {
+  std::vector<float> floats(values.size());
+  std::transform(values.begin(), values.end(), floats.begin(), rounded_to_shown);
+  return pack<float>(floats, "f32");
 }
 
 }  // namespace netloft::io

@@ -12,4 +12,10 @@ namespace netloft::io {
 nlohmann::ordered_json packed(std::span<const double> values);
 nlohmann::ordered_json packed(std::span<const std::uint32_t> values);
 
+/// Reals to kShownBits binary digits, which is more than a page shows of them: what is left out would be
+/// half of the page, since it does not deflate.
+inline constexpr int kShownBits = 15;
+float rounded_to_shown(double value);
+nlohmann::ordered_json packed_as_shown(std::span<const double> values);
+
 }  // namespace netloft::io

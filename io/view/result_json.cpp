@@ -81,9 +81,16 @@ void put_mesh(const StoredMesh& mesh, Json& json) {
 
 using Origin = std::array<double, 3>;
 
-/// Positions from the origin: floats hold them to a hundredth of a millimetre within a kilometre of it.
+/// Positions from the origin, in multiples of a power of two below a millionth of the gear's size: digits
+/// beyond those do not deflate.
 std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] -= origin[i % 3];
+  double size = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] -= origin[i % 3];
+    if (std::isfinite(points[i])) size = std::max(size, std::abs(points[i]));
+  }
+  const double step = size > 0 ? std::exp2(std::floor(std::log2(size * 1e-6))) : 1;
+  for (double& x : points) x = std::nearbyint(x / step) * step;
   return points;
 }
 
@@ -110,7 +117,7 @@ void put_states(const StoredResult& result, const std::vector<std::size_t>& kept
           state + 1 == result.times.size() && !values.empty())
         one[name] = packed(values);
     for (std::size_t f = 0; f < result.fields.size(); ++f) {
-      one["fields"].push_back(packed(result.field(result.fields[f].name, state)));
+      one["fields"].push_back(packed_as_shown(result.field(result.fields[f].name, state)));
     }
     states.push_back(one), times.push_back(number(result.times[state]));
   }

@@ -198,9 +198,9 @@ class Results(InFreshFolder):
             points = f["VTKHDF/Points"][:]
             tension = numpy.fmax(numpy.fmax(f["VTKHDF/CellData/tension"][:], f["VTKHDF/CellData/tension_u"][:]), f["VTKHDF/CellData/tension_v"][:])
         shown = self.array(one["states"][0]["points"]).reshape(-1, 3) + one["origin"]
-        numpy.testing.assert_allclose(shown, points, atol=1e-5)
+        numpy.testing.assert_allclose(shown, points, atol=1e-6 * numpy.abs(points).max())
         at = [field["name"] for field in one["fields"]].index("tension")
-        numpy.testing.assert_allclose(self.array(one["states"][0]["fields"][at]), tension, rtol=1e-6)
+        numpy.testing.assert_allclose(self.array(one["states"][0]["fields"][at]), tension, rtol=2**-15)
         self.assertTrue(one["half"])
         self.assertLess(len(page), 2e6)
 
