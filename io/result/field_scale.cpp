@@ -106,7 +106,9 @@ Scale FieldSpread::logarithmic(bool middle) const {
 
 FieldSpreads spreads_of(const StoredResult& result, const std::string& field) {
   FieldSpreads spreads;
-  for (std::size_t state = 0; state < result.times.size(); ++state) {
+  // What a solve went through on its way is no range of anything.
+  const std::size_t first = result.stages.empty() ? 0 : result.times.size() - 1;
+  for (std::size_t state = first; state < result.times.size(); ++state) {
     const auto values = result.field(field, state);
     for (std::size_t kind = 0; kind < kCellKinds; ++kind) {
       std::vector<double> of_kind;

@@ -49,7 +49,8 @@ class HtmlTable {
     return *this;
   }
   HtmlTable& text(const std::string& text) {
-    html_ += "<td>" + in_html(text) + "</td>";
+    constexpr std::size_t kName = 60;  // letters: longer texts may break anywhere, names between words
+    html_ += (text.size() > kName ? "<td class=\"long\">" : "<td>") + in_html(text) + "</td>";
     return *this;
   }
   HtmlTable& value(const std::string& text) {
@@ -197,7 +198,7 @@ std::string held_html(const StoredResult& result) {
 
 std::string materials_rows(const StoredResult& result) {
   HtmlTable table({"", "part", "number", "diameter [mm]", "length [m]", "twine area [m²]", "mass [kg]",
-                   "largest load [N]", "breaking load [N]", "of it"});
+                   "largest load [N]", "breaking load [N]", "used"});
   const auto materials = materials_of(result);
   for (const auto& m : materials) {
     table.row().text(m.item.name).text(m.item.part_name).value(number(m.item.number, "{:g}"));

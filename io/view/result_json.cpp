@@ -3,6 +3,7 @@
 
 #include "io/picture/colour_map.hpp"
 #include "io/picture/projection.hpp"
+#include "io/report/gear_text.hpp"
 #include "io/result/catch_body.hpp"
 #include "io/result/dimensions.hpp"
 #include "io/result/field_scale.hpp"
@@ -185,7 +186,8 @@ Json figures_json(const StoredResult& result) {
   Json all = Json::array();
   for (const auto* group : {&result.scalars, &result.figures})
     for (const auto& f : *group)
-      all.push_back({{"name", f.name}, {"unit", f.unit}, {"value", number(f.value)}});
+      all.push_back(
+          {{"name", f.name}, {"unit", f.unit}, {"value", number(f.value)}, {"error", error_text(f)}});
   return all;
 }
 
@@ -206,6 +208,7 @@ Json result_json(const StoredResult& result, std::size_t most_states) {
                {"title", result.title()},
                {"half", result.is_half},
                {"motion", result.is_motion},
+               {"answer", result.is_answer()},
                {"dimensions", dimensions_json(result)},
                {"fields", fields_json(result)},
                {"catch", catch_json(result)},
@@ -254,7 +257,8 @@ std::string results_json(const std::vector<const StoredResult*>& results, std::s
     all.push_back(result_json(*results[i], most_states));
     if (varied.name.empty()) continue;
     all.back()["varied"] = varied.name + " = " + varied.values[i];
-    all.back()["variedName"] = varied.name, all.back()["variedBy"] = varied.numbers[i];
+    all.back()["variedName"] = varied.name + (varied.unit.empty() ? "" : " [" + varied.unit + "]");
+    all.back()["variedBy"] = varied.numbers[i];
   }
   const std::string text = Json{{"style", style_json()}, {"results", std::move(all)}}.dump(
       -1, ' ', true, Json::error_handler_t::replace);

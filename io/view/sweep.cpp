@@ -50,12 +50,16 @@ Settings settings_of_scene(const SweepInput& result) {
   return settings;
 }
 
-/// The number that "2.5 kn" or 12 begins with.
-double number_in(const std::string& text) {
-  const std::string plain = text.starts_with('"') ? text.substr(1) : text;
+/// The number that "2.5 kn" or 12 begins with, and the unit after it.
+struct Quantity {
+  double number = NAN;
+  std::string unit = {};
+};
+
+Quantity quantity_in(const std::string& text) {
   char* end = nullptr;
-  const double value = std::strtod(plain.c_str(), &end);
-  return end == plain.c_str() ? NAN : value;
+  const double value = std::strtod(text.c_str(), &end);
+  return end == text.c_str() ? Quantity{} : Quantity{value, trimmed(end)};
 }
 
 std::string unquoted(const std::string& text) {
@@ -67,12 +71,15 @@ Varied varied_among(const std::vector<Settings>& all) {
   for (const auto& [name, first] : all.front()) {
     Varied varied{name, {}, {}};
     std::set<double> different;
+    std::set<std::string> units;
     for (const auto& settings : all) {
       const auto at = settings.find(name);
       varied.values.push_back(at == settings.end() ? "" : unquoted(at->second));
-      varied.numbers.push_back(at == settings.end() ? NAN : number_in(at->second));
-      if (std::isfinite(varied.numbers.back())) different.insert(varied.numbers.back());
+      const Quantity quantity = quantity_in(varied.values.back());
+      varied.numbers.push_back(quantity.number), units.insert(quantity.unit);
+      if (std::isfinite(quantity.number)) different.insert(quantity.number);
     }
+    if (units.size() == 1) varied.unit = *units.begin();
     if (different.size() == all.size()) return varied;
   }
   return {};

@@ -10,6 +10,7 @@ struct Varied {
   std::string name;                 // "tow.speed"; empty: nothing was found
   std::vector<std::string> values;  // as they are written, by result
   std::vector<double> numbers;      // the numbers they begin with; NaN where there is none
+  std::string unit = {};            // what follows the numbers, if that is the same in all
 };
 
 /// What a result was made from.

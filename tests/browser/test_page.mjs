@@ -25,6 +25,11 @@ async function opened(name, ...results) {
   return shown.get(name);
 }
 
+async function sizeOfStage(page, width, height) {
+  await page.evaluate(([w, h]) => { Object.assign(document.getElementById('stage').style, {width: w, height: h}); window.netloftViewer.resize(); }, [width, height]);
+  await drawn(page);
+}
+
 before(async () => { browser = await launch(); });
 after(async () => { await browser.close(); });
 
@@ -38,6 +43,7 @@ test('a page draws a gear and not a blank, without a word on the console or the 
 
 test('six views of the 83-112 look as when somebody last looked at them', async () => {
   const {page} = await opened('trawl', 'trawl');
+  await sizeOfStage(page, '804px', '632px');  // whatever a page has above it
   const views = [['side', 'tension'], ['top', 'tension'], ['front', 'tension'], ['oblique', 'tension'], ['oblique', 'opening'], ['oblique', 'part']];
   for (const [view_, field] of views) {
     await page.evaluate(([v, f]) => { window.netloftViewer.setField(f); window.netloftViewer.look(v); }, [view_, field]);
@@ -51,6 +57,7 @@ test('six views of the 83-112 look as when somebody last looked at them', async 
     const mean = now.reduce((sum, v, i) => sum + Math.abs(v - then[i]), 0) / now.length;
     assert.ok(mean < 1.5, `${view_}, ${field}: blocks differ by ${mean.toFixed(2)} on average`);
   }
+  await sizeOfStage(page, '', '');
 });
 
 test('a click finds the part that is there, and the plan the same place', async () => {
@@ -217,6 +224,44 @@ test('parts are hidden and isolated', async () => {
   await page.getByRole('button', {name: 'show top-wing only'}).click();
 });
 
+test('a solve that did not end says so, and where it is farthest from equilibrium', async () => {
+  const {page, seen} = await opened('broken', 'broken');
+  assert.match(await page.textContent('.badge >> nth=0'), /not converged/);
+  assert.match(await page.textContent('#dimensions'), /largest force out of balance, [0-9.]+ kN/);
+  const worst = /at (\S+) node (\d+)/.exec(await page.textContent('main'));
+  const marked = await page.evaluate(() => {
+    const {model, camera} = window.netloftViewer, ring = document.querySelector('#dimensions circle'), {result} = model;
+    const at = [Number(ring.getAttribute('cx')), Number(ring.getAttribute('cy'))];
+    const off = (n) => { const p = camera.project(model.at(n)); return Math.hypot(p[0] - at[0], p[1] - at[1]); };
+    return Array.from({length: result.nPoints}, (_, n) => n).filter((n) => off(n) < 0.01).map((n) => `${result.parts[result.nodePart[n]].name} ${result.nodeNumber[n]}`);
+  });
+  assert.ok(marked.includes(`${worst[1]} ${worst[2]}`), `${marked} ${worst}`);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('the bed is a line when seen from its edge', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const lines = async (view_) => { await page.evaluate((v) => window.netloftViewer.look(v), view_); await drawn(page); return page.locator('#dimensions .bed').count(); };
+  assert.deepEqual([await lines('side'), await lines('top')], [1, 0]);
+});
+
+test('paper has the picture in its own size, on light ground', async () => {
+  const {page, seen} = await open(browser.context, view('paper.html', 'slower'), {scheme: 'dark'});
+  const facts = () => page.evaluate(() => {
+    const v = window.netloftViewer, {width, height} = document.getElementById('stage').getBoundingClientRect(), wing = v.result.dimensions.find((d) => /upper wing/.test(d.name));
+    return {ratio: width / height, canvas: v.canvas.width / v.canvas.height, dark: getComputedStyle(document.documentElement).getPropertyValue('--is-dark').trim(),
+      inside: v.camera.project(v.model.at(wing.from.node))[0] < width};
+  });
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  const paper = await facts();
+  assert.ok(Math.abs(paper.ratio - 186 / 105) < 0.02 && Math.abs(paper.canvas - paper.ratio) < 0.02, JSON.stringify(paper));
+  assert.deepEqual([paper.dark, paper.inside], ['0', true]);
+  await page.evaluate(() => window.dispatchEvent(new Event('afterprint')));
+  assert.equal((await facts()).dark, '1');
+  assert.deepEqual(seen, {errors: [], requests: []});
+  await page.close();
+});
+
 test('two results are laid over one another and coloured by their distance', async () => {
   const {page, seen} = await opened('two', 'slower', 'faster');
   const facts = await page.evaluate(() => {
@@ -224,6 +269,7 @@ test('two results are laid over one another and coloured by their distance', asy
     return {field: v.field.name, largest: v.scales[0].hi, models: v.models.map((m) => m.group.visible)};
   });
   assert.equal(facts.field, 'move');
+  assert.equal(await page.locator('#legend svg').count(), 1);  // metres are metres, of netting or of ropes
   assert.ok(facts.largest > 0.3 && facts.largest < 10, `largest ${facts.largest}`);  // metres between 2 and 4 knots
   assert.deepEqual(facts.models, [true, true]);
   assert.match(await page.textContent('main'), /What changed/);
@@ -252,6 +298,8 @@ test('the slider goes through the stages of a solve, from the start to its end',
   assert.equal(names[0], 'start');
   assert.equal(names.at(-1), 'converged');
   assert.match(await page.textContent('#when'), /converged$/);
+  // Colours are for the result: on the way ropes carried a million times as much.
+  assert.ok(await page.evaluate(() => window.netloftViewer.scales[1].hi) < 1e5);
   const end = await page.evaluate(() => Array.from(window.netloftViewer.model.points));
   await page.locator('#frame').focus();
   await page.keyboard.press('Home');
@@ -265,7 +313,12 @@ test('the slider goes through the stages of a solve, from the start to its end',
 test('three results are a sweep over the setting in which they differ', async () => {
   const {page} = await opened('sweep', 'slower', 'trawl', 'faster');
   const curve = await page.evaluate(() => { const {choices} = window.netloftViewer.curves; return {x: choices[0].x, over: choices[0].over}; });
-  assert.deepEqual(curve, {x: [2, 3, 4], over: 'tow.speed'});
+  assert.deepEqual(curve, {x: [2, 3, 4], over: 'tow.speed [kn]'});
+  const inked = await page.evaluate(() => {
+    const plan = document.getElementById('plan'), {data} = plan.getContext('2d').getImageData(0, 0, plan.width, plan.height);
+    return data.filter((v, i) => i % 4 === 3 && v > 200).length;
+  });
+  assert.ok(inked > 500, `the plan has ${inked} pixels`);
   const drag = page.locator('#keys [data-figure="drag/all/x"]'), fast = await drag.textContent();
   assert.equal(await page.textContent('#when'), 'tow.speed = 4.0 kn');
   await page.locator('#frame').focus();

@@ -13,6 +13,8 @@ function connectControls(viewer) {
   $('bed').disabled = !viewer.result.bed;
   $('bed').checked = Boolean(viewer.result.bed);
   $('print').addEventListener('click', () => window.print());
+  window.addEventListener('beforeprint', () => viewer.printAs(true));
+  window.addEventListener('afterprint', () => viewer.printAs(false));
   $('save').addEventListener('click', () => savePicture(viewer));
   $('theme').addEventListener('click', () => {
     document.documentElement.dataset.theme = styleColour('--is-dark') === '1' ? 'light' : 'dark';

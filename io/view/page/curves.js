@@ -23,7 +23,9 @@ class Curves {
     Object.assign(this, {viewer, frames, choices: curveChoices(results, frames.isSweep)});
     $('curve-box').hidden = this.choices.length === 0;
     if (!this.choices.length) return;
-    const inOrder = this.choices.map((c, i) => ({i, key: c.name.startsWith('gear/mouth') || c.name.startsWith('mouth') ? 0 : 1})).sort((a, b) => a.key - b.key);
+    const keys = [...document.querySelectorAll('#keys [data-figure]')].map((box) => box.dataset.figure);
+    const rank = (name) => (keys.indexOf(name.replace(/^gear\//, '')) + keys.length + 1) % (keys.length + 1);  // those on top of the page first
+    const inOrder = this.choices.map((c, i) => ({i, key: rank(c.name)})).sort((a, b) => a.key - b.key);
     $('quantity').replaceChildren(...inOrder.map(({i}) => element('option', {value: String(i)}, words(this.choices[i].name.replace(/^gear\//, '')))));
     $('quantity').addEventListener('change', () => this.draw());
     this.draw();

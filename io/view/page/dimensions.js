@@ -44,8 +44,21 @@ function drawHolds(svg, model, camera, longest) {
       const to = from.map((v, d) => v + scale * f[d] * (mirrored && d === 1 ? -1 : 1));
       const [a, b] = [from, to].map((p) => camera.project(p));
       drawArrow(svg, a, b);
-      if (size(n) > most / 2 && held.length <= 8) svg.append(svgElement('text', {x: b[0] + 6, y: b[1] - 4, class: 'hold'}, `${formatNumber(size(n) / 1000, 3)} kN`));
+      if (size(n) > most / 2 && held.length <= 8 && b[0] >= 0) svg.append(svgElement('text', {x: b[0] + 6, y: b[1] - 4, class: 'hold'}, `${formatNumber(size(n) / 1000, 3)} kN`));
     }
+}
+
+/** Of a solve that did not end: the node that is farthest from equilibrium. */
+function drawWorst(svg, model, camera) {
+  const {residual} = model.state;
+  if (!residual) return;
+  const size = (n) => Math.hypot(residual[3 * n], residual[3 * n + 1], residual[3 * n + 2]);
+  let worst = 0;
+  for (let n = 1; n < model.result.nPoints; ++n) if (size(n) > size(worst)) worst = n;
+  if (!(size(worst) > 0)) return;
+  const [x, y] = camera.project(model.at(worst));
+  svg.append(svgElement('circle', {cx: x, cy: y, r: 9, class: 'selected'}));
+  svg.append(svgElement('text', {x: x + 13, y: y - 8, class: 'dimension'}, `largest force out of balance, ${shortText(size(worst), 'N')}`));
 }
 
 function drawArrow(svg, a, b) {

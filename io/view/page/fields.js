@@ -52,6 +52,7 @@ class Fields {
   /** Scales of netting, ropes and single nodes, the same for all states and all results; null where there are no values. */
   scales(field, values, log) {
     if (field.name === BY_PART) return [null, null, null];
+    if (field.name === BY_MOVE) return this.oneScale(values);
     if (!field.linear) return CELLS.map((c) => this.scaleOfValues(field, values, c));
     return CELLS.map((_, kind) => {
       const all = this.models.map((m) => m.result.fields.find((f) => f.name === field.name)).map((f) => f && f[log ? 'log' : 'linear'][kind]).filter(Boolean);
@@ -59,6 +60,12 @@ class Fields {
       const join = (pick, of) => of(...all.map(pick));
       return new Scale({lo: join((s) => s.lo, Math.min), hi: join((s) => s.hi, Math.max), below: all.some((s) => s.below), above: all.some((s) => s.above)}, log);
     });
+  }
+
+  /** A distance is a distance, of whatever kind the cell is. */
+  oneScale(values) {
+    const hi = values.reduce((most, v) => (v > most ? v : most), 0), scale = new Scale({lo: 0, hi}, false);
+    return CELLS.map((c) => (this.first.result[c.cells].some((cell) => Number.isFinite(values[cell])) ? scale : null));
   }
 
   /** Of what is found here: from the least to the largest value; a change is as far below zero as above. */

@@ -2,6 +2,7 @@
 // The bed and the surface: planes with a grid of whole metres around the gear.
 
 const GROUND_COLOURS = {bed: [0.62, 0.53, 0.36], surface: [0.35, 0.6, 0.85]};
+const EDGE_ON = 0.02;  // radians
 
 class Ground {
   constructor(model, shared, scene) {
@@ -23,7 +24,18 @@ class Ground {
       transparent: true, depthWrite: false, side: L.DoubleSide}));
     mesh.frustumCulled = false;
     mesh.renderOrder = 0;
+    mesh.corners = [at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)];
     return mesh;
+  }
+
+  /** Seen from its edge a plane is a line. */
+  drawEdges(svg, camera) {
+    if (Math.abs(camera.elevation) > EDGE_ON) return;
+    for (const [name, plane] of Object.entries(this.planes)) {
+      if (!plane.visible) continue;
+      const outline = plane.corners.map((c) => camera.project(c)).map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`);
+      svg.append(svgElement('path', {d: `M${outline.join('L')}Z`, class: name}));
+    }
   }
 
   show(name, on) {

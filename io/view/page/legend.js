@@ -16,7 +16,7 @@ function legendBar(colours, scale, unit) {
 }
 
 function drawLegend(box, colours, field, scales) {
-  const shown = CELLS.map((c, i) => ({scale: scales[i], unit: field.units[i], words: c.words})).filter((s) => s.scale);
+  const shown = CELLS.map((c, i) => ({scale: scales[i], unit: field.units[i], words: c.words})).filter((s, i) => s.scale && scales.indexOf(s.scale) === i);
   box.replaceChildren(element('strong', {}, field.label));
   box.title = field.doc;
   for (const {scale, unit, words: what} of shown) {

@@ -100,7 +100,8 @@ class GearModel {
   makeCatch() {
     const {triangles, rim} = this.result.catch;
     this.catchBody = new L.BufferGeometry();
-    setAttributes(this.catchBody, {position: [new Float32Array(9 * triangles.length + 9 * rim.length / 2), 3]});
+    const size = 9 * triangles.length + 9 * rim.length / 2;
+    setAttributes(this.catchBody, {position: [new Float32Array(size), 3], plane: [new Float32Array(size), 3]});
     const {section, eye} = this.shared.common;
     this.add(this.catchBody, new L.RawShaderMaterial({glslVersion: L.GLSL3, vertexShader: SOLID_VERTEX, fragmentShader: SOLID_FRAGMENT, side: L.DoubleSide,
       uniforms: {section, eye, colour: {value: new L.Vector3(...this.colours.catch)}}, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2}), 0);
@@ -113,8 +114,24 @@ class GearModel {
     for (const t of triangles) for (let c = 0; c < 3; ++c, k += 3) out.set(at(tri[3 * t + c]), k);
     for (const node of rim) for (let d = 0; d < 3; ++d) middle[d] += at(node)[d] / rim.length;
     if (this.result.half) middle[1] = -this.result.origin[1];
+    const front = k;
     for (let i = 0; i < rim.length; i += 2, k += 9) { out.set(at(rim[i]), k); out.set(at(rim[i + 1]), k + 3); out.set(middle, k + 6); }
     into.needsUpdate = true;
+    this.flatten(front);
+  }
+
+  /** The front is lit as a plane: its rim follows the sides of triangles, up and down. */
+  flatten(front) {
+    const {position: {array: p}, plane} = this.catchBody.attributes, sum = [0, 0, 0];
+    for (let k = front; k < p.length; k += 9) {
+      const a = [0, 1, 2].map((d) => p[k + d] - p[k + 6 + d]), b = [0, 1, 2].map((d) => p[k + 3 + d] - p[k + 6 + d]);
+      const n = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]], sign = Math.sign(dot3(n, sum)) || 1;
+      for (let d = 0; d < 3; ++d) sum[d] += sign * n[d];
+    }
+    if (this.result.half) sum[1] = 0;
+    const size = Math.hypot(...sum);
+    for (let k = front; k < p.length && size > 0; k += 3) plane.array.set(sum.map((v) => v / size), k);
+    plane.needsUpdate = true;
   }
 
   /** Moves everything to where the nodes of a state are. */
@@ -140,6 +157,11 @@ class GearModel {
     putValues(this.ropes.attributes.value, barCell.length, ofCells(barCell), 4);
     putValues(this.edges.attributes.value, this.border.cells.length, ofCells(this.border.cells), 4);
     putValues(this.balls.attributes.value, dotCell.length, ofCells(dotCell), 4);
+  }
+
+  /** Parts of that name: results that are shown together may number theirs differently. */
+  showPart(name, on) {
+    this.result.parts.forEach((part, i) => { if (part.name === name) this.show(i, on); });
   }
 
   show(part, on) {

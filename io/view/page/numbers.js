@@ -6,7 +6,8 @@ function formatNumber(value, digits = 4) {
   if (!Number.isFinite(value)) return '–';
   if (value === 0) return '0';
   const size = Math.abs(value);
-  return size >= 1e6 || size < 1e-3 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
+  const rounded = Number(value.toPrecision(digits));
+  return size >= 1e6 || size < 1e-3 ? rounded.toExponential() : String(rounded);
 }
 
 function unitText(unit) {
@@ -16,6 +17,12 @@ function unitText(unit) {
 function withUnit(value, unit) {
   const suffix = unitText(unit);
   return suffix ? `${formatNumber(value)} ${suffix}` : formatNumber(value);
+}
+
+/** Three digits, thousands of newtons as kN: as the boxes on top of the page have them. */
+function shortText(value, unit) {
+  const [number, of] = unit === 'N' && Math.abs(value) >= 1000 ? [value / 1000, 'kN'] : [value, unitText(unit)];
+  return of ? `${formatNumber(number, 3)} ${of}` : formatNumber(number, 3);
 }
 
 /** 'half_angle' and 'mouth/headline_height' as people say them. */

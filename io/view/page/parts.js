@@ -30,7 +30,8 @@ class PartList {
   }
 
   apply() {
-    this.boxes.forEach((box, part) => this.viewer.models.forEach((model) => model.show(part, box.checked)));
+    const {parts} = this.viewer.models[0].result;
+    this.boxes.forEach((box, i) => this.viewer.models.forEach((model) => model.showPart(parts[i].name, box.checked)));
     this.viewer.redraw();
   }
 

@@ -23,16 +23,26 @@ function placeOnSheet(result) {
 
 class PlanDrawing {
   constructor(canvas, viewer) {
-    Object.assign(this, {canvas, viewer, result: viewer.models[0].result});
-    placeOnSheet(this.result);
-    this.corners = this.placeCorners();
-    this.border = this.findBorder();
-    this.names = this.findNames();
+    Object.assign(this, {canvas, viewer, sheets: new Map()});
+    this.take(viewer.model);
     new ResizeObserver(() => viewer.redraw()).observe(canvas);
     canvas.addEventListener('click', (event) => {
       const box = canvas.getBoundingClientRect();
       viewer.selection.set(this.pick(event.clientX - box.left, event.clientY - box.top), event.shiftKey);
     });
+  }
+
+  /** Draws that model from now on: the results of a sweep may have different meshes. */
+  take(model) {
+    Object.assign(this, {model, result: model.result});
+    if (!this.sheets.has(model)) this.sheets.set(model, this.makeSheet());
+    Object.assign(this, this.sheets.get(model));
+  }
+
+  makeSheet() {
+    placeOnSheet(this.result);
+    this.corners = this.placeCorners();
+    return {corners: this.corners, border: this.findBorder(), names: this.findNames()};
   }
 
   get isEmpty() { return this.border.length === 0; }
@@ -107,8 +117,9 @@ class PlanDrawing {
   at(i) { return this.place([this.corners[i], this.corners[i + 1]]); }
 
   draw() {
+    this.take(this.viewer.model);
     if (this.isEmpty) return;
-    const g = this.begin(), {models: [model], selection} = this.viewer, ink = styleColour('--ink');
+    const g = this.begin(), {model} = this, {selection} = this.viewer, ink = styleColour('--ink');
     for (let t = 0; t < this.result.triPart.length; ++t) {
       if (!this.isKnown(t) || !model.shown[this.result.triPart[t]]) continue;
       g.fillStyle = g.strokeStyle = this.viewer.colourOnPlan(t);

@@ -141,11 +141,11 @@ void main() {
 const SOLID_VERTEX = `
 precision highp float;
 uniform mat4 modelMatrix, viewMatrix, projectionMatrix;
-in vec3 position;
-out vec3 world;
+in vec3 position, plane;
+out vec3 world, facing;  // facing: the normal of what is lit as a plane, else nothing
 void main() {
   vec4 w = modelMatrix * vec4(position, 1.0);
-  world = w.xyz;
+  world = w.xyz; facing = plane;
   gl_Position = projectionMatrix * viewMatrix * w;
 }`;
 
@@ -153,11 +153,11 @@ const SOLID_FRAGMENT = `
 precision highp float;
 uniform vec3 colour, eye;
 uniform vec4 section;
-in vec3 world;
+in vec3 world, facing;
 out vec4 result;
 void main() {
   if (dot(world, section.xyz) > section.w) discard;
-  vec3 normal = normalize(cross(dFdx(world), dFdy(world)));
+  vec3 normal = dot(facing, facing) > 0.5 ? facing : normalize(cross(dFdx(world), dFdy(world)));
   result = vec4(colour * (0.62 + 0.38 * abs(dot(normal, eye))), 1.0);
 }`;
 

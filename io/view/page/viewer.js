@@ -60,7 +60,9 @@ class Viewer {
   }
 
   async showFrame(index) {
+    const before = this.model;
     await this.moveTo(Math.min(index, this.frames.all.length - 1));
+    if (this.model.result.nCells !== before.result.nCells) this.selection.set(null);  // another mesh
     this.applyVisibility();
     this.repaint();
     this.frames.describe();
@@ -100,7 +102,7 @@ class Viewer {
   }
 
   colourOnPlan(t) {
-    const {result} = this.models[0], value = this.values[0] && this.values[0][result.triCell[t]], {corners} = this.models[0];
+    const {result, corners} = this.model, values = this.values[this.frames.current.model], value = values && values[result.triCell[t]];
     if (this.field.name === BY_PART) return cssColour(this.colours.ofPart(result.triPart[t]));
     const shown = corners ? (corners[3 * t] + corners[3 * t + 1] + corners[3 * t + 2]) / 3 : value;
     return cssColour(Number.isFinite(shown) && this.scales[0] ? this.colours.at(this.scales[0].place(shown)) : this.colours.noValue);
@@ -121,10 +123,23 @@ class Viewer {
   }
 
   resize() {
+    // The viewer is as high as the window lets it be below what is above it.
+    $('app').style.setProperty('--above', `${Math.round($('app').getBoundingClientRect().top + window.scrollY)}px`);
     const box = $('stage').getBoundingClientRect();
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
     this.camera.resize(box.width, box.height);
+  }
+
+  /** Paper has its own size, and a light ground. */
+  printAs(isPrinting) {
+    const {classList, dataset} = document.documentElement;
+    if (isPrinting) this.theme = dataset.theme;
+    classList.toggle('printing', isPrinting);
+    dataset.theme = isPrinting ? 'light' : this.theme || '';
+    this.resize();
+    if (!this.isTouched) this.fit();
+    this.drawNow();
   }
 
   /** Draws with the next frame of the screen; redraw() the plan, too, whose colours or parts are others now. */
@@ -150,6 +165,8 @@ class Viewer {
     drawScaleBar($('scale'), this.camera.pixelsPerMetre, this.camera.width);
     over.replaceChildren();
     if ($('measures').checked) drawDimensions(over, this.model, this.camera);
+    this.ground.drawEdges(over, this.camera);
+    if (!this.result.answer && !this.frames.isSweep) drawWorst(over, this.model, this.camera);
     if ($('holds').checked) drawHolds(over, this.model, this.camera, 90);
     this.selection.drawMarks(over, this.camera);
     if (this.isPlanOld || this.markedOnPlan !== this.selection.hit) this.drawPlan();
@@ -158,7 +175,7 @@ class Viewer {
   drawPlan() {
     this.isPlanOld = false;
     this.markedOnPlan = this.selection.hit;
-    if (!this.frames.isSweep) this.plan.draw();
+    this.plan.draw();
   }
 
   pickAt(x, y) {

@@ -15,6 +15,7 @@ TEST(VariedSetting, IsTheOptionOfTheCommandLinesThatDiffers) {
   EXPECT_EQ(varied.name, "tow.speed");
   EXPECT_EQ(varied.values, (std::vector<std::string>{"2 kn", "3 kn"}));
   EXPECT_EQ(varied.numbers, (std::vector<double>{2, 3}));
+  EXPECT_EQ(varied.unit, "kn");
 }
 
 TEST(VariedSetting, IsTheLineOfTheScenesThatDiffersInANumber) {
