@@ -126,9 +126,12 @@ int run_in_time(const Options& options, Session& session, const RunContext& cont
     throw UsageError{"--resume: there is no " + part + " to go on from"};
   spare_outputs(options, part);
   const MotionOptions how{
-      output_file(options, session.loaded()), options.resume, identity_of(options, session.loaded()),
+      output_file(options, session.loaded()),
+      options.resume,
+      identity_of(options, session.loaded()),
       &interrupt_flag(),
-      [&](const StepRecord& step) { session.terminal().progress_in_time(step.t, step.end, step.seconds); }};
+      [&](const StepRecord& step) { session.terminal().progress_in_time(step.t, step.end, step.seconds); },
+      [&](const std::string& text) { session.terminal().say("netloft: warning: " + text); }};
   const MotionResult result = run_motion(session.the_case(), context, how);
   session.terminal().clear();
   std::puts(options.json ? motion_json(session.loaded(), session.plan(), result).c_str()

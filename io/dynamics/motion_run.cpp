@@ -43,7 +43,14 @@ class MotionRun {
     const MarchState state =
         with_context(part.string(), [&] { return unpack_checkpoint(journal_->checkpoint()); });
     result_.resumed_from = state.t, result_.outputs = outputs_before_ = journal_->size();
+    if (!journal_->damage().empty()) warn_of_damage();
     return state;
+  }
+  void warn_of_damage() const {
+    if (options_.warn)
+      options_.warn(part_path() + ": " + journal_->damage() + "; the run goes on from the " +
+                    std::to_string(outputs_before_) + " outputs before it, and the damaged file is kept as " +
+                    journal_->path_of_damaged().string());
   }
   std::string part_path() const { return options_.output.string() + ".part"; }
 

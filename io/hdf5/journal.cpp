@@ -56,6 +56,19 @@ Descriptor open_to_read(const fs::path& path) {
   return fd;
 }
 
+/// Of a record; what stands before it is whole.
+struct Damage : FileError {
+  Damage(const fs::path& path, const std::string& what_is_wrong)
+      : FileError("cannot read " + path.string() + ": " + what_is_wrong), found(what_is_wrong) {}
+  std::string found;
+};
+
+void sync(const fs::path& path) {
+  const Descriptor fd(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (fd.get() < 0 || fsync(fd.get()) != 0)
+    throw FileError("cannot write " + path.string() + ": " + system_reason());
+}
+
 }  // namespace
 
 Journal Journal::create(const fs::path& path) {
@@ -74,7 +87,11 @@ Journal Journal::read(const fs::path& path, const Visit& visit) {
 
 Journal Journal::go_on(const fs::path& path, const Visit& visit) {
   Journal journal(path, take_existing_file(path));
-  journal.visit_records(visit);
+  try {
+    journal.visit_records(visit);
+  } catch (const Damage& damage) {
+    journal.damage_ = damage.found, journal.has_remainder_ = true;
+  }
   return journal;
 }
 
@@ -115,8 +132,8 @@ bool Journal::visit_record_at(std::uint64_t place, std::uint64_t size, const Vis
   const std::string_view head(bytes.data(), kHead);
   if (!is_whole_head(head)) {
     if (is_blank(place, size)) return false;
-    reject("it is damaged: the head of the record at byte " + std::to_string(place) +
-           " does not match its checksum");
+    throw Damage(path_, "it is damaged: the head of the record at byte " + std::to_string(place) +
+                            " does not match its checksum");
   }
   const Record record{number_at<std::uint32_t>(head, 8), place + kHead, number_at<std::uint64_t>(head, 0)};
   const std::uint64_t rest = size - record.place;
@@ -144,8 +161,8 @@ std::string Journal::content(const Record& record) const {
   const auto expected = number_at<std::uint32_t>(bytes, record.length);
   bytes.resize(record.length);
   if (checksum(bytes) != expected)
-    reject("it is damaged: the record at byte " + std::to_string(record.place) +
-           " does not match its checksum");
+    throw Damage(path_, "it is damaged: the record at byte " + std::to_string(record.place) +
+                            " does not match its checksum");
   return bytes;
 }
 
@@ -161,9 +178,7 @@ void Journal::read_at(std::uint64_t place, void* data, std::size_t size) const {
 }
 
 Journal::Record Journal::append(std::uint32_t kind, std::string_view content) {
-  if (has_remainder_ && ftruncate(file_.get(), static_cast<off_t>(end_)) != 0)
-    throw FileError("cannot write " + path_.string() + ": " + system_reason());
-  has_remainder_ = false;
+  if (has_remainder_) cut_remainder_off();
   buffer_.clear();
   put(buffer_, std::uint64_t{content.size()});
   put(buffer_, kind);
@@ -173,6 +188,23 @@ Journal::Record Journal::append(std::uint32_t kind, std::string_view content) {
   const std::uint64_t place = end_ + kHead;
   write_at_end(buffer_);
   return {kind, place, content.size()};
+}
+
+void Journal::cut_remainder_off() {
+  if (!damage_.empty()) keep_damaged();
+  if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0)
+    throw FileError("cannot write " + path_.string() + ": " + system_reason());
+  has_remainder_ = false;
+}
+
+/// Who knows more than this program may still read what stands behind the damage.
+void Journal::keep_damaged() const {
+  const fs::path name = path_of_damaged(), beside = name.string() + ".new";
+  std::error_code error;
+  if (!fs::copy_file(path_, beside, fs::copy_options::overwrite_existing, error))
+    throw FileError("cannot write " + beside.string() + ": " + error.message());
+  sync(beside);
+  fs::rename(beside, name);
 }
 
 void Journal::write_at_end(std::string_view bytes) {

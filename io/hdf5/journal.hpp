@@ -32,11 +32,15 @@ class Journal {
   using Visit = std::function<void(const Record&, std::string_view content)>;
   /// One that is there; visits all its records. A live writer does no harm: what is whole by now is read.
   static Journal read(const std::filesystem::path& path, const Visit& visit);
-  /// The same, to be continued behind the last whole record; nothing is changed before the first append().
-  /// Throws FileError if a writer lives.
+  /// The same, to be continued behind the last whole record, or behind the last before damage(); nothing is
+  /// changed before the first append(). Throws FileError if a writer lives, or if the head is damaged.
   static Journal go_on(const std::filesystem::path& path, const Visit& visit);
 
   const std::filesystem::path& path() const { return path_; }
+  /// What go_on() found between records, and went no further; empty: all was whole.
+  const std::string& damage() const { return damage_; }
+  /// Where the first append() puts what was there: it cuts damage off.
+  std::filesystem::path path_of_damaged() const { return path_.string() + "~"; }
   /// The content of a record, checked.
   std::string content(const Record& record) const;
 
@@ -54,12 +58,15 @@ class Journal {
   bool is_blank(std::uint64_t place, std::uint64_t size) const;
   void read_at(std::uint64_t place, void* data, std::size_t size) const;
   void write_at_end(std::string_view bytes);
+  void cut_remainder_off();
+  void keep_damaged() const;
   [[noreturn]] void reject(const std::string& reason) const;
 
   std::filesystem::path path_;
   Descriptor file_;
   std::uint64_t end_ = 0;       // of the last whole record
   bool has_remainder_ = false;  // behind it, to be cut off before something is appended
+  std::string damage_;
   std::string buffer_;
 };
 

@@ -86,7 +86,8 @@ SeriesJournal SeriesJournal::go_on(const std::filesystem::path& part, const std:
   SeriesJournal series;
   series.journal_ = Journal::go_on(part, series.reader(part));
   if (series.checkpoint_.empty())
-    throw FileError(part.string() + ": the file has no output from which to continue");
+    throw FileError(part.string() + ": " + (series.damage().empty() ? "" : series.damage() + "; ") +
+                    "the file has no output from which to continue");
   if (series.identity_ != identity)
     throw FileError(part.string() + ": the file belongs to another scene, or to another command line");
   series.outputs_.resize(series.resumable_);

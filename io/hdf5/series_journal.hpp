@@ -49,9 +49,9 @@ class SeriesJournal {
   static SeriesJournal create(const std::filesystem::path& part, const std::string& identity,
                               const std::string& origins, const SeriesLayout& layout);
   static SeriesJournal read(const std::filesystem::path& part);
-  /// Opens one to go on from its last checkpoint; what comes after that does not count any more. Nothing is
-  /// changed before something is written. Throws FileError if there is no checkpoint, or if it belongs to
-  /// another run.
+  /// Opens one to go on from its last checkpoint, or from the last before damage(); what comes after that
+  /// does not count any more. Nothing is changed before something is written, and a damaged file is kept as
+  /// path_of_damaged() then. Throws FileError if there is no checkpoint, or if it belongs to another run.
   static SeriesJournal go_on(const std::filesystem::path& part, const std::string& identity);
 
   const std::filesystem::path& path() const { return journal_->path(); }
@@ -59,6 +59,9 @@ class SeriesJournal {
   /// An HDF5 image of what was known at the start; empty if there is none.
   const std::string& origins() const { return origins_; }
   const SeriesStatus& status() const { return status_; }
+  /// What go_on() found in the middle of the file; mostly empty.
+  const std::string& damage() const { return journal_->damage(); }
+  std::filesystem::path path_of_damaged() const { return journal_->path_of_damaged(); }
   /// Outputs that count.
   std::size_t size() const { return outputs_.size(); }
   SeriesState state(std::size_t i) const;

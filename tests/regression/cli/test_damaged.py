@@ -82,7 +82,7 @@ class Damaged(InFreshFolder):
                 else:
                     self.assertEqual((ended.code, ended.out), (0, said))
 
-    def test_journal_is_refused_by_every_command(self):
+    def journal_of_a_killed_run(self):
         run = subprocess.Popen(self.command("run", *MOTION, "-o", "damaged.hdf"), cwd=self.folder, stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
         part = self.folder / "damaged.hdf.part"
@@ -90,7 +90,11 @@ class Damaged(InFreshFolder):
             time.sleep(0.001)
         run.send_signal(signal.SIGKILL)
         run.wait()
-        whole, draw = part.read_bytes(), random.Random(SEED)
+        return part, part.read_bytes()
+
+    def test_journal_is_refused_by_every_command(self):
+        part, whole = self.journal_of_a_killed_run()
+        draw = random.Random(SEED)
         # What comes after the last whole record is none, and does not count.
         self.assertEqual(self.netloft("report", part.name).code, 3)
         self.write("other.hdf.part", whole)
@@ -100,11 +104,31 @@ class Damaged(InFreshFolder):
             with self.subTest(bit=bit):
                 self.flip(part.name, whole, bit)
                 self.expect_refused(every[i % len(every)], "checksum")
+
+    def test_journal_without_a_whole_beginning_is_left_alone(self):
+        part, whole = self.journal_of_a_killed_run()
+        for bit in (3, 8 * 13, 8 * 40):  # of the head of the file, of that of the first record, of its content
+            with self.subTest(bit=bit):
+                self.flip(part.name, whole, bit)
                 before = part.read_bytes()
                 resumed = self.netloft("run", *MOTION, "-o", "damaged.hdf", "--resume")
                 self.assertIn(resumed.code, (1, 2))
-                self.assertIn("does not match its checksum", resumed.err)
+                self.assertRegex(resumed.err, "match (its|their) checksum|is not the journal of a motion")
                 self.assertEqual(part.read_bytes(), before)
+
+    def test_journal_is_gone_on_with_from_before_the_damage(self):
+        self.assertEqual(self.netloft("run", *MOTION, "-o", "whole.hdf").code, 0)
+        part, whole = self.journal_of_a_killed_run()
+        self.flip(part.name, whole, 8 * 150_000)
+        damaged = part.read_bytes()
+        resumed = self.netloft("run", *MOTION, "-o", "damaged.hdf", "--resume")
+        self.assertEqual(resumed.code, 0, resumed.err)
+        self.assertRegex(resumed.err, r"damaged\.hdf\.part: it is damaged: the record at byte \d+ does not match its checksum; "
+                                      r"the run goes on from the \d+ outputs before it, and the damaged file is kept as damaged\.hdf\.part~")
+        self.assertEqual((self.folder / "damaged.hdf.part~").read_bytes(), damaged)
+        with h5py.File(self.folder / "damaged.hdf") as after, h5py.File(self.folder / "whole.hdf") as wanted:
+            for name in ("VTKHDF/Points", "VTKHDF/PointData/velocity", "VTKHDF/Steps/Values"):
+                numpy.testing.assert_array_equal(after[name][()], wanted[name][()], name)
 
     def test_gets_a_sentence_and_no_crash_where_hdf5_meets_it(self):
         """Without its table of checksums, as of an older version: what HDF5 makes of it is a sentence in the end."""

@@ -80,6 +80,25 @@ TEST_F(RecordsOfAJournal, AreNeverReadWrongWhateverBitIsFlipped) {
   }
 }
 
+TEST_F(RecordsOfAJournal, BeforeADamageAreGoneOnFromAndTheDamagedFileIsKept) {
+  const std::string whole = bytes_of("a");
+  const std::size_t second = 16 + 16 + 5 + 4;  // behind the head of the file and the first record
+  for (std::size_t byte = second; byte < whole.size(); ++byte) {
+    std::string flipped = whole;
+    flipped[byte] = static_cast<char>(flipped[byte] ^ 4);
+    put("flipped", flipped);
+    Contents before;
+    Journal journal = Journal::go_on(in("flipped"), into(before));
+    EXPECT_TRUE(says(journal.damage(), "does not match its checksum")) << byte;
+    EXPECT_EQ(bytes_of("flipped"), flipped) << "opening it changed it";
+    ASSERT_EQ(before, Contents(kThree.begin(), kThree.begin() + std::ptrdiff_t(before.size())));
+    EXPECT_EQ(before.size(), byte < second + 20 ? 1u : 2u);
+    journal.append(9, "anew");
+    EXPECT_EQ(contents_of("flipped").back(), (Contents::value_type{9, "anew"}));
+    EXPECT_EQ(bytes_of("flipped~"), flipped);
+  }
+}
+
 TEST_F(RecordsOfAJournal, AreFollowedByZerosWhereAPowerCutLeftThem) {
   put("blank", bytes_of("a") + std::string(5000, '\0'));
   EXPECT_EQ(contents_of("blank"), kThree);
