@@ -22,8 +22,7 @@ struct Calibration {
 
 /// Fits what takes part, and predicts the rest.
 Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
-                      const std::filesystem::path& folder, Registry& registry,
-                      const std::atomic<bool>* interrupt);
+                      const std::filesystem::path& folder, Registry& registry, const Watch& watch);
 
 /// For people, and as one JSON object.
 std::string calibration_text(const Calibration& calibration);

@@ -44,11 +44,11 @@ std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t s
 }
 
 SceneModel::SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry,
-                       const std::atomic<bool>* interrupt)
+                       Watch watch)
     : file_(file),
       folder_(std::move(folder)),
       registry_(registry),
-      interrupt_(interrupt),
+      watch_(std::move(watch)),
       last_(file.scenes.size()) {}
 
 SceneModel::~SceneModel() = default;
@@ -69,12 +69,11 @@ std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
   trouble_ = file_.scenes[scene].name + ": ";
   if (the_case->open() != Case::State::ready)
     return trouble_ += "it cannot be read with these values", std::nullopt;
-  const Watch watch{interrupt_, {}, nullptr};
   Solution found;
   ++solves_;
   if (from.the_case && the_case->has_topology_of(*from.the_case))
-    found = the_case->continue_from(the_case->assembler().displacements_to(from.x), kIterations, watch);
-  if (!is_stationary(found)) found = the_case->solve(watch);
+    found = the_case->continue_from(the_case->assembler().displacements_to(from.x), kIterations, watch_);
+  if (!is_stationary(found)) found = the_case->solve(watch_);
   if (!is_stationary(found))
     return trouble_ += std::string(name_of(found.status)) + "; " + found.reason, std::nullopt;
   const auto all = figures_of(*the_case, found);

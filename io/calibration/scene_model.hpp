@@ -4,8 +4,6 @@
 #include "io/case/case.hpp"
 #include "solvers/least_squares/least_squares.hpp"
 
-#include <atomic>
-
 namespace netloft::io {
 
 /// The figures that were measured, as the scenes of a calibration predict them: a scene is solved from the
@@ -14,13 +12,12 @@ namespace netloft::io {
 class SceneModel : public Model {
  public:
   /// `file` has been checked. Scenes are found from `folder`.
-  SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry,
-             const std::atomic<bool>* interrupt);
+  SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry, Watch watch);
   ~SceneModel() override;
 
   std::optional<std::vector<double>> predict(const std::vector<double>& parameters) override;
   std::optional<std::vector<std::vector<double>>> slopes(const std::vector<double>& parameters) override;
-  bool is_interrupted() const override { return interrupt_ && interrupt_->load(); }
+  bool is_interrupted() const override { return watch_.interrupt && watch_.interrupt->load(); }
 
   int solves() const { return solves_; }
   /// What is wrong with the last scene that had no answer: "slow: not converged; largest residual …".
@@ -37,7 +34,7 @@ class SceneModel : public Model {
   const CalibrationFile& file_;
   std::filesystem::path folder_;
   Registry& registry_;
-  const std::atomic<bool>* interrupt_;
+  Watch watch_;
   std::vector<Solved> last_;  // of each scene
   int solves_ = 0;
   std::string trouble_;

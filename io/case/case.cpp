@@ -66,7 +66,27 @@ Case::State Case::assemble() {
   return State::ready;
 }
 
+namespace {
+
+/// Says how long may be solved, and in the end that this is over.
+class AllowedTime {
+ public:
+  AllowedTime(const Watch& watch, double seconds) : watch_(watch) { say(seconds); }
+  ~AllowedTime() { say(std::numeric_limits<double>::infinity()); }
+  AllowedTime(const AllowedTime&) = delete;
+  AllowedTime& operator=(const AllowedTime&) = delete;
+
+ private:
+  void say(double seconds) const {
+    if (watch_.on_budget) watch_.on_budget(seconds);
+  }
+  const Watch& watch_;
+};
+
+}  // namespace
+
 Solution Case::solve(const Watch& watch) {
+  const AllowedTime allowed(watch, loaded_.analysis.limits.seconds);
   Solution s =
       loaded_.analysis.settles
           ? settle(watch)
@@ -77,6 +97,7 @@ Solution Case::solve(const Watch& watch) {
 
 Solution Case::continue_from(const std::vector<double>& u, int iterations, const Watch& watch) {
   if (loaded_.analysis.settles) return solve(watch);  // by a motion, which begins at rest
+  const AllowedTime allowed(watch, loaded_.analysis.limits.seconds);
   Limits limits = loaded_.analysis.limits;
   limits.iterations = std::min(limits.iterations, iterations);
   const StrategyUse alone{&registry_.strategy(kStrategyOfNamedSolver), {}};

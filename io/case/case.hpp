@@ -28,9 +28,11 @@ struct CaseSource {
 /// Who looks on while a case is solved.
 struct Watch {
   const std::atomic<bool>* interrupt = nullptr;
-  std::function<void(const IterationRecord&)> on_iteration;
+  std::function<void(const IterationRecord&)> on_iteration = {};
   KeptPoint* kept = nullptr;  // the best point so far, while it is looked for
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};  // after every stage
+  /// Told the processor time that is allowed from now on [s]; infinite once it is over.
+  std::function<void(double)> on_budget = {};
 };
 
 /// A scene on its way from a file to an answer: read, planned, assembled, solved. What `run`, `plan`,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/calibration/calibration.hpp"
 #include "io/cli/session.hpp"
+#include "io/cli/watchdog.hpp"
 
 #include <cstdio>
 
@@ -13,6 +14,7 @@ int calibrate_command(const Options& options) {
   CalibrationFile file = read_calibration_file(options.target, diagnostics);
   Registry registry;
   find_plugins(options, registry);
+  Watchdog watchdog(ending_with_a_sentence(terminal, "the calibration ends here without an answer"));
   const std::filesystem::path folder = std::filesystem::path(options.target).parent_path();
   CheckedCalibration checked;
   if (!diagnostics.errors()) checked = check_calibration(file, folder, registry, diagnostics);
@@ -20,7 +22,9 @@ int calibrate_command(const Options& options) {
     return tell_why_not(diagnostics, checked.refused ? Case::State::refused : Case::State::wrong_input,
                         options, terminal);
   if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
-  const Calibration done = calibrate(std::move(file), checked, folder, registry, &interrupt_flag());
+  const Watch watch{.interrupt = &interrupt_flag(),
+                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const Calibration done = calibrate(std::move(file), checked, folder, registry, watch);
   if (interrupt_flag()) return kInterrupted;
   std::puts(options.json ? calibration_json(done).c_str() : calibration_text(done).c_str());
   return done.fit.converged ? kDone : kNotConverged;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/session.hpp"
+#include "io/cli/watchdog.hpp"
 #include "io/compare/report.hpp"
 #include "io/files/whole_file.hpp"
 
@@ -140,12 +141,15 @@ int run(const Options& options) {
   Terminal terminal(options.color);
   Registry registry;
   find_plugins(options, registry);
+  Watchdog watchdog(ending_with_a_sentence(terminal, "the comparison ends here without a table"));
   CaseSource source = source_of(options);
   if (options.threads == 0) source.threads = 1;  // so that CPU seconds are seconds
   if (const int code = Inspection(options, registry, terminal).check(source, task); code != kDone)
     return code;
   const double tightest = task.tolerances.back();
-  const Watch watch{&interrupt_flag(), [&](const IterationRecord& r) { terminal.progress(r, tightest); }};
+  const Watch watch{.interrupt = &interrupt_flag(),
+                    .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tightest); },
+                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   const Comparison result = compare(source, registry, task, watch);
   terminal.clear();
   if (interrupt_flag()) return kInterrupted;

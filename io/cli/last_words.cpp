@@ -4,8 +4,10 @@
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/plugin_call.hpp"
 #include "io/cli/options.hpp"
+#include "io/cli/terminal.hpp"
 
 #include <signal.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -128,6 +130,25 @@ void die(int signal, siginfo_t* info, void* context) {
   _exit(kOther);
 }
 
+/// A check that does not come to its end, or that nobody waits for any longer.
+void end_check(int signal) {
+  const bool is_over = signal == SIGPROF;
+  const char* check = check_under_way();
+  say("netloft: "), say({under_test, under_test_length});
+  say(is_over ? " did not come back from " : " was interrupted in ");
+  say(check ? "the check " : "its making or its first evaluation"), say_if(check);
+  say(is_over ? " within its processor time (--seconds)\n" : "\n");
+  _exit(is_over ? kOther : kInterrupted);
+}
+
+void limit_checks(double seconds) {
+  const auto action = seconds > 0 ? end_check : SIG_DFL;
+  signal(SIGPROF, action), on_interrupts(action);
+  const auto whole = static_cast<time_t>(seconds);
+  const itimerval limit{{0, 0}, {whole, static_cast<suseconds_t>(1e6 * (seconds - double(whole)))}};
+  setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
 /// Where the program ends without having come to its own end.
 void tell_of_an_early_end() {
   const CallStack* calls = known_calls_of_this_thread();
@@ -148,8 +169,9 @@ void explain_crashes() {
   for (const int s : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(s, &action, &before[s]);
 }
 
-void explain_crashes_of(const std::string& type) {
+void explain_crashes_of(const std::string& type, double seconds) {
   under_test_length = type.copy(under_test, sizeof under_test);
+  limit_checks(seconds);
 }
 
 }  // namespace netloft::io

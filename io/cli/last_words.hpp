@@ -10,7 +10,7 @@ namespace netloft::io {
 void explain_crashes();
 
 /// The same in conformance checks of `type`, with the check under way; until it is called for another one.
-/// An empty one: they are over.
-void explain_crashes_of(const std::string& type);
+/// They may take `seconds` of the processor, and an interruption ends them, too. An empty one: they are over.
+void explain_crashes_of(const std::string& type, double seconds = 0);
 
 }  // namespace netloft::io

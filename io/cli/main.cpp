@@ -395,6 +395,8 @@ void add_commands(CLI::App& app, Options& o) {
   auto* test = app.add_subcommand(
       "test", "check the elements, laws and solvers of a plugin: derivatives, balance, lanes, manners");
   test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
+  test->add_option("--seconds", o.seconds, "processor time for the checks of one component; else 60")
+      ->check(CLI::Range(0.001, 1e6));
   add_plugin_options(*test, o);
   add_author_commands(app, o);
   add_gear_commands(app, o);

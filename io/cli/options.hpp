@@ -46,6 +46,7 @@ struct Options {
   bool mesh = false;                 // --mesh
   std::size_t mesh_nodes = 2000;     // draw: --nodes
   int threads = 0;                   // 0: as many as the machine has
+  double seconds = 60;               // test: --seconds. All of the largest shipped plugin takes 1 s
   bool json = false;
   std::string color = "auto";
   bool html = false, csv = false;  // report

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/session.hpp"
+#include "io/cli/watchdog.hpp"
 #include "io/compare/refinement.hpp"
 
 #include <cstdio>
@@ -37,11 +38,14 @@ std::vector<MeshLevel> wanted_levels(const Options& options, const LoadedScene& 
 int run(const Options& options) {
   catch_interrupts();
   Session session(options);
+  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the refinement ends here without a table"));
   if (const int code = session.open(); code != kDone) return code;
   const auto levels = wanted_levels(options, session.loaded());
   const double tolerance = session.loaded().analysis.limits.tolerance;
-  const Watch watch{&interrupt_flag(),
-                    [&](const IterationRecord& record) { session.terminal().progress(record, tolerance); }};
+  const Watch watch{
+      .interrupt = &interrupt_flag(),
+      .on_iteration = [&](const IterationRecord& r) { session.terminal().progress(r, tolerance); },
+      .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   Refinement refinement = refine(source_of(options), session.registry(), levels, watch);
   session.terminal().clear();
   if (interrupt_flag()) return kInterrupted;

@@ -10,7 +10,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -204,17 +203,16 @@ void keep_stages(Session& session, std::vector<StageShape>& stages, Watch& watch
 }
 
 void solve(Session& session, Watchdog& watchdog, RunSoFar& run) {
-  const Limits& limits = session.loaded().analysis.limits;
+  const double tolerance = session.loaded().analysis.limits.tolerance;
   run.result.reading_seconds = session.the_case().reading_seconds();
   run.result.setup_seconds = session.the_case().setup_seconds();
-  Watch watch{&interrupt_flag(),
-              [&](const IterationRecord& record) { session.terminal().progress(record, limits.tolerance); },
-              &run.kept};
-  watchdog.allow(limits.seconds);
+  Watch watch{.interrupt = &interrupt_flag(),
+              .on_iteration = [&](const IterationRecord& r) { session.terminal().progress(r, tolerance); },
+              .kept = &run.kept,
+              .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   if (run.options.stages) keep_stages(session, run.result.stages, watch);
   run.result.solution =
       run.start ? session.the_case().solve_from(*run.start, watch) : session.the_case().solve(watch);
-  watchdog.allow(std::numeric_limits<double>::infinity());  // what follows has limits of its own
 }
 
 }  // namespace
@@ -265,8 +263,10 @@ int run_command(const Options& options) {
   solve(session, watchdog, so_far);
   collect(session.loaded(), session.assembler(), result);
   if (options.error)
-    find_mesh_errors(source_of(options), session.registry(), session.the_case(), levels,
-                     {&interrupt_flag(), {}}, result);
+    find_mesh_errors(
+        source_of(options), session.registry(), session.the_case(), levels,
+        {.interrupt = &interrupt_flag(), .on_budget = [&](double seconds) { watchdog.allow(seconds); }},
+        result);
   context.plugins = session.registry().opened();
   result.output_file = named_by_outcome(*file, result.solution, session.terminal());
   write_result(*file, session.loaded(), session.assembler(), result, context);

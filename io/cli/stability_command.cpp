@@ -4,6 +4,7 @@
 #include "io/cli/prefix.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/terminal.hpp"
+#include "io/cli/watchdog.hpp"
 #include "io/files/whole_file.hpp"
 #include "io/scene/dynamics.hpp"
 #include "io/stability/matrix.hpp"
@@ -84,20 +85,49 @@ std::vector<StabilityColumn> find_columns(const StabilitySuite& suite, const Opt
   return columns;
 }
 
+void print_matrix(const MatrixTitle& title, const Options& options, const std::vector<Row>& rows) {
+  if (!options.stability.html.empty()) write_whole(options.stability.html, matrix_html(title, rows));
+  std::puts((options.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
+}
+
 /// Whether the first column got all of it right.
 bool first_is_right(const std::vector<Row>& rows) {
   return std::all_of(rows.begin(), rows.end(),
                      [](const Row& row) { return is_right(row.cells.front().verdict.where); });
 }
 
-RunOptions run_options(const Options& options, Terminal& terminal) {
+/// What there is of the matrix when a plugin does not come back.
+class MatrixSoFar {
+ public:
+  MatrixSoFar(const MatrixTitle& title, const Options& options, Terminal& terminal)
+      : title_(title), options_(options), terminal_(terminal) {}
+
+  void add(const Row& row) {
+    terminal_.say(row_text(row));
+    rows_.push_back(row);
+  }
+  int end(const Overdue& overdue) const {
+    terminal_.say("netloft: " + overdue.sentence + "; the suite ends here, after " +
+                  std::to_string(rows_.size()) + " of its cases");
+    print_matrix(title_, options_, rows_);
+    return overdue.interrupted ? kInterrupted : kNotConverged;
+  }
+
+ private:
+  const MatrixTitle& title_;
+  const Options& options_;
+  Terminal& terminal_;
+  std::vector<Row> rows_;
+};
+
+RunOptions run_options(const Options& options, MatrixSoFar& matrix, Watchdog& watchdog) {
   const StabilityOptions& o = options.stability;
   RunOptions run;
   run.sizes = o.sizes.empty() ? std::vector<std::string>{"small", "medium"} : o.sizes;
   run.pattern = o.pattern, run.seconds = o.seconds, run.work = o.work, run.update = o.update_references;
   run.threads = std::max(1, options.threads);
-  run.interrupt = &interrupt_flag();
-  run.on_row = [&](const Row& row) { terminal.say(row_text(row)); };
+  run.watch = {.interrupt = &interrupt_flag(), .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  run.on_row = [&](const Row& row) { matrix.add(row); };
   return run;
 }
 
@@ -119,14 +149,15 @@ int stability_command(const Options& options) {
   const auto columns = find_columns(suite, options, registry, terminal);
   References references(suite.folder / "references.json");
   catch_interrupts();
-  const auto rows = run_suite(suite, columns, references, registry, run_options(options, terminal));
+  const MatrixTitle title{folder.string(), o.draw};
+  MatrixSoFar matrix(title, options, terminal);
+  Watchdog watchdog([&](const Overdue& overdue) { return matrix.end(overdue); });
+  const auto rows = run_suite(suite, columns, references, registry, run_options(options, matrix, watchdog));
   if (rows.empty() && !interrupt_flag())
     throw UsageError{"no case of " + folder.string() + " has these names and sizes"};
   if (o.update_references && !interrupt_flag()) references.save();
 
-  const MatrixTitle title{folder.string(), o.draw};
-  if (!o.html.empty()) write_whole(o.html, matrix_html(title, rows));
-  std::puts((options.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
+  print_matrix(title, options, rows);
   if (interrupt_flag()) return kInterrupted;
   return first_is_right(rows) ? kDone : kNotConverged;
 }

@@ -2,6 +2,7 @@
 #include "io/cli/error_json.hpp"
 #include "io/cli/prefix.hpp"
 #include "io/cli/session.hpp"
+#include "io/cli/watchdog.hpp"
 #include "io/cli/worker_pool.hpp"
 #include "io/files/whole_file.hpp"
 #include "io/sweep/check_study.hpp"
@@ -159,12 +160,22 @@ void note_failure(const fs::path& folder, const StudyItem& item, const std::stri
   }
 }
 
+/// What is left where a plugin does not come back.
+int end_item(const fs::path& folder, const StudyItem& item, const Overdue& overdue) {
+  if (!overdue.interrupted) note_failure(folder, item, overdue.sentence);
+  std::fprintf(stderr, "netloft: %s; item %zu has no record\n", overdue.sentence.c_str(), item.id);
+  return overdue.interrupted ? kInterrupted : kNotConverged;
+}
+
 /// Solves one item in this process.
 int compute(const Options& o, const Study& study, const StudyItem& item) {
   Registry registry;
   find_plugins(o, registry);
   const fs::path folder = o.target;
-  const PathContext context{folder, &registry, &interrupt_flag(), std::max(o.threads, 1)};
+  Watchdog watchdog([&](const Overdue& overdue) { return end_item(folder, item, overdue); });
+  const Watch watch{.interrupt = &interrupt_flag(),
+                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const PathContext context{folder, &registry, watch, std::max(o.threads, 1)};
   const auto record = run_path(study, item, context);
   if (!record) return kInterrupted;
   write_whole(record_path(folder, item), record_text(*record));

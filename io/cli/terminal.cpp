@@ -114,12 +114,16 @@ void Terminal::clear() {
 
 const std::atomic<bool>& interrupt_flag() { return interrupted; }
 
+void on_interrupts(void (*action)(int)) {
+  for (const int signal : {SIGINT, SIGTERM, SIGQUIT}) std::signal(signal, action);
+  if (std::signal(SIGHUP, action) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
 void catch_interrupts() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
-    std::signal(signal, [](int number) {
-      interrupted = true;
-      std::signal(number, SIG_DFL);
-    });
+  on_interrupts([](int number) {
+    interrupted = true;
+    std::signal(number, SIG_DFL);
+  });
 }
 
 }  // namespace netloft::io

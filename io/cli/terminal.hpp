@@ -39,6 +39,9 @@ class Terminal {
   double first_residual_ = 0, stage_begun_ = 0;
 };
 
+/// What an interruption does: Ctrl-C, a request to end, a quit, and a hangup unless `nohup` has it ignored.
+void on_interrupts(void (*action)(int));
+
 /// Set by the first SIGINT, SIGTERM, SIGHUP or SIGQUIT; a second one ends the program at once.
 const std::atomic<bool>& interrupt_flag();
 void catch_interrupts();

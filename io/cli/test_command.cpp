@@ -79,10 +79,10 @@ Json report_json(const ConformanceReport& report) {
 }
 
 /// Checks all targets, and says what was found as it goes.
-std::vector<ConformanceReport> check_all(const Targets& found, bool aloud) {
+std::vector<ConformanceReport> check_all(const Targets& found, double seconds, bool aloud) {
   std::vector<ConformanceReport> reports;
   const auto check = [&](const std::string& type, auto&& make) {
-    explain_crashes_of(type);
+    explain_crashes_of(type, seconds);
     reports.push_back(make());
     if (aloud) print_report(reports.back());
     std::fflush(stdout);
@@ -102,7 +102,7 @@ std::vector<ConformanceReport> check_all(const Targets& found, bool aloud) {
 int test_command(const Options& options) {
   Registry registry;
   find_plugins(options, registry);
-  const auto reports = check_all(find_targets(options.target, registry), !options.json);
+  const auto reports = check_all(find_targets(options.target, registry), options.seconds, !options.json);
   const bool passed = std::all_of(reports.begin(), reports.end(), [](const auto& r) { return r.passed(); });
   if (options.json) {
     Json lines = Json::array();

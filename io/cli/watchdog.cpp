@@ -128,4 +128,12 @@ void Watchdog::end(bool interrupted, const CallFrame& frame, double waited) {
   _exit(code);
 }
 
+std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left) {
+  return [&terminal, left = std::move(what_is_left)](const Overdue& overdue) {
+    terminal.clear();
+    terminal.say("netloft: " + overdue.sentence + "; " + left);
+    return exit_code(overdue.interrupted);
+  };
+}
+
 }  // namespace netloft::io

@@ -12,6 +12,8 @@
 
 namespace netloft::io {
 
+class Terminal;
+
 /// A plugin that went on after its time was over.
 struct Overdue {
   bool interrupted = false;  // by the user; else the processor time of the analysis is used up
@@ -56,5 +58,8 @@ class Watchdog {
   std::condition_variable wake_;
   std::thread thread_;
 };
+
+/// A last act that says the sentence and `what_is_left`: "the comparison ends here without a table".
+std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left);
 
 }  // namespace netloft::io

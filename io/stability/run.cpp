@@ -61,7 +61,7 @@ class SuiteRun {
     return row;
   }
 
-  bool interrupted() const { return options_.interrupt && options_.interrupt->load(); }
+  bool interrupted() const { return options_.watch.interrupt && options_.watch.interrupt->load(); }
 
  private:
   double seconds_for(const std::string& size) const {
@@ -101,7 +101,7 @@ class SuiteRun {
       e.unfit = true, a.why_not = *why_not;
       return a;
     }
-    e.solution = one.solve({options_.interrupt, {}});
+    e.solution = one.solve(options_.watch);
     e.out_of_budget = e.solution.statistics.total_cpu_seconds >= seconds_for(size);
     if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
     e.stability = find_stability(one, e);

@@ -37,7 +37,7 @@ struct RunOptions {
   double work = 0;                 // the same in factorisations of the scene's tangent; 0: any
   int threads = 1;
   bool update = false;  // the book of references
-  const std::atomic<bool>* interrupt = nullptr;
+  Watch watch;
   std::function<void(const Row&)> on_row;
 };
 

@@ -45,7 +45,7 @@ class PathRun {
         item_(item),
         context_(context),
         make_(keep_analyses(make_factorisation)),
-        watch_{context.interrupt, {}, nullptr},
+        watch_(context.watch),
         branch_(
             variables_of_path(study), [this](const auto& values) { return open_at(values); }, watch_) {}
 
@@ -63,7 +63,7 @@ class PathRun {
   }
 
  private:
-  bool is_interrupted() const { return context_.interrupt && context_.interrupt->load(); }
+  bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
 
   std::shared_ptr<Case> make_case(const std::vector<std::string>& set) const {
     return std::make_shared<Case>(source_of(study_, item_, set, context_), *context_.registry, make_);

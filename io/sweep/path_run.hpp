@@ -12,7 +12,7 @@ namespace netloft::io {
 struct PathContext {
   std::filesystem::path folder;  // of the study
   Registry* registry = nullptr;
-  const std::atomic<bool>* interrupt = nullptr;
+  Watch watch = {};
   int threads = 1;  // of the assembly
 };
 

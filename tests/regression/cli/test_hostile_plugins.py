@@ -28,6 +28,8 @@ rope = { diameter = "20 mm", EA = "100 kN", density = 1150 }
 %s
 [[hold]]
 on = "line.start"
+[results]
+low = { of = "line.end", take = "z" }
 """
 
 
@@ -106,6 +108,58 @@ class EndlessLoops(Hostile):
         out = self.end_of("interrupted", 130, "hostile/stalls, solve, did not come back", "after the interruption")
         self.assertIn("interrupted", out)
         self.check_kept("interrupted")
+
+
+class EndlessLoopsElsewhere(Hostile):
+    """Every other command that calls plugins ends likewise."""
+    LIMIT = "analysis.max_seconds=0.2"
+
+    def ends(self, code, *words, says, out=""):
+        run = self.netloft(*words, "--plugins", str(PLUGINS))
+        self.assertEqual(run.code, code, run.err)
+        self.assertRegex(run.err, says)
+        self.assertIn(out, run.out)
+
+    def test_in_a_comparison(self):
+        self.scene()
+        self.ends(3, "compare", "line.toml", "--solver", "newton", "--solver", "hostile/asks", "--set", self.LIMIT,
+                  says="hostile/asks, solve, did not come back for 2 s .*; the comparison ends here without a table")
+
+    def test_in_a_refinement(self):
+        self.scene()
+        self.ends(3, "refine", "line.toml", "--solver", "hostile/stalls", "--set", self.LIMIT,
+                  says="hostile/stalls, solve, did not come back for 2 s .*; the refinement ends here without a table")
+
+    def test_in_the_suite_which_shows_what_it_has(self):
+        self.ends(3, "stability", "--solver", "newton", "--solver", "hostile/stalls", "--case", "hanging", "--size", "small", "--seconds-per-case", "0.2",
+                  says="hostile/stalls, solve, did not come back for 2 s .*; the suite ends here, after 0 of its cases", out="stability, draw 1")
+
+    def test_in_a_study(self):
+        self.scene("loops")
+        self.write("s.toml", 'scene = "line.toml"\npath = []\nset = ["%s"]\n[variables.g]\nkey = "water.gravity"\nvalues = [9, 10]\n' % self.LIMIT)
+        self.ends(0, "study", "plan", "s.toml", says="^")
+        says = "hostile/loops, term pull, did not come back for 2 s .*; item 1 has no record"
+        self.ends(1, "study", "run", "s.study", says="item 1: the worker ended with exit code 3: " + says)
+        self.assertRegex(next((self.folder / "s.study" / "items").glob("*.failed")).read_text(), "hostile/loops, term pull, did not come back")
+
+    def test_in_a_calibration(self):
+        self.scene()
+        self.write("c.toml", '[scenes.a]\nscene = "line.toml"\nset = ["%s", "analysis.solver=hostile/stalls"]\n[variables.g]\nkey = "water.gravity"\nrange = [9, 10]\n'
+                   '[[measured]]\nscene = "a"\nfigure = "results/low"\nvalue = "-10 m"\ndeviation = "1 m"\n' % self.LIMIT)
+        self.ends(3, "calibrate", "c.toml",
+                  says="hostile/stalls, solve, did not come back for 2 s .*; the calibration ends here without an answer")
+
+    def test_in_checks(self):
+        self.ends(1, "test", "hostile/loops", "--seconds", "0.3",
+                  says="hostile/loops did not come back from (the check [a-z-]+|its making or its first evaluation) within its processor time")
+
+    def test_in_checks_that_are_interrupted(self):
+        run = subprocess.Popen(self.command("test", "hostile/loops", "--plugins", str(PLUGINS)), stderr=subprocess.PIPE, text=True)
+        time.sleep(1)
+        run.send_signal(signal.SIGINT)
+        err = run.communicate(timeout=60)[1]
+        self.assertEqual(run.returncode, 130)
+        self.assertRegex(err, r"hostile\S* was interrupted in ")
 
 
 class HarmAtTheStart(InFreshFolder):

@@ -50,17 +50,27 @@ class Streams(InFreshFolder):
 
 
 class Signals(InFreshFolder):
+    def run_and_send(self, number, before):
+        """The exit code and the output of a motion that gets a signal, about which `before` was agreed."""
+        name = f"{number.name}.hdf"
+        run = subprocess.Popen(self.command("run", *MOTION, "-o", name), cwd=self.folder, env=self.environment(),
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=lambda: signal.signal(number, before))
+        while run.poll() is None and not (self.folder / f"{name}.part").exists():
+            time.sleep(0.01)
+        run.send_signal(number)
+        out, _ = run.communicate(timeout=60)
+        return run.returncode, out
+
     def test_a_hangup_and_a_quit_are_interrupts(self):
         for number in (signal.SIGHUP, signal.SIGQUIT):
             with self.subTest(signal=number.name):
-                run = subprocess.Popen(self.command("run", *MOTION, "-o", f"{number.name}.hdf"), cwd=self.folder,
-                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=self.environment())
-                while run.poll() is None and not (self.folder / f"{number.name}.hdf.part").exists():
-                    time.sleep(0.01)
-                run.send_signal(number)
-                out, _ = run.communicate(timeout=60)
-                self.assertEqual(run.returncode, 130)
+                code, out = self.run_and_send(number, signal.SIG_DFL)
+                self.assertEqual(code, 130)
                 self.assertIn(b"--resume goes on from there", out)
+
+    def test_a_hangup_that_nohup_ignores_is_none(self):
+        code, out = self.run_and_send(signal.SIGHUP, signal.SIG_IGN)
+        self.assertEqual(code, 0, out)
 
     def test_a_limit_on_the_size_of_files_is_an_error(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))

@@ -37,7 +37,7 @@ COMMANDS = (
     (f"netloft list {COMMON}", "rope/bar"),
     (f"netloft describe rope/bar {COMMON}", "rope.EA"),
     (f"netloft schema {COMMON}", "$schema"),
-    (f"netloft test float {COMMON}", "float/float"),
+    (f"netloft test float --seconds 50 {COMMON}", "float/float"),
     ("netloft new law square_plate", "square_plate.cpp"),
     (f"netloft reference pages {COMMON}; ls pages", "scene.schema.json"),
     (f"netloft catalogue twine {COMMON}", "pe-braided-4mm"),
