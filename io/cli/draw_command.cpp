@@ -20,6 +20,8 @@ namespace {
 /// A result by its name, or by the first bytes of the file.
 bool is_result(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".hdf" || is_journal(path)) return true;
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return false;  // reading a pipe waits for ever
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4> start{};
   return file.read(start.data(), start.size()) && std::string_view(start.data(), 4) == "\x89HDF";
@@ -62,7 +64,7 @@ int draw_command(const Options& options) {
   }
   const std::string output = output_of(options);
   replace_file(output, options.mesh ? draw_divided(plan, options.mesh_nodes) : draw_plan(plan),
-               files_of(plan));
+               files_of(plan), {".svg"});
   terminal.say("written to " + output);
   return kDone;
 }

@@ -19,6 +19,7 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <span>
 
 namespace netloft::io {
 namespace {
@@ -471,15 +472,21 @@ int explain(const CLI::App& app, const CLI::ParseError& error, const std::vector
   return kWrongInput;
 }
 
-/// A first word that is no command, as a sentence with the command it may stand for; else empty.
-std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
-  if (words.size() < 2 || words[1].starts_with('-')) return {};
+/// A first word that is no command, or a second one that is none of the first's, as a sentence with the command
+/// it may stand for; else empty. `before`: "study ".
+std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
+                            const std::string& before = "") {
+  const auto commands = app.get_subcommands({});
+  if (words.empty() || words[0].starts_with('-') || commands.empty()) return {};
   std::vector<std::string> names;
-  for (const auto* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (std::find(names.begin(), names.end(), words[1]) != names.end()) return {};
-  const auto near = nearest(words[1], names);
-  return "there is no command \"" + words[1] +
-         (near ? "\"; did you mean \"" + *near + "\"?" : "\"; `netloft --help` lists them");
+  for (const auto* command : commands) {
+    names.push_back(command->get_name());
+    if (names.back() == words[0]) return unknown_command(*command, words.subspan(1), words[0] + " ");
+  }
+  const auto near = nearest(words[0], names);
+  return "there is no command \"" + before + words[0] +
+         (near ? "\"; did you mean \"" + before + *near + "\"?"
+               : "\"; `netloft " + before + "--help` lists them");
 }
 
 /// A file that is opened must not become a stream that was closed: what is printed would land in it. Nor is a
@@ -507,7 +514,7 @@ int start(int argc, char** argv) {
     std::fputs(app.help().c_str(), stdout);
     return kDone;
   }
-  if (const std::string fault = unknown_command(app, o.words); !fault.empty()) {
+  if (const std::string fault = unknown_command(app, std::span(o.words).subspan(1)); !fault.empty()) {
     o.json = std::find(o.words.begin(), o.words.end(), "--json") != o.words.end();
     return fail(o, fault, kWrongInput);
   }

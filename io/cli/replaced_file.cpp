@@ -6,20 +6,35 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace netloft::io {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// ".svg or .png"
+std::string list_of(const std::vector<std::string>& endings) {
+  std::string list;
+  for (const auto& ending : endings) list += (list.empty() ? "" : " or ") + ending;
+  return list;
+}
+
+}  // namespace
+
 void replace_file(const std::string& output, const std::string& content,
-                  const std::vector<std::string>& sources) {
+                  const std::vector<std::string>& sources, const std::vector<std::string>& endings) {
   std::error_code none;
   if (fs::exists(output, none) && !fs::is_regular_file(output, none))
     throw UsageError{output + " is no file that may be replaced"};
   for (const auto& source : sources)
     if (fs::equivalent(output, source, none))
       throw UsageError{output + " is what it would be made from; name another file with -o"};
+  const std::string ending = fs::path(output).extension().string();
+  if (!endings.empty() && std::find(endings.begin(), endings.end(), ending) == endings.end())
+    throw UsageError{output + ": this is written as " + list_of(endings)};
   write_whole(output, content);
 }
 

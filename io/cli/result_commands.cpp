@@ -30,24 +30,36 @@ std::string output_of(const Options& options, const std::string& source, const c
   return name.stem().string() + ending;
 }
 
+const std::vector<std::string> kPage = {".html", ".htm"}, kPicture = {".svg", ".png"};
+
+/// The number of the state that is asked for; else of the last.
+std::size_t state_of(const Options& options, const StoredResult& result) {
+  const std::size_t count = std::max<std::size_t>(1, result.times.size());
+  if (options.picture.state < 0) return count - 1;
+  const auto state = static_cast<std::size_t>(options.picture.state);
+  if (state < count) return state;
+  throw UsageError{"--state " + std::to_string(state) + ": " + options.target +
+                   (count == 1 ? " has one state, 0" : " has states 0 to " + std::to_string(count - 1))};
+}
+
 /// Writes a file and says so.
 void write_and_say(const Options& options, const std::string& output, const std::string& content,
-                   const std::vector<std::string>& sources) {
-  replace_file(output, content, sources);
+                   const std::vector<std::string>& sources, const std::vector<std::string>& endings = {}) {
+  replace_file(output, content, sources, endings);
   if (options.json)
     std::puts(("{\"status\": \"done\", \"output\": " + in_json(output) + "}").c_str());
   else
     Terminal(options.color).say("written to " + output);
 }
 
-SheetOptions sheet_options(const Options& options) {
+SheetOptions sheet_options(const Options& options, const StoredResult& result) {
   SheetOptions sheet;
   sheet.view = view_of(options.picture.view).value_or(View::oblique);
   sheet.colouring = {options.picture.field, options.picture.log, options.picture.elements};
   sheet.with_dimensions = options.picture.dimensions;
   sheet.width = options.picture.width;
   sheet.with_ropes = options.picture.ropes, sheet.is_dark = options.picture.dark;
-  if (options.picture.state >= 0) sheet.state = static_cast<std::size_t>(options.picture.state);
+  sheet.state = state_of(options, result);
   return sheet;
 }
 
@@ -55,7 +67,7 @@ int report(const Options& options) {
   const StoredResult result(options.target);
   if (options.html)
     write_and_say(options, output_of(options, options.target, ".html"), report_page(result),
-                  {options.target});
+                  {options.target}, kPage);
   else
     std::fputs((options.json  ? result_json(result) + "\n"
                 : options.csv ? result_csv(result)
@@ -73,7 +85,7 @@ int view(const Options& options) {
     all.push_back(results.back().get());
   }
   write_and_say(options, output_of(options, options.targets.front(), ".html"),
-                view_page(all, options.picture.states), options.targets);
+                view_page(all, options.picture.states), options.targets, kPage);
   return kDone;
 }
 
@@ -82,10 +94,9 @@ int draw_result(const Options& options) {
   const std::string output = output_of(options, options.target, ".svg");
   const bool is_png = std::filesystem::path(output).extension() == ".png";
   try {
-    write_and_say(
-        options, output,
-        is_png ? png_sheet(result, sheet_options(options)) : svg_sheet(result, sheet_options(options)),
-        {options.target});
+    const SheetOptions how = sheet_options(options, result);
+    write_and_say(options, output, is_png ? png_sheet(result, how) : svg_sheet(result, how), {options.target},
+                  kPicture);
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
@@ -94,8 +105,8 @@ int draw_result(const Options& options) {
 
 int export_result(const Options& options) {
   const StoredResult result(options.target);
-  const SheetOptions how = sheet_options(options);
-  const std::size_t state = std::min(how.state, result.times.size() - 1);
+  const SheetOptions how = sheet_options(options, result);
+  const std::size_t state = how.state;
   const std::string ending = std::filesystem::path(options.output).extension().string();
   try {
     if (ending == ".glb")

@@ -230,6 +230,16 @@ std::optional<std::vector<double>> read_start(const Options& options, Session& s
   }
 }
 
+void refuse_for_motions(const Options& options) {
+  if (!options.start_from.empty())
+    throw UsageError{"--start-from is for equilibria; a motion begins where its scene says"};
+  if (options.stages)
+    throw UsageError{"--stages is for equilibria; output_interval says when a motion is kept"};
+  if (options.error)
+    throw UsageError{
+        "--error is for equilibria; of a motion, compare runs with other cells and `accuracy` by `netloft diff`"};
+}
+
 }  // namespace
 
 int run_command(const Options& options) {
@@ -243,10 +253,7 @@ int run_command(const Options& options) {
   context.plugins = session.registry().opened();
   context.plan_text = plan_text(session.plan(), session.plan_extras());
   if (session.loaded().analysis.kind == AnalysisKind::dynamics) {
-    if (!options.start_from.empty())
-      throw UsageError{"--start-from is for equilibria; a motion begins where its scene says"};
-    if (options.stages)
-      throw UsageError{"--stages is for equilibria; output_interval says when a motion is kept"};
+    refuse_for_motions(options);
     so_far.part = output_file(options, session.loaded()) + ".part";
     watchdog.allow(2 * session.loaded().analysis.limits.seconds);  // the start may take as long as the motion
     return run_in_time(options, session, context);

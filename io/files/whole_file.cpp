@@ -6,8 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
-#include <string>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -83,6 +84,25 @@ void write_whole(const fs::path& path, std::string_view content) {
   FileBeside file(path);
   file.write(content);
   file.sync_and_rename();
+}
+
+std::optional<std::string> read_whole(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) return std::nullopt;
+  if (fs::exists(status) && status.type() != fs::file_type::regular)
+    throw ReadError(path.string() + " is a folder, a pipe or a device, not a file");
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  std::string content;
+  std::array<char, 1 << 16> block;
+  for (std::size_t n; file && (n = std::fread(block.data(), 1, block.size(), file)) > 0;)
+    content.append(block.data(), n);
+  const bool is_whole = file && !std::ferror(file);
+  const int reason = errno;
+  if (file) std::fclose(file);
+  if (!is_whole)
+    throw ReadError(path.string() + " cannot be read: " + std::generic_category().message(reason));
+  return content;
 }
 
 }  // namespace netloft::io

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace netloft::io {
@@ -17,5 +19,15 @@ class WriteError : public std::runtime_error {
 /// written beside as PATH.new, synced, and renamed; of several programs that do so at a time one after the
 /// other. A link to a file is replaced, not followed; a folder, a device and a link to one are refused.
 void write_whole(const std::filesystem::path& path, std::string_view content);
+
+/// A file that cannot be read; what() is a sentence for the user.
+class ReadError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What a file holds; nothing if there is none. Throws ReadError where it cannot be read, and for a folder, a
+/// pipe or a device, which may never end.
+std::optional<std::string> read_whole(const std::filesystem::path& path);
 
 }  // namespace netloft::io

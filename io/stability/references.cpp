@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -35,10 +34,10 @@ Json to_json(const Reference& r) {
 }  // namespace
 
 References::References(const std::filesystem::path& file) : file_(file) {
-  std::ifstream in(file);
-  if (!in) return;
+  const auto text = read_whole(file);
+  if (!text) return;
   try {
-    const Json book = Json::parse(in);
+    const Json book = Json::parse(*text);
     for (const auto& [name, sizes] : book.items())
       for (const auto& [size, reference] : sizes.items()) all_[name][size] = from_json(reference);
   } catch (const Json::exception& e) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/sweep/manifest.hpp"
 
+#include "io/files/whole_file.hpp"
+
 #include <nlohmann/json.hpp>
 
-#include <fstream>
+#include <sstream>
+#include <utility>
 
 namespace netloft::io {
 
@@ -113,6 +116,15 @@ StudyItem read_item(const Json& json, const Study& study) {
   return item;
 }
 
+std::string text_of_manifest(const fs::path& path) {
+  try {
+    if (auto text = read_whole(path)) return std::move(*text);
+  } catch (const ReadError& e) {
+    throw StudyError(e.what());
+  }
+  throw StudyError("there is no " + path.string() + "; `netloft study plan STUDY.toml` makes it");
+}
+
 }  // namespace
 
 std::string manifest_text(const Study& study) {
@@ -122,8 +134,7 @@ std::string manifest_text(const Study& study) {
 }
 
 Study read_manifest(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw StudyError("there is no " + path.string() + "; `netloft study plan STUDY.toml` makes it");
+  std::istringstream in(text_of_manifest(path));
   Study study;
   std::size_t number = 0, items = 0;
   for (std::string text; std::getline(in, text);) try {

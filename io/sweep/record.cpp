@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/sweep/record.hpp"
 
+#include "io/files/whole_file.hpp"
+
 #include <fmt/format.h>
 #include <zlib.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 
@@ -117,14 +117,15 @@ ItemRecord read_record(const std::string& text, const StudyItem& item) {
 std::optional<ItemRecord> find_record(const std::filesystem::path& folder, const StudyItem& item,
                                       std::string& fault) {
   const auto path = record_path(folder, item);
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
   try {
-    return read_record({std::istreambuf_iterator<char>(in), {}}, item);
+    const auto text = read_whole(path);
+    return text ? std::optional(read_record(*text, item)) : std::nullopt;
   } catch (const StudyError& e) {
     fault = path.string() + ": " + e.what();
-    return std::nullopt;
+  } catch (const ReadError& e) {
+    fault = e.what();
   }
+  return std::nullopt;
 }
 
 }  // namespace netloft::io

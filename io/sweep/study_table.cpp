@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/sweep/study_table.hpp"
 
+#include "io/files/whole_file.hpp"
+
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
@@ -13,9 +14,12 @@ namespace {
 
 /// The reason that a worker left for an item that it could not compute.
 std::string failure_of(const std::filesystem::path& folder, const StudyItem& item) {
-  std::ifstream in(failure_path(folder, item));
-  std::string reason;
-  return std::getline(in, reason) ? reason : "";
+  try {
+    const std::string text = read_whole(failure_path(folder, item)).value_or("");
+    return text.substr(0, text.find('\n'));
+  } catch (const ReadError& e) {
+    return e.what();
+  }
 }
 
 /// Reads item by item; members are steps in the order they happen.

@@ -293,6 +293,16 @@ class Results(InFreshFolder):
         self.assertIn("is no file that may be replaced", self.refused("draw", result, "-o", "."))
         self.assertEqual((self.folder / result).read_bytes(), before)
 
+    def test_a_state_that_is_not_there_is_refused(self):
+        result = self.solved("a", GOOD)
+        for command in (["draw", result, "-o", "a.svg"], ["export", result, "a.csv"], ["export", result, "a.glb"]):
+            self.assertIn(f"--state 7: {result} has one state, 0", self.refused(*command, "--state", "7"))
+
+    def test_an_ending_that_is_not_written_is_refused(self):
+        result = self.solved("a", GOOD)
+        self.assertIn("a.pdf: this is written as .svg or .png", self.refused("draw", result, "-o", "a.pdf"))
+        self.assertIn("a.pdf: this is written as .html or .htm", self.refused("view", result, "-o", "a.pdf"))
+
     def test_an_export_holds_every_part_where_it_is(self):
         result, _ = self.gear()
         self.done("export", result, "gear.glb")

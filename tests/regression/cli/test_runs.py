@@ -101,6 +101,9 @@ class Runs(InFreshFolder):
         motion = self.netloft("run", str(SCENES / "dynamics/hanging-panel.toml"), "--stages", "-o", "motion.hdf")
         self.assertEqual(motion.code, 2)
         self.assertIn("--stages is for equilibria", motion.err)
+        motion = self.netloft("run", str(SCENES / "dynamics/hanging-panel.toml"), "--error", "-o", "motion.hdf")
+        self.assertEqual(motion.code, 2)
+        self.assertIn("--error is for equilibria", motion.err)
 
     def test_json_says_what_a_script_needs(self):
         ended = self.run_panel("--json")

@@ -42,11 +42,15 @@ class Streams(InFreshFolder):
     def test_a_pipe_as_input_is_refused(self):
         for name in ("pipe.toml", "pipe.hdf", "pipe.so"):
             os.mkfifo(self.folder / name)
-        for words in (["run", "pipe.toml"], ["check", "pipe.toml"], ["diff", "pipe.hdf", "pipe.hdf"], ["test", "./pipe.so"]):
-            with self.subTest(command=words[0]):
+        (self.folder / "pipe.study").mkdir()
+        os.mkfifo(self.folder / "pipe.study" / "manifest.jsonl")
+        for words in (["run", "pipe.toml"], ["check", "pipe.toml"], ["draw", "pipe.toml"], ["diff", "pipe.hdf", "pipe.hdf"],
+                      ["test", "./pipe.so"], ["study", "plan", "pipe.toml"], ["study", "run", "pipe.study"],
+                      ["study", "collect", "pipe.study"], ["stability", "pipe.toml"], ["import", "femnet", "pipe.toml"]):
+            with self.subTest(command=words):
                 ended = self.netloft(*words)
                 self.assertIn(ended.code, (2, 4))
-                self.assertRegex(ended.err, r"pipe\.(toml|hdf|so):? (it )?is ")
+                self.assertRegex(ended.err, r"pipe\.(toml|hdf|so|study/manifest.jsonl):? (it )?is |there is no such file|holds no suite")
 
 
 class Signals(InFreshFolder):
@@ -128,6 +132,11 @@ class Commands(InFreshFolder):
         self.assertEqual((wrong.code, wrong.err), (2, 'netloft: there is no command "shema"; did you mean "schema"?\n'))
         self.assertIn('there is no command "xyzzy"; `netloft --help` lists them', self.netloft("xyzzy").err)
         self.assertEqual(self.netloft("shema", "--json").json()["status"], "wrong input")
+
+    def test_so_is_an_unknown_command_of_a_command(self):
+        ended = self.netloft("study", "rum", "s.study")
+        self.assertEqual(ended.code, 2)
+        self.assertIn('there is no command "study rum"; did you mean "study run"?', ended.err)
 
     def test_no_command_at_all_gets_the_help(self):
         alone = self.netloft()

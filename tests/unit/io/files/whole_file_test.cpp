@@ -43,6 +43,20 @@ TEST_F(WholeFile, IsWrittenAndReplaced) {
   EXPECT_EQ(content(folder_ / "a"), "second");
   EXPECT_EQ(count_files(), 1u);
 }
+TEST_F(WholeFile, IsReadOrThereIsNone) {
+  EXPECT_EQ(read_whole(folder_ / "a"), std::nullopt);
+  const std::string bytes("longer than a block\0and with a null", 35);
+  std::string all;
+  while (all.size() < 200000) all += bytes;
+  write_whole(folder_ / "a", all);
+  EXPECT_EQ(read_whole(folder_ / "a"), all);
+  write_whole(folder_ / "empty", "");
+  EXPECT_EQ(read_whole(folder_ / "empty"), "");
+}
+TEST_F(WholeFile, ThatMayNeverEndIsNotRead) {
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  for (const auto& path : {folder_ / "pipe", folder_, fs::path("/dev/zero")}) EXPECT_THROW(read_whole(path), ReadError);
+}
 TEST_F(WholeFile, TakesThePlaceOfWhatAKilledWriterLeft) {
   std::ofstream(folder_ / "a.new") << "something longer that was never finished";
   write_whole(folder_ / "a", "whole");
