@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace netloft::io {
 
@@ -40,12 +41,21 @@ void read_settling(TableReader& table, Registry& registry, Analysis& a) {
   a.dynamics.march.output_interval = 0, a.dynamics.march.budget = false;
 }
 
+/// Refuses what speaks of time where nobody said that there is none: kind = "dynamic" may be forgotten.
+void pass_over_time(TableReader& table) {
+  bool is_refused = table.has("kind");  // it may stay for another day
+  for (const auto& key : dynamics_keys())
+    if (table.has(key.name) && !std::exchange(is_refused, true))
+      table.error(key.name, "has no effect on an equilibrium",
+                  "kind = \"dynamic\" for a motion, kind = \"static\" to keep it for another day");
+}
+
 /// What speaks of time. True: no solver of an equilibrium is wanted.
 bool read_time(TableReader& table, Registry& registry, Analysis& a) {
   const bool moves = a.kind == AnalysisKind::dynamics;
   a.settles = !moves && is_integrator(registry, a.solver);
   if (!moves && !a.settles) {
-    for (const auto& key : dynamics_keys()) table.has(key.name);  // may stay for another day
+    pass_over_time(table);
     return false;
   }
   a.dynamics = read_dynamics(table, registry);

@@ -50,6 +50,8 @@ KEYS = [
     edit("misspelt table", "[water]", "[watre]", "1:2", 'unknown key "watre"', 'did you mean "water"?'),
     edit("wrong type", "gravity = 9.81", "gravity = true", "3:11", "water.gravity is the boolean true; an acceleration in m/s2",
          "a text such as"),
+    edit("motion that nobody asked for", "tolerance = 1e-10", "tolerance = 1e-10\nduration = 5", "28:12",
+         "analysis.duration: has no effect on an equilibrium", 'kind = "dynamic"'),
     edit("text for integers", "cells = [4, 4]", 'cells = "many"', "8:9", "an array of integers is expected"),
     edit("real for an integer", "cells = 4", "cells = 4.5", "15:9", "parts.rope.cells is the number 4.5; an integer"),
     edit("number for a text", 'type = "rope/bar"', "type = 3", "13:8", "parts.rope.type is the integer 3; a text is expected"),
