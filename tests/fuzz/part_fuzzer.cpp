@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nonsense for whoever reads the journal of a motion, NAME.hdf.part. Each input says how a good one is changed:
+// records left out, repeated, of another kind, with other bytes in them, all with the right checksums, and then
+// bytes of the file. It is read and reported as a result, and a run goes on from it. What HDF5 itself reads of a
+// journal, the image of what was known at the start, stays whole.
+#include "io/dynamics/checkpoint.hpp"
+#include "io/hdf5/series_journal.hpp"
+#include "io/result/result_report.hpp"
+#include "io/result/tables.hpp"
+#include "tests/fuzz/choices.hpp"
+#include "tests/fuzz/scratch_file.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace netloft;
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kLayout = 1;
+
+struct Record {
+  std::uint32_t kind = 0;
+  std::string content;
+  std::size_t whole_from = 0, whole_to = 0;  // bytes that are not changed
+};
+
+/// Behind the identity of the run stands the image, after its length.
+void spare_image(Record& record) {
+  io::ByteReader from(record.content);
+  record.whole_from = sizeof(std::uint64_t) + from.text().size();
+  record.whole_to = record.whole_from + sizeof(std::uint64_t) + from.text().size();
+}
+
+struct GoodJournal {
+  std::vector<Record> records;
+  std::string identity;
+
+  /// What make_results.sh has put into the folder that NETLOFT_FUZZ_RESULTS names.
+  GoodJournal() {
+    const char* folder = std::getenv("NETLOFT_FUZZ_RESULTS");
+    if (!folder)
+      std::fputs("NETLOFT_FUZZ_RESULTS: name the folder that make_results.sh has filled\n", stderr),
+          std::exit(1);
+    io::Journal::read(fs::path(folder) / "rope-that-runs.hdf.part", [&](const auto& record, auto content) {
+      records.push_back({record.kind, std::string(content)});
+    });
+    for (auto& record : records)
+      if (record.kind == kLayout) {
+        identity = io::ByteReader(record.content).text();
+        spare_image(record);
+      }
+  }
+};
+
+/// Overwrites, removes or inserts some bytes.
+void change(Record& record, fuzz::Choices& source) {
+  std::string& content = record.content;
+  const std::size_t at = source.in<std::size_t>(0, content.size()), length = source.in<std::size_t>(1, 9);
+  if (at + length > record.whole_from && at < record.whole_to) return;
+  switch (source.in<int>(0, 3)) {
+    case 0:
+      content.resize(std::max(at, record.whole_to));
+      return;
+    case 1:
+      content.insert(at, source.text(24));
+      return;
+    default: {
+      const auto bytes = source.bytes(length);
+      content.replace(at, bytes.size(), std::string(bytes.begin(), bytes.end()));
+    }
+  }
+}
+
+void write_changed(const fs::path& path, const GoodJournal& good, fuzz::Choices& source) {
+  io::Journal journal = io::Journal::create(path);
+  for (Record record : good.records) {
+    const int what = source.in<int>(0, 9);
+    if (what == 1) continue;
+    if (what == 2) record.kind = source.in<std::uint32_t>(0, 5);
+    if (what == 3 || what == 4) change(record, source);
+    for (int n = what == 5 ? 2 : 1; n > 0; --n) journal.append(record.kind, record.content);
+  }
+}
+
+void damage(const fs::path& path, fuzz::Choices& source) {
+  const auto size = static_cast<std::size_t>(fs::file_size(path));
+  std::FILE* file = std::fopen(path.c_str(), "r+b");
+  for (int n = source.in<int>(0, 2); n > 0; --n) {
+    std::fseek(file, static_cast<long>(source.in<std::size_t>(0, size - 1)), SEEK_SET);
+    std::fputc(source.any<std::uint8_t>(), file);
+  }
+  std::fclose(file);
+}
+
+void read(const fs::path& path) {
+  try {
+    const io::StoredResult result(path);
+    fuzz::use(io::result_text(result).size() + io::result_json(result).size());
+    fuzz::use(io::nodes_csv(result, 0).size() + io::elements_csv(result, 0).size());
+  } catch (const io::FileError& e) {
+    fuzz::use(std::strlen(e.what()));
+  }
+}
+
+void go_on(const fs::path& path, const std::string& identity) {
+  try {
+    io::SeriesJournal series = io::SeriesJournal::go_on(path, identity);
+    fuzz::use(io::unpack_checkpoint(series.checkpoint()).u.size());
+    const io::SeriesState last = series.state(series.size() - 1);
+    for (std::size_t i = 0; i < series.size(); ++i) fuzz::use(series.state(i).points.size());
+    series.write(last, series.checkpoint());
+  } catch (const io::FileError& e) {
+    fuzz::use(std::strlen(e.what()));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const GoodJournal good;
+  io::silence_hdf5();
+  fuzz::Choices source(data, size);
+  const auto path = fuzz::scratch_folder() / "r.hdf.part";
+  write_changed(path, good, source);
+  damage(path, source);
+  read(path);
+  go_on(path, good.identity);
+  read(path);
+  return 0;
+}

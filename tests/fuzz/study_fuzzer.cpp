@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nonsense for whoever reads the files of a study. The first byte of an input says what the rest is: `m` a
+// manifest, `r` the record of an item, whose checksum is put right, so that it becomes a table and plots; else
+// a study file, which is planned if it is small.
+#include "io/files/whole_file.hpp"
+#include "io/sweep/manifest.hpp"
+#include "io/sweep/study_plots.hpp"
+#include "tests/fuzz/scratch_file.hpp"
+
+#include <zlib.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace {
+
+using namespace netloft;
+
+constexpr double kFewPoints = 500;
+
+io::VariableValue number(double value) { return {std::to_string(value), value}; }
+
+/// Two points along a path, the hash of which is 1.
+io::Study small_study() {
+  io::Study study;
+  study.name = "small", study.scene = "scene.toml";
+  io::StudyColumn speed;
+  speed.variable.name = "speed", speed.variable.unit = "kn", speed.is_in_path = true;
+  study.columns.push_back(speed);
+  io::StudyItem item;
+  item.id = 1, item.hash = "fnv1a64:1";
+  item.points = {{{"tow.speed=2"}, {number(2)}}, {{"tow.speed=3"}, {number(3)}}};
+  study.items.push_back(item);
+  return study;
+}
+
+void write_record(const io::Study& study, std::string_view text) {
+  const auto path = io::record_path(fuzz::scratch_folder(), study.items.front());
+  std::filesystem::create_directories(path.parent_path());
+  char sum[32];
+  std::snprintf(sum, sizeof sum, "crc32 %08lx\n",
+                crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size()));
+  const std::string whole = std::string(text) + sum;
+  fuzz::write_scratch("items/" + path.filename().string(),
+                      reinterpret_cast<const std::uint8_t*>(whole.data()), whole.size());
+}
+
+void collect_record(std::string_view text) {
+  static const io::Study study = small_study();
+  write_record(study, text);
+  const io::StudyTable table = io::collect_table(study, fuzz::scratch_folder());
+  fuzz::use(io::study_csv(table).size() + io::study_hdf5(study, table).size());
+  fuzz::use(io::costs_csv(study, fuzz::scratch_folder()).size());
+  try {
+    for (const auto& plot : io::plots_of(table, {})) fuzz::use(io::draw_svg(plot).size());
+  } catch (const io::StudyError& e) {
+    fuzz::use(std::string_view(e.what()).size());
+  }
+}
+
+void read_manifest(const std::filesystem::path& path) {
+  try {
+    fuzz::use(io::manifest_text(io::read_manifest(path)).size());
+  } catch (const io::StudyError& e) {
+    fuzz::use(std::string_view(e.what()).size());
+  }
+}
+
+/// What is planned has a manifest that is read back as it was written.
+void plan(const std::filesystem::path& path) {
+  io::Diagnostics diagnostics;
+  const io::StudyFile file = io::read_study_file(path, diagnostics);
+  fuzz::use(diagnostics.render(false).size());
+  if (diagnostics.errors() || io::count_points(file) > kFewPoints) return;
+  const std::string text = io::manifest_text(io::make_study(file, file.scene, {{"scene.toml", "fnv1a64:2"}}));
+  const auto manifest = fuzz::write_scratch("manifest.jsonl", reinterpret_cast<const std::uint8_t*>(text.data()),
+                                            text.size());
+  if (io::manifest_text(io::read_manifest(manifest)) != text) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view rest(reinterpret_cast<const char*>(data) + 1, size - 1);
+  if (*data == 'r') return collect_record(rest), 0;
+  const bool is_manifest = *data == 'm';
+  const auto path = fuzz::write_scratch(is_manifest ? "manifest.jsonl" : "study.toml", data + 1, size - 1);
+  is_manifest ? read_manifest(path) : plan(path);
+  return 0;
+}
