@@ -11,6 +11,7 @@ prints a Markdown table with a row for each fault and command, and exits with 1 
     without a word  the command failed and gave no reason
 """
 import argparse
+import json
 import os
 import random
 import signal
@@ -203,6 +204,46 @@ class Motion(Case):
             raise Harm("silently wrong", "r.hdf after --resume")
 
 
+def fill(folder, files):
+    for name, content in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(content)
+
+
+class Items(Case):
+    """`study run`, where some items have been computed before; tables show what the records hold."""
+
+    TABLES = ("table.csv", "table.hdf")
+
+    def __init__(self, name, words, sources, program):
+        super().__init__(name, words, program)
+        self.sources = sources
+
+    def prepare(self, folder):
+        fill(folder, self.sources)
+
+    def observe(self, folder):
+        return {path.name: path.read_bytes() for path in (folder / "s.study" / "items").glob("*.json")}
+
+    def learn(self, folder):
+        seconds = super().learn(folder)
+        self.new = self.finish(folder)
+        return seconds
+
+    def finish(self, folder):
+        self.program.succeed(["study", "run", "s.study"], folder)
+        self.program.succeed(["study", "collect", "s.study"], folder)
+        return [(folder / "s.study" / name).read_bytes() for name in self.TABLES]
+
+    def judge(self, folder, confirmed, ran_twice=False):
+        there = {Path(name).name: content for name, content in self.sources.items() if name.endswith(".json")}
+        for name, content in {**there, **(confirmed or {})}.items():
+            if (folder / "s.study" / "items" / name).read_bytes() != content:
+                raise Harm("lost", f"record {name}")
+        if self.finish(folder) != self.new:
+            raise Harm("silently wrong", "table of the study")
+
+
 class Page(Case):
     """A command that reads results and writes one other file, or none."""
 
@@ -211,10 +252,7 @@ class Page(Case):
         self.output, self.sources, self.is_whole = output, sources, is_whole
 
     def prepare(self, folder):
-        for name, content in self.sources.items():
-            (folder / name).write_bytes(content)
-        if self.output:
-            (folder / self.output).write_bytes(b"old")
+        fill(folder, {**self.sources, **({self.output: b"old"} if self.output else {})})
 
     def learn(self, folder):
         seconds = super().learn(folder)
@@ -271,7 +309,7 @@ class Tally:
 
 
 def in_fresh_folder(action):
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:  # a worker may outlive a kill by a moment
         return action(Path(folder))
 
 
@@ -299,7 +337,7 @@ def count_writes(case, folder):
     case.prepare(folder)
     count = folder / "count"
     case.program.run(case.words, folder, {"FAIL_WRITE": 0, "COUNT_FILE": count})
-    return int(count.read_text())
+    return max(1, int(count.read_text()))  # of a pool of workers the last one to end counts, which may write nothing
 
 
 def full_disk_tries(case, most, rng):
@@ -329,17 +367,18 @@ def oddity_tries(case, faults):
     yield lambda: in_fresh_folder(attempt)
 
 
+def protect(folder, mode_of_folders, mode_of_files):
+    for path in (folder, *folder.rglob("*")):
+        path.chmod(mode_of_folders if path.is_dir() else mode_of_files)
+
+
 def read_only_tries(case):
     """A folder in which nobody may make a file."""
     def attempt(folder):
         case.prepare(folder)
-        for path in folder.iterdir():
-            path.chmod(0o444)
-        folder.chmod(0o555)
+        protect(folder, 0o555, 0o444)
         ended = case.program.run(case.words, folder, **({"user": NOBODY, "group": NOBODY} if os.geteuid() == 0 else {}))
-        folder.chmod(0o755)
-        for path in folder.iterdir():
-            path.chmod(0o644)
+        protect(folder, 0o755, 0o644)
         writes = getattr(case, "output", True)
         if writes and (ended.returncode == 0 or "Permission denied" not in ended.stderr):
             raise Harm("without a word", f"exit {ended.returncode}: {ended.stderr.strip()}")
@@ -371,12 +410,41 @@ def two_writer_tries(case, seconds, number, rng):
         yield lambda: in_fresh_folder(attempt)
 
 
+STUDY = """\
+scene = "scene.toml"
+path = []
+[variables.density]
+key = "parts.rope.rope.density"
+values = [300, 330, 360, 390]
+"""
+
+
+def make_study(folder, program, scene):
+    """The files of a study whose items are all computed."""
+    (folder / "scene.toml").write_text(scene.read_text().replace("cells = 200", "cells = 10"))
+    (folder / "s.toml").write_text(STUDY)
+    program.succeed(["study", "plan", "s.toml"], folder)
+    program.succeed(["study", "run", "s.study"], folder)
+    files = (folder / "scene.toml", folder / "s.toml", *sorted((folder / "s.study").rglob("*.json*")))
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+def missing_item(study):
+    for item in map(json.loads, study["s.study/manifest.jsonl"].splitlines()[1:]):
+        if f"s.study/items/{item['hash'].split(':')[1]}.json" not in study:
+            return str(item["id"])
+    raise ValueError("no item is missing")
+
+
 def make_cases(words, program, folder):
     scenes = Path(words.source) / "gear-library" / "scenes"
-    panel = [str(scenes / "dead-weight-panel.toml"), "--set", "parts.net.cells=[8,8]"]
+    panel = [str(scenes / "dead-weight-panel.toml"), "--set", "parts.net.cells=[2,2]"]
     rope = ["run", str(scenes / "dynamics" / "released-rope.toml"), "--set", "analysis.output_interval=0.01", "-o", "r.hdf"]
     program.succeed(["run", *panel, "-o", "p.hdf"], folder)
     source = {"p.hdf": (folder / "p.hdf").read_bytes()}
+    study = make_study(folder, program, scenes / "hanging-rope.toml")
+    plan = {name: content for name, content in study.items() if name.endswith(".toml")}
+    begun = {name: content for i, (name, content) in enumerate(study.items()) if not name.endswith(".json") or i % 2}
     solve = ["compare", *panel, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--csv", "out.csv"]
     return [Result("run, equilibrium", ["run", *panel, "-o", "p.hdf"], ["run", *panel, "-o", "p.hdf", "--set", "water.gravity=5"], program),
             Motion("run, motion", rope, 0, program),
@@ -387,7 +455,12 @@ def make_cases(words, program, folder):
             Page("view", ["view", "p.hdf", "-o", "out.html"], "out.html", source, program),
             Page("draw", ["draw", "p.hdf", "-o", "out.svg"], "out.svg", source, program),
             Page("export", ["export", "p.hdf", "out.glb"], "out.glb", source, program),
-            Page("compare --csv", solve, "out.csv", {}, program, is_whole_table)]
+            Page("compare --csv", solve, "out.csv", {}, program, is_whole_table),
+            Page("study plan", ["study", "plan", "s.toml"], "s.study/manifest.jsonl", plan, program),
+            Items("study run", ["study", "run", "s.study", "--jobs", "1"], begun, program),
+            Items("study run --items", ["study", "run", "s.study", "--items", missing_item(begun)], begun, program),
+            Page("study collect", ["study", "collect", "s.study"], "s.study/table.hdf", study, program),
+            Page("study show", ["study", "show", "s.study", "-o", "out.html"], "out.html", study, program)]
 
 
 def try_faults(words, case, seconds, tally, rng):
