@@ -364,6 +364,15 @@ void add_import_command(CLI::App& app, Options& o) {
   command->add_flag("--json", o.json, "one JSON object on standard output");
 }
 
+void add_test_command(CLI::App& app, Options& o) {
+  auto* test = app.add_subcommand(
+      "test", "check the elements, laws and solvers of a plugin: derivatives, balance, lanes, manners");
+  test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
+  test->add_option("--seconds", o.seconds, "processor time for the checks of one component; else 60")
+      ->check(CLI::Range(0.001, 1e6));
+  add_plugin_options(*test, o);
+}
+
 void add_run_command(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
   add_scene_options(*run, o);
@@ -393,12 +402,7 @@ void add_commands(CLI::App& app, Options& o) {
   describe->add_option("TYPE", o.target, "such as rope/bar, newton, water")->required();
   add_plugin_options(*describe, o);
   add_plugin_options(*app.add_subcommand("schema", "JSON schema of scene files, for editors"), o);
-  auto* test = app.add_subcommand(
-      "test", "check the elements, laws and solvers of a plugin: derivatives, balance, lanes, manners");
-  test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
-  test->add_option("--seconds", o.seconds, "processor time for the checks of one component; else 60")
-      ->check(CLI::Range(0.001, 1e6));
-  add_plugin_options(*test, o);
+  add_test_command(app, o);
   add_author_commands(app, o);
   add_gear_commands(app, o);
   add_compare_command(app, o);
@@ -472,8 +476,8 @@ int explain(const CLI::App& app, const CLI::ParseError& error, const std::vector
   return kWrongInput;
 }
 
-/// A first word that is no command, or a second one that is none of the first's, as a sentence with the command
-/// it may stand for; else empty. `before`: "study ".
+/// A first word that is no command, or a second one that is none of the first's, as a sentence with the
+/// command it may stand for; else empty. `before`: "study ".
 std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
                             const std::string& before = "") {
   const auto commands = app.get_subcommands({});

@@ -6,9 +6,9 @@
 namespace netloft::io {
 
 /// Puts `content` in the place of the file `output`, whole or not at all: it is written beside it and
-/// renamed (io/files). A folder, a device or one of `sources` is never replaced, and the name has to end in one
-/// of `endings`, such as ".svg"; none: in any. Throws UsageError, or WriteError where the system refuses, with
-/// a sentence.
+/// renamed (io/files). A folder, a device or one of `sources` is never replaced, and the name has to end in
+/// one of `endings`, such as ".svg"; none: in any. Throws UsageError, or WriteError where the system refuses,
+/// with a sentence.
 void replace_file(const std::string& output, const std::string& content,
                   const std::vector<std::string>& sources, const std::vector<std::string>& endings = {});
 

@@ -66,8 +66,8 @@ SheetOptions sheet_options(const Options& options, const StoredResult& result) {
 int report(const Options& options) {
   const StoredResult result(options.target);
   if (options.html)
-    write_and_say(options, output_of(options, options.target, ".html"), report_page(result),
-                  {options.target}, kPage);
+    write_and_say(options, output_of(options, options.target, ".html"), report_page(result), {options.target},
+                  kPage);
   else
     std::fputs((options.json  ? result_json(result) + "\n"
                 : options.csv ? result_csv(result)

@@ -237,7 +237,8 @@ void refuse_for_motions(const Options& options) {
     throw UsageError{"--stages is for equilibria; output_interval says when a motion is kept"};
   if (options.error)
     throw UsageError{
-        "--error is for equilibria; of a motion, compare runs with other cells and `accuracy` by `netloft diff`"};
+        "--error is for equilibria; of a motion, compare runs with other cells and `accuracy` by `netloft "
+        "diff`"};
 }
 
 }  // namespace

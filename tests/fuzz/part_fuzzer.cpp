@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for whoever reads the journal of a motion, NAME.hdf.part. Each input says how a good one is changed:
-// records left out, repeated, of another kind, with other bytes in them, all with the right checksums, and then
-// bytes of the file. It is read and reported as a result, and a run goes on from it. What HDF5 itself reads of a
-// journal, the image of what was known at the start, stays whole.
+// Nonsense for whoever reads the journal of a motion, NAME.hdf.part. Each input says how a good one is
+// changed: records left out, repeated, of another kind, with other bytes in them, all with the right
+// checksums, and then bytes of the file. It is read and reported as a result, and a run goes on from it. What
+// HDF5 itself reads of a journal, the image of what was known at the start, stays whole.
 #include "io/dynamics/checkpoint.hpp"
 #include "io/hdf5/series_journal.hpp"
 #include "io/result/result_report.hpp"

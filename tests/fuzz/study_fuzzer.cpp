@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nonsense for whoever reads the files of a study. The first byte of an input says what the rest is: `m` a
-// manifest, `r` the record of an item, whose checksum is put right, so that it becomes a table and plots; else
-// a study file, which is planned if it is small.
+// manifest, `r` the record of an item, whose checksum is put right, so that it becomes a table and plots;
+// else a study file, which is planned if it is small.
 #include "io/files/whole_file.hpp"
 #include "io/sweep/manifest.hpp"
 #include "io/sweep/study_plots.hpp"
@@ -75,8 +75,8 @@ void plan(const std::filesystem::path& path) {
   fuzz::use(diagnostics.render(false).size());
   if (diagnostics.errors() || io::count_points(file) > kFewPoints) return;
   const std::string text = io::manifest_text(io::make_study(file, file.scene, {{"scene.toml", "fnv1a64:2"}}));
-  const auto manifest = fuzz::write_scratch("manifest.jsonl", reinterpret_cast<const std::uint8_t*>(text.data()),
-                                            text.size());
+  const auto manifest =
+      fuzz::write_scratch("manifest.jsonl", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   if (io::manifest_text(io::read_manifest(manifest)) != text) std::abort();
 }
 

@@ -55,7 +55,8 @@ TEST_F(WholeFile, IsReadOrThereIsNone) {
 }
 TEST_F(WholeFile, ThatMayNeverEndIsNotRead) {
   ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-  for (const auto& path : {folder_ / "pipe", folder_, fs::path("/dev/zero")}) EXPECT_THROW(read_whole(path), ReadError);
+  for (const auto& path : {folder_ / "pipe", folder_, fs::path("/dev/zero")})
+    EXPECT_THROW(read_whole(path), ReadError);
 }
 TEST_F(WholeFile, TakesThePlaceOfWhatAKilledWriterLeft) {
   std::ofstream(folder_ / "a.new") << "something longer that was never finished";
