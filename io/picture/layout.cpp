@@ -38,27 +38,28 @@ std::size_t rows_of(const GearShape& shape) {
              : 0;
 }
 
-void add_ticks(const Scale& scale, double left, double top, Layout& layout) {
+void add_ticks(const Scale& scale, double left, double top, SheetLayout& layout) {
   const auto ticks = scale.ticks();
   for (const double tick : ticks) {
     const double x = left + kBarWidth * scale.place(tick);
     layout.boxes.push_back({x - 0.5, top + kBarHeight, 1, 3, layout.ink});
-    layout.words.push_back({x, top + kBarHeight + 15, number(tick), 12, Layout::Align::middle});
+    layout.words.push_back({x, top + kBarHeight + 15, number(tick), 12, SheetLayout::Align::middle});
   }
   // beyond the ends there are values, too
-  if (scale.is_cut_below) layout.words.push_back({left - 4, top + kBarHeight, "<", 12, Layout::Align::right});
+  if (scale.is_cut_below)
+    layout.words.push_back({left - 4, top + kBarHeight, "<", 12, SheetLayout::Align::right});
   if (scale.is_cut_above) layout.words.push_back({left + kBarWidth + 4, top + kBarHeight, ">", 12});
 }
 
-void add_legend(const GearShape& shape, CellKind kind, double right, double top, Layout& layout) {
+void add_legend(const GearShape& shape, CellKind kind, double right, double top, SheetLayout& layout) {
   const Scale& scale = *shape.scales[static_cast<std::size_t>(kind)];
   const double left = right - kBarWidth - 12;
   constexpr int kSteps = 65;
   for (int i = 0; i < kSteps; ++i)
     layout.boxes.push_back({left + i * kBarWidth / kSteps, top, kBarWidth / kSteps + 0.5, kBarHeight,
                             colour_at(i / (kSteps - 1.0))});
-  layout.words.push_back(
-      {left - 16, top + kBarHeight, legend_title(shape, kind, rows_of(shape)), 13, Layout::Align::right});
+  layout.words.push_back({left - 16, top + kBarHeight, legend_title(shape, kind, rows_of(shape)), 13,
+                          SheetLayout::Align::right});
   add_ticks(scale, left, top, layout);
 }
 
@@ -66,7 +67,7 @@ void add_legend(const GearShape& shape, CellKind kind, double right, double top,
 
 double legend_height(const GearShape& shape) { return kRow * static_cast<double>(rows_of(shape)); }
 
-void add_legends(const GearShape& shape, double right, double top, Layout& layout) {
+void add_legends(const GearShape& shape, double right, double top, SheetLayout& layout) {
   for (const auto kind : {CellKind::netting, CellKind::rope, CellKind::point}) {
     if (!shape.field || !shape.scales[static_cast<std::size_t>(kind)]) continue;
     add_legend(shape, kind, right, top, layout);
@@ -74,7 +75,7 @@ void add_legends(const GearShape& shape, double right, double top, Layout& layou
   }
 }
 
-void add_scale_bar(double pixels_per_metre, double x, double y, double longest, Layout& layout) {
+void add_scale_bar(double pixels_per_metre, double x, double y, double longest, SheetLayout& layout) {
   const double wanted = longest / pixels_per_metre, power = std::pow(10, std::floor(std::log10(wanted)));
   const double metres = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
   const double length = metres * pixels_per_metre;
@@ -88,7 +89,7 @@ void add_scale_bar(double pixels_per_metre, double x, double y, double longest, 
 namespace {
 
 /// A line with an arrow at either end.
-void add_arrow(const Point3& a, const Point3& b, Layout& layout) {
+void add_arrow(const Point3& a, const Point3& b, SheetLayout& layout) {
   constexpr double kHead = 9, kOpen = 0.32;
   const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
   const double ux = dx / length, uy = dy / length;
@@ -101,7 +102,7 @@ void add_arrow(const Point3& a, const Point3& b, Layout& layout) {
 
 }  // namespace
 
-void add_dimensions(const GearShape& shape, const Projection& projection, double top, Layout& layout) {
+void add_dimensions(const GearShape& shape, const Projection& projection, double top, SheetLayout& layout) {
   std::vector<double> points;
   for (const auto& node : shape.nodes) points.insert(points.end(), node.begin(), node.end());
   double along = 0.5;  // where the words stand: lines that cross have them in different places
@@ -114,7 +115,7 @@ void add_dimensions(const GearShape& shape, const Projection& projection, double
     add_arrow(a, b, layout);
     const double metres = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
     layout.words.push_back({a[0] + along * (b[0] - a[0]) + 6, a[1] + along * (b[1] - a[1]) - 6,
-                            fmt::format("{} {:.3g} m", dimension.name, metres), 13, Layout::Align::left,
+                            fmt::format("{} {:.3g} m", dimension.name, metres), 13, SheetLayout::Align::left,
                             true});
     along = along == 0.5 ? 0.22 : 0.62;
   }

@@ -9,7 +9,7 @@ namespace netloft::io {
 
 /// What stands around and over the picture of a gear, in pixels from the upper left corner of the sheet; not
 /// yet as SVG or PNG.
-struct Layout {
+struct SheetLayout {
   enum class Align { left, middle, right };
   struct Box {
     double x, y, width, height;
@@ -37,12 +37,12 @@ struct Layout {
 double legend_height(const GearShape& shape);
 /// A bar of colours with round values for netting, ropes and single nodes that have the field; its upper
 /// right corner is at (right, top).
-void add_legends(const GearShape& shape, double right, double top, Layout& layout);
+void add_legends(const GearShape& shape, double right, double top, SheetLayout& layout);
 
 /// A scale of a round number of metres with its left end at (x, y), not longer than `longest` [pixels].
-void add_scale_bar(double pixels_per_metre, double x, double y, double longest, Layout& layout);
+void add_scale_bar(double pixels_per_metre, double x, double y, double longest, SheetLayout& layout);
 
 /// Height and spreads as lines with their lengths. `top`: of the picture on the sheet.
-void add_dimensions(const GearShape& shape, const Projection& projection, double top, Layout& layout);
+void add_dimensions(const GearShape& shape, const Projection& projection, double top, SheetLayout& layout);
 
 }  // namespace netloft::io

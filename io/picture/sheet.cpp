@@ -24,7 +24,7 @@ constexpr double kLeastHeight = 0.16, kGreatestHeight = 0.64;  // of the picture
 struct Sheet {
   double width = 0, height = 0, picture_top = 0;
   Image picture{0, 0, {}};
-  Layout layout;
+  SheetLayout layout;
 };
 
 /// A long title is cut, with a mark that it was.
@@ -35,7 +35,7 @@ std::string shortened(std::string text, std::size_t most) {
   return text.substr(0, end) + "…";
 }
 
-void add_title(const StoredResult& result, std::size_t state, Layout& layout) {
+void add_title(const StoredResult& result, std::size_t state, SheetLayout& layout) {
   std::string title = result.title();
   if (!result.stages.empty()) title += ", " + result.stages[state];
   if (result.is_motion) title += fmt::format(", {:.4g} s", result.times[state]);
@@ -56,8 +56,8 @@ void add_bed(const GearShape& shape, const Projection& projection, View view, Sh
     sheet.layout.boxes.push_back({kMargin, y, sheet.width - 2 * kMargin, 1.5, {0.55f, 0.46f, 0.3f}});
 }
 
-Layout empty_layout(bool is_dark) {
-  Layout layout;
+SheetLayout empty_layout(bool is_dark) {
+  SheetLayout layout;
   layout.ground = is_dark ? Colour{0.08f, 0.19f, 0.25f} : Colour{1, 1, 1};
   layout.ink = is_dark ? Colour{0.93f, 0.96f, 0.97f} : Colour{0.08f, 0.13f, 0.17f};
   return layout;
@@ -97,10 +97,10 @@ Sheet compose(const StoredResult& result, const SheetOptions& options) {
   return sheet;
 }
 
-std::string svg_of(const Layout::Words& words, const Layout& layout) {
-  const char* anchor = words.align == Layout::Align::right    ? "end"
-                       : words.align == Layout::Align::middle ? "middle"
-                                                              : "start";
+std::string svg_of(const SheetLayout::Words& words, const SheetLayout& layout) {
+  const char* anchor = words.align == SheetLayout::Align::right    ? "end"
+                       : words.align == SheetLayout::Align::middle ? "middle"
+                                                                   : "start";
   const std::string halo =
       words.has_halo ? " stroke=\"" + hex(layout.ground) + "\" stroke-width=\"4\" paint-order=\"stroke\""
                      : "";
@@ -110,7 +110,7 @@ std::string svg_of(const Layout::Words& words, const Layout& layout) {
 }
 
 /// A line with soft edges: every pixel by its distance from it.
-void draw_line(const Layout::Line& line, Image& image) {
+void draw_line(const SheetLayout::Line& line, Image& image) {
   const double dx = line.x1 - line.x0, dy = line.y1 - line.y0, square = dx * dx + dy * dy;
   const auto pixel = [](double x, std::size_t most) {
     return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(most)));
@@ -128,18 +128,18 @@ void draw_line(const Layout::Line& line, Image& image) {
     }
 }
 
-void draw_box(const Layout::Box& box, Image& image) {
+void draw_box(const SheetLayout::Box& box, Image& image) {
   const auto pixel = [](double x) { return static_cast<std::size_t>(std::max(0.0, std::round(x))); };
   for (std::size_t y = pixel(box.y); y < std::min(pixel(box.y + box.height), image.height); ++y)
     for (std::size_t x = pixel(box.x); x < std::min(pixel(box.x + box.width), image.width); ++x)
       image.set(x, y, box.colour);
 }
 
-void draw_words(const Layout::Words& words, const Layout& layout, Image& image) {
+void draw_words(const SheetLayout::Words& words, const SheetLayout& layout, Image& image) {
   const double width = text_width(words.text, words.size);
-  const double left = words.align == Layout::Align::right    ? words.x - width
-                      : words.align == Layout::Align::middle ? words.x - width / 2
-                                                             : words.x;
+  const double left = words.align == SheetLayout::Align::right    ? words.x - width
+                      : words.align == SheetLayout::Align::middle ? words.x - width / 2
+                                                                  : words.x;
   if (words.has_halo)
     for (const double x : {-1.5, 0.0, 1.5})
       for (const double y : {-1.0, 0.0, 1.0})
@@ -151,7 +151,7 @@ void draw_words(const Layout::Words& words, const Layout& layout, Image& image) 
 
 std::string svg_sheet(const StoredResult& result, const SheetOptions& options) {
   const Sheet sheet = compose(result, options);
-  const Layout& layout = sheet.layout;
+  const SheetLayout& layout = sheet.layout;
   const std::string picture = options.is_small ? small_png(sheet.picture) : png(sheet.picture);
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "

@@ -42,8 +42,8 @@ std::vector<double> values_of(const LinePlot& plot, bool of_x) {
   return values;
 }
 
-std::unique_ptr<Axis> make_axis(Scale scale, const std::vector<double>& values) {
-  if (scale == Scale::linear) return std::make_unique<LinearAxis>(values);
+std::unique_ptr<Axis> make_axis(AxisScale scale, const std::vector<double>& values) {
+  if (scale == AxisScale::linear) return std::make_unique<LinearAxis>(values);
   return std::make_unique<LogAxis>(values);
 }
 

@@ -26,7 +26,7 @@ struct PlotMark {
   std::string label;
 };
 
-enum class Scale { linear, logarithmic };
+enum class AxisScale { linear, logarithmic };
 
 /// Lines over two axes. Values that an axis has no place for are left out: those that are not finite, and on
 /// a logarithmic one those that are not positive.
@@ -34,7 +34,7 @@ struct LinePlot {
   std::string title, x_label, y_label;  // labels with their unit: "CPU time [s]"
   std::vector<PlotSeries> series;
   std::vector<PlotMark> marks = {};
-  Scale x_scale = Scale::logarithmic, y_scale = Scale::logarithmic;
+  AxisScale x_scale = AxisScale::logarithmic, y_scale = AxisScale::logarithmic;
 };
 
 /// The plot as a self-contained SVG: white ground, colours that colour-blind readers can distinguish (Okabe

@@ -142,8 +142,8 @@ class Plotter {
                   with_unit(figure.name, figure.unit),
                   {},
                   {},
-                  Scale::linear,
-                  Scale::linear};
+                  AxisScale::linear,
+                  AxisScale::linear};
     if (by_ == table_.columns.size()) {
       plot.series.push_back(series("", figure.name, f));
     } else {

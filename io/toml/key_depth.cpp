@@ -31,7 +31,7 @@ std::size_t skip_string(std::string_view text, std::size_t at) {
 
 bool separates_keys(char c) { return std::string_view("\n=,[]{}").find(c) != std::string_view::npos; }
 
-Spot spot_at(std::string_view text, std::size_t at) {
+DeepKey spot_at(std::string_view text, std::size_t at) {
   const std::string_view before = text.substr(0, at);
   const std::size_t newline = before.rfind('\n');
   const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
@@ -41,7 +41,7 @@ Spot spot_at(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::optional<Spot> find_deep_key(std::string_view text) {
+std::optional<DeepKey> find_deep_key(std::string_view text) {
   int dots = 0;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];

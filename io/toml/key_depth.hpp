@@ -10,12 +10,12 @@ namespace netloft::io {
 /// overflow its stack.
 constexpr int kMostKeyParts = 32;
 
-struct Spot {
+struct DeepKey {
   int line = 1;
   int column = 1;
 };
 
 /// The first dotted key with more than kMostKeyParts parts.
-std::optional<Spot> find_deep_key(std::string_view text);
+std::optional<DeepKey> find_deep_key(std::string_view text);
 
 }  // namespace netloft::io

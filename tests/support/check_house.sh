@@ -9,7 +9,7 @@ rooms=(framework plugins solvers io)
 breaches=0
 
 checks=(check_top_level check_arrows check_readmes check_first_lines check_documents check_component_names
-        check_linear_algebra check_function_lengths check_words check_promises)
+        check_linear_algebra check_function_lengths check_words check_promises check_one_definition)
 
 main() {
   local check
@@ -165,6 +165,25 @@ exists_beside() {
   local folder=.
   [[ $1 != */* ]] || folder=${1%/*}
   [[ -e $folder/$2 || -e $2 || -e framework/include/$2 || -e $folder/netloft/$2 || -e gear-library/scenes/$2 ]]
+}
+
+# Two types of one name in a namespace are one to the linker, which takes the functions of either for both.
+check_one_definition() {
+  breach_lines 'a type of this name is there already' < <(
+    for room in framework plugins solvers io; do code_of "$room"; done | awk '
+      { split($0, at, ":"); text = $0; sub(/^[^:]*:[^:]*:/, "", text) }
+      at[1] !~ /\.hpp$/ { next }
+      text ~ /^namespace [a-z_:]+ \{/ { space = text; gsub(/^namespace | \{.*/, "", space) }
+      text ~ /^(struct|class|enum class|enum) [A-Za-z_0-9]+[^;]*\{/ {
+        name = text
+        sub(/^(struct|class|enum class|enum) /, "", name)
+        if (name ~ /^[A-Za-z_0-9]+::/) next
+        sub(/[^A-Za-z_0-9].*/, "", name)
+        name = space "::" name
+        if (name in where && where[name] != at[1]) print at[1] ":" at[2] ":" name ", " where[name]
+        where[name] = at[1]
+      }'
+  )
 }
 
 # Every promise of SECURITY.md names tests that exist: Suite.Name of C++, test_name of Python, "a wrong scene", 'in a page'.

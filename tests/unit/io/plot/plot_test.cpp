@@ -56,9 +56,13 @@ TEST(Plot, IsTrueToScale) {
 }
 
 TEST(Plot, ShadesBandsBehindTheirLines) {
-  LinePlot plot{
-      "", "x",           "y",          {{"one", {{0, 1}, {1, 3}, {2, 2}}, {{0, 0, 2}, {1, 2, 4}, {2, 1, 3}}}},
-      {}, Scale::linear, Scale::linear};
+  LinePlot plot{"",
+                "x",
+                "y",
+                {{"one", {{0, 1}, {1, 3}, {2, 2}}, {{0, 0, 2}, {1, 2, 4}, {2, 1, 3}}}},
+                {},
+                AxisScale::linear,
+                AxisScale::linear};
   const std::string svg = draw_svg(plot);
   EXPECT_EQ(count(svg, "fill-opacity"), 1u);
   EXPECT_LT(svg.find("fill-opacity"), svg.find("<polyline"));
