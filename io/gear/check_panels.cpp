@@ -121,7 +121,7 @@ void check_depth(const Panel& panel, const std::vector<Cut>& side, const char* n
 }
 
 void check_empty(const Panel& panel, Diagnostics& diagnostics) {
-  if (panel.count(panel.fore) <= 0 && panel.count(panel.aft) <= 0)
+  if (panel.is_empty())
     diagnostics.error(panel.place, panel.name + ": has meshes neither along its fore nor along its aft edge");
 }
 

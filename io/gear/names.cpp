@@ -98,8 +98,7 @@ EdgeSet find_edge(const NetPlan& plan, const std::string& name, const Place& pla
   const Panel* panel = find_panel_or_say(plan, dotted.owner, place, path, diagnostics);
   if (!panel) return {};
   EdgeSet set{panel, {}};
-  if (panel->count(panel->fore) <= 0 && panel->count(panel->aft) <= 0)
-    return set;  // a panel without edges has been reported already
+  if (panel->is_empty()) return set;  // a panel without edges has been reported already
   for (auto& edge : outline_of(*panel).edges)
     if (stands_for(dotted.rest, edge)) set.edges.push_back(edge);
   if (set.edges.empty())

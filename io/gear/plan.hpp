@@ -68,6 +68,7 @@ struct Panel {
   double depth = 0;            // meshes, over all pieces in a row
   int pieces = 1;              // sewn in a row mesh to mesh, each `depth`/`pieces` deep
   std::vector<OpenEdge> open;  // edges that are sewn and hung nowhere on purpose
+  bool has_corners = false;    // given by corners, which enclose netting, instead of counts and cuttings
   bool is_round = false;       // a tube: its sides are sewn to one another
   std::vector<Cut> outer;      // of a middle panel: both sides
   std::vector<Cut> inner;      // of a middle panel: none
@@ -75,6 +76,8 @@ struct Panel {
   std::vector<std::array<double, 3>> sketch;
   Place place, aft_place;
 
+  /// Whether it has no netting by its counts: a panel by corners may have a corner at either end.
+  bool is_empty() const { return !has_corners && count(fore) <= 0 && count(aft) <= 0; }
   /// Meshes of the whole edge, to port and to starboard of a middle panel.
   double count(const std::vector<MeshCount>& edge) const;
   /// (u, v) in bars of a point, or of the vector from one point to another; twine_coordinates.hpp.

@@ -18,6 +18,8 @@ ChosenPart read_part_choice(TableReader& table, const char* key, const char* kin
 
 /// Reads tables of a plan. The members of a plan are read in a file each.
 Panel read_panel(const std::string& name, TableReader& table, const Catalogue& catalogue);
+/// Reads counts and sides of a panel from its corners, `corners = [[0, 0], [20, 0], [15, 10]]`.
+void read_corners(Panel& panel, TableReader& table);
 Rope read_rope(const std::string& name, TableReader& table, const Catalogue& catalogue);
 Hanging read_hanging(TableReader& table);
 Join read_join(TableReader& table);

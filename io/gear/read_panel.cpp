@@ -262,6 +262,16 @@ void read_sketch(Panel& panel, TableReader& table) {
   if (panel.sketch.size() != 4) panel.sketch.clear();
 }
 
+void read_counts_and_cuttings(Panel& panel, TableReader& table) {
+  read_depth(panel, table);
+  read_fore(panel, table);
+  read_sides(panel, table);
+  check_pieces_in_a_row(panel, table);
+  panel.states_aft = table.has("aft");
+  panel.aft_place = table.place("aft");
+  if (panel.states_aft) panel.aft = read_counts(table, "aft");
+}
+
 }  // namespace
 
 ChosenPart read_part_choice(TableReader& table, const char* key, const char* kind_key,
@@ -295,15 +305,9 @@ Panel read_panel(const std::string& name, TableReader& table, const Catalogue& c
   Panel panel;
   panel.name = name, panel.place = table.place();
   panel.stands = read_standing(table, "middle");
-  read_depth(panel, table);
-  read_fore(panel, table);
-  read_sides(panel, table);
-  check_pieces_in_a_row(panel, table);
+  table.has("corners") ? read_corners(panel, table) : read_counts_and_cuttings(panel, table);
   read_material(panel, table, catalogue);
   read_angle(panel, table);
-  panel.states_aft = table.has("aft");
-  panel.aft_place = table.place("aft");
-  if (panel.states_aft) panel.aft = read_counts(table, "aft");
   panel.open = read_open(table);
   read_sketch(panel, table);
   return panel;

@@ -21,11 +21,14 @@ class Gears(InFreshFolder):
             for panel in tomllib.loads(gear.read_text())["panels"]:
                 self.assertIn(panel, texts)
 
-    def test_the_plan_on_the_page_can_be_sewn(self):
+    def test_the_plans_on_the_page_can_be_sewn(self):
         page = (SOURCE / "io/gear/GEAR.md").read_text()
-        self.write("gear.toml", page.split("```toml\n")[1].split("```")[0])
-        run = self.netloft("check", "gear.toml")
-        self.assertEqual((run.code, run.err), (0, ""))
+        plans = [block.split("\n", 1)[1] for block in page.split("```toml")[1:]]
+        self.assertEqual(len(plans), 2)
+        for plan in plans:
+            self.write("gear.toml", plan.split("```")[0])
+            run = self.netloft("check", "gear.toml")
+            self.assertEqual((run.code, run.err), (0, ""))
 
     def test_the_slip_of_the_printed_plan_is_found_and_named(self):
         self.write("slip.toml", SLIP)
