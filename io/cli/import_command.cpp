@@ -67,12 +67,16 @@ struct Outputs {
   fs::path scene, mesh;
 };
 
+auto import_of(const std::string& format) {
+  return format == "table" ? import_table : format == "moordyn" ? import_moordyn : import_femnet;
+}
+
 int import_gear(const Options& options) {
   const Outputs to(options);
   Terminal terminal(options.color);
   Diagnostics diagnostics;
-  const ImportedGear gear =
-      import_femnet({options.target, options.mesh_file, to.mesh.filename().string()}, diagnostics);
+  const ImportedGear gear = import_of(options.kind)(
+      {options.target, options.mesh_file, to.mesh.filename().string(), options.divides}, diagnostics);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   const int code = diagnostics.errors() ? kWrongInput : kDone;
   if (code == kDone) {
@@ -96,6 +100,8 @@ int import_gear(const Options& options) {
 int import_command(const Options& options) {
   if (!options.folder.empty()) return check_gears(options);
   if (options.target.empty()) throw UsageError{"import: GEAR is missing, the file of the gear"};
+  if (options.kind != "femnet" && (!options.mesh_file.empty() || options.divides))
+    throw UsageError{"import: --mesh and --divide are of gears of FEMNET"};
   return import_gear(options);
 }
 

@@ -341,10 +341,17 @@ void add_import_command(CLI::App& app, Options& o) {
   auto* command = app.add_subcommand(
       "import",
       "write a gear of another program as a scene; what cannot be carried over is said line by line");
-  command->add_option("FORMAT", o.kind, "femnet: GEAR.don with its mesh GEAR.mdg")
-      ->check(CLI::IsMember({"femnet"}));
+  command
+      ->add_option("FORMAT", o.kind,
+                   "femnet: GEAR.don, with its mesh GEAR.mdg or without one; table: nodes and bars as "
+                   "GEAR.csv; moordyn: a mooring")
+      ->check(CLI::IsMember({"femnet", "table", "moordyn"}));
   auto* gear = command->add_option("GEAR", o.target, "file of the gear");
-  command->add_option("--mesh", o.mesh_file, "file of its mesh; else the one of the same name beside it")
+  command->add_flag("--divide", o.divides, "divide it into elements here, whatever mesh lies beside it");
+  command
+      ->add_option("--mesh", o.mesh_file,
+                   "file of its mesh; else the one of the same name beside it, if it is of this gear")
+      ->excludes("--divide")
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("FILE");
   command

@@ -51,6 +51,7 @@ struct Options {
   std::string color = "auto";
   bool html = false, csv = false;  // report
   std::string mesh_file, folder;   // import: --mesh, --check
+  bool divides = false;            // import: --divide
   PictureOptions picture;          // of view and draw
   CompareOptions compare;          // of that command alone
   StabilityOptions stability;      // of that command alone

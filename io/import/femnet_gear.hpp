@@ -57,6 +57,14 @@ struct NodeType {
 struct LinkPoint {
   bool is_panel = false;
   int object = 0, corner = 0;
+  Place place = {};
+};
+
+/// Nodes strictly within a box of the drawing get a type, counted from 0.
+struct TypeBox {
+  Place place;
+  Triple low{}, high{};
+  int type = 0;
 };
 
 /// Two cables clamped to one another.
@@ -103,6 +111,9 @@ struct GearFile {
   std::vector<Wanted> wanted;
   Environment environment;
   double link_distance = 0;  // corners nearer than this in the drawing are one [m]
+  int plane = 3;             // axis normal to the drawing
+  std::vector<TypeBox> type_boxes;
+  std::vector<Finding> of_mesher;  // keywords that change nothing where there is a mesh
   std::vector<Finding> findings;
 };
 
@@ -125,6 +136,7 @@ struct MeshFile {
   std::vector<Node> nodes;
   std::vector<Bar> bars;
   std::vector<Triangle> triangles;
+  bool is_of_another_gear = false;  // rows speak of what the .don has not: the mesh is older
 };
 
 /// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are located in source `file`; after an
@@ -133,5 +145,10 @@ GearFile read_gear(const std::string& text, int file, Diagnostics& diagnostics);
 
 /// Reads the .mdg of a gear, whose numbers of types, cables and panels its rows must keep to.
 MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear, Diagnostics& diagnostics);
+
+/// Divides a gear that has no mesh: panels into triangles on a lattice of their meshing step, as FEMNET does,
+/// cables into bars; what is linked is connected. Netting that FEMNET would make bars of is in triangles,
+/// too. Errors have the place of the panel, cable or link; more than `most_nodes` nodes are one.
+MeshFile divide_gear(const GearFile& gear, Diagnostics& diagnostics, double most_nodes = 1e6);
 
 }  // namespace netloft::io::femnet

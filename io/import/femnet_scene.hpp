@@ -7,7 +7,7 @@ namespace netloft::io::femnet {
 
 /// Names of files in the scene that is made.
 struct Names {
-  std::string gear, mesh;  // read: "b1.don", "b1.mdg"
+  std::string gear, mesh;  // read: "b1.don", "b1.mdg"; the second is empty if the gear was divided here
   std::string own_mesh;    // written beside the scene: "b1.mesh"
 };
 

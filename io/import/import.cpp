@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/import/import.hpp"
 
+#include "io/import/bar_table.hpp"
 #include "io/import/femnet_scene.hpp"
+#include "io/import/moordyn.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -51,26 +53,71 @@ void report(const std::vector<femnet::Finding>& findings, Diagnostics& diagnosti
   }
 }
 
+/// A mesh, and what is to be said of where it comes from.
+struct FoundMesh {
+  femnet::MeshFile mesh;
+  std::string name;  // of the file; empty: the gear was divided here
+};
+
+/// The gear divided into elements here. Node numbers of the file are of another mesh, and go; bars of several
+/// twines are those that FEMNET's mesher lays out.
+FoundMesh divide(femnet::GearFile& gear, const std::string& why, Diagnostics& diagnostics) {
+  using femnet::Finding, femnet::Wanted;
+  gear.findings.push_back(
+      {{}, Finding::Kind::note, "the mesh", why + ": the gear is divided into elements here"});
+  gear.findings.insert(gear.findings.end(), gear.of_mesher.begin(), gear.of_mesher.end());
+  const auto wanted = std::erase_if(gear.wanted, [](auto& w) { return w.kind != Wanted::Kind::tension; });
+  if (wanted > 0)
+    gear.findings.push_back({{},
+                             Finding::Kind::note,
+                             "what is to be printed",
+                             std::to_string(wanted) + " results of nodes, by their numbers in another mesh"});
+  for (auto& p : gear.panels) {
+    if (p.twines > 0)
+      gear.findings.push_back({p.place, Finding::Kind::note, "netting2ropes", "its panel is in triangles"});
+    p.twines = 0;
+  }
+  return {femnet::divide_gear(gear, diagnostics), {}};
+}
+
+/// A mesh that lies beside the gear and speaks of what the gear has not is older, and not used.
+FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, Diagnostics& diagnostics) {
+  const fs::path path = mesh_of(request);
+  const bool is_named = !request.mesh.empty();
+  if (request.divides) return divide(gear, "not used", diagnostics);
+  if (!is_named && !fs::exists(path)) return divide(gear, "there is none", diagnostics);
+  const auto text = read_text(path, diagnostics);
+  if (!text) return {};
+  Diagnostics of_mesh;
+  const auto tried =
+      femnet::read_mesh_file(*text, of_mesh.add_source(path.filename().string(), *text), gear, of_mesh);
+  if (tried.is_of_another_gear && !is_named) {
+    const auto first = of_mesh.sorted().front();
+    return divide(gear, "older than the gear, " + of_mesh.where(first.place) + ": " + first.message,
+                  diagnostics);
+  }
+  if (of_mesh.errors())
+    femnet::read_mesh_file(*text, diagnostics.add_source(path.string(), *text), gear, diagnostics);
+  return {tried, path.filename().string()};
+}
+
 /// Reads and converts; the findings in full.
 std::vector<femnet::Finding> convert(const ImportRequest& request, Diagnostics& diagnostics,
                                      ImportedGear& out) {
   const auto text = read_text(request.gear, diagnostics);
   if (!text) return {};
   const int file = diagnostics.add_source(request.gear.string(), *text);
-  const auto gear = femnet::read_gear(*text, file, diagnostics);
+  auto gear = femnet::read_gear(*text, file, diagnostics);
   if (diagnostics.errors()) return gear.findings;
-  const fs::path mesh_path = mesh_of(request);
-  const auto mesh_text_read = read_text(mesh_path, diagnostics);
-  if (!mesh_text_read) return gear.findings;
-  const int mesh_file = diagnostics.add_source(mesh_path.string(), *mesh_text_read);
-  const auto mesh = femnet::read_mesh_file(*mesh_text_read, mesh_file, gear, diagnostics);
+  const auto [mesh, mesh_name] = find_mesh(request, gear, diagnostics);
   if (diagnostics.errors()) return gear.findings;
-  const femnet::Names names{request.gear.filename().string(), mesh_path.filename().string(),
-                            request.own_mesh};
+  const femnet::Names names{request.gear.filename().string(), mesh_name, request.own_mesh};
   auto imported = femnet::import_gear(gear, mesh, names, diagnostics);
   if (diagnostics.errors()) return imported.findings;
   out.scene = std::move(imported.scene);
-  out.mesh = mesh_text(imported.mesh, "the mesh of " + names.gear + ", from " + names.mesh);
+  out.mesh =
+      mesh_text(imported.mesh, "the mesh of " + names.gear +
+                                   (mesh_name.empty() ? ", divided on its import" : ", from " + mesh_name));
   out.nodes = mesh.nodes.size(), out.elements = mesh.bars.size() + mesh.triangles.size();
   return imported.findings;
 }
@@ -87,7 +134,7 @@ FolderCheck::Gear check_gear(const fs::path& path, const fs::path& folder, Folde
   ImportedGear gear;
   FolderCheck::Gear result{fs::relative(path, folder).string(), false, {}};
   std::set<std::string> needs;
-  for (const auto& f : convert({path, {}, "gear.mesh"}, diagnostics, gear))
+  for (const auto& f : convert({path, {}, "gear.mesh", false}, diagnostics, gear))
     if (f.kind == femnet::Finding::Kind::left_out)
       needs.insert(f.text), result.lines.push_back(f.what + ": " + f.text);
   for (const auto& need : needs) ++out.needs[need];
@@ -97,6 +144,16 @@ FolderCheck::Gear check_gear(const fs::path& path, const fs::path& folder, Folde
   return result;
 }
 
+ImportedGear of_bars(const BarTable& table, const std::vector<std::string>& head,
+                     const ImportRequest& request) {
+  auto written = scene_of(table, head, request.own_mesh);
+  ImportedGear out{std::move(written.scene),
+                   mesh_text(written.mesh, "the bars of " + request.gear.filename().string())};
+  out.nodes = written.mesh.node_count();
+  for (const auto& region : written.mesh.regions) out.elements += region.size();
+  return out;
+}
+
 }  // namespace
 
 ImportedGear import_femnet(const ImportRequest& request, Diagnostics& diagnostics) {
@@ -104,6 +161,34 @@ ImportedGear import_femnet(const ImportRequest& request, Diagnostics& diagnostic
   const auto findings = convert(request, diagnostics, out);
   report(findings, diagnostics, out);
   return out;
+}
+
+ImportedGear import_table(const ImportRequest& request, Diagnostics& diagnostics) {
+  const auto text = read_text(request.gear, diagnostics);
+  if (!text) return {};
+  const auto table = read_bar_table(*text, diagnostics.add_source(request.gear.string(), *text), diagnostics);
+  const std::string name = request.gear.filename().string();
+  return diagnostics.errors() ? ImportedGear()
+                              : of_bars(table, {"Imported from " + name + ", nodes and bars."}, request);
+}
+
+ImportedGear import_moordyn(const ImportRequest& request, Diagnostics& diagnostics) {
+  const auto text = read_text(request.gear, diagnostics);
+  if (!text) return {};
+  const auto mooring = read_moordyn(*text, diagnostics.add_source(request.gear.string(), *text), diagnostics);
+  std::vector<std::string> head{"Imported from " + request.gear.filename().string() +
+                                ", a file of MoorDyn. Names have the numbers of that file."};
+  ImportedGear out;
+  for (const auto& f : mooring.findings) {
+    diagnostics.warning(f.place, (f.is_left_out ? "left out: " : "") + f.text);
+    head.push_back(std::string(f.is_left_out ? "left out" : "note") + ", line " +
+                   std::to_string(f.place.line) + ": " + f.text);
+    if (f.is_left_out) out.left_out.push_back(f.text);
+  }
+  if (diagnostics.errors()) return out;
+  auto imported = of_bars(mooring.table, head, request);
+  imported.left_out = out.left_out;
+  return imported;
 }
 
 FolderCheck check_folder(const fs::path& folder) {

@@ -11,21 +11,28 @@ namespace netloft::io {
 
 /// A gear of another program as texts of ours.
 struct ImportedGear {
-  std::string scene, mesh;
+  std::string scene = {}, mesh = {};
   std::size_t nodes = 0, elements = 0;
-  std::vector<std::string> left_out;  // a line each: the answer is not that of the file
+  std::vector<std::string> left_out = {};  // a line each: the answer is not that of the file
 };
 
 /// What is to be imported, and what it is to become.
 struct ImportRequest {
-  std::filesystem::path gear;  // GEAR.don
-  std::filesystem::path mesh;  // empty: GEAR.mdg beside it
+  std::filesystem::path gear;  // GEAR.don, GEAR.csv
+  std::filesystem::path mesh;  // empty: GEAR.mdg beside it, if there is one and it is of this gear
   std::string own_mesh;        // name of the mesh in the scene
+  bool divides = false;        // the gear is divided here, whatever meshes there are
 };
 
 /// Reads a gear of FEMNET with its mesh. Errors, warnings and what is left out go to `diagnostics` with their
 /// places; after an error the texts are empty.
 ImportedGear import_femnet(const ImportRequest& request, Diagnostics& diagnostics);
+
+/// Reads a table of nodes and bars (TABLE.md), in the same manner.
+ImportedGear import_table(const ImportRequest& request, Diagnostics& diagnostics);
+
+/// Reads a mooring of MoorDyn, in the same manner.
+ImportedGear import_moordyn(const ImportRequest& request, Diagnostics& diagnostics);
 
 /// What the gears of a folder, and of those below, need.
 struct FolderCheck {

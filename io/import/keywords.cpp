@@ -17,12 +17,7 @@ constexpr double kGravity = 9.81;
 constexpr const char* kIdle[] = {"Auto_convergence",
                                  "convergence_parameters",
                                  "link_*",
-                                 "type_noeud_*",
                                  "Meshing_*",
-                                 "rope_X",
-                                 "add_*",
-                                 "rot_*",
-                                 "homothety",
                                  "color_*",
                                  "no_visible_*",
                                  "*_plan",
@@ -31,9 +26,10 @@ constexpr const char* kIdle[] = {"Auto_convergence",
                                  "node_position",
                                  "paraview",
                                  "nrj",
-                                 "haul",
-                                 "translation*",
-                                 "symmetr*"};
+                                 "haul"};
+/// Keywords that change the drawing, and so nothing where there is a mesh already.
+constexpr const char* kOfMesher[] = {"type_noeud_*", "rope_X",       "add_*",   "rot_*",
+                                     "homothety",    "translation*", "symmetr*"};
 /// Keywords of motion, which change nothing at rest.
 constexpr const char* kOfMotion[] = {"hauling_*", "speed_type_node*", "wave_*", "winch_*", "time_*"};
 /// Keywords that change the answer and have no counterpart.
@@ -106,12 +102,14 @@ class KeywordReader {
                                       {"EI_flexion", &KeywordReader::bend_twines},
                                       {"foil2", &KeywordReader::foil},
                                       {"cable_tension_constant", &KeywordReader::constant_tension},
-                                      {"link", &KeywordReader::link}};
+                                      {"link", &KeywordReader::link},
+                                      {"type_noeud_XYZ_SUPINF", &KeywordReader::type_box}};
     name_ = name, name_place_ = in_.place_of_word();
     for (const auto& k : known)
       if (name == k.name) return (this->*k.step)();
     if (is_one_of(name, kMissing)) return leave_out("is not modelled here");
     if (is_one_of(name, kOfMotion)) return note("is of motion; the scene is at rest");
+    if (is_one_of(name, kOfMesher)) return leave_to_mesher();
     if (!is_one_of(name, kIdle)) note("is not known, and not read");
   }
 
@@ -119,6 +117,11 @@ class KeywordReader {
   void leave_out(const std::string& text) { add(Finding::Kind::left_out, text); }
   void add(Finding::Kind kind, const std::string& text) {
     gear_.findings.push_back({name_place_, kind, "keyword " + name_.substr(0, 40), text});
+  }
+
+  void leave_to_mesher() {
+    gear_.of_mesher.push_back({name_place_, Finding::Kind::left_out, "keyword " + name_.substr(0, 40),
+                               "changes the drawing, which is taken as it stands"});
   }
 
   double number() { return in_.next_real(("an argument of " + name_).c_str()); }
@@ -140,6 +143,21 @@ class KeywordReader {
   void water_density() { gear_.environment.water_density = number(); }
   void moving_bottom() { gear_.environment.bed_moves = true; }
   void link() { gear_.link_distance = number(); }
+
+  /// 13 x1 x2 y1 y2 z1 z2 type; other codes stand for half-spaces.
+  void type_box() {
+    const int code = in_.next_integer("a code of type_noeud_XYZ_SUPINF");
+    if (code != 13 || gear_.plane != 3) return leave_to_mesher();
+    TypeBox box{name_place_};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = std::minmax({number(), number()});
+      box.low[axis] = low, box.high[axis] = high;
+    }
+    const NodeType* type = one_of(gear_.types, "type");
+    if (!type) return;
+    box.type = static_cast<int>(type - gear_.types.data());
+    gear_.type_boxes.push_back(box);
+  }
 
   void drag_type() {
     gear_.environment.drag_type = in_.next_integer("a kind of drag");
@@ -194,7 +212,12 @@ class KeywordReader {
     if (!p) return;
     p->twines = number();
     number(), number(), number();
-    p->bars = number();
+    const auto bars = in_.try_real();
+    p->bars = bars.value_or(0);
+    if (!bars && !in_.has_failed()) {
+      p->twines = 0;
+      return note("has no number of bars, as in an older FEMNET: its panel is taken as triangles");
+    }
     if (!in_.has_failed() && !(p->twines > 0 && p->bars > 0))
       in_.fail(name_place_, "netting2ropes: the twines of a bar and the number of bars must be above zero");
   }

@@ -27,6 +27,7 @@ class GearReader {
     if (!in_.has_failed() && (plane < 1 || plane > 3))
       in_.fail(in_.place(),
                "the axis normal to the drawing is " + std::to_string(plane) + "; 1, 2 or 3 is expected");
+    gear_.plane = plane;
     repeat("the number of panels", [&] { read_panel(); });
     refuse_any("hexagonal panels");
     repeat("the number of cables", [&] { read_cable(); });
@@ -142,6 +143,7 @@ class GearReader {
       LinkPoint point;
       point.is_panel = word && word->starts_with("pa");
       if (!word) in_.skip_colon("a point of a link");
+      point.place = in_.place();
       point.object = in_.next_integer("the number of a panel or cable") - 1;
       point.corner = in_.integer("the number of a corner or end") - 1;
       link.push_back(point);
@@ -165,7 +167,7 @@ class GearReader {
         break;
       }
       gear_.order.push_back(
-          {word->starts_with("pa"), static_cast<int>(std::clamp(*number, -1e6, 1e6)) - 1, 0});
+          {word->starts_with("pa"), static_cast<int>(std::clamp(*number, -1e6, 1e6)) - 1, 0, in_.place()});
     }
     const std::size_t expected = gear_.panels.size() + gear_.cables.size();
     if (gear_.order.size() != expected && !in_.has_failed())

@@ -95,6 +95,19 @@ class MeshFileReader {
     return 0;
   }
 
+  /// What only the mesh of another state of the gear can hold.
+  void error_of_gear(const Place& place, const std::string& message, const std::string& hint) {
+    mesh_.is_of_another_gear = true;
+    error(place, message, hint);
+  }
+
+  /// The number of a type, cable or panel of the gear.
+  int index_of_gear(const Word& word, std::int64_t lo, std::size_t hi, const char* what) {
+    const int errors_before = diagnostics_.errors(), value = index(word, lo, hi, what);
+    if (diagnostics_.errors() > errors_before && integer_in(word.text)) mesh_.is_of_another_gear = true;
+    return value;
+  }
+
   /// A whole number from `lo` to `hi`.
   int index(const Word& word, std::int64_t lo, std::size_t hi, const char* what) {
     const auto value = integer_in(word.text);
@@ -110,7 +123,7 @@ class MeshFileReader {
   void read_node(const Row& row) {
     MeshFile::Node n;
     for (std::size_t axis = 0; axis < 3; ++axis) n.at[axis] = real(row[1 + axis]);
-    n.type = index(row[5], 1, gear_.types.size(), "the type of nodes") - 1;
+    n.type = index_of_gear(row[5], 1, gear_.types.size(), "the type of nodes") - 1;
     if (is_fine()) mesh_.nodes.push_back(n);
   }
 
@@ -119,8 +132,10 @@ class MeshFileReader {
     b.nodes = {node(row[1]), node(row[2])};
     b.shares = {real(row[3]), real(row[4])};
     if (integer_in(row[5].text) == 0)
-      error(row[5].place, "this bar is of cable 0: the mesh is older than the .don", "mesh the gear anew");
-    b.cable = index(row[5], -static_cast<std::int64_t>(gear_.panels.size()), gear_.cables.size(), "cable");
+      return error_of_gear(row[5].place, "this bar is of cable 0: the mesh is older than the .don",
+                           "mesh the gear anew");
+    b.cable =
+        index_of_gear(row[5], -static_cast<std::int64_t>(gear_.panels.size()), gear_.cables.size(), "cable");
     if (is_fine() && b.nodes[0] == b.nodes[1]) error(row[1].place, "a bar begins and ends at the same node");
     if (is_fine() && b.cable > 0) check_shares(b, row);
     if (is_fine() && b.cable < 0) check_twines(b, row);
@@ -130,27 +145,27 @@ class MeshFileReader {
   void check_shares(MeshFile::Bar& b, const Row& row) {
     auto& [from, to] = b.shares;
     if (from < -kShareRounding || to > 1 + kShareRounding || !(from < to))
-      return error(row[3].place,
-                   "the shares of its cable between which this bar lies are " +
-                       std::string(row[3].text.substr(0, 30)) + " and " +
-                       std::string(row[4].text.substr(0, 30)) + "; they must grow from 0 to 1",
-                   "the mesh may be older than the .don");
+      return error_of_gear(row[3].place,
+                           "the shares of its cable between which this bar lies are " +
+                               std::string(row[3].text.substr(0, 30)) + " and " +
+                               std::string(row[4].text.substr(0, 30)) + "; they must grow from 0 to 1",
+                           "the mesh may be older than the .don");
     from = std::max(from, 0.0), to = std::min(to, 1.0);
   }
 
   void check_twines(const MeshFile::Bar& b, const Row& row) {
     if (!(gear_.panels[static_cast<std::size_t>(-b.cable) - 1].twines > 0))
-      error(row[5].place,
-            "this bar stands for twines of panel " + std::to_string(-b.cable) +
-                ", of which the .don does not say so",
-            "it needs input netting2ropes " + std::to_string(-b.cable));
+      error_of_gear(row[5].place,
+                    "this bar stands for twines of panel " + std::to_string(-b.cable) +
+                        ", of which the .don does not say so",
+                    "it needs input netting2ropes " + std::to_string(-b.cable));
   }
 
   void read_triangle(const Row& row) {
     MeshFile::Triangle t;
     for (std::size_t k = 0; k < 3; ++k) t.nodes[k] = node(row[1 + k]);
     for (std::size_t k = 0; k < 6; ++k) t.UV[k] = real(row[4 + k]);
-    t.panel = index(row[10], 1, gear_.panels.size(), "panel") - 1;
+    t.panel = index_of_gear(row[10], 1, gear_.panels.size(), "panel") - 1;
     const double d = (t.UV[2] - t.UV[0]) * (t.UV[5] - t.UV[1]) - (t.UV[4] - t.UV[0]) * (t.UV[3] - t.UV[1]);
     if (t.nodes[0] == t.nodes[1] || t.nodes[0] == t.nodes[2] || t.nodes[1] == t.nodes[2])
       error(row[1].place, "a corner of this triangle stands here twice");

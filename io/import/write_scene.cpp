@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/import/femnet_scene.hpp"
+#include "io/import/scene_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,17 +12,6 @@ namespace netloft::io::femnet {
 namespace {
 
 constexpr double kGravity = 9.81, kMostMass = 1e6;
-
-/// Letters that are no ASCII may be of any encoding.
-std::string in_ascii(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    if (c < 0 || c >= 0x20)
-      out += c < 0 || c == 0x7F ? '?' : c;
-    else
-      out += ' ';
-  return out;
-}
 
 /// "Warp tension (N)" as warp-tension-n.
 std::string word_of(const std::string& text) {
@@ -36,23 +26,6 @@ std::string word_of(const std::string& text) {
   while (!out.empty() && out.back() == '-') out.pop_back();
   return out.substr(0, 60);
 }
-
-/// "{ a = 1, b = 2 }" of the pairs that are added.
-class InlineTable {
- public:
-  InlineTable& add(const char* key, double value) { return add(key, spell_number(value)); }
-  InlineTable& add_unless_zero(const char* key, double value) { return value == 0 ? *this : add(key, value); }
-  InlineTable& add(const char* key, const std::string& value) {
-    text_ += (text_.empty() ? " " : ", ") + std::string(key) + " = " + value;
-    return *this;
-  }
-  std::string text() const { return "{" + text_ + " }"; }
-
- private:
-  std::string text_;
-};
-
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
 /// Writes one scene; members are tables in the order of the file.
 class SceneWriter {
@@ -73,7 +46,7 @@ class SceneWriter {
     hold_what_is_loose();
     write_results();
     note_motion();
-    out_.scene = header() + water() + body_;
+    out_.scene = header() + water() + body_.text();
     return std::move(out_);
   }
 
@@ -100,8 +73,11 @@ class SceneWriter {
   }
 
   std::string header() const {
-    std::string text = "# Imported from " + in_ascii(names_.gear) + " and " + in_ascii(names_.mesh) +
-                       ", files of FEMNET. Names have the numbers of those files.\n";
+    const bool is_divided = names_.mesh.empty();
+    std::string text = "# Imported from " + in_ascii(names_.gear) +
+                       (is_divided ? ", a file" : " and " + in_ascii(names_.mesh) + ", files") +
+                       " of FEMNET. Names have the numbers " +
+                       (is_divided ? "of that file" : "of those files") + ".\n";
     text += "# Numbers of netting are kept in single precision there, and stand here as they are kept.\n";
     for (const auto& f : out_.findings)
       text += std::string("# ") + (f.kind == Finding::Kind::note ? "note" : "left out") + ", line " +
@@ -133,11 +109,12 @@ class SceneWriter {
   double heading() const { return std::remainder(flow_angle(), 2 * std::numbers::pi); }
 
   void begin_part(const std::string& name, const std::string& type, const std::string& comment = {}) {
-    body_ += "\n[parts." + name + "]" + (comment.empty() ? "" : "  # " + comment) +
-             "\ntype = " + quoted(type) + "\n";
+    body_.begin_part(name, type, comment);
   }
-  void line(const std::string& key, const std::string& value) { body_ += key + " = " + value + "\n"; }
-  void line(const std::string& key, double value) { line(key, spell_number(value)); }
+  template <class Value>
+  void line(const std::string& key, const Value& value) {
+    body_.line(key, value);
+  }
   void stands_on_mesh() { line("mesh", quoted(names_.own_mesh)); }
 
   void write_drag(double cd, double friction, const Place& place) {
@@ -290,8 +267,8 @@ class SceneWriter {
     const double share = share_of(gear_.types[on]);
     begin_part(name + "-" + std::to_string(on + 1), type);
     line("on", quoted("*." + type_name(on)));
-    body_ += "each = " + spell_number(share) +
-             (share == 1 ? "\n" : "  # of each, what is on this side of the plane of symmetry\n");
+    body_.line("each", spell_number(share) +
+                           (share == 1 ? "" : "  # of each, what is on this side of the plane of symmetry"));
   }
 
   void write_loads(std::size_t number) {
@@ -365,7 +342,7 @@ class SceneWriter {
         continue;
       }
       begin_part("clamp-" + std::to_string(i + 1), "rope/clamp");
-      line("on", "[" + quoted(cable_name(first)) + ", " + quoted(cable_name(second)) + "]");
+      line("on", quoted_list({cable_name(first), cable_name(second)}));
       const double turn =
           within(180 - clamp.angle, 0, 180, clamp.place, "180 degrees less the angle of the clamp");
       line("clamp", InlineTable()
@@ -385,14 +362,14 @@ class SceneWriter {
 
   void write_catch() {
     const Environment& e = environment();
-    std::string on;
+    std::vector<std::string> on;
     for (std::size_t p = 0; p < gear_.panels.size(); ++p)
       if (const auto* region = out_.mesh.find(panel_name(p)); region && region->kind == RegionKind::triangles)
-        on += (on.empty() ? "" : ", ") + quoted(region->name);
+        on.push_back(region->name);
     if (e.catch_volume <= e.catch_accuracy || !has_current()) return;
     if (on.empty()) return note({}, "the catch", "there is no netting in triangles for it to press on");
     begin_part("catch", "catch/front", "on all netting behind a plane across the current");
-    line("on", "[" + on + "]");
+    line("on", quoted_list(on));
     line("catch",
          InlineTable()
              .add("volume", within(e.catch_volume, 0, 1e5, {}, "the volume of the catch"))
@@ -435,13 +412,10 @@ class SceneWriter {
     std::string planes;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (t.symmetry[axis] != 0) planes += std::string(planes.empty() ? "" : ", ") + kAxis[axis];
-    if (!planes.empty()) body_ += "# on the plane of symmetry across " + planes + "\n";
+    if (!planes.empty()) body_.comment("on the plane of symmetry across " + planes);
   }
 
-  void write_hold(const std::string& set, const std::string& axes) {
-    body_ += "\n[[hold]]\non = " + quoted("*." + set) + "\nname = " + quoted(set) + "\n";
-    if (axes != "xyz") body_ += "axes = " + quoted(axes) + "\n";
-  }
+  void write_hold(const std::string& set, const std::string& axes) { body_.hold("*." + set, set, axes); }
 
   void hold_what_is_loose() {
     const auto loose = find_loose(gear_, file_);
@@ -485,7 +459,7 @@ class SceneWriter {
       for (int i = 2; !used.insert(name).second; ++i) name = word_of(w.text) + "-" + std::to_string(i);
       lines += name + " = " + entry + "\n";
     }
-    if (!lines.empty()) body_ += "\n[results]\n" + lines;
+    if (!lines.empty()) body_.add("\n[results]\n" + lines);
   }
 
   std::string result_of(const Wanted& w) const {
@@ -515,7 +489,7 @@ class SceneWriter {
   const Names& names_;
   Diagnostics& diagnostics_;
   Imported out_;
-  std::string body_;
+  SceneText body_;
 };
 
 }  // namespace

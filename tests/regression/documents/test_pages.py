@@ -21,7 +21,8 @@ STANDS_FOR = (
     (r"SCENE --start-from", "gear.toml --set gear.nodes=200 --start-from"),
     (r"scenes/dynamics/SCENE\.toml", "scenes/dynamics/released-rope.toml"), (r"scenes/verification/SCENE\.toml", "scenes/verification/catenary-wire.toml"),
     (r"scenes/SCENE\.toml", "scenes/dead-weight-panel.toml"), (r"\bSCENE\b", "gear-library/scenes/hanging-rope.toml"),
-    (r"gear-library/scenes/…", "gear-library/scenes/hanging-rope.toml"), (r"GEAR\.don", "gears/01_two_bars.don"), (r"\bGEAR\b", "gear-library/gears/four-panel.toml"),
+    (r"gear-library/scenes/…", "gear-library/scenes/hanging-rope.toml"), (r"GEAR\.don", "gears/01_two_bars.don"),
+    (r"GEAR\.csv", "imports/table"), (r"LINES\.txt", "imports/mooring"), (r"\bGEAR\b", "gear-library/gears/four-panel.toml"),
     (r"\bSTUDY\.toml", "ropes.toml"), (r"\bCALIBRATION\.toml", "calibration.toml"), (r"^netloft study submit$", "netloft study submit ropes.study --engine slurm"),
     (r"^netloft study (\w+)$", r"netloft study \1 ropes.study"), (r"^(netloft study .*)\bFOLDER\b", r"\1ropes.study"), (r"--items \d+", "--items 1"),
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
@@ -69,6 +70,7 @@ class Pages(unittest.TestCase):
         cls.folder = Path(keeper.name)
         shutil.copytree(SOURCE / "gear-library", cls.folder / "gear-library")
         shutil.copytree(SOURCE / "tests/validation/femnet_files", cls.folder / "gears")
+        shutil.copytree(SOURCE / "tests/fuzz/seeds/import", cls.folder / "imports")
         shutil.copytree(SOURCE / "tests/stability", cls.folder / "tests/stability")
         shutil.copy(SOURCE / "gear-library/scenes/dead-weight-panel.toml", cls.folder / "scene.toml")
         (cls.folder / "gear.toml").write_text('include = ["gear-library/scenes/four-panel.toml"]\n')

@@ -11,6 +11,28 @@ import numpy as np
 PROGRAM = os.environ["NETLOFT_PROGRAM"]
 
 
+def mesh_of(gear, *how):
+    """The mesh that a gear is imported on: its number of nodes, and its regions as rows of numbers."""
+    with tempfile.TemporaryDirectory() as folder:
+        ended = subprocess.run([PROGRAM, "import", "femnet", str(gear), "-o", "gear.toml", *how], cwd=folder, capture_output=True, text=True)
+        assert ended.returncode == 0, ended.stderr
+        regions, rows = {}, None
+        for line in (Path(folder) / "gear.mesh").read_text().splitlines():
+            words = line.split("#")[0].split()
+            if line.startswith("["):
+                rows = regions.setdefault(line.split("]")[0].lstrip("["), [])
+            elif words and rows is not None:
+                rows.append([float(w) for w in words])
+        return len(regions["nodes"]), regions
+
+
+def twine_sides(rows):
+    """Sides of meshes in all triangles of a region: u = U + V, v = V - U."""
+    UV = np.array(rows)[:, 3:].reshape(-1, 3, 2)
+    a, b = UV[:, 1] - UV[:, 0], UV[:, 2] - UV[:, 0]
+    return 2 * np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum()
+
+
 class Gear:
     """`at`: places of the nodes of the mesh instead of those in the file; `more`: lines added to the scene; `codes`: exit codes of a run."""
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from imported import Gear
+from imported import Gear, mesh_of, twine_sides
 
 SKIPPED = 77
 FOLDER = os.environ.get("NETLOFT_FEMNET")
@@ -40,6 +40,19 @@ class Originals(unittest.TestCase):
                 if there["twine_tensions_N"]:
                     twines = np.sort(np.ravel(there["twine_tensions_N"]))
                     np.testing.assert_allclose(gear.twine_tensions(), twines, rtol=0, atol=NEWTONS)
+
+    def test_gears_divided_here_have_the_netting_and_the_ropes_of_their_meshes(self):
+        for name in GEARS:
+            path = Path(FOLDER) / f"{name}.don"
+            (nodes, there), (own_nodes, here) = mesh_of(path), mesh_of(path, "--divide")
+            print(f"{name}: {nodes} nodes, divided here {own_nodes}")
+            for region in there:
+                with self.subTest(f"{name} {region}"):
+                    self.assertIn(region, here)
+                    if region.startswith("triangles"):
+                        self.assertAlmostEqual(twine_sides(here[region]) / twine_sides(there[region]), 1, delta=1e-5)
+                    if region.startswith("bars"):
+                        self.assertEqual((here[region][0][2], here[region][-1][3]), (0, 1))
 
     def test_the_default_strategy_finds_an_equilibrium(self):
         for name in GEARS:

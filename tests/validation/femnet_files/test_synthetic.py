@@ -5,6 +5,7 @@ Positions have to agree within 1e-6 m and tensions within 1e-6 N where the two s
 difference of formulation stands in DIFFERENT with its size, which must not grow.
 """
 import json
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -52,6 +53,24 @@ class Synthetic(unittest.TestCase):
                 gear, there = solved(case)
                 twines = np.sort(np.ravel(there["twine_tensions_N"]))
                 np.testing.assert_allclose(gear.twine_tensions(), twines, rtol=0, atol=NEWTONS)
+
+    def test_a_gear_without_a_mesh_is_divided_and_stands_as_in_femnet(self):
+        """The nodes are FEMNET's, and all triangles but where four nodes are a square, whose diagonals are alike: the answer differs by less
+        than a third of what FEMNET's own does from one step to the next."""
+        gear = (HERE / "10_polygon_panel.don").read_text()
+        meshes = json.loads((HERE / "10_polygon_panel.expected.json").read_text())["meshes"]
+        corners = [np.array(mesh["corner_positions_m"]) for mesh in meshes]
+        for i, mesh in enumerate(meshes):
+            with self.subTest(step=mesh["meshing_step_m"]), tempfile.TemporaryDirectory() as folder:
+                path = Path(folder) / "gear.don"
+                path.write_text(gear.replace("Meshing step (m): 1\n", f"Meshing step (m): {mesh['meshing_step_m']}\n"))
+                here = Gear(path)
+                self.assertNotIn("left out:", here.said)
+                self.assertEqual(len(here.points), mesh["nodes"])
+                step = min(i, len(meshes) - 2)
+                change = np.linalg.norm(corners[step + 1] - corners[step], axis=1).max()
+                print(f"step {mesh['meshing_step_m']} m: {here.furthest(corners[i]):.2g} m from FEMNET, whose next step changes {change:.2g} m")
+                self.assertLess(here.furthest(corners[i]), change / 3)
 
     def test_a_bar_of_five_twines_pulls_with_five_times_the_tension_of_one(self):
         """FEMNET prints the sum of a bar's twines, here the tension is that of one."""

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// Letters that are no ASCII may be of any encoding: each of their bytes becomes a question mark.
+std::string in_ascii(const std::string& text);
+
+/// "\"text\"", for texts without quotes.
+std::string quoted(const std::string& text);
+/// "[\"a\", \"b\"]"
+std::string quoted_list(const std::vector<std::string>& texts);
+
+/// "{ a = 1, b = 2 }" of the pairs that are added.
+class InlineTable {
+ public:
+  InlineTable& add(const char* key, double value);
+  InlineTable& add_unless_zero(const char* key, double value) { return value == 0 ? *this : add(key, value); }
+  InlineTable& add(const char* key, const std::string& value);
+  std::string text() const { return "{" + text_ + " }"; }
+
+ private:
+  std::string text_;
+};
+
+/// The tables of a scene that is written, in the order in which they are begun.
+class SceneText {
+ public:
+  void begin_part(const std::string& name, const std::string& type, const std::string& comment = {});
+  void line(const std::string& key, const std::string& value) { text_ += key + " = " + value + "\n"; }
+  void line(const std::string& key, double value);
+  void comment(const std::string& text) { text_ += "# " + text + "\n"; }
+  /// `axes`, "xyz" for all.
+  void hold(const std::string& on, const std::string& name, const std::string& axes);
+  void add(const std::string& text) { text_ += text; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace netloft::io
