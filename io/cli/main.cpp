@@ -180,8 +180,9 @@ void add_result_commands(CLI::App& app, Options& o) {
   auto* convert = app.add_subcommand("export", "write a result for other programs");
   convert->add_option("RESULT", o.target, "result file (.hdf)")->required();
   convert
-      ->add_option("FILE", o.output,
-                   "its ending says what: .glb is binary glTF, .csv a table, .mesh a mesh for scenes")
+      ->add_option(
+          "FILE", o.output,
+          "its ending says what: .glb is binary glTF, .csv a table, .mesh, .obj and .vtk meshes for scenes")
       ->required();
   convert->add_option("--table", o.kind, "of a .csv: nodes or elements; else nodes")
       ->check(CLI::IsMember({"nodes", "elements"}));

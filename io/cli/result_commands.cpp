@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -103,6 +104,12 @@ int draw_result(const Options& options) {
   return kDone;
 }
 
+std::optional<MeshFormat> mesh_format_of(const std::string& ending) {
+  if (ending == ".mesh") return MeshFormat::own;
+  if (ending == ".obj") return MeshFormat::obj;
+  return ending == ".vtk" ? std::optional(MeshFormat::vtk) : std::nullopt;
+}
+
 int export_result(const Options& options) {
   const StoredResult result(options.target);
   const SheetOptions how = sheet_options(options, result);
@@ -115,11 +122,11 @@ int export_result(const Options& options) {
       write_and_say(options, options.output,
                     options.kind == "elements" ? elements_csv(result, state) : nodes_csv(result, state),
                     {options.target});
-    else if (ending == ".mesh")
-      write_and_say(options, options.output, mesh_of(result, state), {options.target});
+    else if (const auto mesh = mesh_format_of(ending))
+      write_and_say(options, options.output, mesh_of(result, state, *mesh), {options.target});
     else
       throw UsageError{options.output +
-                       ": the ending says what is written, and there are .glb, .csv and .mesh"};
+                       ": the ending says what is written, and there are .glb, .csv, .mesh, .obj and .vtk"};
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }

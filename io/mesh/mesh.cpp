@@ -3,8 +3,18 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace netloft::io {
+
+namespace {
+
+bool has_netting(const double* UV) {
+  const double d = (UV[2] - UV[0]) * (UV[5] - UV[1]) - (UV[4] - UV[0]) * (UV[3] - UV[1]);
+  return std::abs(d) > 1e-9;
+}
+
+}  // namespace
 
 const char* name_of(RegionKind kind) {
   switch (kind) {
@@ -23,6 +33,21 @@ const MeshRegion* InputMesh::find(const std::string& region) const {
   return at == regions.end() ? nullptr : &*at;
 }
 
+std::optional<ElementFault> fault_of(const MeshRegion& region, std::size_t element) {
+  const std::uint32_t* node = &region.nodes[element * nodes_in(region.kind)];
+  const double* number = &region.numbers[element * numbers_in(region.kind)];
+  const bool is_triangle = region.kind == RegionKind::triangles;
+  if (node[0] == node[1] || (is_triangle && (node[0] == node[2] || node[1] == node[2])))
+    return ElementFault{true, "a node stands here twice: the element has no size"};
+  if (is_triangle && !has_netting(number))
+    return ElementFault{false, "the corners lie on one line in meshes: there is no netting between them"};
+  if (region.kind == RegionKind::bars && !(number[0] >= 0 && number[0] < number[1] && number[1] <= 1))
+    return ElementFault{false, "shares of a rope grow from 0 at its beginning to 1 at its end"};
+  if (region.kind == RegionKind::twines && !(number[0] > 0 && number[1] > 0))
+    return ElementFault{false, "a bar of twines must have a length and a number of twines above zero"};
+  return {};
+}
+
 std::string spell_number(double value) {
   char text[32];
   const auto [end, fault] = std::to_chars(text, text + sizeof text, value);
@@ -32,12 +57,6 @@ std::string spell_number(double value) {
 namespace {
 
 constexpr std::size_t kNodesALine = 12;
-
-std::string comment_of(const std::string& source) {
-  std::string text = "# ";
-  for (const char c : source) text += c == '\n' ? std::string("\n# ") : std::string(1, c);
-  return source.empty() ? "" : text + "\n";
-}
 
 void write_nodes(const InputMesh& mesh, std::string& out) {
   out += "\n[nodes]  # x y z [m], counted from 0\n";
@@ -68,6 +87,12 @@ void write_set(const MeshSet& set, std::string& out) {
 }
 
 }  // namespace
+
+std::string comment_of(const std::string& source) {
+  std::string text = "# ";
+  for (const char c : source) text += c == '\n' ? std::string("\n# ") : std::string(1, c);
+  return source.empty() ? "" : text + "\n";
+}
 
 std::string mesh_text(const InputMesh& mesh, const std::string& source) {
   std::string out = "netloft mesh 1\n" + comment_of(source);

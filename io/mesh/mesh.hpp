@@ -3,6 +3,7 @@
 #include "io/toml/diagnostics.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,16 @@ struct InputMesh {
   const MeshRegion* find(const std::string& region) const;
 };
 
+/// What is wrong with an element by itself.
+struct ElementFault {
+  bool is_of_nodes;  // else of its numbers
+  const char* message;
+};
+std::optional<ElementFault> fault_of(const MeshRegion& region, std::size_t element);
+
+inline constexpr std::size_t kMostNodes = 4000000, kMostElements = 4000000;  // of one mesh
+inline constexpr double kFarthest = 1e6;                                     // coordinates [m] and meshes
+
 /// Whether a text is a mesh: it begins with `netloft mesh`.
 bool is_mesh_text(std::string_view text);
 
@@ -51,8 +62,30 @@ bool is_mesh_text(std::string_view text);
 /// the text is `file`; after an error what could be read is returned.
 InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
+/// The same of a file in any format that is known (README.md), told by how the text begins: `netloft mesh`,
+/// `# vtk DataFile`, `glTF` or `{`; else it is an OBJ.
+InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics);
+
+/// Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or the share of a
+/// rope; groups are regions, points are sets. Bars of several twines have no place there, and are left out.
+InputMesh read_obj(std::string_view text, int file, Diagnostics& diagnostics);
+std::string obj_text(const InputMesh& mesh, const std::string& source);
+
+/// VTK legacy files in ASCII with an unstructured grid: triangles, lines and vertices; numbers stand in
+/// arrays on cells, `region`, `panel_corners` (6 of a triangle), `shares` and `twines` (2 of a line), and
+/// names of regions in the array of strings `region_names`.
+InputMesh read_vtk(std::string_view text, int file, Diagnostics& diagnostics);
+std::string vtk_text(const InputMesh& mesh, const std::string& source);
+
+/// glTF 2.0, binary or with its numbers in itself: triangles with U and V as TEXCOORD_0, lines with shares
+/// there or none; vertices in one place are one node. Errors have no line.
+InputMesh read_gltf(std::string_view bytes, int file, Diagnostics& diagnostics);
+
 /// The text that read_mesh() reads as this mesh. `source` is a comment of one or more lines.
 std::string mesh_text(const InputMesh& mesh, const std::string& source);
+
+/// A text of one or more lines as a comment, "# …" each; nothing of an empty text.
+std::string comment_of(const std::string& source);
 
 /// The shortest text that reads as this number.
 std::string spell_number(double value);

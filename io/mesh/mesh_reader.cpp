@@ -13,8 +13,6 @@ namespace netloft::io {
 
 namespace {
 
-constexpr std::size_t kMostNodes = 4000000, kMostElements = 4000000;  // of one mesh
-constexpr double kFarthest = 1e6;                                     // coordinates [m] and meshes
 constexpr int kMostErrors = 50;
 
 std::optional<RegionKind> kind_named(std::string_view name) {
@@ -162,22 +160,8 @@ class MeshReader {
 
   /// What can be seen without knowing how many nodes there are.
   void check_element(const MeshRegion& region, const std::vector<Word>& row) {
-    const std::uint32_t* node = &region.nodes[region.nodes.size() - nodes_in(region.kind)];
-    const double* number = &region.numbers[region.numbers.size() - numbers_in(region.kind)];
-    const bool is_triangle = region.kind == RegionKind::triangles;
-    if (node[0] == node[1] || (is_triangle && (node[0] == node[2] || node[1] == node[2])))
-      return error(row[0].place, "a node stands here twice: the element has no size");
-    if (is_triangle && !has_netting(number))
-      error(row[3].place, "the corners lie on one line in meshes: there is no netting between them");
-    if (region.kind == RegionKind::bars && !(number[0] >= 0 && number[0] < number[1] && number[1] <= 1))
-      error(row[2].place, "shares of a rope grow from 0 at its beginning to 1 at its end");
-    if (region.kind == RegionKind::twines && !(number[0] > 0 && number[1] > 0))
-      error(row[2].place, "a bar of twines must have a length and a number of twines above zero");
-  }
-
-  static bool has_netting(const double* UV) {
-    const double d = (UV[2] - UV[0]) * (UV[5] - UV[1]) - (UV[4] - UV[0]) * (UV[3] - UV[1]);
-    return std::abs(d) > 1e-9;
+    if (const auto fault = fault_of(region, region.size() - 1))
+      error(row[fault->is_of_nodes ? 0 : nodes_in(region.kind)].place, fault->message);
   }
 
   void check_indices() {
@@ -215,6 +199,13 @@ class MeshReader {
 }  // namespace
 
 bool is_mesh_text(std::string_view text) { return text.starts_with("netloft mesh"); }
+
+InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics) {
+  if (is_mesh_text(text)) return read_mesh(text, file, diagnostics);
+  if (text.starts_with("glTF") || text.starts_with("{")) return read_gltf(text, file, diagnostics);
+  return text.starts_with("# vtk DataFile") ? read_vtk(text, file, diagnostics)
+                                            : read_obj(text, file, diagnostics);
+}
 
 InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics) {
   return MeshReader(text, file, diagnostics).read();

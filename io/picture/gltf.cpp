@@ -21,13 +21,19 @@ constexpr int kFloat = 5126, kArrayBuffer = 34962;
 /// Colours of vertices are linear in glTF, ours are those of screens (IEC 61966-2-1).
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
-/// What one part consists of in one of the three modes: positions and colours of vertices.
+/// What one part consists of in one of the three modes: positions and colours of vertices, and of netting the
+/// places on its panel in meshes, so that the file is a mesh for scenes (io/mesh).
 struct Vertices {
-  std::vector<float> positions, colours;
+  std::vector<float> positions, colours, meshes;
+  bool has_meshes = true;
 
   void add(const Point3& p, const Colour& colour) {
     for (const double x : p) positions.push_back(static_cast<float>(x));
     for (const float c : colour) colours.push_back(linear(c));
+  }
+  void add_meshes(const double* UV) {
+    has_meshes = has_meshes && std::isfinite(UV[0]) && std::isfinite(UV[1]);
+    meshes.push_back(static_cast<float>(UV[0])), meshes.push_back(static_cast<float>(UV[1]));
   }
 };
 
@@ -44,6 +50,7 @@ Primitives gather(const GearShape& shape) {
       const auto cell = mesh.triangle_cells[t];
       const double value = shape.field ? shape.at_corners[t][corner] : 0;
       add(kTriangles, cell, mesh.triangles[t][corner], shape.colour(CellKind::netting, cell, value));
+      all.at({mesh.cell_part[cell], kTriangles}).add_meshes(&mesh.corners[t][2 * corner]);
     }
   for (std::size_t b = 0; b < mesh.bars.size(); ++b)
     for (const auto node : mesh.bars[b])
@@ -93,14 +100,15 @@ class GltfWriter {
   void add_primitive(std::uint32_t part, Mode mode, const Vertices& vertices) {
     const auto [at, is_new] = mesh_of_part_.try_emplace(part, meshes_.size());
     if (is_new) meshes_.push_back({{"name", shape_.result->parts[part].name}, {"primitives", Json::array()}});
-    meshes_[at->second]["primitives"].push_back({{"attributes",
-                                                  {{"POSITION", add_accessor(vertices.positions, true)},
-                                                   {"COLOR_0", add_accessor(vertices.colours, false)}}},
-                                                 {"mode", static_cast<int>(mode)},
-                                                 {"material", 0}});
+    Json attributes = {{"POSITION", add_accessor(vertices.positions, 3, true)},
+                       {"COLOR_0", add_accessor(vertices.colours, 3, false)}};
+    if (vertices.has_meshes && !vertices.meshes.empty())
+      attributes["TEXCOORD_0"] = add_accessor(vertices.meshes, 2, false);
+    meshes_[at->second]["primitives"].push_back(
+        {{"attributes", attributes}, {"mode", static_cast<int>(mode)}, {"material", 0}});
   }
 
-  std::size_t add_accessor(const std::vector<float>& values, bool with_box) {
+  std::size_t add_accessor(const std::vector<float>& values, std::size_t components, bool with_box) {
     views_.push_back({{"buffer", 0},
                       {"byteOffset", binary_.size()},
                       {"byteLength", 4 * values.size()},
@@ -108,8 +116,8 @@ class GltfWriter {
     binary_.append(reinterpret_cast<const char*>(values.data()), 4 * values.size());
     Json accessor = {{"bufferView", views_.size() - 1},
                      {"componentType", kFloat},
-                     {"count", values.size() / 3},
-                     {"type", "VEC3"}};
+                     {"count", values.size() / components},
+                     {"type", components == 3 ? "VEC3" : "VEC2"}};
     for (const bool is_max : {false, true}) {
       if (!with_box) continue;
       std::array<float, 3> box{values[0], values[1], values[2]};

@@ -19,11 +19,12 @@ class ResultMesh {
     mesh_.positions = result.points(state);
   }
 
-  std::string text() {
+  std::string text(MeshFormat format) {
     for (std::uint32_t part = 0; part < result_.parts.size(); ++part) add_triangles(part), add_bars(part);
     if (mesh_.regions.empty())
       throw std::invalid_argument("there are neither ropes nor panels of triangles, so there is no mesh");
-    return mesh_text(mesh_, comment_);
+    if (format == MeshFormat::obj) return obj_text(mesh_, comment_);
+    return format == MeshFormat::vtk ? vtk_text(mesh_, comment_) : mesh_text(mesh_, comment_);
   }
 
  private:
@@ -81,7 +82,7 @@ class ResultMesh {
     const double length = ends.back();
     for (std::size_t e = 0; e < region.size(); ++e)
       region.numbers.push_back(ends[e] / length), region.numbers.push_back(ends[e + 1] / length);
-    say(fmt::format("{}: length = {}", region.name, length));
+    say(fmt::format("{}: length = {:.12g}", region.name, length));
     mesh_.regions.push_back(std::move(region));
   }
 
@@ -100,8 +101,8 @@ class ResultMesh {
 
 }  // namespace
 
-std::string mesh_of(const StoredResult& result, std::size_t state) {
-  return ResultMesh(result, state).text();
+std::string mesh_of(const StoredResult& result, std::size_t state, MeshFormat format) {
+  return ResultMesh(result, state).text(format);
 }
 
 }  // namespace netloft::io

@@ -165,8 +165,9 @@ const InputMesh* MeshParts::find_mesh(TableReader& table) {
   }
   const int file = diagnostics_.add_source(name, *text);
   const int errors_before = diagnostics_.errors();
-  files_.push_back({name, *text, fnv1a64(*text)});
-  auto mesh = std::make_unique<InputMesh>(read_mesh(*text, file, diagnostics_));
+  const bool is_binary = text->find('\0') != std::string::npos;  // results keep texts
+  files_.push_back({name, is_binary ? "" : *text, fnv1a64(*text)});
+  auto mesh = std::make_unique<InputMesh>(read_any_mesh(*text, file, diagnostics_));
   if (diagnostics_.errors() == errors_before) at->second = std::move(mesh);
   return at->second.get();
 }

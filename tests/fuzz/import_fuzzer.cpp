@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nonsense for everything that reads gears and meshes of other programs. An input is a .don, a zero byte and
-// its .mdg, or a mesh of ours. What is imported must be a mesh that can be read again.
+// its .mdg; a .don alone, which is divided; a table of nodes and bars; a mooring; or a mesh of ours, of VTK
+// or an OBJ. What is imported must be a mesh that can be read again, in every format.
 #include "io/import/femnet_scene.hpp"
+#include "io/import/moordyn.hpp"
 
 #include <cstdint>
 #include <cstdlib>
@@ -11,39 +13,67 @@ namespace {
 
 using namespace netloft::io;
 
+constexpr double kMostNodes = 2000;  // of a gear that is divided, so that no input takes seconds
+
 /// The compiler cannot leave out what is used.
 void use(std::size_t size) {
   static volatile std::size_t sink = 0;
   sink = size;
 }
 
-void try_mesh(const std::string& text) {
+void expect_again(const std::string& text, const InputMesh& mesh) {
   Diagnostics diagnostics;
-  const int file = diagnostics.add_source("gear.mesh", text);
-  use(read_mesh(text, file, diagnostics).node_count());
-  use(diagnostics.render(false).size());
-}
-
-void read_again(const InputMesh& mesh) {
-  Diagnostics diagnostics;
-  const std::string text = mesh_text(mesh, "a source");
-  const InputMesh again = read_mesh(text, diagnostics.add_source("gear.mesh", text), diagnostics);
+  const InputMesh again = read_any_mesh(text, diagnostics.add_source("gear.mesh", text), diagnostics);
   if (diagnostics.errors() && mesh.node_count() > 0) std::abort();
   if (again.node_count() != mesh.node_count()) std::abort();
 }
 
-void try_femnet(const std::string& gear_text, const std::string& mesh_text) {
+void read_again(const InputMesh& mesh) {
+  expect_again(mesh_text(mesh, "a source"), mesh);
+  if (mesh.node_count() == 0) return;
+  expect_again(obj_text(mesh, "a source"), mesh);
+  expect_again(vtk_text(mesh, "a source"), mesh);
+}
+
+void try_mesh(const std::string& text) {
+  Diagnostics diagnostics;
+  const int file = diagnostics.add_source("gear.mesh", text);
+  const InputMesh mesh = read_any_mesh(text, file, diagnostics);
+  if (diagnostics.errors() == 0) read_again(mesh);
+  use(diagnostics.render(false).size());
+}
+
+void try_bars(const BarTable& table, const Diagnostics& diagnostics) {
+  if (diagnostics.errors()) return;
+  const auto scene = scene_of(table, {"a source"}, "gear.mesh");
+  use(scene.scene.size());
+  read_again(scene.mesh);
+}
+
+void try_table(const std::string& text) {
+  Diagnostics diagnostics;
+  try_bars(read_bar_table(text, diagnostics.add_source("gear.csv", text), diagnostics), diagnostics);
+  use(diagnostics.render(false).size());
+}
+
+void try_mooring(const std::string& text) {
+  Diagnostics diagnostics;
+  try_bars(read_moordyn(text, diagnostics.add_source("lines.txt", text), diagnostics).table, diagnostics);
+  use(diagnostics.render(false).size());
+}
+
+void try_femnet(const std::string& gear_text, const std::string* mesh_text) {
   Diagnostics diagnostics;
   const auto gear = femnet::read_gear(gear_text, diagnostics.add_source("gear.don", gear_text), diagnostics);
+  femnet::MeshFile mesh;
+  if (diagnostics.errors() == 0)
+    mesh = mesh_text ? femnet::read_mesh_file(*mesh_text, diagnostics.add_source("gear.mdg", *mesh_text),
+                                              gear, diagnostics)
+                     : femnet::divide_gear(gear, diagnostics, kMostNodes);
   if (diagnostics.errors() == 0) {
-    const int file = diagnostics.add_source("gear.mdg", mesh_text);
-    const auto mesh = femnet::read_mesh_file(mesh_text, file, gear, diagnostics);
-    if (diagnostics.errors() == 0) {
-      const auto imported =
-          femnet::import_gear(gear, mesh, {"gear.don", "gear.mdg", "gear.mesh"}, diagnostics);
-      use(imported.scene.size());
-      if (diagnostics.errors() == 0) read_again(imported.mesh);
-    }
+    const auto imported = femnet::import_gear(gear, mesh, {"gear.don", "gear.mdg", "gear.mesh"}, diagnostics);
+    use(imported.scene.size());
+    if (diagnostics.errors() == 0) read_again(imported.mesh);
   }
   use(diagnostics.render(false).size());
 }
@@ -52,11 +82,21 @@ void try_femnet(const std::string& gear_text, const std::string& mesh_text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  if (is_mesh_text(text)) {
+  const auto begins = [&](const char* words) { return text.starts_with(words); };
+  if (is_mesh_text(text) || begins("# vtk") || begins("v ") || begins("{") || begins("glTF")) {
     try_mesh(text);
     return 0;
   }
+  if (begins("node") || begins("bar")) {
+    try_table(text);
+    return 0;
+  }
+  if (begins("---")) {
+    try_mooring(text);
+    return 0;
+  }
   const auto zero = text.find('\0');
-  try_femnet(text.substr(0, zero), zero == std::string::npos ? "" : text.substr(zero + 1));
+  const std::string mesh = zero == std::string::npos ? "" : text.substr(zero + 1);
+  try_femnet(text.substr(0, zero), zero == std::string::npos ? nullptr : &mesh);
   return 0;
 }

@@ -333,7 +333,7 @@ class Results(InFreshFolder):
             self.assertEqual(len(elements), f["VTKHDF/NumberOfCells"][0])
             self.assertEqual(elements[-1]["part"], "rope")
             self.assertEqual(float(elements[-1]["tension [N]"]), f["VTKHDF/CellData/tension"][-1])
-        self.assertIn("there are .glb, .csv and .mesh", self.refused("export", result, "a.obj"))
+        self.assertIn("there are .glb, .csv, .mesh, .obj and .vtk", self.refused("export", result, "a.stl"))
 
     def test_two_results_come_with_what_changed_between_them(self):
         a, b = self.solved("a", GOOD), self.solved("b", changed(GOOD, ("density = 2000", "density = 2600")))
