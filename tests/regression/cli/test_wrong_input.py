@@ -3,7 +3,8 @@
 import unittest
 
 from program import InFreshFolder
-from wrong_scenes import ALL
+import wrong_laws
+import wrong_scenes
 
 
 class WrongInput(InFreshFolder):
@@ -52,7 +53,7 @@ def add_case(wrong):
     setattr(WrongInput, name, lambda self: self.check(wrong))
 
 
-for each in ALL:
+for each in wrong_scenes.ALL + wrong_laws.ALL:
     add_case(each)
 
 
