@@ -62,7 +62,7 @@ class Program:
 
     def run(self, words, folder, faults=None, **how):
         return subprocess.run([self.netloft, *words], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                              timeout=600, check=False, env=self.environment(faults or {}), **how)
+                              timeout=3600, check=False, env=self.environment(faults or {}), **how)
 
     def succeed(self, words, folder):
         ended = self.run(words, folder)
@@ -515,7 +515,8 @@ def main(arguments):
         try_all(words, [case for case in cases if words.only in case.name], tally)
     except KeyboardInterrupt:
         print("interrupted: the counts are of what was tried until then", file=sys.stderr)
-    print(tally.table())
+    finally:
+        print(tally.table())
     return 0 if tally.is_clean() else 1
 
 
