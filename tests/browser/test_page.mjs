@@ -86,12 +86,15 @@ test('a click finds the part that is there, and the plan the same place', async 
     assert.match(await page.textContent('#selection'), new RegExp(`^part${spot.name}type`));
   }
   // From the plan to the shape: the same element is selected in both.
-  const plan = await page.locator('#plan').boundingBox();
   const place = await page.evaluate(() => {
-    const v = window.netloftViewer, part = v.result.parts.findIndex((p) => p.name === 'top-body'), t = v.result.triPart.indexOf(part) + 20;
+    const v = window.netloftViewer, part = v.result.parts.findIndex((p) => p.name === 'top-body');
     v.plan.fit();
+    // The largest: clicks are at whole pixels, and small triangles have few.
+    const size = (k) => { const [a, b, c] = [0, 2, 4].map((i) => v.plan.at(6 * k + i)); return Math.abs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])); };
+    const t = [...v.result.triPart.keys()].filter((k) => v.result.triPart[k] === part).reduce((best, k) => (size(k) > size(best) ? k : best));
     return {at: v.plan.whereIs({index: t, weights: [1 / 3, 1 / 3, 1 / 3]}), t};
   });
+  const plan = await page.locator('#plan').boundingBox();
   await page.mouse.click(plan.x + place.at[0], plan.y + place.at[1]);
   assert.match(await page.textContent('#selection'), /^parttop-bodytype.*meshes across/);
   assert.equal(await page.evaluate(() => window.netloftViewer.selection.hit.index), place.t);
@@ -356,7 +359,9 @@ test('shapes for other programs are valid glTF', async () => {
   for (const result of ['trawl', 'codend', 'motion', 'hostile']) {
     execFileSync(process.env.NETLOFT_PROGRAM, ['export', `${result}.hdf`, `${result}.glb`], {stdio: 'pipe'});
     const {issues} = await validator.validateBytes(new Uint8Array(readFileSync(`${result}.glb`)));
-    assert.deepEqual(issues.messages.map((m) => `${m.code} ${m.pointer}`), [], result);
+    // No texture uses the places on panels that are texture coordinates here: another program may want them.
+    const heard = issues.messages.filter((m) => m.code !== 'UNUSED_OBJECT' || !m.pointer.endsWith('/TEXCOORD_0'));
+    assert.deepEqual(heard.map((m) => `${m.code} ${m.pointer}`), [], result);
   }
 });
 
