@@ -18,8 +18,8 @@ picture() {
   "$netloft" draw "$results/$name.hdf" "$@" -o "$here/$name.png"
 }
 
-picture 83-112 83-112-flume-3.0kn --set gear.nodes=3000 -- --dark --field opening --width 1000
-picture 83-112-front 83-112-flume-3.0kn --set gear.nodes=3000 -- --view front --width 800
+picture 83-112 83-112-flume-3.0kn --set gear.nodes=2000 -- --dark --field opening --width 1000
+picture 83-112-front 83-112-flume-3.0kn --set gear.nodes=2000 -- --view front --width 800
 picture four-panel four-panel -- --field opening --width 800
 picture codend codend-from-plan -- --width 800
 picture small-trawl validation/small-trawl/half -- --width 800
