@@ -54,7 +54,7 @@ class Case {
 
   /// Finds the equilibrium as the scene's analysis says, from its start.
   Solution solve(const Watch& watch = {});
-  /// Looks for the equilibrium near displacements `u` by the solver of the analysis alone, for no more than
+  /// Seeks the equilibrium near displacements `u` by the solver of the analysis alone, for no more than
   /// so many iterations.
   Solution continue_from(const std::vector<double>& u, int iterations, const Watch& watch = {});
   /// The same, and where that does not converge, as solve() does.

@@ -19,7 +19,7 @@ struct SweepInput {
   std::string scene;                 // the text of its scene
 };
 
-/// Looks for it in the options --set of the command lines first, then in the scenes' own lines. Of several
+/// Seeks it in the options --set of the command lines first, then in the scenes' own lines. Of several
 /// settings the first is taken whose values are numbers, and all different.
 Varied varied_setting(const std::vector<SweepInput>& results);
 

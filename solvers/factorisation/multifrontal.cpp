@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kLeastPivot = 1e-8;    // relative to the norm of the columns of L
 constexpr double kLargestError = 1e-9;  // (2); a larger error is handed over to another code
-// Below this [floating-point operations] a factorisation takes less than 5 ms, and threads would hardly help.
+// Below this [floating-point operations] a factorisation takes less than 5 ms, and threads would gain little.
 constexpr double kWorthThreads = 2e8;
 constexpr double kErrorToRefine = 1e-12;  // (2); a smaller error is not refined
 
