@@ -25,7 +25,7 @@ include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(MumpsSeq REQUIRED_VARS
   MumpsSeq_INCLUDE_DIR MumpsSeq_dmumps_ARCHIVE MumpsSeq_mumps_common_ARCHIVE MumpsSeq_pord_ARCHIVE
   MumpsSeq_mpiseq_ARCHIVE MumpsSeq_esmumps_LIBRARY MumpsSeq_scotch_LIBRARY MumpsSeq_gfortran_LIBRARY
-  MumpsSeq_lapack_LIBRARY MumpsSeq_blas_LIBRARY CMAKE_LINKER CMAKE_OBJCOPY)
+  MumpsSeq_lapack_LIBRARY MumpsSeq_blas_LIBRARY CMAKE_OBJCOPY)
 mark_as_advanced(MumpsSeq_INCLUDE_DIR MumpsSeq_esmumps_LIBRARY MumpsSeq_scotch_LIBRARY MumpsSeq_gfortran_LIBRARY
                  MumpsSeq_lapack_LIBRARY MumpsSeq_blas_LIBRARY)
 
@@ -37,7 +37,7 @@ function(netloft_mumps_object out)
   list(APPEND renamed --redefine-sym _gfortran_string_trim=netloft_mumps_string_trim)
   add_custom_command(
     OUTPUT ${out}
-    COMMAND ${CMAKE_LINKER} -r -u dmumps_c -o ${out}.all ${MumpsSeq_ARCHIVES}
+    COMMAND ${CMAKE_C_COMPILER} -r -nostdlib -Wl,-u,dmumps_c -o ${out}.all ${MumpsSeq_ARCHIVES}
     COMMAND ${CMAKE_OBJCOPY} --keep-global-symbol=dmumps_c ${out}.all ${out}.one
     COMMAND ${CMAKE_OBJCOPY} ${renamed} ${out}.one ${out}
     COMMAND ${CMAKE_COMMAND} -E rm ${out}.all ${out}.one

@@ -51,7 +51,12 @@ endfunction()
 function(netloft_add_module target output folder)
   add_library(${target} MODULE ${ARGN})
   netloft_plugin_flags(${target})
-  target_link_options(${target} PRIVATE -Wl,-z,defs -Wl,--version-script=${CMAKE_CURRENT_FUNCTION_LIST_DIR}/plugin.map)
+  # A sanitizer of clang is in the program alone, where modules find it as they are opened.
+  set(complete -Wl,-z,defs)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+    set(complete "")
+  endif()
+  target_link_options(${target} PRIVATE ${complete} -Wl,--version-script=${CMAKE_CURRENT_FUNCTION_LIST_DIR}/plugin.map)
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${output} LIBRARY_OUTPUT_DIRECTORY ${folder})
 endfunction()
 

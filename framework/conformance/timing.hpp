@@ -25,7 +25,7 @@ double least_nanoseconds(Prepare&& prepare, Work&& work) {
 /// What one of many calls takes [ns].
 template <class Call>
 double least_nanoseconds_of(Call&& call) {
-  constexpr int kCalls = 100;
+  static constexpr int kCalls = 100;
   return least_nanoseconds([] { return kCalls; },
                            [&](int calls) {
                              while (calls-- > 0) call();

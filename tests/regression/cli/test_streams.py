@@ -96,6 +96,7 @@ class Signals(InFreshFolder):
                 self.assertIn("ulimit -v", ended.err)
                 self.assertEqual(self.files(), {})
 
+    @unittest.skipIf("asan" in PROGRAM, "its shadow wants terabytes of addresses")
     def test_enough_memory_is_enough(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_DATA, (1 << 30, 1 << 30))
         self.assertEqual(self.netloft("run", *PANEL, "-o", "p.hdf", preexec_fn=limit).code, 0)
