@@ -16,8 +16,8 @@ namespace {
 class Inspection {
  public:
   Inspection(const CalibrationFile& file, const std::filesystem::path& folder, Registry& registry,
-             Diagnostics& diagnostics)
-      : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics) {
+             Diagnostics& diagnostics, const std::function<void(double)>& on_budget)
+      : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics), on_budget_(on_budget) {
     checked_.measured.resize(file.measured.size()), checked_.units.resize(file.measured.size());
   }
 
@@ -66,6 +66,7 @@ class Inspection {
       return diagnostics_.error(file_.scenes[scene].place,
                                 "the scene goes through time; a calibration is of equilibria",
                                 "set = [\"analysis.kind=static\"]");
+    if (on_budget_) on_budget_(the_case.loaded().analysis.limits.seconds);
     Solution at_start;
     at_start.x = the_case.assembler().start(), at_start.residual.resize(at_start.x.size());
     const auto figures = figures_of(the_case, at_start);
@@ -106,14 +107,16 @@ class Inspection {
   const std::filesystem::path& folder_;
   Registry& registry_;
   Diagnostics& diagnostics_;
+  const std::function<void(double)>& on_budget_;
   CheckedCalibration checked_;
 };
 
 }  // namespace
 
 CheckedCalibration check_calibration(const CalibrationFile& file, const std::filesystem::path& folder,
-                                     Registry& registry, Diagnostics& diagnostics) {
-  return Inspection(file, folder, registry, diagnostics).inspect();
+                                     Registry& registry, Diagnostics& diagnostics,
+                                     const std::function<void(double)>& on_budget) {
+  return Inspection(file, folder, registry, diagnostics, on_budget).inspect();
 }
 
 }  // namespace netloft::io

@@ -46,13 +46,14 @@ std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t s
 
 /// Opens every scene at the means and at the ends of what is looked for; what is wrong with keys, values and
 /// figures goes to `diagnostics`. Returns what was measured in the units of the figures, in the order of the
-/// file.
+/// file. `on_budget` hears of the processor time that a scene may take for its figures [s].
 struct CheckedCalibration {
   std::vector<Measurement> measured;
   std::vector<std::string> units;
   bool refused = false;
 };
 CheckedCalibration check_calibration(const CalibrationFile& file, const std::filesystem::path& folder,
-                                     Registry& registry, Diagnostics& diagnostics);
+                                     Registry& registry, Diagnostics& diagnostics,
+                                     const std::function<void(double)>& on_budget);
 
 }  // namespace netloft::io

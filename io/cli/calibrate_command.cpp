@@ -16,14 +16,15 @@ int calibrate_command(const Options& options) {
   find_plugins(options, registry);
   Watchdog watchdog(ending_with_a_sentence(terminal, "the calibration ends here without an answer"));
   const std::filesystem::path folder = std::filesystem::path(options.target).parent_path();
+  const Watch watch{.interrupt = &interrupt_flag(),
+                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   CheckedCalibration checked;
-  if (!diagnostics.errors()) checked = check_calibration(file, folder, registry, diagnostics);
+  if (!diagnostics.errors())
+    checked = check_calibration(file, folder, registry, diagnostics, watch.on_budget);
   if (diagnostics.errors())
     return tell_why_not(diagnostics, checked.refused ? Case::State::refused : Case::State::wrong_input,
                         options, terminal);
   if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
-  const Watch watch{.interrupt = &interrupt_flag(),
-                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   const Calibration done = calibrate(std::move(file), checked, folder, registry, watch);
   if (interrupt_flag()) return kInterrupted;
   std::puts(options.json ? calibration_json(done).c_str() : calibration_text(done).c_str());

@@ -142,12 +142,20 @@ class EndlessLoopsElsewhere(Hostile):
         self.ends(1, "study", "run", "s.study", says="item 1: the worker ended with exit code 3: " + says)
         self.assertRegex(next((self.folder / "s.study" / "items").glob("*.failed")).read_text(), "hostile/loops, term pull, did not come back")
 
+    def calibration(self, solver):
+        self.write("c.toml", '[scenes.a]\nscene = "line.toml"\nset = ["%s", "analysis.solver=%s"]\n[variables.g]\nkey = "water.gravity"\nrange = [9, 10]\n'
+                   '[[measured]]\nscene = "a"\nfigure = "results/low"\nvalue = "-10 m"\ndeviation = "1 m"\n' % (self.LIMIT, solver))
+        return ["calibrate", "c.toml"]
+
     def test_in_a_calibration(self):
         self.scene()
-        self.write("c.toml", '[scenes.a]\nscene = "line.toml"\nset = ["%s", "analysis.solver=hostile/stalls"]\n[variables.g]\nkey = "water.gravity"\nrange = [9, 10]\n'
-                   '[[measured]]\nscene = "a"\nfigure = "results/low"\nvalue = "-10 m"\ndeviation = "1 m"\n' % self.LIMIT)
-        self.ends(3, "calibrate", "c.toml",
+        self.ends(3, *self.calibration("hostile/stalls"),
                   says="hostile/stalls, solve, did not come back for 2 s .*; the calibration ends here without an answer")
+
+    def test_in_a_calibration_before_its_first_solve(self):
+        self.scene("loops")
+        self.ends(3, *self.calibration("newton"),
+                  says="hostile/loops, term pull, did not come back for 2 s .*; the calibration ends here without an answer")
 
     def test_in_checks(self):
         self.ends(1, "test", "hostile/loops", "--seconds", "0.3",
