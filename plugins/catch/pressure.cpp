@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
 
 namespace netloft::catches {
 
@@ -84,6 +87,12 @@ void balance_volume(const Pressure::Parameters& p, double pressure, double trian
   }
 }
 
+std::string text_of(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", number);
+  return text;
+}
+
 }  // namespace
 
 void Pressure::check(const Parameters& p, const Data&) {
@@ -97,6 +106,12 @@ void Pressure::check(const Parameters& p, const Data&) {
   if (p.meshes != 0 && p.volume != 0)
     throw std::invalid_argument(
         "the front of the catch is given twice: give either catch.meshes or catch.volume");
+}
+
+void Pressure::check_whole(const Parameters& p, const Whole& whole) {
+  if (p.meshes > whole.length * (1 + 1e-9))
+    throw std::invalid_argument("catch.meshes = " + text_of(p.meshes) +
+                                " is more than the netting has along, " + text_of(whole.length));
 }
 
 void Pressure::gather(const Parameters&, const Data& d, Whole& whole) {

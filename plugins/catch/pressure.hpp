@@ -62,6 +62,8 @@ struct Pressure {
   /// Throws std::invalid_argument if there is neither pressure nor speed, or if the front is given by both or
   /// none of its parameters.
   static void check(const Parameters& p, const Data& d);
+  /// Throws std::invalid_argument if more meshes are filled than there are along the longest panel.
+  static void check_whole(const Parameters& p, const Whole& whole);
   static void gather(const Parameters& p, const Data& d, Whole& whole);
   static double first_front(const Parameters& p, const Whole& whole);
 

@@ -10,9 +10,10 @@
 //
 // `energy` gives force and tangent by differentiation; `evaluate` fills one element; `tile` loops over 64.
 // An element that must know all of its part declares `Whole`, which `gather(parameters, data, whole)` makes
-// of every element of the part in turn; `evaluate` is handed it after the data. One whose part shares numbers
-// that are solved for, too (the front of a catch), says how many: `static constexpr int globals = 1`. They
-// are coordinates of one more node, the last: N is one more.
+// of every element of the part in turn; `evaluate` is handed it after the data, and a
+// `check_whole(parameters, whole)` may throw std::invalid_argument. One whose part shares numbers that are
+// solved for, too (the front of a catch), says how many: `static constexpr int globals = 1`. They are
+// coordinates of one more node, the last: N is one more.
 //
 // One that bears tension along straight lines declares these members, and solvers may take the tensions for
 // unknowns:

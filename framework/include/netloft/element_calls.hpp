@@ -7,6 +7,7 @@
 #include <netloft/parameters.hpp>
 #include <netloft/state.hpp>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdio>
@@ -208,6 +209,12 @@ void fill_family(Family<E>& f, netloft_create& in, const std::vector<std::size_t
     if constexpr (requires { typename E::Whole; })
       E::gather(f.parameters(e), f.data_[e], f.wholes_[f.part_[e]]);
   }
+  if constexpr (requires { E::check_whole(f.parameters(0), f.wholes_[0]); })
+    for (std::uint32_t p = 0; p < in.part_count; ++p) {
+      const auto first = std::find(in.part, in.part + in.count, p) - in.part;
+      in.at_fault = static_cast<std::uint32_t>(first);
+      if (first < in.count) E::check_whole(f.parameters_[p], f.wholes_[p]);
+    }
 }
 
 }  // namespace detail

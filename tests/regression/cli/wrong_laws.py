@@ -3,6 +3,7 @@
 from wrong_case import edit
 
 NET, WATER, JOIN = "density = 2000 }", "gravity = 9.81", "[[join]]"
+CATCH = '[parts.catch]\ntype = "catch/pressure"\non = "net"\ncatch = { pressure = 100, meshes = 5 }\n'
 BALL = '[parts.ball]\ntype = "float/float"\non = "rope.end"\n'
 
 LAWS = [
@@ -129,4 +130,7 @@ SPHERES = [
     )
 ]
 
-ALL = LAWS + SCALES + TOWS + SPHERES
+CATCHES = [edit("a catch that is longer than its netting", JOIN, CATCH + JOIN, "19:1",
+                "catch/pressure element 0 is refused: catch.meshes = 5 is more than the netting has along, 4")]
+
+ALL = LAWS + SCALES + TOWS + SPHERES + CATCHES

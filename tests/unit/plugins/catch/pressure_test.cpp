@@ -174,6 +174,16 @@ TEST(CatchPressure, RefusesACatchThatIsGivenTwiceOrNotAtAll) {
   EXPECT_NO_THROW(Pressure::check(slippery, {}));
 }
 
+TEST(CatchPressure, RefusesMoreMeshesThanThereAre) {
+  Pressure::Parameters p = pressing(10);
+  Pressure::Whole whole;
+  whole.length = 8;
+  p.meshes = 8;
+  EXPECT_NO_THROW(Pressure::check_whole(p, whole));
+  p.meshes = 8.1;
+  EXPECT_THROW(Pressure::check_whole(p, whole), std::invalid_argument);
+}
+
 /// An octahedron, faces counter-clockwise seen from outside, deformed.
 struct Closed {
   std::vector<Vec3<double>> x{{1, 0, 0},  {-1.2, 0.1, 0}, {0, 0.9, 0.2},

@@ -71,7 +71,7 @@ Scene pressed_kite() {
   s.rope("rim", {a, b, c, a}, std::sqrt(3), kEA).parameters["rope.EA_compression"] = kEA;
   s.rope("spring", {a, tie}, 4, 1);
   s.part("catch", "catch/pressure", {{"catch.pressure", 1000 / (1.5 * h)}, {"catch.meshes", 1.0}}, {a, b, c})
-      .data["to_aft"] = {0, 0, 0};
+      .data["to_aft"] = {1, 0, 0};
   return s.scene;
 }
 
