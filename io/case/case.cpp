@@ -3,6 +3,7 @@
 
 #include "framework/problem/settling.hpp"
 #include "io/case/diagnosis.hpp"
+#include "io/case/idle_choices.hpp"
 #include "io/case/meshes.hpp"
 #include "io/case/stretch_damping.hpp"
 #include "io/scene/keys.hpp"
@@ -54,6 +55,7 @@ Case::State Case::assemble() {
       damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
     plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
                       moves ? AnalysisKind::dynamics : AnalysisKind::statics);
+    warn_of_idle_choices(loaded_, plan_, diagnostics_);
     plan_.not_loaded = unused_plugins(plan_, registry_);
     if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);
     if (moves) std::erase(plan_.not_loaded, registry_.integrator(analysis.dynamics.integrator).origin->name);

@@ -318,6 +318,19 @@ class OtherCommands(InFreshFolder):
         self.assertIn("ground: passes the gear with (1.5, 0) m/s; friction is that of sliding", passes.out)
         self.assertIn("ground: stands", self.netloft("plan", towed, "--set", "tow.speed=0").out)
 
+    def test_what_has_no_effect_gets_a_warning(self):
+        rope = 'rope = { diameter = "20 mm", EA = "100 kN", EA_compression = 0, density = 1150'
+        self.write("scene.toml", GOOD.replace(rope + " }", rope + ', damping = 5, sag = 1 }\ndrag = "hydro/morison"'))
+        said = self.netloft("plan", "scene.toml")
+        self.assertEqual(said.code, 0)
+        self.assertIn("scene.toml:12:1: warning: rope: rope.damping has no effect: the analysis is static", said.err)
+        self.assertIn('scene.toml:12:1: warning: rope: drag = "hydro/morison" has no effect: no water flows past it', said.err)
+        self.assertNotIn("sag", said.err)
+        self.assertIn("rope.sag has no effect: the scene has no gravity", self.netloft("plan", "scene.toml", "--set", "water.gravity=0").err)
+        self.assertNotIn("drag", self.netloft("plan", "scene.toml", "--set", "water.current=[1, 0, 0]").err)
+        moving = ["--set", "analysis.kind=dynamic", "--set", "analysis.solver=chord", "--set", "analysis.duration=1"]
+        self.assertEqual(self.netloft("plan", "scene.toml", *moving).err, "")
+
     def test_friction_in_water_that_flows_over_a_ground_of_which_nothing_is_said_gets_a_warning(self):
         text = (SOURCE / "gear-library" / "scenes" / "verification" / "towed-chain.toml").read_text()
         self.write("scene.toml", text.replace('[tow]\nspeed = "1.5 m/s"\n', "").replace("[water]", "[water]\ncurrent = [1.5, 0, 0]"))
