@@ -216,6 +216,59 @@ test('the slider moves a motion, and the keyboard does what the mouse does', asy
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
+test('keys select every part that is shown, any place, and measure', async () => {
+  const {page, seen} = await opened('trawl', 'trawl');
+  await page.evaluate(() => { window.netloftViewer.setField('tension'); window.netloftViewer.selection.set(null); });
+  await page.locator('#canvas').focus();
+  const shown = await page.evaluate(() => { const {result, shown: is} = window.netloftViewer.model; return result.parts.filter((p, i) => is[i]).map((p) => p.name).sort(); });
+  const hit = () => page.evaluate(() => { const v = window.netloftViewer, h = v.selection.hit; return {...h, name: v.result.parts[h.part].name}; });
+  const found = new Set();
+  for (let i = 0; i < shown.length; ++i) { await page.keyboard.press('PageDown'); found.add((await hit()).name); }
+  assert.deepEqual([...found].sort(), shown);
+  // From the last element of the netting to the first of the ropes.
+  await page.evaluate(() => { const {selection, result} = window.netloftViewer; selection.take('netting', result.triPart.length - 1); });
+  await page.keyboard.press('n');
+  assert.equal((await hit()).kind, 'rope');
+  await page.keyboard.press('p');
+  assert.equal((await hit()).kind, 'netting');
+  // Under the cross: what a click in the middle would find, moved there by keys.
+  await page.keyboard.press('4');
+  for (const key of ['+', '+', 'Shift+ArrowLeft']) await page.keyboard.press(key);
+  await drawn(page);
+  assert.equal(await page.locator('#cross').evaluate((cross) => getComputedStyle(cross).display), 'block');
+  const expected = await page.evaluate(() => { const v = window.netloftViewer; return v.pickAt(v.camera.width / 2, v.camera.height / 2); });
+  assert.ok(expected);
+  await page.keyboard.press('Enter');
+  assert.deepEqual((({kind, index}) => ({kind, index}))(await hit()), {kind: expected.kind, index: expected.index});
+  await page.keyboard.press('Shift+ArrowUp');
+  await page.keyboard.press('Shift+Enter');
+  assert.match(await page.textContent('#selection'), /^distance[0-9.]+ m/);
+  assert.ok(await page.evaluate(() => window.netloftViewer.isTouched));  // paper and windows keep what was turned to
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('0');
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('everything that can be operated is reached with the Tab key', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const wanted = await page.evaluate(() => {
+    document.activeElement.blur();
+    const all = [...document.querySelectorAll('button, select, input, summary, a[href], [tabindex="0"]')].filter((e) => e.checkVisibility() && !e.disabled);
+    all.forEach((e, i) => { e.dataset.order = String(i); });
+    return all.length;
+  });
+  assert.ok(wanted > 30, `${wanted} controls`);
+  const reached = new Set();
+  for (let i = 0; i < wanted + 5; ++i) {
+    await page.keyboard.press('Tab');
+    const at = await page.evaluate(() => { const e = document.activeElement, {outlineStyle} = getComputedStyle(e); return {order: e.dataset.order, outlineStyle}; });
+    if (at.order === undefined) continue;
+    reached.add(at.order);
+    assert.notEqual(at.outlineStyle, 'none', `control ${at.order} does not show that it has the focus`);
+  }
+  assert.equal(reached.size, wanted);
+});
+
 test('parts are hidden and isolated', async () => {
   const {page} = await opened('trawl', 'trawl');
   await page.evaluate(() => { window.netloftViewer.setField('part'); window.netloftViewer.look('oblique'); });

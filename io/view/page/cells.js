@@ -17,6 +17,21 @@ function nodesOfElement(result, kind, index) {
   return Array.from(result[c.nodes].subarray(c.of * index, c.of * index + c.of));
 }
 
+/** Element `place` of all elements of a result, counted kind by kind: {kind, index}. */
+function elementAt(result, place) {
+  for (const c of CELLS) {
+    const n = result[c.parts].length;
+    if (place < n) return {kind: c.kind, index: place};
+    place -= n;
+  }
+  return null;
+}
+
+/** The inverse of elementAt. */
+function placeOfElement(result, {kind, index}) {
+  return CELLS.slice(0, CELLS.indexOf(cellsOf(kind))).reduce((sum, c) => sum + result[c.parts].length, index);
+}
+
 /** Sides of triangles that no other triangle of the part has: the outlines of its panels. */
 function outline(result) {
   const sides = new Map(), n = result.nPoints;

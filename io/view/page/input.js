@@ -31,18 +31,23 @@ function listenToPointer(viewer) {
 }
 
 function listenToKeys(viewer) {
-  const {canvas, camera} = viewer;
-  const keys = {
+  const {canvas, camera, selection} = viewer;
+  const moves = {
     ArrowLeft: () => camera.turn(-TURN, 0), ArrowRight: () => camera.turn(TURN, 0), ArrowUp: () => camera.turn(0, TURN), ArrowDown: () => camera.turn(0, -TURN),
     '+': () => camera.zoom(ZOOM), '=': () => camera.zoom(ZOOM), '-': () => camera.zoom(1 / ZOOM),
-    1: () => viewer.look('side'), 2: () => viewer.look('top'), 3: () => viewer.look('front'), 4: () => viewer.look('oblique'), 0: () => viewer.fit(),
-    n: () => viewer.selection.step(1), p: () => viewer.selection.step(-1), Escape: () => viewer.selection.set(null),
   };
-  const pans = {ArrowLeft: [PAN, 0], ArrowRight: [-PAN, 0], ArrowUp: [0, PAN], ArrowDown: [0, -PAN]};
+  const movesWithShift = {ArrowLeft: () => camera.pan(PAN, 0), ArrowRight: () => camera.pan(-PAN, 0), ArrowUp: () => camera.pan(0, PAN), ArrowDown: () => camera.pan(0, -PAN)};
+  const others = {
+    1: () => viewer.look('side'), 2: () => viewer.look('top'), 3: () => viewer.look('front'), 4: () => viewer.look('oblique'), 0: () => viewer.fit(),
+    n: () => selection.step(1), p: () => selection.step(-1), PageDown: () => selection.stepPart(1), PageUp: () => selection.stepPart(-1),
+    Enter: (event) => selection.set(viewer.pickAt(camera.width / 2, camera.height / 2), event.shiftKey), Escape: () => selection.set(null),
+  };
   canvas.addEventListener('keydown', (event) => {
-    if (event.shiftKey && pans[event.key]) camera.pan(...pans[event.key]);
-    else if (keys[event.key] && !event.ctrlKey && !event.metaKey) keys[event.key]();
-    else return;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const move = (event.shiftKey && movesWithShift[event.key]) || moves[event.key], act = move || others[event.key];
+    if (!act) return;
+    act(event);
+    viewer.isTouched = viewer.isTouched || Boolean(move);
     event.preventDefault();
     viewer.draw();
   });

@@ -36,6 +36,8 @@ function forcesOfNode(model, node) {
   return rows;
 }
 
+const NOTHING_SELECTED = $('selection').textContent;
+
 class Selection {
   constructor(viewer, box) {
     Object.assign(this, {viewer, box, hit: null, before: null});
@@ -49,12 +51,30 @@ class Selection {
     this.viewer.draw();
   }
 
-  /** The next element of the same kind, for those who have no pointer. */
+  /** The next element that is shown, whatever its kind, for those who have no pointer. */
   step(by) {
-    const {result} = this.viewer.model, kind = this.hit ? this.hit.kind : result.triPart.length ? 'netting' : 'rope', c = cellsOf(kind);
-    const n = result[c.parts].length;
-    if (!n) return;
-    const index = ((this.hit ? this.hit.index + by : 0) + n) % n;
+    const {result, shown} = this.viewer.model, n = CELLS.reduce((sum, c) => sum + result[c.parts].length, 0);
+    let place = this.hit ? placeOfElement(result, this.hit) : by > 0 ? -1 : 0;
+    for (let tried = 0; tried < n; ++tried) {
+      place = (place + by + n) % n;
+      const {kind, index} = elementAt(result, place);
+      if (shown[result[cellsOf(kind).parts][index]]) { this.take(kind, index); return; }
+    }
+  }
+
+  /** The first element of the next part that is shown, in the order of the list of parts. */
+  stepPart(by) {
+    const {result, shown} = this.viewer.model, n = result.parts.length;
+    let part = this.hit ? this.hit.part : by > 0 ? -1 : 0;
+    for (let tried = 0; tried < n; ++tried) {
+      part = (part + by + n) % n;
+      const c = shown[part] && CELLS.find((one) => result[one.parts].includes(part));
+      if (c) { this.take(c.kind, result[c.parts].indexOf(part)); return; }
+    }
+  }
+
+  take(kind, index) {
+    const {result} = this.viewer.model, c = cellsOf(kind);
     this.set({kind, index, part: result[c.parts][index], cell: result[c.cells][index], nodes: nodesOfElement(result, kind, index), weights: Array(c.of).fill(1 / c.of), mirrored: false});
   }
 
@@ -65,7 +85,7 @@ class Selection {
 
   describe() {
     this.box.replaceChildren();
-    if (!this.hit) { this.box.textContent = 'Nothing is selected. Click a part of the gear, or press N. Shift and a second click measure a distance.'; return; }
+    if (!this.hit) { this.box.textContent = NOTHING_SELECTED; return; }
     const list = element('dl'), rows = describeHit(this.viewer.model, this.hit);
     if (this.before) rows.unshift(['distance', `${formatNumber(this.distance())} m from the place before`]);
     for (const [name, value] of rows) list.append(element('dt', {}, name), element('dd', {}, value));
