@@ -100,9 +100,15 @@ void add_arrow(const Point3& a, const Point3& b, SheetLayout& layout) {
                               tip[1] + sign * kHead * (uy + side * ux), 1.3, layout.ink});
 }
 
+bool is_inside(const Point3& p, const Frame& frame) {
+  return p[0] >= frame.left && p[0] <= frame.left + frame.width && p[1] >= frame.top &&
+         p[1] <= frame.top + frame.height;
+}
+
 }  // namespace
 
-void add_dimensions(const GearShape& shape, const Projection& projection, double top, SheetLayout& layout) {
+void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
+                    SheetLayout& layout) {
   std::vector<double> points;
   for (const auto& node : shape.nodes) points.insert(points.end(), node.begin(), node.end());
   double along = 0.5;  // where the words stand: lines that cross have them in different places
@@ -110,7 +116,8 @@ void add_dimensions(const GearShape& shape, const Projection& projection, double
     const Point3 from = place_of(dimension.from, *shape.result, points, {});
     const Point3 to = place_of(dimension.to, *shape.result, points, from);
     Point3 a = projection(from), b = projection(to);
-    a[1] += top, b[1] += top;
+    a[1] += picture.top, b[1] += picture.top;
+    if (!is_inside(a, picture) || !is_inside(b, picture)) continue;
     if (std::hypot(b[0] - a[0], b[1] - a[1]) < kLeastDimension) continue;
     add_arrow(a, b, layout);
     const double metres = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);

@@ -42,7 +42,9 @@ void add_legends(const GearShape& shape, double right, double top, SheetLayout& 
 /// A scale of a round number of metres with its left end at (x, y), not longer than `longest` [pixels].
 void add_scale_bar(double pixels_per_metre, double x, double y, double longest, SheetLayout& layout);
 
-/// Height and spreads as lines with their lengths. `top`: of the picture on the sheet.
-void add_dimensions(const GearShape& shape, const Projection& projection, double top, SheetLayout& layout);
+/// Height and spreads as lines with their lengths: those whose ends are both in the picture, which takes
+/// the frame `picture` of the sheet.
+void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
+                    SheetLayout& layout);
 
 }  // namespace netloft::io

@@ -93,7 +93,8 @@ Sheet compose(const StoredResult& result, const SheetOptions& options) {
   add_legends(shape, sheet.width - kMargin, is_narrow ? kHead : 12, sheet.layout);
   add_scale_bar(projection.pixels_per_metre, kMargin, sheet.height - kFoot / 2, sheet.width / 6,
                 sheet.layout);
-  if (options.with_dimensions) add_dimensions(shape, projection, sheet.picture_top, sheet.layout);
+  if (options.with_dimensions)
+    add_dimensions(shape, projection, {0, sheet.picture_top, sheet.width, height}, sheet.layout);
   return sheet;
 }
 

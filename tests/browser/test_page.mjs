@@ -269,6 +269,26 @@ test('everything that can be operated is reached with the Tab key', async () => 
   assert.equal(reached.size, wanted);
 });
 
+test('a dimension line is drawn where both its ends are in the picture', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const outside = await page.evaluate(() => {
+    const v = window.netloftViewer, off = [];
+    let drawnLines = 0;
+    for (const view_ of ['side', 'top', 'front', 'oblique']) {
+      v.look(view_);
+      v.drawNow();
+      for (const path of document.querySelectorAll('#dimensions path.dimension')) {
+        const [[, x, y], [, x2, y2]] = [...path.getAttribute('d').matchAll(/[ML]([-0-9.e]+) ([-0-9.e]+)/g)];
+        ++drawnLines;
+        if ([x, x2].some((a) => a < 0 || a > v.camera.width) || [y, y2].some((a) => a < 0 || a > v.camera.height)) off.push(view_);
+      }
+    }
+    return {off, drawnLines};
+  });
+  assert.deepEqual(outside.off, []);
+  assert.ok(outside.drawnLines >= 6, `${outside.drawnLines} lines`);
+});
+
 test('parts are hidden and isolated', async () => {
   const {page} = await opened('trawl', 'trawl');
   await page.evaluate(() => { window.netloftViewer.setField('part'); window.netloftViewer.look('oblique'); });

@@ -25,7 +25,9 @@ function drawDimensions(svg, model, camera) {
   let along = 0.5;  // lines that cross have their words in different places
   for (const {name, from, to} of model.result.dimensions) {
     const a = dimensionEnd(model, from), b = dimensionEnd(model, to, a);
-    drawDimension(svg, camera.project(a), camera.project(b), `${name} ${formatNumber(Math.hypot(...a.map((v, d) => v - b[d])), 3)} m`, along);
+    const [p, q] = [a, b].map((end) => camera.project(end));
+    if (![p, q].every(([x, y]) => x >= 0 && x <= camera.width && y >= 0 && y <= camera.height)) continue;  // its end would not be seen
+    drawDimension(svg, p, q, `${name} ${formatNumber(Math.hypot(...a.map((v, d) => v - b[d])), 3)} m`, along);
     along = along === 0.5 ? 0.22 : 0.62;
   }
 }
