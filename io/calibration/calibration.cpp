@@ -45,7 +45,8 @@ std::vector<std::size_t> fitted_first(const CalibrationFile& file) {
 double Calibration::width() const { return normal_quantile((1 + file.confidence) / 2); }
 
 Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
-                      const std::filesystem::path& folder, Registry& registry, const Watch& watch) {
+                      const std::filesystem::path& folder, Registry& registry, const Watch& watch,
+                      const OnSolve& on_solve) {
   Calibration done;
   done.file = std::move(file), done.measured = checked.measured, done.units = checked.units;
   done.order = fitted_first(done.file);
@@ -57,7 +58,7 @@ Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
   for (const std::size_t row : done.order)
     if (!done.file.measured[row].is_held_back) fitted.push_back(done.measured[row]);
   const double before = cpu_seconds();
-  SceneModel scenes(done.file, folder, registry, watch);
+  SceneModel scenes(done.file, folder, registry, watch, on_solve);
   Reordered model(scenes, done.order);
   done.fit = fit(model, priors, fitted);
   done.cpu_seconds = cpu_seconds() - before;

@@ -22,7 +22,8 @@ struct Calibration {
 
 /// Fits what takes part, and predicts the rest.
 Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
-                      const std::filesystem::path& folder, Registry& registry, const Watch& watch);
+                      const std::filesystem::path& folder, Registry& registry, const Watch& watch,
+                      const OnSolve& on_solve = {});
 
 /// For people, and as one JSON object.
 std::string calibration_text(const Calibration& calibration);

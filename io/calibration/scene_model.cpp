@@ -44,11 +44,12 @@ std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t s
 }
 
 SceneModel::SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry,
-                       Watch watch)
+                       Watch watch, OnSolve on_solve)
     : file_(file),
       folder_(std::move(folder)),
       registry_(registry),
       watch_(std::move(watch)),
+      on_solve_(std::move(on_solve)),
       last_(file.scenes.size()) {}
 
 SceneModel::~SceneModel() = default;
@@ -74,6 +75,7 @@ std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
   if (from.the_case && the_case->has_topology_of(*from.the_case))
     found = the_case->continue_from(the_case->assembler().displacements_to(from.x), kIterations, watch_);
   if (!is_stationary(found)) found = the_case->solve(watch_);
+  if (on_solve_) on_solve_(static_cast<std::size_t>(solves_), file_.scenes[scene].name);
   if (!is_stationary(found))
     return trouble_ += std::string(name_of(found.status)) + "; " + found.reason, std::nullopt;
   const auto all = figures_of(*the_case, found);

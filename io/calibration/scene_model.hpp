@@ -6,13 +6,17 @@
 
 namespace netloft::io {
 
+/// Told after every solve of a calibration: how many there were, and the name of the scene.
+using OnSolve = std::function<void(std::size_t solves, const std::string& scene)>;
+
 /// The figures that were measured, as the scenes of a calibration predict them: a scene is solved from the
 /// equilibrium found before where that leads on, and anew where it does not. Slopes are differences over a
 /// tenth of the prior's deviation to either side, within the range.
 class SceneModel : public Model {
  public:
   /// `file` has been checked. Scenes are found from `folder`.
-  SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry, Watch watch);
+  SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry, Watch watch,
+             OnSolve on_solve);
   ~SceneModel() override;
 
   std::optional<std::vector<double>> predict(const std::vector<double>& parameters) override;
@@ -35,6 +39,7 @@ class SceneModel : public Model {
   std::filesystem::path folder_;
   Registry& registry_;
   Watch watch_;
+  OnSolve on_solve_;
   std::vector<Solved> last_;  // of each scene
   int solves_ = 0;
   std::string trouble_;

@@ -25,7 +25,11 @@ int calibrate_command(const Options& options) {
     return tell_why_not(diagnostics, checked.refused ? Case::State::refused : Case::State::wrong_input,
                         options, terminal);
   if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
-  const Calibration done = calibrate(std::move(file), checked, folder, registry, watch);
+  const auto on_solve = [&](std::size_t solves, const std::string& scene) {
+    terminal.progress_in_steps("solves", solves, 0, scene);
+  };
+  const Calibration done = calibrate(std::move(file), checked, folder, registry, watch, on_solve);
+  terminal.clear();
   if (interrupt_flag()) return kInterrupted;
   std::puts(options.json ? calibration_json(done).c_str() : calibration_text(done).c_str());
   return done.fit.converged ? kDone : kNotConverged;

@@ -138,7 +138,7 @@ int run(const Options& options) {
   const ComparisonTask task = read_task(options.compare);
   check_plot_name(options.compare.plot);
   catch_interrupts();
-  Terminal terminal(options.color);
+  Terminal terminal(options.color, options.json);
   Registry registry;
   find_plugins(options, registry);
   Watchdog watchdog(ending_with_a_sentence(terminal, "the comparison ends here without a table"));

@@ -228,18 +228,18 @@ class Campaign {
   }
 
   void note(std::size_t place, const WorkerEnd& end) {
-    if (end.code == kDone) {
-      ++done_;
-      return;
+    if (end.code != kDone && interrupt_flag()) return;
+    end.code == kDone ? ++done_ : ++failed_;
+    if (end.code != kDone) {
+      const std::string sentence = end.sentence();
+      note_failure(o_.target, study_.items[place], sentence);
+      terminal_.say(fmt::format("netloft: item {}: {}", place + 1, sentence));
     }
-    if (interrupt_flag()) return;
-    ++failed_;
-    const std::string sentence = end.sentence();
-    note_failure(o_.target, study_.items[place], sentence);
-    terminal_.say(fmt::format("netloft: item {}: {}", place + 1, sentence));
+    terminal_.progress_in_steps("items", done_ + failed_, left_.size(), std::to_string(place + 1));
   }
 
   int finish() {
+    terminal_.clear();
     const std::size_t before = asked_ - left_.size();
     const Json json = {
         {"items", asked_}, {"computed", done_}, {"computed_before", before}, {"failed", failed_}};

@@ -41,6 +41,9 @@ std::string bar_of(double fraction) {
                      std::string(static_cast<std::size_t>(20 * std::clamp(fraction, 0.0, 1.0)), '='));
 }
 
+/// A number of a JSON object, which knows no infinity.
+std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.3e}", value) : "null"; }
+
 // seconds between two signs of progress
 constexpr double kRedraw = 0.1, kEvent = 1, kLogLine = 60;
 
@@ -103,8 +106,24 @@ void Terminal::progress(const IterationRecord& r, double tolerance) {
       fmt::format("iteration={} residual={:.3e} wanted={:.3e} stage={} seconds={:.1f}{}", r.iteration,
                   r.residual, wanted, stage_, seconds, left.empty() ? "" : " left=" + left),
       fmt::format(
-          R"({{"event": "progress", "stage": {}, "iteration": {}, "residual": {:.3e}, "wanted": {:.3e}, "seconds": {:.1f}, "left": {}}})",
-          stage_, r.iteration, r.residual, wanted, seconds, left.empty() ? "null" : left));
+          R"({{"event": "progress", "stage": {}, "iteration": {}, "residual": {}, "wanted": {}, "seconds": {:.1f}, "left": {}}})",
+          stage_, r.iteration, json_number(r.residual), json_number(wanted), seconds,
+          left.empty() ? "null" : left));
+}
+
+void Terminal::progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
+                                 const std::string& last) {
+  const double now = wall_seconds(), seconds = now - begun_;
+  if (!is_due(now)) return;
+  const double fraction = all ? static_cast<double>(done) / static_cast<double>(all) : 0;
+  const std::string left = seconds_left(fraction, seconds), of = std::to_string(all);
+  show(fmt::format("{}{}{} {}, {:.1f} s gone{}; last {}", all ? bar_of(fraction) + " " : "", done,
+                   all ? " of " + of : "", things, seconds, left.empty() ? "" : ", about " + left + " s left",
+                   last),
+       fmt::format("{}={}{} seconds={:.1f}{}", things, done, all ? " of=" + of : "", seconds,
+                   left.empty() ? "" : " left=" + left),
+       fmt::format(R"({{"event": "progress", "{}": {}, "of": {}, "seconds": {:.1f}, "left": {}}})", things,
+                   done, all ? of : "null", seconds, left.empty() ? "null" : left));
 }
 
 void Terminal::clear() {

@@ -27,6 +27,10 @@ class Terminal {
   /// The same for a motion that has come to t [s] of `end` after `seconds`, with the time that is left if the
   /// rest goes as fast.
   void progress_in_time(double t, double end, double seconds);
+  /// The same for work that consists of many solves: `done` of `all` (0: nobody knows how many) `things`
+  /// ("items"); `last`: what the last one was.
+  void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
+                         const std::string& last);
   void clear();
 
  private:
