@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/gltf.hpp"
 
+#include "io/picture/netting_texture.hpp"
+#include "io/picture/png.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -16,7 +19,8 @@ using Json = nlohmann::ordered_json;
 
 // Numbers of glTF 2.0 (and of OpenGL).
 enum Mode { kPoints = 0, kLines = 1, kTriangles = 4 };
-constexpr int kFloat = 5126, kArrayBuffer = 34962;
+constexpr double kLeastTwine = 0.03;  // half width in a texture, in meshes: thinner ones are not seen
+constexpr int kFloat = 5126, kArrayBuffer = 34962, kLinear = 9729, kLinearMipmapLinear = 9987;
 
 /// Colours of vertices are linear in glTF, ours are those of screens (IEC 61966-2-1).
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
@@ -104,8 +108,38 @@ class GltfWriter {
                        {"COLOR_0", add_accessor(vertices.colours, 3, false)}};
     if (vertices.has_meshes && !vertices.meshes.empty())
       attributes["TEXCOORD_0"] = add_accessor(vertices.meshes, 2, false);
+    const std::size_t material = attributes.contains("TEXCOORD_0") ? material_of_netting(part) : 0;
     meshes_[at->second]["primitives"].push_back(
-        {{"attributes", attributes}, {"mode", static_cast<int>(mode)}, {"material", 0}});
+        {{"attributes", attributes}, {"mode", static_cast<int>(mode)}, {"material", material}});
+  }
+
+  static Json plain_material() {
+    return {{"doubleSided", true},
+            {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}};
+  }
+
+  /// The material with the twines of a part's netting; the plain one where it is not known how they lie.
+  /// Parts of the same netting share one.
+  std::size_t material_of_netting(std::uint32_t part) {
+    const StoredPart& p = shape_.result->parts[part];
+    const double half_width = std::isfinite(p.diameter / p.bar) ? p.diameter / p.bar / 2 : 0;
+    const auto texture = netting_texture(p.twine_axes, std::max(half_width, kLeastTwine));
+    if (!texture) return 0;
+    const std::string bytes = png(*texture);
+    const auto [at, is_new] = material_of_texture_.try_emplace(bytes, materials_.size());
+    if (is_new) add_textured_material(bytes);
+    return at->second;
+  }
+
+  void add_textured_material(const std::string& bytes) {
+    Json material = plain_material();
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", textures_.size()}};
+    materials_.push_back(material);
+    textures_.push_back({{"source", images_.size()}, {"sampler", 0}});
+    images_.push_back({{"bufferView", views_.size()}, {"mimeType", "image/png"}});
+    views_.push_back({{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes.size()}});
+    binary_ += bytes;
+    binary_.append((4 - binary_.size() % 4) % 4, '\0');  // numbers that follow begin at a multiple of four
   }
 
   std::size_t add_accessor(const std::vector<float>& values, std::size_t components, bool with_box) {
@@ -130,18 +164,19 @@ class GltfWriter {
   }
 
   std::string finish(const Json& nodes) const {
-    const Json document = {
-        {"asset", {{"version", "2.0"}, {"generator", "netloft"}}},
-        {"scene", 0},
-        {"scenes", {{{"nodes", {nodes.size() - 1}}}}},
-        {"nodes", nodes},
-        {"meshes", meshes_},
-        {"materials",
-         {{{"doubleSided", true},
-           {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}}}},
-        {"accessors", accessors_},
-        {"bufferViews", views_},
-        {"buffers", {{{"byteLength", binary_.size()}}}}};
+    Json document = {{"asset", {{"version", "2.0"}, {"generator", "netloft"}}},
+                     {"scene", 0},
+                     {"scenes", {{{"nodes", {nodes.size() - 1}}}}},
+                     {"nodes", nodes},
+                     {"meshes", meshes_},
+                     {"materials", materials_},
+                     {"accessors", accessors_},
+                     {"bufferViews", views_},
+                     {"buffers", {{{"byteLength", binary_.size()}}}}};
+    if (!textures_.empty()) {
+      document["textures"] = textures_, document["images"] = images_;
+      document["samplers"] = Json::array({Json{{"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}}});
+    }
     std::string text = document.dump(-1, ' ', true, Json::error_handler_t::replace);
     text.append((4 - text.size() % 4) % 4, ' ');
     const auto length = static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + binary_.size());
@@ -156,7 +191,9 @@ class GltfWriter {
 
   const GearShape& shape_;
   std::map<std::uint32_t, std::size_t> mesh_of_part_;
-  Json meshes_ = Json::array(), accessors_ = Json::array(), views_ = Json::array();
+  std::map<std::string, std::size_t> material_of_texture_;
+  Json meshes_ = Json::array(), accessors_ = Json::array(), views_ = Json::array(), textures_ = Json::array(),
+       images_ = Json::array(), materials_ = Json::array({plain_material()});
   std::string binary_;
 };
 

@@ -318,6 +318,13 @@ class Results(InFreshFolder):
         self.assertEqual(sum(document["accessors"][p["attributes"]["POSITION"]]["count"] for p in triangles), corners)
         boxes = [document["accessors"][p["attributes"]["POSITION"]] for mesh in document["meshes"] for p in mesh["primitives"]]
         numpy.testing.assert_allclose(numpy.max([b["max"] for b in boxes], axis=0), points.max(axis=0), atol=1e-4)
+        netting = [document["materials"][p["material"]]["pbrMetallicRoughness"] for p in triangles if "TEXCOORD_0" in p["attributes"]]
+        self.assertTrue(netting and all("baseColorTexture" in material for material in netting))
+        for image in document["images"]:
+            view = document["bufferViews"][image["bufferView"]]
+            twines = pixels(binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]])
+            self.assertLess(twines.min(), 100)
+            self.assertEqual(twines.max(), 255)
         view = document["bufferViews"][boxes[0]["bufferView"]]
         first = numpy.frombuffer(binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]], "<f4").reshape(-1, 3)
         numpy.testing.assert_allclose(first.min(axis=0), boxes[0]["min"], rtol=1e-6)
