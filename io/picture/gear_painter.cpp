@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/gear_painter.hpp"
 
+#include <netloft/vec3.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,6 +23,8 @@ Colour scaled(const Colour& colour, double by) {
   const auto f = static_cast<float>(by);
   return {f * colour[0], f * colour[1], f * colour[2]};
 }
+
+Vec3<double> vector(const Point3& p) { return {p[0], p[1], p[2]}; }
 
 /// A linear function on the picture, given by its values at three corners.
 struct Plane {
@@ -158,25 +162,47 @@ class GearPainter {
   /// More on what faces the eye.
   double light_on(const Plane& depth) const {
     const double steepness = depth.slope() * projection_.pixels_per_metre;
-    return 0.62 + 0.38 / std::sqrt(1 + steepness * steepness);
+    return light_at(1 / std::sqrt(1 + steepness * steepness));
   }
 
-  /// The catch as a body within the netting; its front is closed to the middle of its rim.
+  static double light_at(double towards_the_eye) { return 0.62 + 0.38 * towards_the_eye; }
+
+  /// The catch as a body within the netting; its front is closed to the middle of its rim, and lit as a
+  /// plane, for the rim follows the sides of triangles, up and down.
   void paint_catch() {
-    for (const auto t : shape_.fish.triangles) paint_solid(corners_of(t));
+    for (const auto t : shape_.fish.triangles) paint_solid(corners_of(t), {});
+    const Point3 middle = middle_of_rim();
+    const double light = light_at(std::abs(dot(normal_of_front(middle), vector(projection_.eye))));
+    for (const auto& [a, b] : shape_.fish.rim) paint_solid({at_[a], at_[b], projection_(middle)}, light);
+  }
+
+  Point3 middle_of_rim() const {
     Point3 middle{};
     for (const auto& side : shape_.fish.rim)
       for (const auto node : side)
         for (std::size_t k = 0; k < 3; ++k)
           middle[k] += shape_.nodes[node][k] / (2.0 * static_cast<double>(shape_.fish.rim.size()));
     if (shape_.result->is_half) middle[1] = 0;
-    for (const auto& [a, b] : shape_.fish.rim) paint_solid({at_[a], at_[b], projection_(middle)});
+    return middle;
   }
 
-  void paint_solid(const std::array<Point3, 3>& p) {
+  /// The mean of the normals of its triangles, which do not all go round in the same sense.
+  Vec3<double> normal_of_front(const Point3& middle) const {
+    const Vec3<double> m = vector(middle);
+    Vec3<double> sum;
+    for (const auto& [a, b] : shape_.fish.rim) {
+      const Vec3<double> n = cross(vector(shape_.nodes[a]) - m, vector(shape_.nodes[b]) - m);
+      sum += dot(n, sum) < 0 ? -1.0 * n : n;
+    }
+    if (shape_.result->is_half) sum.y = 0;
+    return norm(sum) > 0 ? (1 / norm(sum)) * sum : sum;
+  }
+
+  /// `light`: on what is no plane of its own.
+  void paint_solid(const std::array<Point3, 3>& p, std::optional<double> light) {
     if (is_edge_on(p)) return;
     const Plane depth(p, p[0][2], p[1][2], p[2][2]);
-    const Colour lit = scaled(kCatchColour, light_on(depth));
+    const Colour lit = scaled(kCatchColour, light ? *light : light_on(depth));
     for_inside(p, [&](std::size_t column, std::size_t row, double, double, double rx, double ry) {
       canvas_.add(column, row, depth(rx, ry) - kInside, lit, 1);
     });

@@ -6,6 +6,7 @@ import h5py
 
 from program import SOURCE, InFreshFolder
 
+CODEND = str(SOURCE / "gear-library/scenes/codend-from-plan.toml")
 FLUME = str(SOURCE / "gear-library/scenes/83-112-flume-2.0kn.toml")
 
 
@@ -32,6 +33,13 @@ class GearReports(InFreshFolder):
         self.assertAlmostEqual(drag + figures["ground/friction_x"], -2 * sum(f[0] for f in held), delta=1e-3 * drag)
         down = figures["weight_in_water/all"] - figures["drag/all/z"] - figures["ground/force"]
         self.assertAlmostEqual(down, 2 * sum(f[2] for f in held), delta=1e-3 * drag)
+
+    def test_a_cod_end_lies_aft_of_its_ring(self):
+        report = self.netloft("run", CODEND, "--json").json()
+        exact = {"length": 8.897802, "largest_radius": 1.536439}  # scenes/verification/codend-with-catch.toml
+        for name, value in exact.items():
+            self.assertAlmostEqual(report["results"][name], value, delta=0.01 * value)
+        self.assertAlmostEqual(report["gear"]["figures"]["drag/all/x"], 7275.728, delta=0.03 * 7275.728)
 
 
 if __name__ == "__main__":
