@@ -289,6 +289,61 @@ test('a dimension line is drawn where both its ends are in the picture', async (
   assert.ok(outside.drawnLines >= 6, `${outside.drawnLines} lines`);
 });
 
+test('a motion is played, again from its start, until it is stopped', async () => {
+  const {page} = await opened('motion', 'motion');
+  const index = () => page.evaluate(() => window.netloftViewer.frames.index), last = await page.evaluate(() => window.netloftViewer.frames.all.length - 1);
+  await page.evaluate((to) => window.netloftViewer.showFrame(to), last);
+  await page.locator('#play').click();
+  await page.waitForFunction((end) => { const {index: i} = window.netloftViewer.frames; return i > 0 && i < end; }, last);
+  await page.locator('#play').click();
+  assert.equal(await page.textContent('#play'), 'Play');
+  const stopped = await index();
+  await page.waitForTimeout(300);
+  assert.equal(await index(), stopped);
+});
+
+test('a click at a curve goes to that time', async () => {
+  const {page} = await opened('motion', 'motion');
+  const box = await page.locator('#curve .u-over').boundingBox();
+  await page.mouse.move(box.x + box.width / 4, box.y + box.height / 2);
+  await page.mouse.click(box.x + box.width / 4, box.y + box.height / 2);
+  await page.waitForFunction(() => { const {index, all} = window.netloftViewer.frames; return Math.abs(index / (all.length - 1) - 0.25) < 0.1; });
+});
+
+test('the legend covers no part of a gear that was fitted', async () => {
+  for (const name of ['trawl', 'motion', 'codend']) {
+    const {page} = await opened(name, name);
+    for (const view_ of ['side', 'top', 'front', 'oblique']) {
+      const covered = await page.evaluate((v_) => {
+        const v = window.netloftViewer, {left, top} = v.canvas.getBoundingClientRect(), legend = document.getElementById('legend').getBoundingClientRect();
+        v.look(v_);
+        return [...v.model.places(false)].map((p) => v.camera.project(p)).filter(([x, y]) => x + left < legend.right && y + top < legend.bottom && x + left > legend.left && y + top > legend.top).length;
+      }, view_);
+      assert.equal(covered, 0, `${name}, ${view_}`);
+    }
+  }
+});
+
+test('a section takes what lies beyond it out of the picture and out of reach', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const facts = await page.evaluate(() => {
+    const v = window.netloftViewer, {result, model} = v, section = document.getElementById('section');
+    v.look('top');
+    const parts = result.parts.map((p) => p.name), aft = result.triPart.lastIndexOf(parts.indexOf('top-codend')), fore = result.triPart.indexOf(parts.indexOf('top-body'));
+    const at = (t) => [0, 1, 2].map((k) => [0, 1, 2].reduce((sum, c) => sum + model.points[3 * result.tri[3 * t + c] + k] / 3, 0));
+    const found = (t) => { const [x, y] = v.camera.project(at(t)); return Boolean(v.pickAt(x, y)); };
+    const cut = (axis) => { section.value = axis; section.dispatchEvent(new Event('change')); v.drawNow(); return [found(fore), found(aft)]; };
+    return {whole: cut(''), cut: cut('x'), again: cut('')};
+  });
+  assert.deepEqual(facts, {whole: [true, true], cut: [true, false], again: [true, true]});
+  const all = luminances(await canvasPixels(page));
+  await page.locator('#section').selectOption('x');
+  await drawn(page);
+  const some = luminances(await canvasPixels(page));
+  assert.ok(some.filter((v, i) => Math.abs(v - all[i]) > 20).length > 500);
+  await page.locator('#section').selectOption('');
+});
+
 test('parts are hidden and isolated', async () => {
   const {page} = await opened('trawl', 'trawl');
   await page.evaluate(() => { window.netloftViewer.setField('part'); window.netloftViewer.look('oblique'); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture, and what it shows of the results: a frame, a field, a selection.
 
-const MARGIN = {left: 40, right: 40, top: 40, bottom: 50};
+const MARGIN = {left: 40, right: 40, top: 40, bottom: 50}, GAP = 10;  // pixels around the gear; between it and the legend
 
 /** Numbers that the programs of the graphics card share. */
 function makeShared(colours) {
@@ -44,8 +44,8 @@ class Viewer {
     listenToKeys(this);
     this.applyVisibility();
     this.resize();
-    this.look('oblique');
     this.setField(this.fields.choices[0].name);
+    this.look('oblique');
     this.curves = new Curves(this, this.results, this.frames);
     this.frames.describe();
     new ResizeObserver(() => { this.resize(); if (!this.isTouched) this.fit(); this.redraw(); }).observe($('stage'));
@@ -115,10 +115,17 @@ class Viewer {
     this.fit();
   }
 
-  /** The gear fills the window, and does so until somebody moves it. */
+  /** The gear fills the window, beside or below the legend where that would cover it, and does so until somebody moves it. */
   fit() {
     this.isTouched = false;
-    this.camera.fit(this.model.places($('extent').checked), MARGIN);
+    const points = [...this.model.places($('extent').checked)], {offsetLeft, offsetTop, offsetWidth, offsetHeight} = $('legend');
+    const [right, bottom] = [offsetLeft + offsetWidth, offsetTop + offsetHeight];
+    this.camera.fit(points, MARGIN);
+    if (points.some((p) => { const [x, y] = this.camera.project(p); return x < right && y < bottom; })) {
+      const margins = [{...MARGIN, left: right + GAP}, {...MARGIN, top: bottom + GAP}];
+      const [beside, below] = margins.map((margin) => { this.camera.fit(points, margin); return this.camera.pixelsPerMetre; });
+      if (beside > below) this.camera.fit(points, margins[0]);
+    }
     this.draw();
   }
 
