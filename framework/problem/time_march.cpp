@@ -62,6 +62,7 @@ class March {
       state_.a.resize(state_.u.size());
       if (problem_.start(state_.t, state_.u, state_.v, state_.a) != NETLOFT_OK)
         return fail("there are no forces at the start: " + assembler_.fault_sentence(scene_));
+      note_start();
     }
     next_.u.resize(state_.u.size()), next_.v = next_.a = next_.u;
     if (settings_.budget || settings_.judged)
@@ -76,6 +77,11 @@ class March {
     last_ = previous_ = state_.t;
     if (state_.outputs == 0) write_checkpoint(state_.t);
     return true;
+  }
+
+  void note_start() {
+    const Balance b = problem_.balance();
+    result_.start = {b.residual, b.scale, assembler_.node_name(scene_, b.worst)};
   }
 
   /// Longest step that is stable, whatever happens.

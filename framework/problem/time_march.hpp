@@ -66,6 +66,12 @@ struct StepRecord {
 enum class MarchStatus { finished, stopped, failed, interrupted };
 const char* name_of(MarchStatus status);
 
+/// How far the beginning was from an equilibrium: forces at rest there, by node.
+struct StartBalance {
+  double residual = 0, load = 0;  // largest that is out of balance, largest load on a node [N]
+  std::string node;               // that of the residual; empty: not known, the march went on from a file
+};
+
 struct MarchResult {
   MarchStatus status = MarchStatus::failed;
   std::string reason;  // a sentence
@@ -73,7 +79,8 @@ struct MarchResult {
   double t = 0;
   std::int64_t steps = 0, rejected = 0;
   double shortest = 0, longest = 0;  // steps that were made [s]
-  double stable_step = 0;            // longest stable one by the tangent of the start [s]; 0: any is
+  StartBalance start;
+  double stable_step = 0;  // longest stable one by the tangent of the start [s]; 0: any is
   Statistics statistics;
 };
 

@@ -35,6 +35,8 @@ class TransientProblem {
 
   /// Accelerations at a state; nodes without mass get none. OK, OUTSIDE_DOMAIN or ERROR.
   int start(double t, std::span<const double> u, std::span<const double> v, std::span<double> a);
+  /// Of the forces in the last evaluation, that of `start` without inertia.
+  Balance balance() { return algebra_.balance(state_.x(), residual_); }
   /// Highest angular frequency that the linear stiffness and the masses at the start allow [rad/s].
   double highest_frequency();
   /// The same of the tangent where it rests at displacements u, which need not bound other states.

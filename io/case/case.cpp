@@ -213,6 +213,7 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
   const auto steps = block_of(solver.parameters, solver.solver.parameter_bytes, a.solver_parameters);
   Limits limits = a.limits;
   limits.interrupt = interrupt;
+  assert(from || a.dynamics.start_file.empty());  // who marches reads the result
   std::optional<MarchState> at_rest;
   if (!from && a.dynamics.from_equilibrium) {
     Solution s;
@@ -241,11 +242,14 @@ std::vector<double> Case::find_start(const std::atomic<bool>* interrupt, Solutio
   StudyOptions options = study_options(limits, {interrupt, {}});
   options.solver = {&registry_.solver(kSolver), {}};
   found = netloft::find_equilibrium(source, options, strategy());
-  if (found.status != SolveStatus::converged) return found.u;
-  std::vector<double> x(assembler_->start());
-  assembler_->place(found.u, x);
-  assembler_->remember(x);
+  if (found.status == SolveStatus::converged) remember(found.u);
   return found.u;
+}
+
+void Case::remember(std::span<const double> u) {
+  std::vector<double> x(assembler_->start());
+  assembler_->place(u, x);
+  assembler_->remember(x);
 }
 
 }  // namespace netloft::io

@@ -70,6 +70,8 @@ class Case {
   /// What the strategy of the analysis would try in which order and why, a line each.
   std::string explain_strategy();
 
+  /// Makes elements remember displacements `u` as the last accepted state.
+  void remember(std::span<const double> u);
   /// Goes through time as the scene's analysis says, from its start or from what was kept.
   MarchResult march(const MarchWatch& watch, const std::atomic<bool>* interrupt = nullptr,
                     const MarchState* from = nullptr);

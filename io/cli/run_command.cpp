@@ -119,6 +119,23 @@ int exit_code(MarchStatus status) {
                                               : kNotConverged;
 }
 
+/// Displacements that bring the gear to where the result in `file` has it, of which `key` speaks.
+std::vector<double> read_start(const std::string& file, const char* key, Session& session) {
+  try {
+    const StoredResult result(file);
+    return session.assembler().displacements(positions_from(result, session.loaded()));
+  } catch (const FileError& e) {
+    throw UsageError{std::string(key) + ": " + e.what()};
+  }
+}
+
+/// Where a motion begins, if that is a result.
+std::optional<std::vector<double>> start_of_motion(const Options& options, Session& session) {
+  const auto& file = session.loaded().analysis.dynamics.start_file;
+  if (options.resume || file.empty()) return {};
+  return read_start(file.string(), "analysis.start", session);
+}
+
 int run_in_time(const Options& options, Session& session, const RunContext& context) {
   const std::string part = output_file(options, session.loaded()) + ".part";
   if (options.resume && !std::filesystem::exists(part))
@@ -127,6 +144,7 @@ int run_in_time(const Options& options, Session& session, const RunContext& cont
   const MotionOptions how{
       output_file(options, session.loaded()),
       options.resume,
+      start_of_motion(options, session),
       identity_of(options, session.loaded()),
       &interrupt_flag(),
       [&](const StepRecord& step) { session.terminal().progress_in_time(step.t, step.end, step.seconds); },
@@ -219,20 +237,9 @@ void solve(Session& session, Watchdog& watchdog, RunSoFar& run) {
 
 namespace {
 
-/// Displacements that bring the gear to where another result has it; nothing if none is named.
-std::optional<std::vector<double>> read_start(const Options& options, Session& session) {
-  if (options.start_from.empty()) return {};
-  try {
-    const StoredResult result(options.start_from);
-    return session.assembler().displacements(positions_from(result, session.loaded()));
-  } catch (const FileError& e) {
-    throw UsageError{std::string("--start-from: ") + e.what()};
-  }
-}
-
 void refuse_for_motions(const Options& options) {
   if (!options.start_from.empty())
-    throw UsageError{"--start-from is for equilibria; a motion begins where its scene says"};
+    throw UsageError{"--start-from is for equilibria; --set analysis.start=RESULT.hdf is for motions"};
   if (options.stages)
     throw UsageError{"--stages is for equilibria; output_interval says when a motion is kept"};
   if (options.error)
@@ -263,7 +270,7 @@ int run_command(const Options& options) {
     throw UsageError{"--resume goes on with motions; an equilibrium is found from its start"};
 
   if (const auto why_not = session.the_case().why_unfit()) throw UsageError{*why_not};
-  so_far.start = read_start(options, session);
+  if (!options.start_from.empty()) so_far.start = read_start(options.start_from, "--start-from", session);
   const auto levels = levels_for_errors(options, session.loaded());
   spare_outputs(options, output_file(options, session.loaded()) + ".part");
   FileOfRun file(output_file(options, session.loaded()));

@@ -16,6 +16,28 @@ double real_time_factor(const MotionResult& result) {
   return wall > 0 ? (result.march.t - result.resumed_from) / wall : 0;
 }
 
+namespace {
+
+/// How far from rest it began; empty for a run that went on.
+std::string start_text(const LoadedScene& loaded, const StartBalance& s) {
+  if (s.node.empty()) return "";
+  const Dynamics& d = loaded.analysis.dynamics;
+  const std::string from = d.from_equilibrium     ? "the equilibrium"
+                           : d.start_file.empty() ? "the sketch"
+                                                  : d.start_file.filename().string();
+  return fmt::format(
+      "  began at rest, from {}: forces out of balance by at most {:.3g} N, at {} "
+      "(largest load {:.3g} N)\n",
+      from, s.residual, s.node, s.load);
+}
+
+nlohmann::ordered_json start_json(const StartBalance& s) {
+  if (s.node.empty()) return nullptr;
+  return {{"out_of_balance", s.residual}, {"largest_load", s.load}, {"node", s.node}};
+}
+
+}  // namespace
+
 std::string motion_text(const LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -26,6 +48,7 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
                  r.march.longest, r.march.rejected, r.outputs);
   fmt::format_to(out, "  {} iterations, {} factorisations, {:.3g} s, {:.3g} CPU s; real-time factor {:.3g}\n",
                  b.iterations, b.factorisations, b.total_seconds, b.total_cpu_seconds, real_time_factor(r));
+  text += start_text(loaded, r.march.start);
   if (r.march.stable_step > 0)
     fmt::format_to(out, "  stable for steps up to {:.3g} s, by the tangent at the start\n",
                    r.march.stable_step);
@@ -59,6 +82,7 @@ std::string motion_json(const LoadedScene& loaded, const Plan& plan, const Motio
                      {"shortest_step", r.march.shortest},
                      {"longest_step", r.march.longest},
                      {"stable_step", r.march.stable_step},
+                     {"start", start_json(r.march.start)},
                      {"outputs", r.outputs},
                      {"iterations", b.iterations},
                      {"residuals", b.residuals},

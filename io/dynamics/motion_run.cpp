@@ -22,13 +22,14 @@ class MotionRun {
       : case_(the_case), loaded_(the_case.loaded()), context_(context), options_(options) {}
 
   MotionResult run() {
-    if (options_.resume) killed_state_ = read_killed();
+    if (options_.resume) from_ = read_killed();
+    if (!from_ && options_.start) from_ = rest_at(*options_.start);
     const MarchWatch watch{[&](const Snapshot& at) { write(at); },
                            [&](const StepRecord& step, std::span<const double>) {
                              if (options_.on_step) options_.on_step(step);
                              return false;
                            }};
-    result_.march = case_.march(watch, options_.interrupt, killed_state_ ? &*killed_state_ : nullptr);
+    result_.march = case_.march(watch, options_.interrupt, from_ ? &*from_ : nullptr);
     if (!journal_) return std::move(result_);
     if (result_.outputs == outputs_before_) recall_last_output();
     finish();
@@ -36,6 +37,11 @@ class MotionRun {
   }
 
  private:
+  /// Elements remember that they are there, as in an equilibrium to start from.
+  MarchState rest_at(std::span<const double> u) {
+    case_.remember(u);
+    return state_at_rest(case_.assembler(), u);
+  }
   MarchState read_killed() {
     const std::filesystem::path part = part_path();
     if (!std::filesystem::exists(part)) throw FileError("there is no " + part.string() + " to go on from");
@@ -71,7 +77,7 @@ class MotionRun {
 
   /// The run was killed after its last output: only the result has to be made.
   void recall_last_output() {
-    describe_layout_of_killed(*killed_state_);
+    describe_layout_of_killed(*from_);
     journal_->require_layout(layout_);
     recall(journal_->state(journal_->size() - 1).row);
   }
@@ -204,7 +210,7 @@ class MotionRun {
   const RunContext& context_;
   const MotionOptions& options_;
   SeriesLayout layout_;
-  std::optional<MarchState> killed_state_;
+  std::optional<MarchState> from_;
   std::optional<SeriesJournal> journal_;
   std::size_t outputs_before_ = 0;  // that were in the journal already
   MotionResult result_;

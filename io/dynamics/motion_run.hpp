@@ -4,6 +4,8 @@
 #include "io/hdf5/fold.hpp"
 #include "io/report/write_result.hpp"
 
+#include <optional>
+
 namespace netloft::io {
 
 /// The result of a motion.
@@ -21,8 +23,9 @@ struct MotionResult {
 /// Options for running a motion.
 struct MotionOptions {
   std::filesystem::path output;
-  bool resume = false;   // continue from the output's .part
-  std::string identity;  // identifies the scene with the changes of the command line
+  bool resume = false;                            // continue from the output's .part
+  std::optional<std::vector<double>> start = {};  // displacements to begin from; none: as the scene says
+  std::string identity;                           // identifies the scene with the changes of the command line
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const StepRecord&)> on_step;
   std::function<void(const std::string&)> warn;  // of what a person has to know now

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/dynamics.hpp"
 
+#include "framework/registry/nearest.hpp"
 #include "io/scene/parameter_reader.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace netloft::io {
 
 namespace {
 
 struct DynamicsKeys {
-  const char* integrator = nullptr;
-  std::int64_t start = 0;
+  const char *integrator = nullptr, *start = nullptr;
   double duration = 0, step = 0, longest_step = 0, shortest_step = 0, accuracy = 0, output_interval = 0;
   double mass_damping = 0, stiffness_damping = 0;
   bool adaptive = false, dense = false, energy_budget = false;
@@ -22,7 +23,8 @@ ParameterTable<DynamicsKeys> make_table() {
   ParameterTable<K> t;
   t.text("integrator", &K::integrator, "time scheme; its own parameters stand in a table of its name",
          "generalized-alpha");
-  t.choice("start", &K::start, "where a motion begins, at rest", {"sketch", "equilibrium"});
+  t.text("start", &K::start, "where a motion begins, at rest: sketch, equilibrium, or a result, found.hdf",
+         "sketch");
   t.real("duration", &K::duration, "s", "time that is gone through", {.lo = 1e-9, .hi = 1e9, .fallback = 10});
   t.boolean("adaptive", &K::adaptive, "steps as long as the accuracy allows; otherwise all alike", true);
   t.real("step", &K::step, "s", "first step, or all of them; 0: found, if adaptive",
@@ -103,6 +105,27 @@ std::span<const netloft_parameter> dynamics_keys() {
   return table.rows();
 }
 
+namespace {
+
+const std::string kSketch = "sketch", kEquilibrium = "equilibrium";
+
+/// The words that `start` knows, and a result by its name.
+void read_start(const std::string& start, TableReader& analysis, Dynamics& d) {
+  d.from_equilibrium = start == kEquilibrium;
+  if (d.from_equilibrium || start == kSketch) return;
+  if (analysis.has("start") && analysis.kind("start") != Kind::text) return;  // reported already
+  if (std::filesystem::path(start).extension() == ".hdf") {
+    d.start_file = start;
+    return;
+  }
+  const auto near = nearest(start, std::array{kSketch, kEquilibrium});
+  analysis.error("start",
+                 "\"" + start + "\" is no place to begin; allowed: sketch, equilibrium, the name of a result",
+                 near ? "did you mean \"" + *near + "\"?" : "the name of a result ends in .hdf");
+}
+
+}  // namespace
+
 Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
   const Values values = read_parameters(dynamics_keys(), analysis);
   std::vector<std::string> faults;
@@ -110,7 +133,8 @@ Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
   if (!faults.empty()) return {};
   const auto& k = *static_cast<const DynamicsKeys*>(block.data());
   Dynamics d;
-  d.integrator = k.integrator, d.from_equilibrium = k.start == 1;
+  d.integrator = k.integrator;
+  read_start(k.start, analysis, d);
   d.march.duration = k.duration, d.march.step = k.step, d.march.adaptive = k.adaptive;
   d.march.accuracy = k.accuracy, d.march.longest_step = k.longest_step;
   d.march.shortest_step = k.shortest_step, d.march.output_interval = k.output_interval;

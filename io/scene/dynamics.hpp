@@ -6,6 +6,7 @@
 
 #include <netloft/parameters.hpp>
 
+#include <filesystem>
 #include <span>
 
 namespace netloft::io {
@@ -15,8 +16,9 @@ struct Dynamics {
   std::string integrator = {};
   Values integrator_parameters = {};
   MarchSettings march = {};
-  double stiffness_damping = 0;   // β of Rayleigh's damping β K [s]; α is march.mass_damping
-  bool from_equilibrium = false;  // otherwise from the sketch; at rest in both cases
+  double stiffness_damping = 0;           // β of Rayleigh's damping β K [s]; α is march.mass_damping
+  bool from_equilibrium = false;          // otherwise from the sketch, or from start_file; always at rest
+  std::filesystem::path start_file = {};  // a result; beside the scene unless it is absolute
 };
 
 /// Keys of `[analysis]` that speak of time.

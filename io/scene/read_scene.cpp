@@ -535,6 +535,7 @@ LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std:
   LoadedScene loaded =
       SceneReader(root, plan ? &*plan : nullptr, file, registry, diagnostics, refused).read();
   loaded.strengths.merge(strengths);
+  if (auto& start = loaded.analysis.dynamics.start_file; !start.empty()) start = file.parent_path() / start;
   const auto meshes = std::exchange(loaded.files, document.files());
   append_new(loaded.files, meshes);
   append_new(loaded.files, catalogues);
