@@ -39,10 +39,10 @@ bool is_idle(const Scene& scene, const FamilyPlan& family) {
 }
 
 /// Makes the families that have active terms, in the order of the plan. Nodes for their shared unknowns are
-/// numbered after those of the scene.
+/// numbered after those of the scene and the rotations of its bodies.
 std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const Plan& plan) {
   std::vector<std::unique_ptr<ElementFamily>> families;
-  std::size_t nodes = scene.node_count();
+  std::size_t nodes = scene.node_count() + scene.bodies.size();
   for (const auto& family : plan.families) {
     if (is_idle(scene, family)) continue;
     families.push_back(std::make_unique<ElementFamily>(scene, family, static_cast<std::uint32_t>(nodes)));
@@ -51,11 +51,20 @@ std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, co
   return families;
 }
 
-/// The nodes of the scene, without its parts, followed by those of the families' shared unknowns.
+/// The nodes of the scene, without its parts, followed by the rotations of its bodies and by those of the
+/// families' shared unknowns.
 Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<ElementFamily>> families) {
   Scene all;
   all.positions = scene.positions, all.held = scene.held, all.frames = scene.frames;
   all.bodies = scene.bodies, all.carried = scene.carried;
+  if (!scene.bodies.empty()) all.carried.resize(scene.node_count());
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    RigidBody& body = all.bodies[b];
+    body.rotation_node = rotation_node(scene, b);
+    for (const double turn : body.rotation) all.positions.push_back(body.arm() * turn);
+    all.held.push_back(body.held_rotation);
+    all.carried.push_back(false);
+  }
   for (const auto& family : families)
     for (const auto& shared : family->global_nodes()) {
       all.positions.insert(all.positions.end(), shared.start.begin(), shared.start.end());
@@ -115,13 +124,11 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
   }
   for (std::size_t f = 0; f < families_.size(); ++f)
     memories_.push_back(make_memory(*families_[f], group_of(f).tiling.tiles, ground_passes_));
+  if (!bodies_.empty())
+    for (FamilyGroup& group : groups_) group.carried_tiles = find_carried_tiles(group.tiling, nodes.carried);
   value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
-  start_.resize(numbering_.dofs());
-  for (std::uint32_t n = 0; n < nodes.node_count(); ++n)
-    for (int axis = 0; axis < 3; ++axis)
-      start_[static_cast<std::size_t>(numbering_.index(n, axis))] =
-          nodes.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
+  find_start(nodes);
   for (std::size_t w = 0; w < workers_.size(); ++w)
     workspaces_.push_back(
         std::make_unique<Workspace>(widest_element(families_), plan, scene.current.flows()));
@@ -129,6 +136,15 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
 }
 
 Assembler::~Assembler() = default;
+
+void Assembler::find_start(const Scene& nodes) {
+  start_.resize(numbering_.dofs());
+  for (std::uint32_t n = 0; n < nodes.node_count(); ++n)
+    for (int axis = 0; axis < 3; ++axis)
+      start_[static_cast<std::size_t>(numbering_.index(n, axis))] =
+          nodes.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
+  bodies_.place(start_);
+}
 
 /// Calls visit(index among all dofs, axis, moment) for every degree of freedom that a guide moves.
 template <class Visit>
@@ -164,8 +180,8 @@ void Assembler::place_from(std::span<const double> base, std::span<const double>
   }
 }
 
-void Assembler::move(double time, std::span<const double> v, std::span<const double> a,
-                     std::span<double> all_v, std::span<double> all_a) const {
+void Assembler::move(double time, std::span<const double> x, std::span<const double> v,
+                     std::span<const double> a, std::span<double> all_v, std::span<double> all_a) const {
   for (const auto& [from, to] : {std::pair{v, all_v}, std::pair{a, all_a}}) {
     std::copy(from.begin(), from.end(), to.begin());
     std::fill(to.begin() + static_cast<std::ptrdiff_t>(from.size()), to.end(), 0.0);
@@ -174,6 +190,7 @@ void Assembler::move(double time, std::span<const double> v, std::span<const dou
   visit_guided(time, [&](std::size_t i, std::size_t axis, const Course::Moment& m) {
     all_v[i] = m.v[axis], all_a[i] = m.a[axis];
   });
+  bodies_.move(x, all_v, all_a);
 }
 
 std::array<double, 3> Assembler::node_position(std::uint32_t node, std::span<const double> x) const {
@@ -181,6 +198,23 @@ std::array<double, 3> Assembler::node_position(std::uint32_t node, std::span<con
   for (std::size_t axis = 0; axis < 3; ++axis)
     place[axis] = x[static_cast<std::size_t>(numbering_.index(node, static_cast<int>(axis)))];
   return place;
+}
+
+std::array<double, 3> Assembler::rotation(std::size_t body, std::span<const double> x) const {
+  auto turn = node_position(bodies_.pairs()[body][1], x);
+  for (double& component : turn) component /= bodies_.arm(body);
+  return turn;
+}
+
+void Assembler::take_rotations(const Assembler& from, std::span<const double> x, std::span<double> u) const {
+  for (std::size_t b = 0; b < bodies_.pairs().size(); ++b) {
+    const auto turn = from.rotation(b, x);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at =
+          static_cast<std::size_t>(numbering_.index(bodies_.pairs()[b][1], static_cast<int>(axis)));
+      if (at < u.size()) u[at] = bodies_.arm(b) * turn[axis] - start_[at];
+    }
+  }
 }
 
 std::vector<double> Assembler::node_positions(std::span<const double> x) const {
@@ -219,18 +253,47 @@ std::vector<double> Assembler::displacements_to(std::span<const double> x) const
 }
 
 /// The geometric term of a body needs forces, so they are evaluated even if the caller did not ask for them.
-void Assembler::hand_on(std::span<const double> x, const Request& request) {
-  if (bodies_.empty()) return;
+bool Assembler::hand_on(std::span<const double> x, const Request& request) {
+  if (bodies_.empty()) return true;
   double* residual = request.residual;
-  const bool exact = request.matrix == MatrixKind::exact;
+  const bool exact = request.values && request.matrix == MatrixKind::exact;
+  Request again{.without = request.without, .motion = request.motion};
   if (!residual && exact) {
     body_forces_.assign(numbering_.dofs(), 0.0);
-    for (const FamilyGroup& group : groups_)
-      run_group(group, x,
-                {.without = request.without, .residual = body_forces_.data(), .motion = request.motion});
-    residual = body_forces_.data();
+    again.residual = residual = body_forces_.data();
+    if (!run_carried(x, again)) return false;
   }
-  bodies_.hand_on(x, residual, request.values, exact);
+  BodyMatrices matrices{request.values};
+  if (exact && request.motion.v && tangent_ == TangentChoice::exact &&
+      !find_rate_matrices(x, again, matrices))
+    return false;
+  const Kinematics& m = request.motion;
+  bodies_.hand_on(x, {m.v, m.a, m.cu, m.cv, m.ca}, residual, matrices, exact);
+  return true;
+}
+
+/// Evaluates tiles with carried nodes alone: nothing else depends on how bodies are turned.
+bool Assembler::run_carried(std::span<const double> x, const Request& request) {
+  for (const FamilyGroup& group : groups_)
+    for (const std::uint32_t tile : group.carried_tiles) run_tile(group, tile, x, request, *workspaces_[0]);
+  return collect_faults();
+}
+
+/// What turns the rates of carried nodes has turns their forces.
+bool Assembler::find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices) {
+  request.residual = nullptr, request.matrix = MatrixKind::exact;
+  request.motion.cu = request.motion.cv = request.motion.ca = 0;
+  damping_values_.assign(value_slots_, 0.0), mass_values_.assign(value_slots_, 0.0);
+  request.values = damping_values_.data(), request.motion.cv = 1;
+  if (!run_carried(x, request)) return false;
+  request.values = mass_values_.data(), request.motion.cv = 0, request.motion.ca = 1;
+  if (!run_carried(x, request)) return false;
+  matrices.damping = damping_values_.data(), matrices.mass = mass_values_.data();
+  return true;
+}
+
+bool Assembler::shorten_rotations(std::span<double> u, std::span<double> v, std::span<double> a) const {
+  return bodies_.shorten(start_, u, v, a);
 }
 
 std::array<double, 3> Assembler::reaction(std::uint32_t node, std::span<const double> residual,
@@ -262,9 +325,9 @@ const FamilyGroup& Assembler::group_of(std::size_t family) const {
 }
 
 int Assembler::threads_used() const {
-  for (const auto& [tiling, families, first_tile] : groups_)
-    for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
-      if (tiling.colour_begin[c + 1] - tiling.colour_begin[c] >= kSerialBelow)
+  for (const FamilyGroup& group : groups_)
+    for (std::size_t c = 0; c + 1 < group.tiling.colour_begin.size(); ++c)
+      if (group.tiling.colour_begin[c + 1] - group.tiling.colour_begin[c] >= kSerialBelow)
         return static_cast<int>(workers_.size());
   return 1;
 }
@@ -274,7 +337,7 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);
   for (const FamilyGroup& group : groups_)
     if (!run_group(group, x, request)) return false;
-  hand_on(x, request);
+  if (!hand_on(x, request)) return false;
   if (request.residual) frames_.turn(request.residual);
   if (request.values) frames_.turn_matrix(request.values);
   if (request.energy) {
@@ -418,6 +481,8 @@ bool Assembler::collect_faults() {
 
 std::string Assembler::node_name(const Scene& scene, std::uint32_t node) const {
   if (node < scene.node_count()) return scene.node_name(node);
+  if (const std::size_t body = node - scene.node_count(); body < scene.bodies.size())
+    return scene.bodies[body].name + " attitude";
   for (const auto& family : families_)
     for (std::size_t p = 0; p < family->global_nodes().size(); ++p)
       if (family->global_nodes()[p].node == node)

@@ -64,19 +64,29 @@ class Assembler {
   void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                   std::span<double> x_low) const;
   bool has_bodies() const { return !bodies_.empty(); }
-  /// Rates over all dofs from those of the unknowns and those of the guides.
-  void move(double time, std::span<const double> v, std::span<const double> a, std::span<double> all_v,
-            std::span<double> all_a) const;
+  /// Rates over all dofs at positions x from those of the unknowns and those of the guides.
+  void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
+            std::span<double> all_v, std::span<double> all_a) const;
+  /// Rotations of bodies by more than ¾ of a turn become the same rotations by shorter vectors, in
+  /// displacements u of the unknowns and their rates, which may be empty. Between two solutions only: a
+  /// displacement in between would lead nowhere. Returns whether some did.
+  bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;
   /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
   /// the scene [m].
   std::vector<double> displacements(std::span<const double> positions) const;
   /// Displacements of the unknowns that bring all of them to where `x` has them, a vector over all degrees of
   /// freedom of an assembler with as many, numbered alike.
   std::vector<double> displacements_to(std::span<const double> x) const;
+  /// Turns the bodies in displacements u as those of another division of the same gear are at x.
+  void take_rotations(const Assembler& from, std::span<const double> x, std::span<double> u) const;
   /// Positions of the nodes of the scene, three of each, out of a vector x over all degrees of freedom [m];
   /// velocities or displacements likewise. What elements share is in no place and is left out.
   std::vector<double> node_positions(std::span<const double> x) const;
   std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
+  /// Whether an entry of a vector over all dofs belongs to a node of the scene: it is a coordinate [m].
+  bool is_place(std::size_t i) const { return numbering_.node(static_cast<std::int32_t>(i)) < scene_nodes_; }
+  /// The rotation vector of a body at positions x over all dofs [rad].
+  std::array<double, 3> rotation(std::size_t body, std::span<const double> x) const;
   /// Whether a guide moves some held node.
   bool is_guided() const { return !guides_.empty(); }
   /// Splits a residual [N] at a node into the reaction of its hold (along the held axes) and the unbalanced
@@ -111,9 +121,14 @@ class Assembler {
   /// Energy of one active term alone [J]; zero if it has none. Returns false on failure: see fault().
   bool term_energy(std::span<const double> x, std::size_t family, std::size_t term, double& energy,
                    const Kinematics& motion = {});
-  /// Masses of the nodes along their own axes: nine numbers each, row by row [kg]. `coupled` is the largest
-  /// entry between two nodes; these blocks leave such entries out. Returns false on failure: see fault().
+  /// Masses of the nodes along their own axes: nine numbers each, row by row [kg], and behind them of each
+  /// body nine numbers between its origin and its rotation. `coupled` is the largest entry between other
+  /// nodes; these blocks leave such entries out. Returns false on failure: see fault().
   bool masses(std::span<const double> x, std::span<double> blocks, double& coupled);
+  /// Numbers in `blocks` of masses().
+  std::size_t mass_numbers() const { return 3 * numbering_.dofs() + 9 * bodies_.pairs().size(); }
+  /// Nodes of each body: its origin and its rotation.
+  const std::vector<std::array<std::uint32_t, 2>>& body_nodes() const { return bodies_.pairs(); }
   /// Force of one active term summed per part of the family, +dE/dx [N]: 3 numbers per part.
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
                 const Kinematics& motion = {});
@@ -132,6 +147,7 @@ class Assembler {
   /// `nodes` are those of the scene and of the families' shared unknowns.
   Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>>&& families);
+  void find_start(const Scene& nodes);
   bool run_group(const FamilyGroup& group, std::span<const double> x, const Request& request);
   void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
@@ -146,7 +162,9 @@ class Assembler {
   netloft_tile make_tile(std::size_t family, std::size_t tile, const Kinematics& motion, Workspace& w) const;
   std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
                                 std::uint8_t axes) const;
-  void hand_on(std::span<const double> x, const Request& request);
+  bool hand_on(std::span<const double> x, const Request& request);
+  bool run_carried(std::span<const double> x, const Request& request);
+  bool find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices);
   void gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const;
   void fill_current(double time, Workspace& w) const;
   template <class Evaluate, class Visit>
@@ -175,7 +193,7 @@ class Assembler {
   std::vector<FamilyGroup> groups_;
   std::vector<Memory> memories_;  // per family
   std::size_t value_slots_ = 0;
-  std::vector<double> start_, tile_energy_, body_forces_;
+  std::vector<double> start_, tile_energy_, body_forces_, damping_values_, mass_values_;
   Workers workers_;
   std::vector<std::unique_ptr<Workspace>> workspaces_;
   ElementFault fault_;

@@ -4,35 +4,74 @@
 
 namespace netloft {
 
-/// Nodes carried by a rigid body. Elements treat them like any other node; their forces and matrices are
-/// passed on to the body.
-///   x = X + R(θ) r                                    r: the node in the body's own frame          (1)
-///   f_X += f,   f_θ += Gᵀ f,   G = ∂x/∂θ                                                           (2)
-///   K ← [I G]ᵀ K [I G],   K_θθ += Σ_i f_i ∂²x_i/∂θ²   the geometric term                           (3)
-/// θ is the rotation vector from the start; R its rotation (Rodrigues). G and the second derivatives are
-/// exact, by dual numbers, so that the tangent is exact, too, for rotations below a full turn. f_θ is the
-/// moment that does work on θ; for small θ it is Σ (R r) × f.
+/// Rates of all dofs and the factors of a matrix, as bodies need them; see Kinematics.
+struct BodyMotion {
+  const double *v = nullptr, *a = nullptr;
+  double cu = 1, cv = 0, ca = 0;
+};
+
+/// Matrix values of one evaluation. `damping` and `mass` are those of cv = 1 and of ca = 1 alone, of all
+/// elements at carried nodes; null at rest.
+struct BodyMatrices {
+  double* values = nullptr;
+  const double *damping = nullptr, *mass = nullptr;
+};
+
+/// Nodes carried by rigid bodies. Elements treat them like any other node; their forces and matrices are
+/// passed on to the body. With ψ the rotation vector, q = ℓψ what stands for it among the unknowns, ℓ the arm
+/// of the body, and r a node in the body's own axes,
+///   x = X + R(ψ) r,   ẋ = Ẋ + G q̇,   ẍ = Ẍ + G q̈ + Ġ q̇,   G = ∂x/∂q                                     (1)
+///   f_X += f,   f_q += Gᵀ f (2) K ← [I G]ᵀ K [I G],   K_qq += cu Σ_i f_i ∂²x_i/∂q²   the geometric term (3)
+///   K_·q += [I G]ᵀ (C V + M (cv A_v + cu A)),  V = cu ∂ẋ/∂q,  A_v = ∂ẍ/∂q̇,  A = ∂ẍ/∂q    of what moves   (4)
+/// where K = cu ∂f/∂x + cv C + ca M. All derivatives are exact, by dual numbers. f_q is a force: the moment
+/// that does work on ψ, over the arm.
 class Bodies {
  public:
   Bodies() = default;
   Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
-  bool empty() const { return points_.empty(); }
+  bool empty() const { return pairs_.empty(); }
+  /// Nodes of each body: its origin and its rotation.
+  const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
+  double arm(std::size_t body) const { return bodies_[body].arm; }
   /// Positions of carried nodes from those of their bodies, (1).
   void place(std::span<double> x) const;
+  /// Rates of carried nodes, (1).
+  void move(std::span<const double> x, std::span<double> v, std::span<double> a) const;
   /// Forces on carried nodes are passed on to their bodies, (2). Matrix values of an evaluation at x are
-  /// passed on as well, with the geometric term of (3) if `exact`; both pointers may be null.
-  void hand_on(std::span<const double> x, double* residual, double* values, bool exact);
+  /// passed on as well, with (4), and with the geometric term of (3) if `exact`; `residual` and the values
+  /// may be null.
+  void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
+               const BodyMatrices& matrices, bool exact);
+  /// Masses, blocks of nodes, are passed on, (3); `between` has a block per body, origin x rotation.
+  void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
+  /// Rotation vectors of more than ¾ of a turn become those of the same rotation that are shorter, and rates
+  /// those of the same spin, in displacements u of the unknowns from `start` and their rates, which may be
+  /// empty. Returns whether some did.
+  bool shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
+               std::span<double> a) const;
 
  private:
   using Matrix3 = std::array<double, 9>;  // row by row
   static constexpr std::size_t kNoBlock = ~std::size_t{0};
+  using Place = std::array<std::size_t, 3>;  // indices in vectors over all dofs
+  struct Body {
+    Place origin, rotation;
+    double arm;
+  };
   struct Point {
-    std::array<std::size_t, 3> at, position, rotation;  // indices in vectors over all dofs
+    std::uint32_t node;
+    Place at;
     std::array<double, 3> r;
+    std::size_t body;
     std::size_t rotation_block;  // of the body's rotation with itself; unset if it cannot turn
-    Matrix3 G{};
-    std::array<Matrix3, 3> second{};  // ∂²x_i/∂θ²
+  };
+  /// Derivatives of the place of a point.
+  struct Slopes {
+    Matrix3 G;
+    std::array<Matrix3, 3> second;           // ∂²x_i/∂q²
+    Matrix3 velocity, acceleration_by_rate;  // ∂ẋ/∂q, ∂ẍ/∂q̇
+    Matrix3 acceleration;                    // ∂ẍ/∂q
   };
   /// One product of (3): values[to] += Lᵀ values[from] R, transposed or together with its transpose if
   /// required.
@@ -43,17 +82,22 @@ class Bodies {
     bool transposed, both;
   };
 
-  void differentiate(std::span<const double> x);
+  void differentiate(std::span<const double> x, const BodyMotion& motion);
   void add_products(const NodeBlocks& blocks, std::size_t from, std::uint32_t row, std::uint32_t column,
                     bool symmetric);
+  void hand_on_matrix(const Product& product, const BodyMotion& motion, const BodyMatrices& matrices) const;
 
-  std::vector<Point> points_;
-  std::vector<Product> products_;
   struct Target {
     std::uint32_t node;
     int point;  // the point whose G is used, -1: the identity
   };
-  std::vector<std::vector<Target>> targets_;  // per scene node: itself, or position and rotation of its body
+  std::int32_t unknowns_ = 0;
+  std::vector<Body> bodies_;
+  std::vector<std::array<std::uint32_t, 2>> pairs_;
+  std::vector<Point> points_;
+  std::vector<Slopes> slopes_;  // of the points
+  std::vector<Product> products_;
+  std::vector<std::vector<Target>> targets_;  // per scene node: itself, or origin and rotation of its body
 };
 
 }  // namespace netloft

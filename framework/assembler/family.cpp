@@ -73,12 +73,21 @@ void ElementFamily::gather_elements(const Scene& scene) {
 void ElementFamily::gather_nodes(const Scene& scene, std::uint32_t first_global_node) {
   const auto width = static_cast<std::size_t>(type_->nodes());
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-    const auto& nodes = scene.parts[parts_[p]].nodes;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      nodes_.push_back(nodes[i]);
+    const Part& part = scene.parts[parts_[p]];
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+      nodes_.push_back(part.nodes[i]);
+      if (type_->is_on_body()) add_body_of(scene, part.nodes[i], part);
       if (!type_->globals.empty() && i % width == width - 1) nodes_.push_back(first_global_node + p);
     }
   }
+}
+
+/// The rotation of a body stands behind its origin.
+void ElementFamily::add_body_of(const Scene& scene, std::uint32_t origin, const Part& part) {
+  const auto body = scene.body_at(origin);
+  if (!body) throw SceneError({{part.name, type_->type + " stands on rigid bodies, and this is none"}});
+  nodes_.push_back(rotation_node(scene, *body));
+  arms_.push_back(scene.bodies[*body].arm());
 }
 
 std::vector<double> ElementFamily::gather_datum(const Scene& scene, const netloft_datum& datum) const {

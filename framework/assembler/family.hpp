@@ -8,6 +8,11 @@
 
 namespace netloft {
 
+/// Rotations of bodies are kept in nodes of their own, which follow those of the scene.
+inline std::uint32_t rotation_node(const Scene& scene, std::size_t body) {
+  return static_cast<std::uint32_t>(scene.node_count() + body);
+}
+
 /// All elements of one type in a scene, made by their plugin from the nodes of the scene. Elements keep the
 /// order of the parts, and within a part the order of its element list.
 class ElementFamily {
@@ -22,7 +27,8 @@ class ElementFamily {
   const ElementType& type() const { return *type_; }
   std::size_t size() const { return part_.size(); }
   int nodes_per_element() const { return type_->nodes(); }
-  /// The nodes of an element including the node of its part's shared unknowns, which comes last.
+  /// The nodes of an element including the rotation of its body and the node of its part's shared unknowns,
+  /// which come last.
   int all_nodes_per_element() const { return type_->dofs() / 3; }
   std::uint32_t node(std::size_t element, int corner) const {
     return nodes_[element * static_cast<std::size_t>(all_nodes_per_element()) +
@@ -34,6 +40,8 @@ class ElementFamily {
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
+  /// Of an element on a body the arm that its rotation is counted by [m].
+  double arm(std::size_t element) const { return arms_[element]; }
   /// Calls one of the element's terms, or asks for its outputs; plugin_call.hpp then names the element.
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
@@ -61,6 +69,7 @@ class ElementFamily {
   void gather_laws(const Scene& scene, const FamilyPlan& plan);
   void gather_elements(const Scene& scene);
   void gather_nodes(const Scene& scene, std::uint32_t first_global_node);
+  void add_body_of(const Scene& scene, std::uint32_t origin, const Part& part);
   void create(const Scene& scene);
   void gather_globals(const Scene& scene, std::uint32_t first_node);
   std::vector<double> gather_datum(const Scene& scene, const netloft_datum& datum) const;
@@ -69,6 +78,7 @@ class ElementFamily {
   std::vector<std::uint32_t> parts_;         // scene parts
   std::vector<std::size_t> part_begin_;      // per part of parts_, +1
   std::vector<std::uint32_t> part_, nodes_;  // per element: index in parts_; its nodes
+  std::vector<double> arms_;                 // per element on a body [m]
   std::vector<ParameterBlock> parameters_, law_parameters_;
   std::vector<netloft_bound_law> laws_;
   std::vector<std::unique_ptr<LawWatch>> watches_;

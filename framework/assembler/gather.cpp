@@ -17,6 +17,12 @@ void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, d
     for (std::size_t lane = 0; lane < count; ++lane) to[lane] = from[map[lane]];
 }
 
+/// Elements see the rotation of a body in radians, where the unknowns are lengths.
+void divide_rotations(const Tiling& tiling, std::size_t tile, double* rows) {
+  for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane)
+    for (std::size_t d = 3; d < 6; ++d) rows[d * kLanes + lane] /= tiling.family->arm(tile * kLanes + lane);
+}
+
 }  // namespace
 
 /// Gathers a tile for all families of a group at once.
@@ -31,6 +37,9 @@ void Assembler::gather(const FamilyGroup& group, std::size_t tile, std::span<con
   if (motion.x_low) gather_vector(tiling, tile, motion.x_low, w.x_low.data());
   if (motion.v && some_read(NETLOFT_READS_VELOCITY)) gather_vector(tiling, tile, motion.v, w.v.data());
   if (motion.a && some_read(NETLOFT_READS_ACCELERATION)) gather_vector(tiling, tile, motion.a, w.a.data());
+  if (tiling.family->type().is_on_body())
+    for (auto* rows : {&w.x, &w.v, &w.a})
+      if (!rows->empty()) divide_rotations(tiling, tile, rows->data());
   if (!w.current.empty() && some_read(NETLOFT_READS_CURRENT)) gather_current(tiling, tile, motion.time, w);
 }
 

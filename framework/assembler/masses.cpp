@@ -18,6 +18,11 @@ double entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::si
   return tangent[at * kLanes + lane];
 }
 
+/// What a row of an element on a body is multiplied by among the unknowns: rotations by the arm.
+double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row) {
+  return row / 3 == 1 ? f.arm(element) : 1;
+}
+
 /// M ← Qᵀ M Q, row by row.
 void turn(double* M, const std::array<double, 9>& Q) {
   double left[9] = {}, both[9] = {};
@@ -37,14 +42,24 @@ bool Assembler::masses(std::span<const double> x, std::span<double> blocks, doub
   coupled = 0;
   for (std::size_t f = 0; f < families_.size(); ++f)
     if (families_[f]->reads(NETLOFT_READS_ACCELERATION) && !add_masses(x, f, blocks, coupled)) return false;
+  if (!bodies_.empty())
+    bodies_.hand_on_masses(x, blocks.first(3 * numbering_.dofs()), blocks.subspan(3 * numbering_.dofs()));
   for (const auto& [node, Q] : axes_) turn(&blocks[9 * std::size_t{node}], Q);
   return true;
 }
 
 bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::span<double> blocks,
                            double& coupled) {
+  const auto between = blocks.subspan(3 * numbering_.dofs());
+  const auto body_at = [&](std::uint32_t origin) {
+    const auto& pairs = bodies_.pairs();
+    return static_cast<std::size_t>(
+        std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair[0] == origin; }) -
+        pairs.begin());
+  };
   const ElementFamily& f = *families_[family];
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
+  const bool on_body = f.type().is_on_body();
   for (const auto& term : f.active_terms()) {
     if (!(term.traits & NETLOFT_READS_ACCELERATION)) continue;
     const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
@@ -58,11 +73,14 @@ bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::s
       for (std::size_t r = 0; r < dofs; ++r)
         for (std::size_t c = 0; c < dofs; ++c)
           for (std::size_t lane = 0; lane < t.count; ++lane) {
-            const double m = entry_of(w.scratch.data(), symmetric, dofs, r, c, lane);
+            const std::size_t e = t.first + lane;
+            const double m = entry_of(w.scratch.data(), symmetric, dofs, r, c, lane) /
+                             (on_body ? turn_factor(f, e, r) * turn_factor(f, e, c) : 1);
             if (r / 3 == c / 3)
-              blocks[9 * std::size_t{f.node(t.first + lane, static_cast<int>(r / 3))} + 3 * (r % 3) +
-                     c % 3] += m;
-            else
+              blocks[9 * std::size_t{f.node(e, static_cast<int>(r / 3))} + 3 * (r % 3) + c % 3] += m;
+            else if (on_body && r < 3 && c / 3 == 1)
+              between[9 * body_at(f.node(e, 0)) + 3 * r + c % 3] += m;
+            else if (!on_body || r / 3 != 1 || c >= 3)
               coupled = std::max(coupled, std::abs(m));
           }
     };

@@ -16,7 +16,7 @@ void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vect
   std::vector<std::vector<std::uint32_t>> stands_for(scene.node_count());
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) stands_for[n] = {n};
   for (const auto& body : scene.bodies)
-    for (const auto& point : body.points) stands_for[point.node] = {body.position, body.rotation};
+    for (const auto& point : body.points) stands_for[point.node] = {body.origin, body.rotation_node};
   const auto found = near;  // neighbours by elements alone
   for (std::uint32_t column = 0; column < found.size(); ++column)
     for (const auto row : found[column])

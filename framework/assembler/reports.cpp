@@ -17,7 +17,7 @@ bool Assembler::evaluate_term(std::span<const double> x, std::size_t family, std
       [&](std::size_t tile, const netloft_tile&, Workspace& w) {
         scatter(group_of(family), tile, {.residual = residual.data()}, w);
       });
-  bodies_.hand_on(x, residual.data(), nullptr, false);
+  bodies_.hand_on(x, {}, residual.data(), {}, false);
   frames_.turn(residual.data());
   return done;
 }
@@ -43,14 +43,14 @@ bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::siz
                          std::span<double> sums, const Kinematics& motion) {
   std::fill(sums.begin(), sums.end(), 0.0);
   const ElementFamily& f = *families_[family];
-  const auto dofs = static_cast<std::size_t>(f.type().dofs());
+  const auto rows = 3 * static_cast<std::size_t>(f.nodes_per_element());  // moments are no forces
   std::size_t part = 0;
   return visit_tiles(
       x, motion, family, [&](std::size_t, netloft_tile& t) { return f.evaluate(f.active_terms()[term], t); },
       [&](std::size_t, const netloft_tile& t, const Workspace& w) {
         for (std::size_t lane = 0; lane < t.count; ++lane) {
           while (t.first + lane >= f.part_begin()[part + 1]) ++part;
-          for (std::size_t d = 0; d < dofs; ++d) sums[3 * part + d % 3] += w.force.data()[d * kLanes + lane];
+          for (std::size_t d = 0; d < rows; ++d) sums[3 * part + d % 3] += w.force.data()[d * kLanes + lane];
         }
       });
 }

@@ -221,12 +221,37 @@ void with_nodes(std::size_t dofs, const Add& add) {
   }
 }
 
+/// Moments of elements on bodies, and what belongs to rotations in their tangents, over the arms that count
+/// rotations.
+void divide_moments(const Tiling& tiling, std::size_t tile, double* force, double* triangle, double* square) {
+  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
+  std::array<double, kLanes> inverse;
+  for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane)
+    inverse[lane] = 1 / tiling.family->arm(tile * kLanes + lane);
+  const auto is_turn = [](std::size_t d) { return d / 3 == 1; };
+  const auto divide = [&](double* row) {
+    for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) row[lane] *= inverse[lane];
+  };
+  for (std::size_t r = 0; r < dofs; ++r) {
+    if (force && is_turn(r)) divide(force + r * kLanes);
+    for (std::size_t c = 0; c < dofs; ++c)
+      for (int times = is_turn(r) + is_turn(c); times > 0; --times) {
+        if (square) divide(square + (r * dofs + c) * kLanes);
+        if (triangle && c <= r) divide(triangle + (packed(r) + c) * kLanes);
+      }
+  }
+}
+
 }  // namespace
 
 void Assembler::scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w) {
   const Tiling& tiling = group.tiling;
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
+  if (tiling.family->type().is_on_body())
+    divide_moments(tiling, tile, request.residual && !w.force.is_zero() ? w.force.data() : nullptr,
+                   request.values && !w.packed_tangent.is_zero() ? w.packed_tangent.data() : nullptr,
+                   request.values && !w.square_tangent.is_zero() ? w.square_tangent.data() : nullptr);
   if (request.energy) {
     double sum = 0;
     for (std::size_t lane = 0; lane < count; ++lane) sum += w.energy[lane];

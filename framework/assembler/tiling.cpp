@@ -93,6 +93,17 @@ void find_twins(const Scene& scene, Tiling& tiling) {
 
 std::size_t Tiling::lanes(std::size_t tile) const { return std::min(kLanes, family->size() - tile * kLanes); }
 
+std::vector<std::uint32_t> find_carried_tiles(const Tiling& tiling, const std::vector<bool>& carried) {
+  std::vector<std::uint32_t> tiles;
+  const ElementFamily& family = *tiling.family;
+  for (std::size_t e = 0; e < family.size(); ++e)
+    for (int n = 0; n < family.nodes_per_element(); ++n)
+      if (const auto tile = static_cast<std::uint32_t>(e / kLanes);
+          carried[family.node(e, n)] && (tiles.empty() || tiles.back() != tile))
+        tiles.push_back(tile);
+  return tiles;
+}
+
 Tiling make_tiling(const ElementFamily& family, const Scene& scene, const Numbering& numbering,
                    const NodeBlocks& blocks, bool symmetric, std::size_t first_spare) {
   Tiling tiling;

@@ -33,6 +33,9 @@ struct Tiling {
   std::size_t lanes(std::size_t tile) const;
 };
 
+/// Tiles with a node that a body carries.
+std::vector<std::uint32_t> find_carried_tiles(const Tiling& tiling, const std::vector<bool>& carried);
+
 Tiling make_tiling(const ElementFamily& family, const Scene& scene, const Numbering& numbering,
                    const NodeBlocks& blocks, bool symmetric, std::size_t first_spare);
 

@@ -134,6 +134,7 @@ Finding outputs_finite(Bench& b) {
 
 Finding collapsed_finite(Bench& b) {
   if (b.dofs() == 3) return nothing_to_ask("one node cannot collapse");
+  if (b.type.is_on_body()) return nothing_to_ask("a body cannot collapse");
   for (const auto& s : b.tiles)
     if (auto fault = fault_one_by_one(b, collapsed(b, s)); !fault.empty()) return failed(fault);
   return {};

@@ -114,6 +114,7 @@ std::string Bench::place(const netloft_term& term, const States& s, std::size_t 
 }
 
 double Bench::spacing(const States& s, std::size_t lane) const {
+  if (type.is_on_body()) return 1;  // its rotation is no place
   double least = dofs() == 3 ? 1 : size(s, lane) * 1e9;
   for (std::size_t p = 0; p < dofs(); p += 3)
     for (std::size_t q = 0; q < p; q += 3) {

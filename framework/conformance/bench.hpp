@@ -16,9 +16,12 @@ struct Bench {
   Bench(const ElementType& type, const ConformanceOptions& options);
 
   std::size_t dofs() const { return static_cast<std::size_t>(type.dofs()); }
+  /// Whether a degree of freedom is one of the rotation of a body.
+  bool is_turn(std::size_t dof) const { return type.is_on_body() && dof / 3 == 1; }
   /// "term elastic, element 12"
   std::string place(const netloft_term& term, const States& states, std::size_t lane) const;
-  /// Shortest distance between two nodes of a lane [m]; 1 m for a single node. Never below 1e-6 of the size.
+  /// Shortest distance between two nodes of a lane [m]; 1 m for a node or a body. Never below 1e-6 of the
+  /// size.
   double spacing(const States& states, std::size_t lane) const;
   double size(const States& states, std::size_t lane) const {
     return sampler.size(sample, states.first + lane);

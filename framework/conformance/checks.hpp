@@ -66,6 +66,12 @@ Finding rotation_turns_the_force(Bench&);
 Finding forces_sum_to_zero(Bench&);
 Finding moments_sum_to_zero(Bench&);
 
+// Is a rotation a rotation, on a rigid body? (body_checks.cpp)
+Finding body_turns_with_the_world(Bench&);
+Finding full_turns_change_nothing(Bench&);
+Finding sides_mirror_each_other(Bench&);
+Finding inertia_makes_kinetic_energy(Bench&);
+
 // Is it passive in the water? (flow_checks.cpp)
 Finding no_force_without_flow(Bench&);
 Finding never_gains_energy(Bench&);

@@ -326,6 +326,8 @@ Finding starts_no_threads(Bench& b) {
   return extra == 0 ? Finding{} : failed(std::to_string(extra) + " more threads during an evaluation");
 }
 
+constexpr Factors kAllFactors{0.7, 1.3, 0.9};
+
 Finding missing_inputs_are_zero(Bench& b) {
   Worst worst(1e-12);
   for (const auto& term : b.type.terms) {
@@ -341,6 +343,13 @@ Finding missing_inputs_are_zero(Bench& b) {
       for (std::size_t i = 0; i < a.force.size(); ++i)
         worst.note(ratio(c.force[i] - a.force[i], largest(moving.force, i % kLanes)),
                    [&] { return b.place(term, s, i % kLanes); });
+      if (term.traits & NETLOFT_CONSTANT) continue;
+      // A matrix by rates is asked for at rest, too: masses, and what damps a small disturbance.
+      const Answer there = b.specimen->evaluate(term, zero, NETLOFT_WANT_TANGENT, kAllFactors);
+      const Answer none = b.specimen->evaluate(term, missing, NETLOFT_WANT_TANGENT, kAllFactors);
+      for (std::size_t i = 0; i < there.matrix.size(); ++i)
+        worst.note(ratio(none.matrix[i] - there.matrix[i], largest(there.matrix, i % kLanes)),
+                   [&] { return b.place(term, s, i % kLanes) + ", tangent"; });
     }
   }
   return judged(worst, "no term reads velocities, accelerations or currents");

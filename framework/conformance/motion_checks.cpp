@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/conformance/carried_answers.hpp"
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -8,41 +9,14 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kMotionLimit = 1e-8;
 constexpr double kLowDigits = 1e-3;  // far more than positions round off, that it can be seen [spacing]
 constexpr const char* kAllFromOutside = "all terms act from outside";
 
-bool is_from_outside(const netloft_term& term) { return term.traits & NETLOFT_FROM_OUTSIDE; }
-
 /// Whether the nodes only act on each other: no weight, no water, no inertia.
-bool is_internal(const netloft_term& term) {
-  return !(term.traits & (NETLOFT_FROM_OUTSIDE | NETLOFT_NEEDS_GRAVITY | NETLOFT_NEEDS_FLOW |
+bool is_internal(const Bench& b, const netloft_term& term) {
+  return !b.type.is_on_body() &&
+         !(term.traits & (NETLOFT_FROM_OUTSIDE | NETLOFT_NEEDS_GRAVITY | NETLOFT_NEEDS_FLOW |
                           NETLOFT_READS_CURRENT | NETLOFT_READS_ACCELERATION));
-}
-
-std::uint32_t all_of(const netloft_term& term) {
-  return NETLOFT_WANT_FORCE | (term.traits & NETLOFT_CONSERVATIVE ? std::uint32_t{NETLOFT_WANT_ENERGY} : 0u);
-}
-
-/// Largest difference of two answers in a lane, over the force of the lane (energy: times its size).
-double difference(const Bench& b, const Answer& one, const Answer& two, const States& s, double scale,
-                  std::size_t lane) {
-  double worst = 0;
-  for (std::size_t d = 0; d < b.dofs(); ++d)
-    worst = std::max(worst, ratio(one.force[at(d, lane)] - two.force[at(d, lane)], scale));
-  if (one.energy.empty()) return worst;
-  const double energy = scale * b.size(s, lane) + std::abs(one.energy[lane]);
-  return std::max(worst, ratio(one.energy[lane] - two.energy[lane], energy));
-}
-
-/// Notes how much the answer to `there` differs from `expected`, the answer here carried there.
-void compare(Bench& b, const netloft_term& term, const States& s, const Answer& expected, const States& there,
-             Worst& worst) {
-  const Answer found = b.specimen->evaluate(term, there, all_of(term));
-  const auto scale = b.force_scale(term, s);
-  for (std::size_t lane = 0; lane < s.count; ++lane)
-    worst.note(found.ok() ? difference(b, expected, found, s, scale[lane], lane) : std::nan(""),
-               [&] { return b.place(term, s, lane) + (found.ok() ? "" : ": " + found.message); });
 }
 
 /// Of two answers, by the better one; infinite where neither is any.
@@ -57,7 +31,7 @@ double least_difference(const Bench& b, const Answer& found, const Answer& one, 
 
 States translated(const Bench& b, States s, const double (&by)[3]) {
   for (std::size_t d = 0; d < b.dofs(); ++d)
-    for (std::size_t lane = 0; lane < s.count; ++lane) s.x[at(d, lane)] += by[d % 3];
+    for (std::size_t lane = 0; lane < s.count && !b.is_turn(d); ++lane) s.x[at(d, lane)] += by[d % 3];
   return s;
 }
 
@@ -116,6 +90,7 @@ Finding translation_changes_nothing(Bench& b) {
 
 Finding rotation_turns_the_force(Bench& b) {
   Worst worst(kMotionLimit);
+  if (b.type.is_on_body()) return nothing_to_ask("bodies have a check of their own");
   for (const auto& term : b.type.terms) {
     if (is_from_outside(term)) continue;
     for (const auto& s : b.tiles) {
@@ -131,7 +106,7 @@ Finding rotation_turns_the_force(Bench& b) {
 Finding forces_sum_to_zero(Bench& b) {
   Worst worst(kMotionLimit);
   for (const auto& term : b.type.terms) {
-    if (!is_internal(term)) continue;
+    if (!is_internal(b, term)) continue;
     for (const auto& s : b.tiles) {
       const Answer a = b.specimen->evaluate(term, s, NETLOFT_WANT_FORCE);
       const auto scale = b.force_scale(term, s);
@@ -149,7 +124,7 @@ Finding forces_sum_to_zero(Bench& b) {
 Finding moments_sum_to_zero(Bench& b) {
   Worst worst(kMotionLimit);
   for (const auto& term : b.type.terms) {
-    if (!is_internal(term)) continue;
+    if (!is_internal(b, term)) continue;
     for (const auto& s : b.tiles) {
       const Answer a = b.specimen->evaluate(term, s, NETLOFT_WANT_FORCE);
       const auto scale = b.force_scale(term, s);

@@ -124,6 +124,7 @@ bool Sampler::is_corner(const netloft_datum& datum) const {
 
 double Sampler::number(const netloft_datum& datum) {
   if (is_corner(datum)) return uniform(-4, 4);
+  if (type_.is_on_body() && std::string_view(datum.name) == kSide) return uniform(0, 1) < 0.5 ? -1 : 1;
   const std::string_view unit = datum.unit;
   if (unit == "m") return std::exp(uniform(std::log(0.5), std::log(2.0)));
   if (unit != "1") return real(0, 1e300, usual(datum.unit).least, usual(datum.unit).most);
@@ -181,6 +182,15 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
     s.current[at(d, lane)] = uniform(-1, 1);
     s.current_dz[at(d, lane)] = uniform(-0.1, 0.1);
   }
+  if (type_.is_on_body()) turn(s, lane);
+}
+
+void Sampler::turn(States& s, std::size_t lane) {
+  constexpr double kTwoTurns = 12.566370614359172;
+  double axis[3];
+  direction(axis);
+  const double angle = uniform(0, kTwoTurns);
+  for (std::size_t k = 0; k < 3; ++k) s.x[at(3 + k, lane)] = angle * axis[k];
 }
 
 }  // namespace netloft::conformance

@@ -39,6 +39,9 @@ class ParameterSampler {
   std::mt19937_64 random_;
 };
 
+/// Datum of elements on bodies: 1 as they are written, -1 mirrored, with y of the body's axes reversed.
+inline constexpr std::string_view kSide = "side";
+
 /// Of sampled parameters those that have no default.
 Values required_of(std::span<const netloft_parameter> table, const Values& sampled);
 
@@ -47,7 +50,8 @@ Values required_of(std::span<const netloft_parameter> table, const Values& sampl
 /// Data: by unit in the same way, lengths from 0.5 m to 2 m, pure numbers from 0.2 to 1.8, one time in four
 /// -1, 0 or 1. A pure datum with one number per node is a coordinate of the corners: from -4 to 4, triangles
 /// drawn again until they cover at least 2 square units. What `create` refuses is drawn again.
-/// Numbers that a part shares are drawn like the coordinates of one more node.
+/// Numbers that a part shares are drawn like the coordinates of one more node. Bodies are turned by up to two
+/// turns about any axis; their datum `side` is -1 or 1.
 /// Positions: nodes scattered evenly in a cube as wide as the element's lengths (times the extent of its
 /// corner coordinates) and a factor from 0.1 to 3, so that elements are stretched or slack; one in eight is
 /// 1000 times smaller, nearly collapsed. Velocities, currents [m/s] and accelerations [m/s²] are of size 1,
@@ -67,6 +71,7 @@ class Sampler : public ParameterSampler {
 
  private:
   double number(const netloft_datum& datum);
+  void turn(States& states, std::size_t lane);
   bool covers_nothing(const Sample& sample, std::size_t element) const;
 
   const ElementType& type_;

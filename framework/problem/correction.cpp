@@ -18,11 +18,6 @@ double node_distance(const Numbering& numbering, std::uint32_t node, std::span<c
   return std::hypot(way[0], way[1], way[2]);
 }
 
-bool is_rotation(const Scene& scene, std::uint32_t node) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [&](const RigidBody& body) { return body.rotation == node; });
-}
-
 }  // namespace
 
 bool find_correction(StaticProblem& problem, std::span<const double> u, std::span<const double> residual,
@@ -45,7 +40,7 @@ NodeDistance furthest_node(const Scene& scene, const Numbering& numbering, std::
                            std::span<const double> y) {
   NodeDistance furthest;
   for (std::uint32_t node = 0; node < scene.node_count(); ++node) {
-    const double distance = is_rotation(scene, node) ? 0 : node_distance(numbering, node, x, y);
+    const double distance = node_distance(numbering, node, x, y);
     if (distance > furthest.distance) furthest = {distance, node};
   }
   return furthest;

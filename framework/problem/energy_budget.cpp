@@ -94,7 +94,24 @@ bool EnergyBudget::find_entrained() {
   if (!sum_force(inertia_, now_.x, as_rates, momentum_) || !sum_force(inertia_, next_.x, as_rates, turned_))
     return false;
   entrained_ -= 0.5 * (dot(turned_, mean_own_rates_) - dot(momentum_, mean_own_rates_));
+  entrained_ += done(now_.turning, next_.turning);
   return true;
+}
+
+bool EnergyBudget::restate(double t, std::span<const double> u, std::span<const double> v,
+                           std::span<const double> a) {
+  place(t, u, v, a, now_);
+  return find_forces(now_);
+}
+
+/// state_ stands at the moment.
+bool EnergyBudget::find_turning(Moment& m) {
+  m.turning.clear();
+  if (!assembler_.has_bodies()) return true;
+  std::vector<double> v(m.rates.begin(), m.rates.begin() + static_cast<std::ptrdiff_t>(zero_.size())),
+      all_v(m.x.size()), all_a(m.x.size());
+  assembler_.move(m.t, m.x, v, zero_, all_v, all_a);
+  return sum_force(inertia_, m.x, {.time = m.t, .v = all_v.data(), .a = all_a.data()}, m.turning);
 }
 
 /// state_ stands at the moment.
@@ -103,9 +120,10 @@ bool EnergyBudget::find_forces(Moment& m) {
   for (std::size_t k = 0; k < work_.size(); ++k)
     if (!sum_force(work_[k], m.x, motion, m.works[k])) return false;
   Kinematics as_rates = motion;
-  as_rates.a = state_.v().data();  // inertia for a = v is M v
+  as_rates.v = nullptr, as_rates.a = state_.v().data();  // inertia for a = v is M v
   if (!sum_force(inertia_, m.x, as_rates, m.damping)) return false;
   kinetic_ = 0.5 * dot(m.damping, m.rates);  // (3)
+  if (!find_turning(m)) return false;
   for (double& f : m.damping) f *= mass_damping_;
   m.holds.assign(is_guided_ ? m.q.size() : 0, 0.0);
   if (!is_guided_) return true;

@@ -13,11 +13,13 @@ namespace netloft {
 ///   Σ_k ∫ r_k·dq = ∫ reaction·dq          over all terms, from F = 0                     (1)
 ///   stored_k = E_k                        terms with an energy                           (2)
 ///   kinetic = ½ v·M v                                                                    (3)
-///   entrained = −½ ∫ v·(dM/dt) v dt       what added mass takes from the gear as it turns (4)
+///   entrained = ∫ r_M(0, v)·dq − ½ ∫ v·(dM/dt) v dt
+///                                         what added mass takes from the gear as it turns (4)
 ///   dissipated_k = ∫ r_k·dq               drag, damping, friction; negative: they push   (5)
 ///   work_of_holds = ∫ reaction·dq         of those that are moved                        (6)
 ///   work_of_winches = ∫ ∂E/∂t dt          lengths that change in time                    (7)
 ///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     what the scheme took: zero if (1) held at all times
+/// r_M(0, v) is what inertia gives without acceleration: of rigid bodies that turn, whose (4) is then zero.
 /// For the trapezoidal rule on a linear system (1) holds exactly, and so does the budget.
 class EnergyBudget {
  public:
@@ -29,6 +31,8 @@ class EnergyBudget {
   bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
   /// Finds the forces of the last state anew, once elements remember it.
   bool refresh() { return find_forces(now_); }
+  /// The last state again, whose rotations are counted in another way now.
+  bool restate(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
 
   /// Names and values [J], in one order.
   std::vector<std::string> names() const;
@@ -53,14 +57,15 @@ class EnergyBudget {
   /// A state, and the forces there over all dofs, as residuals.
   struct Moment {
     double t = 0;
-    std::vector<double> x, v, q, rates;      // q, rates: of unknowns and guided dofs
-    std::vector<std::vector<double>> works;  // per account of work_
-    std::vector<double> damping, holds;
+    std::vector<double> x, v, q, rates;           // q, rates: of unknowns and guided dofs
+    std::vector<std::vector<double>> works;       // per account of work_
+    std::vector<double> damping, holds, turning;  // turning: r_M(0, v) of (4), where there are bodies
   };
 
   void place(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
              Moment& to);
   bool find_forces(Moment& m);
+  bool find_turning(Moment& m);
   bool find_energies(const std::vector<double>& x, double t, double& sum, bool keep);
   bool sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
                  std::vector<double>& force);

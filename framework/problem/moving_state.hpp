@@ -20,7 +20,7 @@ class MovingState {
   void set(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a) {
     t_ = t;
     assembler_.place(u, x_, t);
-    assembler_.move(t, v, a, v_, a_);
+    assembler_.move(t, x_, v, a, v_, a_);
     for (std::size_t i = 0; i < a_.size(); ++i) a_[i] += mass_damping_ * v_[i];
   }
   double t() const { return t_; }

@@ -2,12 +2,13 @@
 #pragma once
 #include "framework/assembler/assembler.hpp"
 
+#include <map>
 #include <optional>
 
 namespace netloft {
 
-/// The mass matrix where it couples no nodes: a block of up to 3 x 3 per node, added mass included, inverted
-/// block by block.
+/// The mass matrix where it couples no nodes: a block of up to 3 x 3 per node, of up to 6 x 6 per rigid body,
+/// added mass included, inverted block by block.
 class NodeMasses {
  public:
   explicit NodeMasses(Assembler& assembler);
@@ -28,21 +29,25 @@ class NodeMasses {
   std::optional<std::uint32_t> massless_node() const;
 
  private:
-  /// Unknowns of one node: `count` of them from `first` on, along the node's axes `axes`.
+  /// Unknowns of one node, or of origin and rotation of one body.
   struct Node {
-    std::uint32_t node;
-    std::size_t first, count;
-    std::array<std::size_t, 3> axes;
-    std::array<double, 9> inverse;  // count x count, row by row
-    bool has_mass;
+    static constexpr std::size_t kNone = ~std::size_t{0};
+    std::array<std::uint32_t, 2> nodes;  // of a body; else the first alone
+    std::size_t body = kNone;
+    std::size_t count = 0;
+    std::array<std::size_t, 6> unknown{};
+    std::array<std::size_t, 6> axis{};    // 3 to 5: of the second node
+    std::array<double, 36> inverse = {};  // count x count, row by row
+    bool has_mass = false;
   };
+  Node& node_of(std::uint32_t node, std::size_t& place);
   void invert(Node& n) const;
-  double entry(const Node& n, std::size_t r, std::size_t c) const {
-    return blocks_[9 * std::size_t{n.node} + 3 * n.axes[r] + n.axes[c]];
-  }
+  double entry(const Node& n, std::size_t r, std::size_t c) const;
 
   Assembler& assembler_;
   std::vector<Node> nodes_;
+  std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> of_bodies_;  // node -> body, place in it
+  std::vector<std::size_t> node_of_body_;                                   // index in nodes_
   std::vector<double> blocks_;
   double coupled_ = 0;
 };

@@ -108,7 +108,15 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   for (auto* vector : {&reactions_of_, &gradient_}) vector->reserve(residual_.size());
   find_dead_loads();
   if (const double largest = largest_extent(x_); largest > 0) element_size_ = largest;
-  for (std::size_t i = 0; i < x_.size(); ++i) gear_size_ = std::max(gear_size_, std::abs(x_[i] - x_[0]));
+  gear_size_ = largest_distance();
+}
+
+/// Between coordinates of the start; what is no place of a node is left out.
+double StaticProblem::largest_distance() const {
+  double largest = 1;
+  for (std::size_t i = 0; i < x_.size(); ++i)
+    if (assembler_.is_place(i)) largest = std::max(largest, std::abs(x_[i] - x_[0]));
+  return largest;
 }
 
 void StaticProblem::keep_message(const char* text) { std::snprintf(message_, sizeof message_, "%s", text); }

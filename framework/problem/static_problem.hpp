@@ -154,6 +154,7 @@ class StaticProblem {
   std::vector<double> sum_of_terms(bool (*counts)(std::uint32_t traits));
   void find_dead_loads();
   double largest_extent(std::span<const double> x) const;
+  double largest_distance() const;
 
   Assembler& assembler_;
   MakeFactorisation make_;

@@ -44,7 +44,7 @@ class March {
   MarchResult run() {
     if (begin())
       while (state_.t < settings_.duration && !has_ended()) {
-        if (!make_step()) break;
+        if (!shorten_rotations() || !make_step()) break;
         write_outputs();
         tell_of_step();
       }
@@ -82,6 +82,12 @@ class March {
   void note_start() {
     const Balance b = problem_.balance();
     result_.start = {b.residual, b.scale, assembler_.node_name(scene_, b.worst)};
+  }
+
+  /// Between two steps, when the last one has been told: positions and velocities stay as they are.
+  bool shorten_rotations() {
+    if (!assembler_.shorten_rotations(state_.u, state_.v, state_.a) || !settings_.budget) return true;
+    return budget_.restate(state_.t, state_.u, state_.v, state_.a) || fail_at_fault();
   }
 
   /// Longest step that is stable, whatever happens.

@@ -34,12 +34,15 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   const double wall = wall_seconds(), cpu = cpu_seconds();
   StaticProblem problem(assembler, make, limits, std::move(on_iteration));
   netloft_problem& p = problem.interface();
-  const bool has_all = positions == Positions::compensated && start.size() == p.unknowns;
+  const bool has_all =
+      positions == Positions::compensated && start.size() == p.unknowns && !assembler.has_bodies();
   if (has_all)
     problem.count_from(problem.positions(start));
   else
     std::copy(start.begin(), start.end(), p.u);
+  assembler.shorten_rotations({p.u, p.unknowns});
   const auto outcome = call_solver(solver, parameters, p);
+  assembler.shorten_rotations({p.u, p.unknowns});
   const double solver_cpu = cpu_seconds() - cpu;
   const Statistics statistics = problem.statistics();
   const std::string factorisation = problem.factorisation_name();

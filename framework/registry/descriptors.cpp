@@ -121,7 +121,7 @@ void check_parameters(const std::vector<netloft_parameter>& rows, std::uint32_t 
 
 bool is_stencil(std::uint32_t s) {
   return s == NETLOFT_NODE || s == NETLOFT_BAR || s == NETLOFT_TRIANGLE || s == NETLOFT_BAR_PAIR ||
-         s == NETLOFT_TRIANGLE_PAIR;
+         s == NETLOFT_TRIANGLE_PAIR || s == NETLOFT_BODY;
 }
 
 void check_laws(const ElementType& e, const std::string& owner, Faults& faults) {

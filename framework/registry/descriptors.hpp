@@ -64,9 +64,10 @@ struct ElementType {
   std::vector<netloft_global> globals;
   const PluginOrigin* origin = nullptr;
 
-  /// Of the stencil; a tile has one more if the parts share numbers.
+  /// Nodes of the scene; a tile has one more for the rotation of a body, and one if the parts share numbers.
   int nodes() const { return static_cast<int>(element.stencil & 0xff); }
-  int dofs() const { return 3 * (nodes() + (globals.empty() ? 0 : 1)); }
+  int dofs() const { return 3 * (nodes() + (is_on_body() ? 1 : 0) + (globals.empty() ? 0 : 1)); }
+  bool is_on_body() const { return element.stencil == NETLOFT_BODY; }
 };
 
 /// A solver as the host knows it.

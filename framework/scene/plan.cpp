@@ -110,26 +110,28 @@ void note_traits(Plan& plan, const FamilyPlan& family, const TermPlan& term) {
   }
 }
 
+/// What turns has forces that depend on its spin, which no symmetric tangent has room for.
+void note_turning(Plan& plan, const Scene& scene) {
+  const bool is_exact = plan.kind == AnalysisKind::dynamics && plan.tangent == TangentChoice::exact;
+  if (!is_exact || scene.bodies.empty() || !plan.symmetric) return;
+  plan.symmetric = false;
+  plan.unsymmetric_because = scene.bodies[0].name + ", which turns";
+}
+
 void count_unknowns(Plan& plan, const Scene& scene) {
   plan.nodes = scene.node_count();
   for (const auto held : scene.held) {
     if (held) ++plan.held_nodes;
     for (int axis = 0; axis < 3; ++axis) plan.unknowns += !(held & (1 << axis));
   }
-}
-
-/// Dynamics does not support rigid bodies, because their inertia and the rates of their points are not
-/// implemented.
-void check_bodies(const Scene& scene, AnalysisKind kind) {
-  if (kind == AnalysisKind::dynamics && !scene.bodies.empty())
-    throw SceneError({{"", "the rigid body \"" + scene.bodies[0].name +
-                               "\" cannot be used in dynamics: only its equilibrium is implemented"}});
+  for (const auto& body : scene.bodies)
+    for (int axis = 0; axis < 3; ++axis) plan.unknowns += !(body.held_rotation & (1 << axis));
+  plan.bodies = scene.bodies.size();
 }
 
 }  // namespace
 
 Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, AnalysisKind kind) {
-  check_bodies(scene, kind);
   Plan plan;
   plan.tangent = tangent, plan.kind = kind, plan.ground = scene.ground;
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
@@ -148,6 +150,7 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, An
     plan.unknowns += family.globals.size();
   }
   count_unknowns(plan, scene);
+  note_turning(plan, scene);
   return plan;
 }
 

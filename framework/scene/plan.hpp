@@ -51,7 +51,7 @@ struct FamilyPlan {
 struct Plan {
   std::vector<FamilyPlan> families;
   std::vector<std::string> not_loaded;  // filled by unused_plugins if it is asked for
-  std::size_t nodes = 0, held_nodes = 0, unknowns = 0;
+  std::size_t nodes = 0, held_nodes = 0, bodies = 0, unknowns = 0;
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;

@@ -32,10 +32,8 @@ Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (i % width) pieces.join(nodes[i], nodes[i - i % width]);
   }
-  for (const auto& body : scene.bodies) {
-    pieces.join(body.rotation, body.position);
-    for (const auto& point : body.points) pieces.join(point.node, body.position);
-  }
+  for (const auto& body : scene.bodies)
+    for (const auto& point : body.points) pieces.join(point.node, body.origin);
   return pieces;
 }
 
@@ -136,6 +134,19 @@ std::vector<double> Scene::corners_in_time() const {
   for (const auto& drift : current.drifts) times.push_back(drift.t);
   std::sort(times.begin(), times.end());
   return times;
+}
+
+double RigidBody::arm() const {
+  double longest = 0;
+  for (const auto& point : points)
+    longest = std::max(longest, std::hypot(point.r[0], point.r[1], point.r[2]));
+  return longest > 0 ? longest : 1;
+}
+
+std::optional<std::size_t> Scene::body_at(std::uint32_t origin) const {
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (bodies[b].origin == origin) return b;
+  return {};
 }
 
 void Scene::add_body(RigidBody body) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -80,16 +81,23 @@ struct Guide {
 
 enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 
-/// Nodes carried by a rigid body. Two nodes of the scene hold its six unknowns: `position` is the position of
-/// its reference point, `rotation` the rotation vector from the start [rad], initially zero.
+/// A rigid body: its origin is a node of the scene, and it carries others. How it is turned are three more
+/// unknowns, a rotation vector (netloft/rotation.hpp), which is no node of the scene.
 struct RigidBody {
   struct Point {
     std::uint32_t node;
-    std::array<double, 3> r;  // from the reference point, at the start [m]
+    std::array<double, 3> r;  // in the body's own axes [m]
   };
   std::string name;
-  std::uint32_t position = 0, rotation = 0;
+  std::uint32_t origin = 0;
+  std::array<double, 3> rotation = {};  // at the start, from its own axes to those of the world [rad]
+  std::uint8_t held_rotation = 0;       // components of the rotation vector that cannot change
   std::vector<Point> points;
+  std::uint32_t rotation_node = 0;  // of an assembler, which has set it: where the rotation is kept
+
+  /// What a turn by one radian moves by, so that rotations and their moments compare with lengths and forces:
+  /// the longest way from its origin to a point, 1 m if there is none [m].
+  double arm() const;
 };
 
 /// The model: parts on nodes in water, with holds, guides and bodies. It is plain data, made by the reader of
@@ -116,6 +124,8 @@ struct Scene {
   }
   /// Adds a body, which carries its points from then on.
   void add_body(RigidBody body);
+  /// Index of the body with this origin; none: no body has it.
+  std::optional<std::size_t> body_at(std::uint32_t origin) const;
 
   /// Times at which the path of a guide or the current has a corner, increasing [s].
   std::vector<double> corners_in_time() const;

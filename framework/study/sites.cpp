@@ -61,9 +61,12 @@ std::vector<double> Sites::transfer(unsigned from, std::span<const double> u, un
   std::vector<double> x(source->assembler->start());
   source->assembler->place(u, x);
   const auto positions = source->assembler->node_positions(x);
-  if (from == to) return target->assembler->displacements(positions);
-  const auto carried = source_.levels->carry(from, positions, to);
-  return carried.empty() ? std::vector<double>{} : target->assembler->displacements(carried);
+  const auto carried = from == to ? positions : source_.levels->carry(from, positions, to);
+  if (carried.empty()) return {};
+  auto moved = target->assembler->displacements(carried);
+  if (source->scene->bodies.size() == target->scene->bodies.size())
+    target->assembler->take_rotations(*source->assembler, x, moved);
+  return moved;
 }
 
 }  // namespace netloft

@@ -61,9 +61,10 @@ struct Dual {
   friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
   friend bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
 
+  /// At zero, where the root has no derivative, it is taken as zero: ‖w‖ w then has the right one.
   friend Dual sqrt(const Dual& a) {
     const double s = std::sqrt(a.value);
-    return a.chain(s, 0.5 / s, -0.25 / (s * a.value));
+    return s == 0 ? Dual(0) : a.chain(s, 0.5 / s, -0.25 / (s * a.value));
   }
   friend Dual log(const Dual& a) { return a.chain(std::log(a.value), 1 / a.value, -1 / (a.value * a.value)); }
   friend Dual exp(const Dual& a) {
@@ -81,6 +82,16 @@ struct Dual {
   friend Dual atan(const Dual& a) {
     const double q = 1 / (1 + a.value * a.value);
     return a.chain(std::atan(a.value), q, -2 * a.value * q * q);
+  }
+  friend Dual asin(const Dual& a) {
+    const double q = 1 - a.value * a.value, s = std::sqrt(q);
+    return a.chain(std::asin(a.value), 1 / s, a.value / (q * s));
+  }
+  friend Dual atan2(const Dual& y, const Dual& x) {
+    const double square = x.value * x.value + y.value * y.value;
+    const Dual turn = (x.value * y - y.value * x) / square;  // of the angle from where it is, to second order
+    const Dual ahead = (x.value * x + y.value * y) / square;
+    return std::atan2(y.value, x.value) + atan(turn / ahead);
   }
   friend Dual abs(const Dual& a) { return a.value < 0 ? -a : a; }
   friend Dual pow(const Dual& a, double p) {

@@ -2,13 +2,20 @@
 //
 // What the author of an element includes. An element is a struct that says what it stands on (`stencil`), its
 // `Parameters` (set by users, one per part of a gear), its `Data` (one per element) and its terms. A term is
-// a struct with one of three functions, from the quickest to write to the fastest to run:
+// a struct with one of four functions, from the quickest to write to the fastest to run:
 //
 //   template <class T> static T energy(const Parameters&, const Data&, const Water&, const Points<T, N>& x);
+//   template <class T> static Points<T, N> force(const Parameters&, const Data&, const MovingNodes<T, N>&);
 //   static Status evaluate(const Parameters&, const Data&, const State<N>&, Local<N>&);
 //   static Status tile(const Family<Element>&, netloft_tile&);
 //
-// `energy` gives force and tangent by differentiation; `evaluate` fills one element; `tile` loops over 64.
+// `energy` and `force` are differentiated; `evaluate` fills one element; `tile` loops over 64. A `force` is
+// the physical one, what pushes the nodes; all others give residuals.
+//
+// On a rigid body (`stencil = NETLOFT_BODY`) an energy is that of a `Pose<T>`, and a force the `Wrench<T>` of
+// a `Body<T>`: body.hpp. `evaluate` and `tile` see the body as two nodes, the second of which is its rotation
+// vector, as plugin.h says.
+//
 // An element that must know all of its part declares `Whole`, which `gather(parameters, data, whole)` makes
 // of every element of the part in turn; `evaluate` is handed it after the data, and a
 // `check_whole(parameters, whole)` may throw std::invalid_argument. One whose part shares numbers that are
@@ -67,7 +74,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
  public:
   using Parameters = typename E::Parameters;
   using Data = typename E::Data;
-  using Output = double (*)(const Parameters&, const Data&, const State<detail::nodes_of<E>>&);
+  using Output = double (*)(const Parameters&, const Data&, const detail::ViewOf<E>&);
   using LanesOutput = void (*)(const Family<E>&, const netloft_tile&, double* values);
   using Start = double (*)(const Parameters&, const typename Family<E>::Whole&);
   static_assert(std::is_trivially_copyable_v<Data>, "Data must be plain numbers");
@@ -199,7 +206,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     const auto& f = *static_cast<const Family<E>*>(self);
     return detail::guarded(t->message, t->message_size, [&] {
       for (std::uint32_t lane = 0; lane < t->count; ++lane) {
-        const auto state = detail::gather<detail::nodes_of<E>>(*t, lane);
+        const auto state = detail::view_of<E>(*t, lane);
         const std::size_t e = t->first + lane;
         for (std::size_t k = 0; k < functions_.size(); ++k)
           if (functions_[k].one)

@@ -3,6 +3,7 @@
 // From the functions of an element to what the host calls. Included by element.hpp; nothing here is for
 // authors.
 #pragma once
+#include <netloft/body.hpp>
 #include <netloft/dual.hpp>
 #include <netloft/parameters.hpp>
 #include <netloft/state.hpp>
@@ -24,9 +25,24 @@ consteval int count_globals() {
   if constexpr (requires { E::globals; }) return E::globals;
   return 0;
 }
-/// Those of the stencil, and one for what a part shares.
 template <class E>
-inline constexpr int nodes_of = (E::stencil & 0xff) + (count_globals<E>() > 0);
+inline constexpr bool is_on_body = E::stencil == NETLOFT_BODY;
+/// Those of the stencil, one for the rotation of a body, and one for what a part shares.
+template <class E>
+inline constexpr int nodes_of = (E::stencil & 0xff) + is_on_body<E> + (count_globals<E>() > 0);
+template <class E>
+inline constexpr int dofs_of = 3 * nodes_of<E>;
+
+/// What an energy, a differentiated force and an output are handed.
+template <class E, class T>
+using PlacesOf = std::conditional_t<is_on_body<E>, Pose<T>, Points<T, nodes_of<E>>>;
+template <class E, class T>
+using MotionOf = std::conditional_t<is_on_body<E>, Body<T>, MovingNodes<T, nodes_of<E>>>;
+template <class E>
+using ViewOf = std::conditional_t<is_on_body<E>, Body<double>, State<nodes_of<E>>>;
+/// What a differentiated force returns.
+template <class E, class T>
+using PushOf = std::conditional_t<is_on_body<E>, Wrench<T>, Points<T, nodes_of<E>>>;
 
 template <class E, class T>
 concept HasTile = requires(const Family<E>& f, netloft_tile& t) {
@@ -45,8 +61,13 @@ concept HasEvaluateWithWhole = requires(const typename E::Parameters& p, const t
 };
 template <class E, class T>
 concept HasEnergy = requires(const typename E::Parameters& p, const typename E::Data& d, const Water& w,
-                             const Points<Dual<3 * nodes_of<E>>, nodes_of<E>>& x) {
+                             const PlacesOf<E, Dual<dofs_of<E>>>& x) {
   T::energy(p, d, w, x);
+};
+template <class E, class T>
+concept HasForce = requires(const typename E::Parameters& p, const typename E::Data& d,
+                            const MotionOf<E, Dual<dofs_of<E>, 1>>& m) {
+  T::force(p, d, m);
 };
 
 template <class E>
@@ -118,23 +139,119 @@ void scatter(const Local<Nodes>& local, bool symmetric, std::size_t lane, netlof
       t.tangent[kLanes * entry++ + lane] += local.tangent[r][c];
 }
 
+/// A field [dof][64] of one element as numbers that know their derivatives: each degree of freedom moves with
+/// `factor` times the unknown of its place, also where there is no field and all are zero.
+template <class T, int Nodes>
+Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor) {
+  Points<T, Nodes> to{};
+  for (int i = 0; i < 3 * Nodes; ++i) {
+    T& entry = to[static_cast<std::size_t>(i / 3)][i % 3];
+    entry = T(field ? field[static_cast<std::size_t>(i) * kLanes + lane] : 0);
+    if constexpr (!std::is_same_v<T, double>) entry.gradient[static_cast<std::size_t>(i)] = factor;
+  }
+  return to;
+}
+
+/// The water at the nodes, which changes with their heights.
+template <class T, int Nodes>
+Points<T, Nodes> read_current(const netloft_tile& t, std::size_t lane, const Points<T, Nodes>& x) {
+  const auto velocity = read_dual<double, Nodes>(t.current, lane, 0),
+             slope = read_dual<double, Nodes>(t.current_dz, lane, 0);
+  Points<T, Nodes> to{};
+  for (std::size_t n = 0; n < static_cast<std::size_t>(Nodes); ++n) {
+    T height = x[n].z;  // over where the water is known: zero, but for its derivatives
+    if constexpr (std::is_same_v<T, double>)
+      height = 0;
+    else
+      height.value = 0;
+    for (int axis = 0; axis < 3; ++axis) to[n][axis] = velocity[n][axis] + slope[n][axis] * height;
+  }
+  return to;
+}
+
+template <class T>
+Pose<T> pose_of(const Vec3<T>& x, const Vec3<T>& psi) {
+  return {x, turned_axes(psi)};
+}
+
+/// The motion of one element; derivatives are with respect to the unknowns, by the factors of the tangent.
+template <class E, class T>
+MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
+  constexpr int N = nodes_of<E>;
+  const auto x = read_dual<T, N>(t.x, lane, t.cu), v = read_dual<T, N>(t.v, lane, t.cv),
+             a = read_dual<T, N>(t.a, lane, t.ca), current = read_current<T, N>(t, lane, x);
+  MotionOf<E, T> m;
+  if constexpr (is_on_body<E>) {
+    static_cast<Pose<T>&>(m) = pose_of(x[0], x[1]);
+    m.v = v[0], m.omega = spin_of(x[1], v[1]);
+    m.a = a[0], m.alpha = spin_rate_of(x[1], v[1], a[1]);
+    m.current = current[0];
+    m.current_dz = read_dual<double, N>(t.current_dz, lane, 0)[0];
+  } else {
+    m.x = x, m.v = v, m.a = a, m.current = current;
+  }
+  if (t.ground) m.ground = {t.ground[0], t.ground[1], t.ground[2]};
+  m.water = {t.water_density, t.gravity, t.water_viscosity}, m.time = t.time;
+  return m;
+}
+
+/// The residual of a force: minus it; of a moment, minus what does its work on the rotation vector.
+template <class E, class T>
+Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile& t, std::size_t lane) {
+  Points<T, nodes_of<E>> residual{};
+  if constexpr (is_on_body<E>) {
+    const auto psi = read_dual<T, nodes_of<E>>(t.x, lane, t.cu)[1];
+    residual[0] = -push.force, residual[1] = -moment_on_vector(psi, push.moment);
+  } else {
+    for (std::size_t n = 0; n < residual.size(); ++n) residual[n] = -push[n];
+  }
+  return residual;
+}
+
+/// Force and tangent of a force without an energy, by first-order forward differentiation. A force alone is
+/// the same number, for derivatives change no value.
+template <class E, class T>
+void differentiate_force(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
+                         Local<nodes_of<E>>& local) {
+  constexpr int dofs = dofs_of<E>;
+  using D = Dual<dofs, 1>;
+  const auto residual = residual_of<E, D>(
+      T::force(f.parameters(element), f.data(element), read_motion<E, D>(t, lane)), t, lane);
+  for (int r = 0; r < dofs; ++r) {
+    const D& entry = residual[static_cast<std::size_t>(r / 3)][r % 3];
+    local.force[static_cast<std::size_t>(r / 3)][r % 3] = entry.value;
+    for (int c = 0; c < dofs; ++c) local.tangent[r][c] = entry.gradient[static_cast<std::size_t>(c)];
+  }
+}
+
 /// Force and tangent of an energy, by second-order forward differentiation.
 template <class E, class T>
 void differentiate(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                    Local<nodes_of<E>>& local) {
   constexpr int N = nodes_of<E>;
+  using D = Dual<3 * N>;
   const Water water{t.water_density, t.gravity, t.water_viscosity};
-  Points<Dual<3 * N>, N> x;
-  for (int i = 0; i < 3 * N; ++i)
-    x[static_cast<std::size_t>(i / 3)][i % 3] =
-        Dual<3 * N>::variable(t.x[static_cast<std::size_t>(i) * kLanes + lane], i);
-  const Dual<3 * N> e = T::energy(f.parameters(element), f.data(element), water, x);
+  const auto x = read_dual<D, N>(t.x, lane, 1);
+  D e;
+  if constexpr (is_on_body<E>)
+    e = T::energy(f.parameters(element), f.data(element), water, pose_of(x[0], x[1]));
+  else
+    e = T::energy(f.parameters(element), f.data(element), water, x);
   local.energy = e.value;
   std::size_t k = 0;
   for (int r = 0; r < 3 * N; ++r) {
     local.force[static_cast<std::size_t>(r / 3)][r % 3] = e.gradient[static_cast<std::size_t>(r)];
     for (int c = 0; c <= r; ++c, ++k) local.tangent[r][c] = local.tangent[c][r] = t.cu * e.hessian[k];
   }
+}
+
+/// What an output is handed.
+template <class E>
+ViewOf<E> view_of(const netloft_tile& t, std::size_t lane) {
+  if constexpr (is_on_body<E>)
+    return read_motion<E, double>(t, lane);
+  else
+    return gather<nodes_of<E>>(t, lane);
 }
 
 template <class E, class T>
@@ -145,6 +262,9 @@ Status evaluate_one(const Family<E>& f, const netloft_tile& t, std::size_t lane,
                        local);
   } else if constexpr (HasEvaluate<E, T>) {
     return T::evaluate(f.parameters(element), f.data(element), gather<nodes_of<E>>(t, lane), local);
+  } else if constexpr (HasForce<E, T>) {
+    differentiate_force<E, T>(f, element, t, lane, local);
+    return Status::ok;
   } else {
     differentiate<E, T>(f, element, t, lane, local);
     return Status::ok;
@@ -154,10 +274,12 @@ Status evaluate_one(const Family<E>& f, const netloft_tile& t, std::size_t lane,
 template <class E, class T, bool Symmetric>
 int evaluate_term(const void* self, netloft_tile* t) {
   static_assert(
-      HasTile<E, T> || HasEvaluate<E, T> || HasEvaluateWithWhole<E, T> || HasEnergy<E, T>,
+      HasTile<E, T> || HasEvaluate<E, T> || HasEvaluateWithWhole<E, T> || HasEnergy<E, T> || HasForce<E, T>,
       "A term needs one of these static functions: `T energy(const Parameters&, const Data&, const "
-      "Water&, const Points<T, N>&)` (a template over T), `Status evaluate(const Parameters&, const "
-      "Data&, const State<N>&, Local<N>&)`, or `Status tile(const Family<Element>&, netloft_tile&)`.");
+      "Water&, const Points<T, N>&)` or `Points<T, N> force(const Parameters&, const Data&, const "
+      "MovingNodes<T, N>&)` (templates over T; on a body `const Pose<T>&`, and `Wrench<T>` of `const "
+      "Body<T>&`), `Status evaluate(const Parameters&, const Data&, const State<N>&, Local<N>&)`, or "
+      "`Status tile(const Family<Element>&, netloft_tile&)`.");
   const auto& family = *static_cast<const Family<E>*>(self);
   return guarded(t->message, t->message_size, [&]() -> int {
     if constexpr (HasTile<E, T>) {

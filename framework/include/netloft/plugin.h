@@ -25,7 +25,7 @@ extern "C" {
 #endif
 
 #define NETLOFT_ABI_MAJOR 1
-#define NETLOFT_ABI_MINOR 1
+#define NETLOFT_ABI_MINOR 2
 #define NETLOFT_LANES 64 /* elements in a tile */
 
 /* What a function returns. OUTSIDE_DOMAIN: this state has no force, shorten the step. ERROR: stop. */
@@ -76,14 +76,21 @@ typedef struct netloft_parameter {
 
 /* ---------------------------------------------------------------- elements */
 
-/* What an element stands on. The low byte is the number of nodes. */
+/* What an element stands on. The low byte is the number of nodes.
+ *
+ * A rigid body is its origin and, in place of one more node, the rotation vector p that turns its axes into
+ * those of the world [rad]: a point r of the body is at x + R r, R = exp [p]x. Rows 3 to 5 of tile.x, v and a
+ * are p and its rates, those of tile.force minus the moment that does work on p [N m], and the tangent is
+ * the plain derivative: rotation.hpp has the formulas, and element.hpp spares authors from all of this. p may
+ * be longer than a turn. Rows 3 to 5 of tile.current have no meaning. */
 enum netloft_stencil {
   NETLOFT_NODE = 1,
   NETLOFT_BAR = 2,
   NETLOFT_TRIANGLE = 3,     /* outer face seen counter-clockwise */
   NETLOFT_BAR_PAIR = 0x103, /* nodes of two neighbouring bars of one rope, in order */
   NETLOFT_TRIANGLE_PAIR =
-      0x104 /* the shared edge (a, b), then the corners opposite: c of the triangle (a, b, c), d */
+      0x104, /* the shared edge (a, b), then the corners opposite: c of the triangle (a, b, c), d */
+  NETLOFT_BODY = 0x201 /* a rigid body */
 };
 
 /* A number (or `width` numbers) that every element has of its own: rest length, twine coordinates of corners.

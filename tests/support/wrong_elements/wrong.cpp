@@ -290,6 +290,20 @@ struct Drag {
   }
 };
 
+/// Drag whose tangent by velocity is left out where nothing moves.
+struct UndampedAtRest {
+  static Status tile(const Family<On<UndampedAtRest>>& f, netloft_tile& t) {
+    for (std::size_t lane = 0; lane < t.count; ++lane) {
+      Local<2> local;
+      auto s = detail::gather<2>(t, lane);
+      if (!t.v) s.cv = 0;
+      Drag<1, true>::evaluate(f.parameters(t.first + lane), f.data(t.first + lane), s, local);
+      detail::scatter(local, false, lane, t);
+    }
+    return Status::ok;
+  }
+};
+
 struct RefusesAll {
   static constexpr auto stencil = NETLOFT_BAR;
   using Parameters = wrong::Parameters;
@@ -364,6 +378,7 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   add<InfiniteWhenCollapsed>(plugin, "infinite_when_collapsed", "collapsed-finite");
   add<Drag<1, true>, kWater>(plugin, "right_in_water", "nothing");
   add<Drag<-1, true>, kWater>(plugin, "gains_energy", "never-gains-energy");
+  add<UndampedAtRest, kWater>(plugin, "undamped_at_rest", "missing-inputs-are-zero");
   add<Drag<1, false>, kWater>(plugin, "ignores_motion", "no-force-without-flow");
   auto& by_law = bar<DragByLaw>(plugin, "drag_by_law", "says-how-much-it-stands-for");
   by_law.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water");

@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/assembler/assembler.hpp"
 
+#include <functional>
 #include <random>
 
 namespace netloft::test {
@@ -13,6 +14,7 @@ namespace netloft::test {
 ///   test/leash      node; pulls back along x to where it was remembered
 ///   test/alike      bar; its rest length is that of all bars of its part, which is an unknown if `free` is
 ///   set test/load       node; a constant force
+///   test/vane       body; a mass and a plate in the water, known by energy and force alone
 Registry& plugins();
 
 /// A scene to which tests add nodes and parts one by one.
@@ -30,8 +32,13 @@ struct Sketch {
 
 /// A scene with its plan, assembled.
 struct Assembled {
-  explicit Assembled(Scene given, int threads = 1)
-      : scene(std::move(given)), plan(make_plan(scene, plugins())), assembler(scene, plan, threads) {}
+  explicit Assembled(Scene given, int threads = 1, const std::function<void(Plan&)>& change = {})
+      : scene(std::move(given)), plan(make_changed_plan(scene, change)), assembler(scene, plan, threads) {}
+  static Plan make_changed_plan(const Scene& scene, const std::function<void(Plan&)>& change) {
+    Plan plan = make_plan(scene, plugins());
+    if (change) change(plan);
+    return plan;
+  }
   Scene scene;
   Plan plan;
   Assembler assembler;

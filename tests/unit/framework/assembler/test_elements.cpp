@@ -134,7 +134,58 @@ struct Leash {
   };
 };
 
+/// A body with a mass at one arm and a plate at another, which is pushed as fast as water flows past it.
+struct Vane {
+  static constexpr auto stencil = NETLOFT_BODY;
+  struct Parameters {
+    double mass = 0, inertia = 0, drag = 0;  // [kg], [kg m2], [N s2/m2]
+  };
+  struct Data {};
+  static Vec3<double> centre() { return {0.2, -0.1, -0.3}; }
+  static Vec3<double> plate() { return {0.5, 0.1, 0.2}; }
+
+  struct Weight {
+    template <class T>
+    static T energy(const Parameters& p, const Data&, const Water& w, const Pose<T>& pose) {
+      return (p.mass * w.gravity) * pose.point(centre()).z;
+    }
+  };
+  struct Push {
+    template <class T>
+    static Wrench<T> force(const Parameters& p, const Data&, const Body<T>& b) {
+      const Vec3<T> W = b.current_at(plate()) - b.velocity(plate());
+      const T along = dot(W, b.axes[1]);
+      Wrench<T> push;
+      push.push(p.drag * norm(W) * (along * b.axes[1]), b.to_world(plate()));
+      return push;
+    }
+  };
+  /// A sphere about the centre of mass: m and J = inertia I there.
+  struct Inertia {
+    template <class T>
+    static Wrench<T> force(const Parameters& p, const Data&, const Body<T>& b) {
+      const Vec3<T> r = b.to_world(centre());
+      const Vec3<T> a = b.a + cross(b.alpha, r) + cross(b.omega, cross(b.omega, r));
+      Wrench<T> push;
+      push.push(T(-p.mass) * a, r);
+      push.moment += T(-p.inertia) * b.alpha;
+      return push;
+    }
+  };
+};
+
 void describe(Plugin& plugin) {
+  auto& vane = plugin.element<Vane>("vane", "A body with a mass and a plate");
+  vane.real("mass", &Vane::Parameters::mass, "kg", "mass, at a place of its own", {.fallback = 0});
+  vane.real("inertia", &Vane::Parameters::inertia, "kg m2", "moment of inertia", {.fallback = 0});
+  vane.real("drag", &Vane::Parameters::drag, "N s2/m2", "of the plate", {.fallback = 0});
+  vane.term<Vane::Weight, needs_gravity>("weight", "weight of the mass");
+  vane.term<Vane::Push, reads_velocity | reads_current | needs_flow>("push", "push of the water");
+  vane.term<Vane::Inertia, reads_velocity | reads_acceleration | needs_motion>("inertia", "of the mass");
+  vane.output("speed", "m/s", "of the water past the plate", [](auto&, auto&, const Body<double>& b) {
+    return norm(b.current_at(Vane::plate()) - b.velocity(Vane::plate()));
+  });
+
   auto& follower = plugin.element<Follower>("follower", "Pushes sideways and turns with the bar");
   follower.real("k", &Follower::Parameters::k, "N/m", "push per length", {});
   follower.data("rest_length", &BarData::rest_length, "m", "not used");

@@ -17,7 +17,7 @@ bool is_a_race([[maybe_unused]] const ElementType& type) {
 
 std::vector<const ElementType*> wrong_elements() {
   std::vector<const ElementType*> all;
-  for (const char* plugin : {"wrong", "escaping"})
+  for (const char* plugin : {"wrong", "wrong_bodies", "escaping"})
     for (const auto& element : wrong_plugin(plugin).elements)
       if (!is_a_race(element)) all.push_back(&element);
   return all;

@@ -88,19 +88,14 @@ TEST(Correction, IsNotKnownWhereNothingIsBalanced) {
 /// A quarter turn is no way of 1.57 m; the carried point moves by √2 r.
 TEST(NodeDistance, CountsRotationsOfBodiesByWhatTheyMove) {
   Sketch s;
-  const auto position = s.node(0, 0, 0), rotation = s.node(0, 0, 0), carried = s.node(0.5, 0, 0);
-  s.scene.add_body({"board", position, rotation, {{carried, {0.5, 0, 0}}}});
-  const Numbering numbering(s.scene);
-  const std::vector<double> x{0, 0, 0, 0, 0, 0, 0.5, 0, 0};
-  std::vector<double> y{0, 0, 0, 0, 0, std::numbers::pi / 2, 0, 0.5, 0};
-  std::vector<double> x_of_dofs(x.size()), y_of_dofs(y.size());
-  for (std::uint32_t node = 0; node < 3; ++node)
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto to = static_cast<std::size_t>(numbering.index(node, axis));
-      x_of_dofs[to] = x[3 * node + static_cast<std::uint32_t>(axis)];
-      y_of_dofs[to] = y[3 * node + static_cast<std::uint32_t>(axis)];
-    }
-  EXPECT_NEAR(largest_node_distance(s.scene, numbering, x_of_dofs, y_of_dofs), 0.5 * std::sqrt(2.0), 1e-15);
+  const auto origin = s.node(0, 0, 0), carried = s.node(0.5, 0, 0);
+  s.scene.add_body({.name = "board", .origin = origin, .points = {{carried, {0.5, 0, 0}}}});
+  const Assembled a(s.scene);
+  std::vector<double> u(6), turned(a.assembler.start());
+  u[5] = 0.5 * std::numbers::pi / 2;  // rotations count by the arm
+  a.assembler.place(u, turned);
+  EXPECT_NEAR(largest_node_distance(s.scene, a.assembler.numbering(), a.assembler.start(), turned),
+              0.5 * std::sqrt(2.0), 1e-15);
 }
 
 }  // namespace

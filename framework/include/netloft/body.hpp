@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What an element that stands on a rigid body sees of it, and what it returns. Included by element.hpp.
+#pragma once
+#include <netloft/rotation.hpp>
+#include <netloft/state.hpp>
+
+namespace netloft {
+
+/// Where a body is: its origin, and its own axes as they stand in the world (columns of R). T is double or a
+/// dual number.
+template <class T>
+struct Pose {
+  Vec3<T> x;                    // origin [m]
+  std::array<Vec3<T>, 3> axes;  // unit vectors
+
+  /// A vector given in the body's axes, in those of the world.
+  template <class S>
+  Vec3<T> to_world(const Vec3<S>& r) const {
+    return r.x * axes[0] + r.y * axes[1] + r.z * axes[2];
+  }
+  /// A vector given in the axes of the world, in those of the body.
+  Vec3<T> to_body(const Vec3<T>& w) const { return {dot(axes[0], w), dot(axes[1], w), dot(axes[2], w)}; }
+  /// The place of a point r of the body [m].
+  template <class S>
+  Vec3<T> point(const Vec3<S>& r) const {
+    return x + to_world(r);
+  }
+};
+
+/// A body in motion, in the axes of the world. What the term did not ask for is zero.
+template <class T>
+struct Body : Pose<T> {
+  Vec3<T> v, omega;  // velocity of the origin [m/s], spin [rad/s]
+  Vec3<T> a, alpha;  // their rates of change
+  Vec3<T> current;   // of the water at the origin [m/s]
+  Vec3<double> current_dz, ground{};
+  Water water{};
+  double time = 0;
+
+  /// Velocity of a point r of the body [m/s].
+  template <class S>
+  Vec3<T> velocity(const Vec3<S>& r) const {
+    return v + cross(omega, this->to_world(r));
+  }
+  /// Velocity of the water at a point r of the body, straight over depth from the origin on [m/s].
+  template <class S>
+  Vec3<T> current_at(const Vec3<S>& r) const {
+    const T height = this->to_world(r).z;
+    return current + Vec3<T>{current_dz.x * height, current_dz.y * height, current_dz.z * height};
+  }
+};
+
+/// A force and its moment about the body's origin, in the axes of the world: what acts on the body [N], [N
+/// m].
+template <class T>
+struct Wrench {
+  Vec3<T> force, moment;
+
+  /// Adds a force at the end of a lever, a vector of the world from the origin on.
+  void push(const Vec3<T>& f, const Vec3<T>& lever) {
+    force += f;
+    moment += cross(lever, f);
+  }
+};
+
+/// The nodes of an element in motion, for forces that are differentiated. What the term did not ask for is
+/// zero.
+template <class T, int Nodes>
+struct MovingNodes {
+  Points<T, Nodes> x, v, a, current;
+  Vec3<double> ground{};
+  Water water{};
+  double time = 0;
+};
+
+}  // namespace netloft
