@@ -134,6 +134,19 @@ std::vector<std::string> coarser_gear(const GearInScene& gear, std::size_t nodes
   return {"gear.nodes=" + std::to_string(gear.nodes / 4)};
 }
 
+/// Origins and points of rigid bodies; whoever turns bodies turns them alike (Sites::transfer).
+void carry_bodies(const Scene& from, const std::vector<double>& x, const Scene& to,
+                  std::vector<double>& positions) {
+  const auto copy = [&](std::uint32_t source, std::uint32_t target) {
+    std::copy_n(x.begin() + 3 * std::ptrdiff_t{source}, 3, positions.begin() + 3 * std::ptrdiff_t{target});
+  };
+  for (std::size_t b = 0; b < to.bodies.size(); ++b) {
+    copy(from.bodies[b].origin, to.bodies[b].origin);
+    for (std::size_t k = 0; k < to.bodies[b].points.size(); ++k)
+      copy(from.bodies[b].points[k].node, to.bodies[b].points[k].node);
+  }
+}
+
 void carry_gear(const LoadedScene& from, const std::vector<double>& x, const LoadedScene& to,
                 std::vector<double>& positions) {
   for (const auto p : to.gear->ropes) carry_rope(from.scene.parts[p], x, to.scene.parts[p], positions);
@@ -154,7 +167,9 @@ std::vector<std::string> halved_cells(const LoadedScene& fine) {
 std::optional<std::vector<double>> carried_over(const LoadedScene& from, const std::vector<double>& x,
                                                 const LoadedScene& to) {
   if (from.parts.size() != to.parts.size() || from.gear.has_value() != to.gear.has_value()) return {};
+  if (from.scene.bodies.size() != to.scene.bodies.size()) return {};
   std::vector<double> positions = to.scene.positions;
+  carry_bodies(from.scene, x, to.scene, positions);
   if (to.gear) carry_gear(from, x, to, positions);
   for (std::size_t p = 0; p < to.parts.size(); ++p) {
     const PartGeometry &source = from.parts[p], &part = to.parts[p];

@@ -50,6 +50,8 @@ const char* stencil_name(std::uint32_t stencil) {
       return "two neighbouring bars of a rope";
     case NETLOFT_TRIANGLE_PAIR:
       return "two triangles that share an edge";
+    case NETLOFT_BODY:
+      return "a rigid body";
     default:
       return "the three corners of a triangle";
   }
@@ -101,6 +103,8 @@ std::string allowed_geometry(const GeometryKey& key) {
   switch (key.shape) {
     case GeometryKey::Shape::word:
       return fmt::format("one of {}", fmt::join(key.words, ", "));
+    case GeometryKey::Shape::named_points:
+      return "name = [x, y, z]" + unit;
     case GeometryKey::Shape::points:
       return (key.count.most == 1 ? "" : count_text(key.count) + "times ") + "[x, y, z]" + unit;
     case GeometryKey::Shape::integers:

@@ -135,6 +135,8 @@ Json geometry_schema(const GeometryKey& key) {
       return integer;
     case GeometryKey::Shape::integers:
       return count_limits({{"type", "array"}, {"items", integer}, {"description", key.doc}}, key.count);
+    case GeometryKey::Shape::named_points:
+      return {{"type", "object"}, {"additionalProperties", point}, {"description", key.doc}};
     case GeometryKey::Shape::word:
       if (key.words.empty()) return text(key.doc);
       return {{"enum", key.words}, {"default", key.words[0]}, {"description", key.doc}};
@@ -319,7 +321,8 @@ Json results_schema() {
   Json entry = object();
   put(entry, "of", text("a part, an edge or a point"), true);
   put(entry, "take",
-      text("min, max, mean, sum or range, and a quantity: x, y, z, displacement, reaction z, tension …"),
+      text(
+          "min, max, mean, sum or range, and a quantity: x, y, z, displacement, reaction z, heel, tension …"),
       true);
   return {{"type", "object"}, {"additionalProperties", entry}, {"description", "named scalars"}};
 }
@@ -330,20 +333,25 @@ Json results_schema() {
 class PartSchema {
  public:
   void add(const ElementType& e, const PluginContent& plugin) {
-    std::string name = e.type;
-    std::replace(name.begin(), name.end(), '/', '-');
-    definitions[name] = part_schema(e, plugin);
+    const std::string name = name_of(e);
     definitions[name + "-on"] = rider_schema(e, plugin);
-    definitions[name + "-mesh"] = mesh_part_schema(e, plugin);
     types_.push_back(e.type);
-    offers_.push_back(reference(name)), offers_.push_back(reference(name + "-on"));
-    offers_.push_back(reference(name + "-mesh"));
+    offers_.push_back(reference(name + "-on"));
+    if (e.is_on_body()) return check(e, reference(name + "-on"));  // [bodies] makes what it stands on
+    definitions[name] = part_schema(e, plugin);
+    definitions[name + "-mesh"] = mesh_part_schema(e, plugin);
+    offers_.push_back(reference(name)), offers_.push_back(reference(name + "-mesh"));
     const Json with_nodes = {
         {"if", {{"required", {"mesh"}}}}, {"then", reference(name + "-mesh")}, {"else", reference(name)}};
-    checks_.push_back(
-        {{"if", {{"properties", {{"type", {{"const", e.type}}}}}, {"required", {"type"}}}},
-         {"then",
-          {{"if", {{"required", {"on"}}}}, {"then", reference(name + "-on")}, {"else", with_nodes}}}});
+    check(e, {{"if", {{"required", {"on"}}}}, {"then", reference(name + "-on")}, {"else", with_nodes}});
+  }
+  /// The same of a rigid body.
+  void add_body(const ElementType& e, const PluginContent& plugin) {
+    const std::string name = name_of(e);
+    definitions[name] = part_schema(e, plugin);
+    types_.push_back(e.type);
+    offers_.push_back(reference(name));
+    check(e, reference(name));
   }
   Json schema() const {
     return {{"type", "object"},
@@ -354,7 +362,16 @@ class PartSchema {
   Json definitions = Json::object();
 
  private:
+  static std::string name_of(const ElementType& e) {
+    std::string name = e.type;
+    std::replace(name.begin(), name.end(), '/', '-');
+    return name;
+  }
   static Json reference(const std::string& name) { return {{"$ref", "#/$defs/" + name}}; }
+  void check(const ElementType& e, const Json& then) {
+    checks_.push_back(
+        {{"if", {{"properties", {{"type", {{"const", e.type}}}}}, {"required", {"type"}}}}, {"then", then}});
+  }
   Json types_ = Json::array(), checks_ = Json::array(), offers_ = {{{"type", "object"}}};
 };
 
@@ -421,8 +438,33 @@ void put_files(Json& scene) {
 
 }  // namespace
 
+namespace {
+
+/// The pieces of a gear: parts on nodes of their own or on others, and rigid bodies.
+void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) {
+  put(scene, "parts",
+      {{"type", "object"},
+       {"minProperties", 1},
+       {"additionalProperties", parts.schema()},
+       {"description", "the pieces of the gear"}},
+      false);
+  put(scene, "bodies",
+      {{"type", "object"},
+       {"additionalProperties", bodies.schema()},
+       {"description", "rigid bodies, to whose points parts are joined"}},
+      false);
+  // What is included may say it already.
+  scene["if"] = {{"required", {"include"}}};
+  for (const char* pieces : {"parts", "bodies"})
+    scene["else"]["properties"][pieces]["additionalProperties"]["required"] = {"type"};
+  scene["$defs"] = parts.definitions;
+  scene["$defs"].update(bodies.definitions);
+}
+
+}  // namespace
+
 Json scene_schema(Registry& registry) {
-  PartSchema parts;
+  PartSchema parts, bodies;
   Json analysis = object(), water = object(), tow = object();
   put_table(water, water_keys());
   put_table(tow, tow_keys());
@@ -431,8 +473,10 @@ Json scene_schema(Registry& registry) {
   put_table(analysis, dynamics_keys());
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
-    for (const auto& e : plugin.elements)
+    for (const auto& e : plugin.elements) {
       if (!e.element.rides_on) parts.add(e, plugin);  // else it comes with another
+      if (e.is_on_body()) bodies.add_body(e, plugin);
+    }
     for (const auto& s : plugin.solvers) put_component(analysis, s.type, s.solver.doc, s.parameters);
     for (const auto& i : plugin.integrators) put_component(analysis, i.type, i.integrator.doc, i.parameters);
     for (const auto& s : plugin.strategies) put_component(analysis, s.type, s.strategy.doc, s.parameters);
@@ -443,21 +487,12 @@ Json scene_schema(Registry& registry) {
   put_files(scene);
   put(scene, "water", water, false);
   put(scene, "tow", tow, false);
-  put(scene, "parts",
-      {{"type", "object"},
-       {"minProperties", 1},
-       {"additionalProperties", parts.schema()},
-       {"description", "the pieces of the gear"}},
-      false);
+  put_pieces(scene, parts, bodies);
   put_gear(scene);
   put(scene, "hold", hold_schema(), false);
   put(scene, "join", join_schema(), false);
   put(scene, "analysis", analysis, false);
   put(scene, "results", results_schema(), false);
-  // What is included may say it already.
-  scene["if"] = {{"required", {"include"}}};
-  scene["else"]["properties"]["parts"]["additionalProperties"]["required"] = {"type"};
-  scene["$defs"] = parts.definitions;
   return scene;
 }
 

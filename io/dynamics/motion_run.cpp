@@ -144,6 +144,10 @@ class MotionRun {
                         {"velocity", "m/s", "velocity", Location::kPoint, 3, false},
                         {"reaction", "N", "force of the hold on the node", Location::kPoint, 3, false}};
     state.fields = {displacement, assembler.node_positions(at.v), reaction};
+    if (auto rotations = rotation_field(loaded_, assembler, solution.x)) {
+      layout_.changing.push_back(rotations->first);
+      state.fields.push_back(std::move(rotations->second));
+    }
   }
 
   void add_row(const Snapshot& at, const Solution& solution, const FamilyOutputs& outputs,
@@ -152,7 +156,7 @@ class MotionRun {
     for (const auto& request : loaded_.results) {
       NamedScalar scalar{};
       scalar.name = request.name, scalar.unit = request.unit, scalar.doc = request.take + " of " + request.of;
-      scalar.value = value_of(request, loaded_.scene, case_.assembler(), solution, outputs);
+      scalar.value = value_of(request, loaded_, case_.assembler(), solution, outputs);
       layout_.columns.push_back({scalar.name, scalar.unit, scalar.doc});
       state.row.push_back(scalar.value);
       result_.scalars.push_back(scalar);

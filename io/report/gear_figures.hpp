@@ -29,7 +29,8 @@ struct Figure {
 /// half. Only forces across the gear, along y, are those of the starboard half alone, because those on the
 /// other half cancel them.
 ///
-/// Figures of parts that the gear does not have are left out. `answer` belongs to a scene with a gear.
+/// Figures of parts that the gear does not have are left out. A scene without a net plan has those of its
+/// rigid bodies alone: where their origins are, and their attitude by netloft/attitude.hpp.
 std::vector<Figure> find_gear_figures(const LoadedScene& loaded, const Assembler& assembler,
                                       const Answer& answer);
 

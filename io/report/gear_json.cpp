@@ -13,11 +13,12 @@ Json errors_json(const std::vector<NamedScalar>& scalars) {
 }
 
 Json gear_json(const LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
-  if (!loaded.gear) return nullptr;
+  if (figures.empty()) return nullptr;
   Json values = Json::object(), units = Json::object();
   for (const auto& figure : figures) values[figure.name] = figure.value, units[figure.name] = figure.unit;
-  return {{"modelled", loaded.gear->times == 2 ? "half" : "whole"},
-          {"times", loaded.gear->times},
+  const int times = loaded.gear ? loaded.gear->times : 1;
+  return {{"modelled", times == 2 ? "half" : "whole"},
+          {"times", times},
           {"figures", values},
           {"units", units},
           {"errors", errors_json(figures)}};

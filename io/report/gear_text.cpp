@@ -14,9 +14,11 @@ namespace {
 using Out = std::back_insert_iterator<std::string>;
 
 /// Formats a number, or "-" if it is unknown.
-std::string number(const NamedScalar* scalar, const char* format) {
+std::string number(const NamedScalar* scalar, const char* format, double factor) {
   if (!scalar || !std::isfinite(scalar->value)) return "-";
-  return fmt::format(fmt::runtime(format), scalar->value);
+  std::string text = fmt::format(fmt::runtime(format), factor * scalar->value);
+  if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-')) text.erase(0, 1);
+  return text;
 }
 
 std::string plus_minus(double error) {
@@ -41,18 +43,21 @@ bool depends_on_mesh(const NamedScalar& scalar) {
   return std::isfinite(scalar.mesh_error) && scalar.mesh_error > kRoundOff * std::abs(scalar.value);
 }
 
-/// The number, and how far it may be off on account of the mesh.
-std::string with_error(const NamedScalar* scalar, const char* format) {
-  const std::string text = number(scalar, format);
-  return scalar && depends_on_mesh(*scalar) ? text + fmt::format(" ± {:<7.1e}", total_error(*scalar)) : text;
-}
-
 /// A column of a table with a line per member: it shows the figure `before` + member + `after`.
 struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
   bool is_of_all = false;  // whoever has only such figures has no line
+  double factor = 1;       // from SI units to those of the heading
 };
+
+/// The number, and how far it may be off on account of the mesh.
+std::string with_error(const NamedScalar* scalar, const Column& column) {
+  const std::string text = number(scalar, column.format, column.factor);
+  return scalar && depends_on_mesh(*scalar)
+             ? text + fmt::format(" ± {:<7.1e}", column.factor * total_error(*scalar))
+             : text;
+}
 
 /// Writes a line for every member of the columns' groups.
 void table(const std::vector<NamedScalar>& figures, const std::string& title,
@@ -72,8 +77,7 @@ void table(const std::vector<NamedScalar>& figures, const std::string& title,
   for (const auto& member : members) {
     fmt::format_to(out, "    {:<22}", member);
     for (const auto& c : columns)
-      fmt::format_to(out, " {:>{}}", with_error(find_scalar(figures, c.before + member + c.after), c.format),
-                     width);
+      fmt::format_to(out, " {:>{}}", with_error(find_scalar(figures, c.before + member + c.after), c), width);
     fmt::format_to(out, "\n");
   }
 }
@@ -114,7 +118,25 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
         out);
 }
 
+/// Writes where every rigid body is and how it is turned; angles are outward and up.
+void bodies(const std::vector<NamedScalar>& figures, Out out) {
+  constexpr double kDegrees = 57.295779513082321;
+  const std::string body = "bodies/";
+  table(figures, "bodies",
+        {{"heading [°]", body, "/heading", "{:.2f}", false, kDegrees},
+         {"heel [°]", body, "/heel", "{:.2f}", false, kDegrees},
+         {"trim [°]", body, "/trim", "{:.2f}", false, kDegrees},
+         {"x [m]", body, "/x"},
+         {"y [m]", body, "/y"},
+         {"z [m]", body, "/z"}},
+        out);
+}
+
 }  // namespace
+
+bool are_of_plan(const std::vector<NamedScalar>& figures) {
+  return !figures.empty() && !figures.back().name.starts_with("bodies/");
+}
 
 double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
 
@@ -140,6 +162,8 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
   std::string text;
   if (figures.empty()) return text;
   const Out out = std::back_inserter(text);
+  bodies(figures, out);
+  if (!are_of_plan(figures)) return text;
   fmt::format_to(
       out, "{}\n",
       is_half ? "gear: one half was modelled; areas, masses, weights and forces aft and upwards are those of "

@@ -4,6 +4,9 @@
 
 namespace netloft::io {
 
+/// Whether figures are those of a net plan, beside those of rigid bodies, which come first.
+bool are_of_plan(const std::vector<NamedScalar>& figures);
+
 /// The figures of a gear as tables for people; empty if there are none. `is_half`: only one half of the gear
 /// was modelled.
 std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half);

@@ -71,8 +71,10 @@ Vector whole_of(const Vector& modelled, double times) {
 
 std::vector<Figure> find_gear_figures(const LoadedScene& loaded, const Assembler& assembler,
                                       const Answer& answer) {
-  const GearView gear(loaded, assembler, answer);
   std::vector<Figure> figures;
+  add_body_figures(loaded, assembler, answer, figures);
+  if (!loaded.gear) return figures;
+  const GearView gear(loaded, assembler, answer);
   add_mouth_figures(gear, figures);
   add_rope_figures(gear, figures);
   add_force_figures(gear, figures);

@@ -58,5 +58,8 @@ void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);
+/// Of any scene with rigid bodies, whether or not a net plan is in it.
+void add_body_figures(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+                      std::vector<Figure>& figures);
 
 }  // namespace netloft::io

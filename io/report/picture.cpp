@@ -14,10 +14,10 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether the elements of a family become cells of the picture: elements between their own nodes, and
-/// elements on single nodes. Elements between other parts' nodes and elements that ride on drawn elements
-/// would hide those.
+/// elements on single nodes and on the origins of bodies. Elements between other parts' nodes and elements
+/// that ride on drawn elements would hide those.
 bool is_drawn(const LoadedScene& loaded, const ElementFamily& family) {
-  if (family.type().element.stencil == NETLOFT_NODE) return true;
+  if (family.type().element.stencil == NETLOFT_NODE || family.type().is_on_body()) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
 }
 
@@ -127,6 +127,21 @@ Mesh make_mesh(const LoadedScene& loaded, const Assembler& assembler) {
     }
   }
   return mesh;
+}
+
+std::optional<std::pair<FieldSpec, std::vector<double>>> rotation_field(const LoadedScene& loaded,
+                                                                        const Assembler& assembler,
+                                                                        std::span<const double> x) {
+  if (loaded.scene.bodies.empty()) return {};
+  std::vector<double> field(3 * loaded.scene.node_count(), kNone);
+  for (std::size_t b = 0; b < loaded.scene.bodies.size(); ++b) {
+    const auto psi = assembler.rotation(b, x);
+    std::copy(psi.begin(), psi.end(), field.begin() + 3 * std::ptrdiff_t{loaded.scene.bodies[b].origin});
+  }
+  return std::pair{FieldSpec{"rotation", "rad",
+                             "of the body whose origin this is: rotation vector from its axes to the world's",
+                             Location::kPoint, 3, false},
+                   std::move(field)};
 }
 
 std::vector<StaticField> label_points(const LoadedScene& loaded) {

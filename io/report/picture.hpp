@@ -5,6 +5,8 @@
 #include "io/report/answer.hpp"
 #include "io/scene/loaded_scene.hpp"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace netloft::io {
@@ -15,8 +17,13 @@ struct CellField {
   std::vector<double> values;
 };
 
-/// The mesh that ParaView shows of a scene: elements between their own nodes, and elements on single nodes.
+/// The mesh that ParaView shows of a scene: elements between their own nodes, and
+/// elements on single nodes and on bodies.
 Mesh make_mesh(const LoadedScene& loaded, const Assembler& assembler);
+/// The rotation vectors of rigid bodies at their origins, NaN elsewhere; nothing where there are no bodies.
+std::optional<std::pair<FieldSpec, std::vector<double>>> rotation_field(const LoadedScene& loaded,
+                                                                        const Assembler& assembler,
+                                                                        std::span<const double> x);
 /// Labels of points and cells: the part they belong to, and the position of a point on its panel.
 std::vector<StaticField> label_points(const LoadedScene& loaded);
 StaticField label_cells(const LoadedScene& loaded, const Assembler& assembler);

@@ -42,7 +42,7 @@ std::vector<NamedScalar> collect_scalars(const LoadedScene& loaded, const Assemb
   std::vector<NamedScalar> scalars;
   for (const auto& request : loaded.results)
     scalars.push_back({request.name, request.unit, request.take + " of " + request.of,
-                       value_of(request, loaded.scene, assembler, solution, outputs)});
+                       value_of(request, loaded, assembler, solution, outputs)});
   return scalars;
 }
 
@@ -84,7 +84,6 @@ const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const st
 std::vector<NamedScalar> collect_gear(const LoadedScene& loaded, const Assembler& assembler,
                                       const Answer& answer) {
   std::vector<NamedScalar> gear;
-  if (!loaded.gear) return gear;
   for (auto& figure : find_gear_figures(loaded, assembler, answer))
     gear.push_back({figure.name, figure.unit, figure.doc, figure.value});
   return gear;

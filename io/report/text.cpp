@@ -77,12 +77,12 @@ std::string ground_text(const Plan& plan) {
   return fmt::format("passes the gear with ({:.4g}, {:.4g}) m/s; friction is that of sliding", v[0], v[1]);
 }
 
-void forces_text(const RunResult& result, Out out) {
+void forces_text(const RunResult& result, bool is_of_plan, Out out) {
   if (!result.hold_forces.empty())
     fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",
-                   result.gear.empty() ? "forces on the gear [N]" : "forces as modelled [N]", "x", "y", "z");
+                   is_of_plan ? "forces as modelled [N]" : "forces on the gear [N]", "x", "y", "z");
   for (const auto& f : result.part_forces)
-    if (f.term != "elastic" && (result.gear.empty() || !is_in_gear_tables(f.term)))
+    if (f.term != "elastic" && (!is_of_plan || !is_in_gear_tables(f.term)))
       fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", f.part + ", " + f.term, f.force[0],
                      f.force[1], f.force[2]);
   for (const auto& h : result.hold_forces)
@@ -101,10 +101,13 @@ std::string plan_text(const Plan& plan, const PlanExtras& extras) {
   for (const auto& family : plan.families) family_text(family, out);
   if (!plan.not_loaded.empty())
     fmt::format_to(out, "not loaded: {} (no part uses them)\n", joined(plan.not_loaded));
-  fmt::format_to(out, "problem: {} nodes, {} of them held, {} unknowns, {} matrix entries; {}{}\n",
-                 plan.nodes, plan.held_nodes, plan.unknowns, extras.matrix_entries,
-                 plan.symmetric ? "symmetric" : "unsymmetric because of " + plan.unsymmetric_because,
-                 plan.conservative ? ", every force has an energy" : "");
+  fmt::format_to(
+      out, "problem: {} nodes, {} of them held, {}{} unknowns, {} matrix entries; {}{}\n", plan.nodes,
+      plan.held_nodes,
+      plan.bodies ? fmt::format("{} rigid bod{}, ", plan.bodies, plan.bodies > 1 ? "ies" : "y") : "",
+      plan.unknowns, extras.matrix_entries,
+      plan.symmetric ? "symmetric" : "unsymmetric because of " + plan.unsymmetric_because,
+      plan.conservative ? ", every force has an energy" : "");
   if (plan.reads_ground()) fmt::format_to(out, "ground: {}\n", ground_text(plan));
   if (!extras.strategy.empty()) fmt::format_to(out, "strategy: {}, in this order\n", extras.strategy);
   for (const auto& line : lines_of(extras.attempts)) fmt::format_to(out, "  {}\n", line);
@@ -138,7 +141,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   if (with_errors)
     fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n",
                    mesh_note_text(result.mesh_note));
-  forces_text(result, out);
+  forces_text(result, loaded.gear.has_value(), out);
   text += gear_text(result.gear, loaded.gear && loaded.gear->times == 2);
   if (!result.output_file.empty()) fmt::format_to(out, "  written to {}\n", result.output_file);
   return text;

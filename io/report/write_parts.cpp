@@ -88,6 +88,41 @@ void write_seabed(Tree& tree, const Scene& scene) {
   }
 }
 
+/// Rigid bodies: names, origins, points and outlines. How they are turned is the point field `rotation`.
+void write_bodies(Tree& tree, const LoadedScene& loaded) {
+  if (loaded.bodies.empty()) return;
+  std::vector<std::string> names, points;
+  std::vector<std::int64_t> origins, nodes, of_points, of_corners;
+  std::vector<double> sides, places, corners;
+  for (std::size_t b = 0; b < loaded.bodies.size(); ++b) {
+    const RigidBody& body = loaded.scene.bodies[b];
+    const BodyInScene& look = loaded.bodies[b];
+    names.push_back(body.name), origins.push_back(body.origin), sides.push_back(look.side);
+    for (std::size_t k = 0; k < body.points.size(); ++k) {
+      points.push_back(look.points[k]), nodes.push_back(body.points[k].node);
+      of_points.push_back(static_cast<std::int64_t>(b));
+      places.insert(places.end(), body.points[k].r.begin(), body.points[k].r.end());
+    }
+    for (const auto& corner : look.outline) {
+      of_corners.push_back(static_cast<std::int64_t>(b));
+      corners.insert(corners.end(), corner.begin(), corner.end());
+    }
+  }
+  const std::string at = "/netloft/bodies/";
+  tree.write_strings(at + "name", names);
+  tree.write_ints(at + "origin", origins, "1", "node of its origin");
+  tree.write_reals(at + "side", sides, "1", "1 to starboard, -1 to port");
+  if (!points.empty()) {
+    tree.write_strings(at + "points/name", points);
+    tree.write_ints(at + "points/body", of_points, "1", "body that carries it");
+    tree.write_ints(at + "points/node", nodes, "1", "node of the point");
+    tree.write_matrix(at + "points/place", places, 3, "m", "in the axes of the body");
+  }
+  if (corners.empty()) return;
+  tree.write_ints(at + "outline/body", of_corners, "1", "body whose outline it is");
+  tree.write_matrix(at + "outline/place", corners, 3, "m", "corners in the axes of the body, in their order");
+}
+
 }  // namespace
 
 void write_parts(Tree& tree, const LoadedScene& loaded) {
@@ -110,6 +145,7 @@ void write_parts(Tree& tree, const LoadedScene& loaded) {
                     "a, b, c, d: on the twines of netting u = a U + b V or v = c U + d V is an integer");
   tree.write_matrix(at + "sheet", rows.sheet, 6, "m",
                     "place on the plan: origin, vector of one mesh across, vector of one mesh deep");
+  write_bodies(tree, loaded);
   write_seabed(tree, loaded.scene);
 }
 

@@ -42,6 +42,8 @@ StateFields fields_at(const LoadedScene& loaded, const Assembler& assembler, std
     std::copy(reaction.begin(), reaction.end(), held.begin() + 3 * std::ptrdiff_t{node});
   }
   state.values = {std::move(displacement), std::move(left), std::move(held)};
+  if (auto rotations = rotation_field(loaded, assembler, x))
+    state.specs.push_back(rotations->first), state.values.push_back(std::move(rotations->second));
   for (auto& cell : gather_outputs(loaded, assembler, outputs))
     state.specs.push_back(cell.spec), state.values.push_back(std::move(cell.values));
   return state;
@@ -231,9 +233,9 @@ void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& cont
 }
 
 void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
-  if (!loaded.gear) return;
   for (const auto& figure : figures)
     tree.write_real("/netloft/gear/" + figure.name, figure.value, figure.unit, figure.doc);
+  if (!loaded.gear) return;
   tree.set_attribute("/netloft/gear", "times", loaded.gear->times);
   tree.set_attribute("/netloft/gear", "headline", std::string_view(loaded.gear->headline));
   tree.set_attribute("/netloft/gear", "footrope", std::string_view(loaded.gear->footrope));

@@ -15,14 +15,19 @@ Layout layout_of(const ElementType& type) {
       return bundles ? Layout::panel_in_bars : Layout::line;
     case NETLOFT_TRIANGLE:
       return Layout::panel_in_triangles;
+    case NETLOFT_BODY:
+      return Layout::body;
     default:
       return Layout::point;
   }
 }
 
 const std::vector<std::string>& geometry_data(Layout layout) {
-  static const ByLayout<std::vector<std::string>> data{
-      {"pieces", "length"}, {"rest_length"}, {"u", "v", "bar_length", "to_aft"}, {"rest_length", "parallel"}};
+  static const ByLayout<std::vector<std::string>> data{{"pieces", "length"},
+                                                       {"rest_length"},
+                                                       {"u", "v", "bar_length", "to_aft"},
+                                                       {"rest_length", "parallel"},
+                                                       {"side"}};
   return data.of(layout);
 }
 

@@ -4,7 +4,19 @@
 #include "io/scene/loaded_scene.hpp"
 #include "io/toml/table_reader.hpp"
 
+#include <optional>
+
 namespace netloft::io {
+
+/// How a rigid body is made: its own nodes are its origin and its points.
+struct BodyGeometry {
+  double side = 1;                             // 1 to starboard, -1 to port: y of its axes is reversed
+  std::array<double, 3> rotation = {};         // at the start [rad]
+  std::uint8_t held_rotation = 0;              // components that cannot change
+  std::vector<std::string> names;              // of its points
+  std::vector<std::array<double, 3>> r;        // of its points, in its own axes [m]
+  std::vector<std::array<double, 3>> outline;  // a polygon in its own axes, for pictures [m]
+};
 
 /// A part on nodes of its own: what an element type needs to stand on, before parts are joined.
 struct Geometry {
@@ -18,13 +30,14 @@ struct Geometry {
     std::vector<std::uint32_t> nodes;
     std::map<std::string, std::vector<double>> data;
   } faces = {};
+  std::optional<BodyGeometry> body = {};
 
   std::size_t node_count() const { return positions.size() / 3; }
 };
 
 /// A key with which a part says where it stands; a dot is a table within.
 struct GeometryKey {
-  enum class Shape { real, integer, integers, points, word };
+  enum class Shape { real, integer, integers, points, named_points, word };
   std::string name, unit, doc;
   Shape shape;
   Range range;
@@ -36,7 +49,7 @@ struct GeometryKey {
 /// How parts of an element type stand in space. Told by what the type declares, never by its name: elements
 /// on nodes are points, on bars ropes, on triangles panels; elements on bars that declare the datum
 /// `parallel`, of how many twines one stands for, are panels in bars.
-enum class Layout { point, line, panel_in_triangles, panel_in_bars };
+enum class Layout { point, line, panel_in_triangles, panel_in_bars, body };
 Layout layout_of(const ElementType& type);
 
 /// The keys of parts that stand so.

@@ -72,6 +72,47 @@ const GeometryKey kRadius{"tube.radius", "m", "radius of the tube", Shape::real,
 const GeometryKey kRadiusAft{
     "tube.radius_aft", "m", "radius at the aft edge, if it is another one", Shape::real, kRadii, {}, false};
 
+namespace {
+const Range kAngles = between(-3.15, 3.15);
+}
+const GeometryKey kOrigin{"at", "m", "where its origin starts", Shape::points, kCoordinates, exactly(1)};
+const GeometryKey kPoints{"points",
+                          "m",
+                          "places where parts are joined to it, by name: [aft, outward, up] from its origin",
+                          Shape::named_points,
+                          kCoordinates,
+                          {},
+                          false};
+const GeometryKey kSide{"side",
+                        "1",
+                        "side to which outward is; to port, what is given in its axes is mirrored",
+                        Shape::word,
+                        {},
+                        {},
+                        false,
+                        {"starboard", "port"}};
+const GeometryKey kHeading{"turned.heading",
+                           "rad",
+                           "angle at the start by which its nose is turned outward",
+                           Shape::real,
+                           kAngles,
+                           {},
+                           false};
+const GeometryKey kHeel{"turned.heel", "rad", "by which its top leans outward", Shape::real, kAngles, {},
+                        false};
+const GeometryKey kTrim{"turned.trim", "rad", "by which its nose is up", Shape::real, kAngles, {}, false};
+const GeometryKey kTurns{"turns",
+                         "1",
+                         "whether it turns freely, about one axis of the scene alone, or not at all",
+                         Shape::word,
+                         {},
+                         {},
+                         false,
+                         {"freely", "about x", "about y", "about z", "not"}};
+const GeometryKey kOutline{"outline",     "m",          "corners of its shape in pictures, in its own axes",
+                           Shape::points, kCoordinates, {.least = 3},
+                           false};
+
 double read_real(TableReader& table, const GeometryKey& key, std::optional<double> fallback) {
   return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .fallback = fallback});
 }
@@ -106,7 +147,8 @@ const std::vector<GeometryKey>& geometry_keys(Layout layout) {
       {kAt},
       {kLength, kBars, kLine},
       {kAcross, kAlong, kBar, kNetting, kCells, kDivision, kCorners, kFrom, kTo, kRadius, kRadiusAft},
-      {kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft}};
+      {kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft},
+      {kOrigin, kPoints, kSide, kHeading, kHeel, kTrim, kTurns, kOutline}};
   return keys.of(layout);
 }
 

@@ -16,7 +16,7 @@ using Point = std::array<double, 3>;
 /// What parts have that stand so or so.
 template <class T>
 struct ByLayout {
-  T point, line, panel_in_triangles, panel_in_bars;
+  T point, line, panel_in_triangles, panel_in_bars, body;
 
   const T& of(Layout layout) const {
     switch (layout) {
@@ -26,6 +26,8 @@ struct ByLayout {
         return panel_in_triangles;
       case Layout::panel_in_bars:
         return panel_in_bars;
+      case Layout::body:
+        return body;
       default:
         return point;
     }
@@ -33,7 +35,8 @@ struct ByLayout {
 };
 
 extern const GeometryKey kAt, kLength, kBars, kLine, kAcross, kAlong, kBar, kNetting, kCells, kDivision,
-    kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft;
+    kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft, kOrigin, kPoints, kSide, kHeading, kHeel, kTrim,
+    kTurns, kOutline;
 
 double read_real(TableReader& table, const GeometryKey& key, std::optional<double> fallback = {});
 /// The first of those that are allowed if it is missing.

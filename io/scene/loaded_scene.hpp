@@ -34,13 +34,15 @@ struct Hold {
 
 /// One line of `[results]`: a named scalar, such as the lowest z of the net.
 struct ResultRequest {
-  enum class Source { position, displacement, reaction, output };
+  enum class Source { position, displacement, reaction, attitude, output };
   std::string name, of, take;
   std::string how;       // min, max, mean, sum, range
   std::string quantity;  // "z", "tension"
   std::string unit, doc;
   Source source = Source::position;
-  int axis = 0;                      // of positions, displacements and reactions; 3 is the length
+  int axis = 0;                      // of positions, displacements and reactions; 3 is the length; of
+                                     // attitudes the angle: heading, heel, trim
+  std::uint32_t body = 0;            // of attitudes, in Scene::bodies
   std::vector<std::uint32_t> nodes;  // of the scene
   std::uint32_t part = 0;            // for outputs
 };
@@ -98,10 +100,19 @@ struct Strength {
   std::string material;      // in the catalogue; empty: written in the scene
 };
 
+/// What a rigid body of Scene::bodies is called, and how it looks.
+struct BodyInScene {
+  std::uint32_t part = 0;                      // of Scene::parts, the one that made it
+  double side = 1;                             // 1 to starboard, -1 to port
+  std::vector<std::string> points;             // names, as RigidBody::points
+  std::vector<std::array<double, 3>> outline;  // corners in its own axes, for pictures [m]
+};
+
 /// A scene file, read and checked.
 struct LoadedScene {
   Scene scene;
   std::vector<PartGeometry> parts;  // as in scene.parts
+  std::vector<BodyInScene> bodies;  // as in scene.bodies
   std::vector<Hold> holds;
   std::vector<ResultRequest> results;
   Analysis analysis;

@@ -7,6 +7,7 @@
 #include "io/gear/read_plan.hpp"
 #include "io/scene/analysis.hpp"
 #include "io/scene/beds.hpp"
+#include "io/scene/bodies.hpp"
 #include "io/scene/catalogue_parts.hpp"
 #include "io/scene/current.hpp"
 #include "io/scene/draft.hpp"
@@ -63,14 +64,17 @@ class SceneReader {
     read_water();
     if (gear_) gear_->add_parts();
     read_parts();
+    read_bodies();
     read_joins();
     assemble_nodes();
+    add_bodies(draft_, diagnostics_);
     if (gear_) gear_->add_pieces();
     read_riders();
     add_companions();
     if (gear_) gear_->hold_middle();
     read_holds();
     if (gear_) gear_->follow_holds();
+    place_points(out_.scene);
     out_.analysis = read_analysis(root_.table("analysis", Presence::optional), registry_, refused_);
     if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) check_guides();
     read_results();
@@ -124,6 +128,23 @@ class SceneReader {
     }
   }
 
+  /// Parts that make rigid bodies. Their elements are those of `type`; others may stand on them.
+  void read_bodies() {
+    TableReader bodies = root_.table("bodies", Presence::optional, "rigid bodies, a table each");
+    for (const auto& name : bodies.keys()) {
+      check_part_name(name, bodies);
+      if (const auto same = draft_.part_number(name))
+        diagnostics_.error(bodies.place(name), "there is a part named " + in_quotes(name) + " already, at " +
+                                                   diagnostics_.where(draft_.geometries[*same].names.place));
+      if (bodies.kind(name) != Kind::table) {
+        bodies.error(name, "a body is a table, such as [bodies.door]");
+        continue;
+      }
+      TableReader body = bodies.table(name);
+      read_part(name, body, Home::bodies);
+    }
+  }
+
   void check_part_name(const std::string& name, TableReader& parts) {
     const bool has_dot = name.find('.') != std::string::npos;
     const std::string fault =
@@ -136,10 +157,19 @@ class SceneReader {
           "[elements." + name + "] says more of it; parts of the scene have names of their own");
   }
 
-  void read_part(const std::string& name, TableReader& table) {
+  enum class Home { parts, bodies };
+
+  void read_part(const std::string& name, TableReader& table, Home home = Home::parts) {
     const int errors_before = diagnostics_.errors();
     const std::string type_name = read_type_name(name, table);
     const ElementType* type = elements_.find(type_name, table);
+    if (type && type->is_on_body() != (home == Home::bodies)) {
+      table.error("type",
+                  type->type + (type->is_on_body() ? " stands on a rigid body" : " stands on no rigid body"),
+                  type->is_on_body() ? "[bodies." + name + "] makes one; on = \"…\" names one that there is"
+                                     : "[parts." + name + "], or a type such as body/solid");
+      type = nullptr;
+    }
     Geometry geometry;
     Part part;
     part.name = name, part.type = type_name;
@@ -230,6 +260,8 @@ class SceneReader {
         return read_panel(table);
       case Layout::panel_in_bars:
         return read_panel_in_bars(table);
+      case Layout::body:
+        return read_body(table);
       default:
         if (type.nodes() == 1) return read_point(table);
         table.error("type", "has no place of its own: it stands between parts that meet",
@@ -360,11 +392,26 @@ class SceneReader {
         const auto set = draft_.find_nodes(m);
         if (!set || !draft_.is_sound[set->part]) return {};
         const auto own = draft_.scene_nodes(*set);
+        if (const auto carried = std::find_if(own.begin(), own.end(), [&](auto n) { return is_carried(n); });
+            carried != own.end()) {
+          refuse_carried(m, *carried);
+          return {};
+        }
         nodes.insert(nodes.end(), own.begin(), own.end());
         ++sets;
       }
     if (sets > 1) drop_repeats(nodes);
     return nodes;
+  }
+
+  bool is_carried(std::uint32_t node) const { return body_that_carries(out_.scene, node); }
+  void refuse_carried(const Mention& m, std::uint32_t node) {
+    const std::string body = body_that_carries(out_.scene, node)->name;
+    diagnostics_.error(m.place,
+                       m.path + ": " + in_quotes(m.name) + " holds a point of the body " + in_quotes(body) +
+                           ", which carries it",
+                       "hold its origin, on = \"" + body + ".origin\"; turns = \"not\" in [bodies." + body +
+                           "] holds its attitude");
   }
 
   /// Lets what a hold holds go along a course.
@@ -420,6 +467,10 @@ class SceneReader {
     if (!set || !draft_.types[set->part]) return;
     request.part = static_cast<std::uint32_t>(set->part);
     request.nodes = draft_.scene_nodes(*set);
+    if (draft_.geometries[set->part].body && request.of.find('.') == std::string::npos) {
+      request.nodes.resize(1);  // of a body as a whole its origin
+      request.body = static_cast<std::uint32_t>(out_.scene.body_at(request.nodes[0]).value_or(0));
+    }
     drop_repeats(request.nodes);  // of a part that is joined to itself
     if (!understand(request, *draft_.types[set->part], entry)) return;
     if (request.nodes.empty() && draft_.is_sound[set->part] &&

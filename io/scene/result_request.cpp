@@ -4,6 +4,8 @@
 #include "framework/registry/nearest.hpp"
 #include "io/scene/part_names.hpp"
 
+#include <netloft/attitude.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +36,13 @@ const NodeQuantity kNodeQuantities[] = {
     {"reaction z", "N", "force of what holds it on the gear, along z", Source::reaction, 2},
 };
 
+/// The angles of netloft/attitude.hpp, of rigid bodies.
+const NodeQuantity kAngles[] = {
+    {"heading", "rad", "angle by which the nose is turned outward", Source::attitude, 0},
+    {"heel", "rad", "angle by which the top leans outward", Source::attitude, 1},
+    {"trim", "rad", "angle by which the nose is up", Source::attitude, 2},
+};
+
 /// Splits "max reaction z" into how ("max") and quantity ("reaction z"); how is empty if it is not said.
 void split_take(ResultRequest& request) {
   const auto space = request.take.find(' ');
@@ -49,17 +58,22 @@ void split_take(ResultRequest& request) {
 std::vector<std::string> quantity_names(const ElementType* type) {
   std::vector<std::string> names;
   for (const auto& q : kNodeQuantities) names.push_back(q.name);
+  if (type && type->is_on_body())
+    for (const auto& q : kAngles) names.push_back(q.name);
   if (type)
     for (const auto& o : type->outputs) names.push_back(o.name);
   return names;
 }
 
 bool find_quantity(ResultRequest& request, const ElementType* type) {
-  for (const auto& q : kNodeQuantities)
-    if (request.quantity == q.name) {
-      request.source = q.source, request.axis = q.axis, request.unit = q.unit, request.doc = q.doc;
-      return true;
-    }
+  const auto is_wanted = [&](const NodeQuantity& q) {
+    if (request.quantity != q.name) return false;
+    request.source = q.source, request.axis = q.axis, request.unit = q.unit, request.doc = q.doc;
+    return true;
+  };
+  if (std::any_of(std::begin(kNodeQuantities), std::end(kNodeQuantities), is_wanted)) return true;
+  if (type && type->is_on_body() && std::any_of(std::begin(kAngles), std::end(kAngles), is_wanted))
+    return true;
   if (type)
     for (const auto& o : type->outputs)
       if (request.quantity == o.name) {
@@ -136,7 +150,9 @@ bool understand(ResultRequest& request, const ElementType& type, TableReader& en
                 take_hint(request, type, whole));
     return false;
   }
-  const bool many = request.source == Source::output || request.nodes.size() > 1;
+  const bool many = request.source == Source::output
+                        ? !type.is_on_body()
+                        : request.source != Source::attitude && request.nodes.size() > 1;
   if (request.how.empty() && many) {
     entry.error("take", in_quotes(request.of) + " has many; say which to take",
                 "write \"min " + request.quantity + "\", or max, mean, sum, range");
@@ -146,8 +162,22 @@ bool understand(ResultRequest& request, const ElementType& type, TableReader& en
   return true;
 }
 
-double value_of(const ResultRequest& request, const Scene& scene, const Assembler& assembler,
+namespace {
+
+double angle_of(const ResultRequest& request, double side, const Assembler& assembler,
+                const Solution& solution) {
+  const auto psi = assembler.rotation(request.body, solution.x);
+  const Attitude at = attitude_of(turned_axes(Vec3<double>{psi[0], psi[1], psi[2]}), side);
+  return request.axis == 0 ? at.heading : request.axis == 1 ? at.heel : at.trim;
+}
+
+}  // namespace
+
+double value_of(const ResultRequest& request, const LoadedScene& loaded, const Assembler& assembler,
                 const Solution& solution, const std::vector<std::vector<std::vector<double>>>& outputs) {
+  const Scene& scene = loaded.scene;
+  if (request.source == Source::attitude)
+    return angle_of(request, loaded.bodies[request.body].side, assembler, solution);
   if (request.source == Source::output)
     return reduce(request.how, output_values(request, assembler, outputs));
   std::vector<double> values;

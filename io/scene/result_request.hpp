@@ -8,12 +8,13 @@
 namespace netloft::io {
 
 /// Fills what `take` asks for: "[min|max|mean|sum|range] quantity", the quantity being x, y, z, displacement,
-/// reaction, reaction x … of nodes, or an output (tension) of the part's elements, if `of` is a whole part.
+/// reaction, reaction x … of nodes; heading, heel, trim of a body; or an output (tension) of the part's
+/// elements, if `of` is a whole part.
 /// False: an error was put at `take`.
 bool understand(ResultRequest& request, const ElementType& type, TableReader& entry);
 
 /// Its value in a solution; `outputs` are [family][output][element].
-double value_of(const ResultRequest& request, const Scene& scene, const Assembler& assembler,
+double value_of(const ResultRequest& request, const LoadedScene& loaded, const Assembler& assembler,
                 const Solution& solution, const std::vector<std::vector<std::vector<double>>>& outputs);
 
 }  // namespace netloft::io

@@ -34,6 +34,7 @@ class RiderMaker {
       for (const auto& at : draft_.expand(mention_of_item(names_[n], table_, "on", n))) stand_on(n, at);
     drop_repeats(nodes_);
     if (on_nodes_) stand_on_nodes();
+    if (!corners_.empty()) stand_between_points();
     if (type_.element.stencil == NETLOFT_BAR_PAIR) stand_between_ropes();
     read_missing_data();
   }
@@ -72,12 +73,37 @@ class RiderMaker {
     const bool is_whole = name.find('.') == std::string::npos;
     if (on_nodes_)
       add_nodes(*set);
+    else if (type_.is_on_body())
+      stand_on_body(*set, is_whole, at);
     else if (type_.element.stencil == NETLOFT_BAR_PAIR && is_whole && is_rope(set->part))
       ropes_.push_back(set->part);
     else if (!is_whole && type_.element.stencil == NETLOFT_BAR && is_rope(set->part))
       ride_on_bars_at(draft_.out.scene.parts[set->part], draft_.scene_nodes(*set), rider_);
+    else if (set->own.size() == 1 && is_one_of_corners())
+      corners_.push_back(draft_.scene_nodes(*set)[0]);
     else if (!is_whole || !add_elements(set->part))
       table_.error("on", in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
+  }
+
+  void stand_on_body(const Joiner::Ends& set, bool is_whole, const Mention& at) {
+    if (!is_whole || !draft_.geometries[set.part].body)
+      return table_.diagnostics().error(
+          at.place,
+          at.path + ": " + in_quotes(at.name) + " is no rigid body, which " + type_.type + " stands on",
+          "name one of [bodies]");
+    rider_.nodes.push_back(draft_.out.parts[set.part].nodes[0]);
+    rider_.data["side"].push_back(draft_.geometries[set.part].body->side);
+  }
+
+  /// As many names as an element has nodes may be points, on which one element stands.
+  bool is_one_of_corners() const { return names_.size() == static_cast<std::size_t>(type_.nodes()); }
+
+  void stand_between_points() {
+    if (table_.diagnostics().errors()) return;
+    if (!is_one_of_corners() || corners_.size() != names_.size())
+      return table_.error("on", "names points beside whole parts; " + type_.type + " stands on " +
+                                    std::to_string(type_.nodes()) + " points, or on whole parts");
+    rider_.nodes = corners_;
   }
 
   bool is_rope(std::size_t part) const { return draft_.types[part]->element.stencil == NETLOFT_BAR; }
@@ -144,7 +170,8 @@ class RiderMaker {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
   std::vector<double> carried_;
-  std::vector<std::size_t> ropes_;  // parts, of elements on pairs of bars
+  std::vector<std::size_t> ropes_;      // parts, of elements on pairs of bars
+  std::vector<std::uint32_t> corners_;  // nodes of one element, each named
 };
 
 }  // namespace

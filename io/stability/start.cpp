@@ -85,7 +85,7 @@ Point position(const Scene& scene, std::size_t node) {
 std::vector<std::uint32_t> movable_nodes(const Scene& scene) {
   std::vector<bool> rigid(scene.node_count(), false);
   for (const auto& body : scene.bodies) {
-    rigid[body.position] = rigid[body.rotation] = true;
+    rigid[body.origin] = true;
     for (const auto& point : body.points) rigid[point.node] = true;
   }
   std::vector<std::uint32_t> nodes;

@@ -48,6 +48,10 @@ class Guides(WithInstallation):
         self.sh("c++ $(netloft --cflags) otter.cpp -o otter.so")
         self.assertRegex(self.sh("netloft test otter.so", expect=1).out, "FAILED +tangent-is-derivative")
 
+    def test_body(self):
+        self.follow("body.md")
+        self.assertLessEqual(len(code_lines(self.folder / "plate.cpp")), 80)
+
     def test_law(self):
         self.follow("law.md")
 

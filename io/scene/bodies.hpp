@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scene/draft.hpp"
+
+namespace netloft::io {
+
+/// A rigid body: its origin `at`, named `points`, how it is `turned` at the start and to which `side` it
+/// spreads. Own nodes are the origin and the points, sets `origin` and their names. Data: side, 1 or -1.
+Geometry read_body(TableReader& table);
+
+/// Makes the bodies of a scene whose nodes are numbered. What is wrong with them is said at their places.
+void add_bodies(Draft& draft, Diagnostics& diagnostics);
+
+/// Puts carried points where the bodies have them, wherever a sketch or a hold has put their origins.
+void place_points(Scene& scene);
+
+/// The body that carries a node; null: none does.
+const RigidBody* body_that_carries(const Scene& scene, std::uint32_t node);
+
+}  // namespace netloft::io
