@@ -103,6 +103,7 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
       water_(scene.water),
       current_(scene.current),
       ground_(scene.ground),
+      bed_(scene.bed),
       ground_passes_(scene.ground != std::array<double, 3>{}),
       tangent_(plan.tangent),
       families_(std::move(families)),

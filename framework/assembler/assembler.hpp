@@ -135,6 +135,11 @@ class Assembler {
   /// What the elements ask of laws at positions x, and how much of it lies outside the ranges that these were
   /// measured in: one entry per family and law, without those that have no range.
   std::vector<LawUse> find_law_use(std::span<const double> x, const Kinematics& motion = {});
+  /// The same of the forces on some nodes alone, in `groups`: per node of the scene the number of a group, or
+  /// none, a negative one. 3 numbers for every part and group.
+  bool sum_term_at(std::span<const double> x, std::size_t family, std::size_t term,
+                   std::span<const std::int32_t> groups, std::size_t group_count, std::span<double> sums,
+                   const Kinematics& motion = {});
   /// Outputs of a family: [output][element], NaN where an output could not be computed; the result is then
   /// false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
@@ -167,6 +172,7 @@ class Assembler {
   bool find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices);
   void gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const;
   void fill_current(double time, Workspace& w) const;
+  void gather_bed(const Tiling& tiling, std::size_t tile, Workspace& w) const;
   template <class Evaluate, class Visit>
   bool visit_tiles(std::span<const double> x, const Kinematics& motion, std::size_t family,
                    const Evaluate& evaluate, const Visit& visit);
@@ -181,6 +187,7 @@ class Assembler {
   SceneWater water_;
   Current current_;
   std::array<double, 3> ground_;
+  SeaBed bed_;
   bool ground_passes_;
   TangentChoice tangent_;
   std::vector<std::unique_ptr<ElementFamily>> families_;

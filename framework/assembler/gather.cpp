@@ -41,6 +41,7 @@ void Assembler::gather(const FamilyGroup& group, std::size_t tile, std::span<con
     for (auto* rows : {&w.x, &w.v, &w.a})
       if (!rows->empty()) divide_rotations(tiling, tile, rows->data());
   if (!w.current.empty() && some_read(NETLOFT_READS_CURRENT)) gather_current(tiling, tile, motion.time, w);
+  if (bed_.is_there && some_read(NETLOFT_READS_BED)) gather_bed(tiling, tile, w);
 }
 
 /// Makes the view of a tile that one family receives.
@@ -60,6 +61,7 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
   if (!w.current.empty() && f.reads(NETLOFT_READS_CURRENT))
     t.current = w.current.data(), t.current_dz = w.current_dz.data();
   if (ground_passes_ && f.reads(NETLOFT_READS_GROUND)) t.ground = ground_.data();
+  if (bed_.is_there && f.reads(NETLOFT_READS_BED)) t.bed = w.bed.data();
   t.state = memories_[family].kept(tile);
   t.message = w.message, t.message_size = sizeof w.message;
   return t;
@@ -77,6 +79,15 @@ void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double ti
         w.current[(3 * node + axis) * kLanes + lane] = velocity[axis];
         w.current_dz[(3 * node + axis) * kLanes + lane] = dz[axis];
       }
+    }
+}
+
+/// The bed below the nodes of a tile, whose positions have been gathered.
+void Assembler::gather_bed(const Tiling& tiling, std::size_t tile, Workspace& w) const {
+  for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
+    for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
+      const auto below = bed_.at(w.x[3 * node * kLanes + lane], w.x[(3 * node + 1) * kLanes + lane]);
+      for (std::size_t k = 0; k < 6; ++k) w.bed[(6 * node + k) * kLanes + lane] = below[k];
     }
 }
 

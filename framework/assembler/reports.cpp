@@ -55,6 +55,28 @@ bool Assembler::sum_term(std::span<const double> x, std::size_t family, std::siz
       });
 }
 
+bool Assembler::sum_term_at(std::span<const double> x, std::size_t family, std::size_t term,
+                            std::span<const std::int32_t> groups, std::size_t group_count,
+                            std::span<double> sums, const Kinematics& motion) {
+  std::fill(sums.begin(), sums.end(), 0.0);
+  const ElementFamily& f = *families_[family];
+  const auto evaluate = [&](std::size_t, netloft_tile& t) { return f.evaluate(f.active_terms()[term], t); };
+  std::size_t part = 0;
+  return visit_tiles(
+      x, motion, family, evaluate, [&](std::size_t, const netloft_tile& t, const Workspace& w) {
+        for (std::size_t lane = 0; lane < t.count; ++lane) {
+          while (t.first + lane >= f.part_begin()[part + 1]) ++part;
+          for (int n = 0; n < f.nodes_per_element(); ++n) {
+            const std::uint32_t node = f.node(t.first + lane, n);
+            if (node >= groups.size() || groups[node] < 0) continue;
+            double* sum = &sums[3 * (part * group_count + static_cast<std::size_t>(groups[node]))];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+              sum[axis] += w.force.data()[(3 * static_cast<std::size_t>(n) + axis) * kLanes + lane];
+          }
+        }
+      });
+}
+
 bool Assembler::outputs(std::span<const double> x, std::size_t family,
                         std::vector<std::vector<double>>& values, const Kinematics& motion) {
   const ElementFamily& f = *families_[family];

@@ -17,6 +17,7 @@ struct Assembler::Workspace {
   Workspace(std::size_t dofs, const Plan& plan, bool flows)
       : current(flows ? dofs * kLanes : 0),
         current_dz(flows ? dofs * kLanes : 0),
+        bed(2 * dofs * kLanes),
         x(dofs * kLanes),
         x_low(x.size()),
         v(plan.kind == AnalysisKind::dynamics ? dofs * kLanes : 0),
@@ -27,6 +28,7 @@ struct Assembler::Workspace {
         scratch(dofs * dofs * kLanes),
         element(dofs * dofs) {}
   std::vector<double> current, current_dz;  // empty in still water
+  std::vector<double> bed;                  // six numbers a node
   // time of the uniform current that is filled in [s]
   double current_time = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> x, x_low, v, a;  // without rates if everything is at rest

@@ -106,7 +106,11 @@ bool Bench::is_settled(States& s, const netloft_term& term) {
 States Bench::blank(std::uint32_t first, std::uint32_t count) const {
   const std::vector<double> zero(dofs() * kLanes, 0.0);
   const std::vector<double> nothing(type.element.state_width * kLanes, 0.0);
-  return {first, count, zero, zero, zero, zero, zero, nothing};
+  States s{first, count, zero, zero, zero, zero, zero, nothing};
+  const bool reads_bed = std::any_of(type.terms.begin(), type.terms.end(),
+                                     [](const auto& t) { return (t.traits & NETLOFT_READS_BED) != 0; });
+  if (reads_bed) s.bed.assign(6 * static_cast<std::size_t>(type.nodes()) * kLanes, 0.0);
+  return s;
 }
 
 std::string Bench::place(const netloft_term& term, const States& s, std::size_t lane) const {
@@ -183,6 +187,10 @@ States moved(const States& from, const std::vector<double>& direction, const std
     to.x[i] += step[lane] * direction[i];
     to.current[i] += from.current_dz[i] * step[lane] * direction[z];
   }
+  for (std::size_t node = 0; 6 * (node + 1) * kLanes <= to.bed.size(); ++node)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      move_bed(to, node, lane, step[lane] * direction[at(3 * node, lane)],
+               step[lane] * direction[at(3 * node + 1, lane)]);
   return to;
 }
 

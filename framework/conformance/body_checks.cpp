@@ -82,7 +82,8 @@ States away_from_turns(Bench& b, States s) {
   return s;
 }
 
-/// The world turned by `by` as a whole: about z alone where gravity or a current over depth makes up special.
+/// The world turned by `by` as a whole: about z alone where gravity, a bed or a current over depth makes up
+/// special.
 void note_in_turned_world(Bench& b, const netloft_term& term, States s, const V& by, Worst& worst) {
   const auto turn = [&](const V& w, bool) { return rotated(by, w); };
   const auto carry = [&](Moving& m, const V& psi) {
@@ -94,6 +95,7 @@ void note_in_turned_world(Bench& b, const netloft_term& term, States s, const V&
   States there;
   Answer expected;
   carry_lanes(s, b.specimen->evaluate(term, s, all_of(term)), carry, turn, there, expected);
+  turn_ground(there, by.z);
   compare(b, term, s, expected, there, worst);
 }
 
@@ -109,6 +111,7 @@ Finding body_turns_with_the_world(Bench& b) {
       note_in_turned_world(b, term, s, {0, 0, b.sampler.uniform(-3, 3)}, worst);
       if (term.traits & NETLOFT_NEEDS_GRAVITY) continue;
       std::fill(s.current_dz.begin(), s.current_dz.end(), 0.0);
+      s.bed.clear(), s.ground.clear();
       double axis[3];
       b.sampler.direction(axis);
       note_in_turned_world(b, term, s, b.sampler.uniform(0.5, 3) * V{axis[0], axis[1], axis[2]}, worst);
@@ -161,6 +164,7 @@ Finding sides_mirror_each_other(Bench& b) {
       States there;
       Answer expected;
       carry_lanes(s, b.specimen->evaluate(term, s, all_of(term)), carry, reflect, there, expected);
+      reflect_ground(there);
       const Answer found = mirrored.evaluate(term, there, all_of(term));
       const auto scale = b.force_scale(term, s);
       for (std::size_t lane = 0; lane < s.count; ++lane)

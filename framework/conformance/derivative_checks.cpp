@@ -178,6 +178,8 @@ class ForceSlope {
       (to.*variable_.field)[at(column, lane)] += h;
       for (std::size_t axis = 0; is_position() && column % 3 == 2 && axis < 3; ++axis)
         to.current[at(column - 2 + axis, lane)] += h * s_.current_dz[at(column - 2 + axis, lane)];
+      if (const std::size_t node = column / 3; is_position() && 6 * (node + 1) * kLanes <= to.bed.size())
+        move_bed(to, node, lane, column % 3 == 0 ? h : 0, column % 3 == 1 ? h : 0);
     }
     const Answer a = b_.specimen->evaluate(term_, to, NETLOFT_WANT_FORCE);
     return a.ok() ? a.force : std::vector<double>(b_.dofs() * kLanes, std::nan(""));

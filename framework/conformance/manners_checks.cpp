@@ -335,8 +335,9 @@ Finding missing_inputs_are_zero(Bench& b) {
       continue;
     for (const auto& s : b.tiles) {
       States zero = b.blank(s.first, s.count);
-      zero.x = s.x, zero.memory = s.memory;
-      const States missing = {s.first, s.count, s.x, {}, {}, {}, {}, s.memory};
+      zero.x = s.x, zero.memory = s.memory, zero.bed = s.bed;
+      States missing = {s.first, s.count, s.x, {}, {}, {}, {}, s.memory};
+      missing.bed = s.bed;
       const Answer a = b.specimen->evaluate(term, zero, NETLOFT_WANT_FORCE);
       const Answer c = b.specimen->evaluate(term, missing, NETLOFT_WANT_FORCE);
       const Answer moving = b.specimen->evaluate(term, s, NETLOFT_WANT_FORCE);

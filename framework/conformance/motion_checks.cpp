@@ -29,9 +29,11 @@ double least_difference(const Bench& b, const Answer& found, const Answer& one, 
   return least;
 }
 
+/// What stands over a bed takes its bed along.
 States translated(const Bench& b, States s, const double (&by)[3]) {
   for (std::size_t d = 0; d < b.dofs(); ++d)
     for (std::size_t lane = 0; lane < s.count && !b.is_turn(d); ++lane) s.x[at(d, lane)] += by[d % 3];
+  lift_bed(s, by[2]);
   return s;
 }
 
@@ -48,6 +50,7 @@ void turn(std::vector<double>& field, double angle) {
 States turned(States s, double angle) {
   for (auto field : {&States::x, &States::v, &States::a, &States::current, &States::current_dz})
     turn(s.*field, angle);
+  turn_ground(s, angle);
   return s;
 }
 

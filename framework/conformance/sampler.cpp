@@ -103,7 +103,10 @@ Samples ParameterSampler::rows(const netloft_parameter& p) {
     std::vector<double> numbers(rows.size());
     const Usual range = usual(p.column_units[column]);
     for (double& n : numbers) n = real(0, 1e300, range.least, range.most);
-    if (column == 0) std::sort(numbers.begin(), numbers.end());
+    if (column < std::max(p.arguments, 1u)) std::sort(numbers.begin(), numbers.end());
+    if (p.arguments == 2 && column < 2)  // two values of each: a grid of four rows
+      numbers = column == 0 ? std::vector{numbers[0], numbers[0], numbers[3], numbers[3]}
+                            : std::vector{numbers[0], numbers[3], numbers[0], numbers[3]};
     for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(numbers[row]);
   }
   return rows;
@@ -183,6 +186,14 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
     s.current_dz[at(d, lane)] = uniform(-0.1, 0.1);
   }
   if (type_.is_on_body()) turn(s, lane);
+  for (std::size_t node = 0; 6 * (node + 1) * kLanes <= s.bed.size(); ++node) lay_bed(s, node, length, lane);
+}
+
+/// A bed that a node is as often in as above.
+void Sampler::lay_bed(States& s, std::size_t node, double length, std::size_t lane) {
+  s.bed[at(6 * node, lane)] = s.x[at(3 * node + 2, lane)] + length * uniform(-0.5, 0.5);
+  for (std::size_t k = 1; k < 6; ++k)
+    s.bed[at(6 * node + k, lane)] = uniform(-0.2, 0.2) / (k < 3 ? 1 : length);
 }
 
 void Sampler::turn(States& s, std::size_t lane) {

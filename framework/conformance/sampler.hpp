@@ -12,7 +12,8 @@ namespace netloft::conformance {
 /// Parameters: a real is drawn (evenly on a logarithmic scale) from what is usual for its unit, see
 /// sampler.cpp, cut to its allowed range; from the range itself when the two do not meet. Integers lie in the
 /// lower 100 of their range, choices take every word in turn. Part 0 keeps all defaults; the others keep each
-/// with probability 1/2. Tables have 4 rows; their columns are drawn by unit, the first in ascending order.
+/// with probability 1/2. Tables have 4 rows; their columns are drawn by unit, the first in ascending order;
+/// those over two arguments have two values of each.
 class ParameterSampler {
  public:
   ParameterSampler(std::span<const netloft_parameter> table, std::uint64_t seed)
@@ -72,6 +73,7 @@ class Sampler : public ParameterSampler {
  private:
   double number(const netloft_datum& datum);
   void turn(States& states, std::size_t lane);
+  void lay_bed(States& states, std::size_t node, double length, std::size_t lane);
   bool covers_nothing(const Sample& sample, std::size_t element) const;
 
   const ElementType& type_;

@@ -3,6 +3,8 @@
 
 #include "framework/conformance/test_laws.hpp"
 
+#include <cmath>
+
 namespace netloft::conformance {
 
 namespace {
@@ -86,6 +88,7 @@ netloft_tile Specimen::tile(const States& states, Factors factors) const {
   t.x = pointer(states.x), t.v = pointer(states.v), t.a = pointer(states.a);
   t.x_low = pointer(states.x_low), t.ground = pointer(states.ground);
   t.current = pointer(states.current), t.current_dz = pointer(states.current_dz);
+  t.bed = pointer(states.bed);
   t.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
   return t;
 }
@@ -122,6 +125,7 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   if (!(term.traits & NETLOFT_READS_STATE)) t.state = nullptr;
   if (!(term.traits & NETLOFT_READS_GROUND)) t.ground = nullptr;
   if (t.ground) t.state = nullptr;
+  if (!(term.traits & NETLOFT_READS_BED)) t.bed = nullptr;
   t.state_new = remembered(term) ? memory : nullptr;
   t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
   t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;
@@ -149,6 +153,41 @@ std::vector<netloft_member> Specimen::members(std::uint32_t first, std::uint32_t
   const int status =
       guarded(thrown, [&] { return type_.element.members(self_, kTime, first, count, members.data()); });
   return status == NETLOFT_OK ? members : std::vector<netloft_member>{};
+}
+
+void move_bed(States& s, std::size_t node, std::size_t lane, double dx, double dy) {
+  if (s.bed.empty()) return;
+  const auto b = [&](std::size_t k) -> double& { return s.bed[at(6 * node + k, lane)]; };
+  b(0) += b(1) * dx + b(2) * dy + 0.5 * b(3) * dx * dx + b(4) * dx * dy + 0.5 * b(5) * dy * dy;
+  b(1) += b(3) * dx + b(4) * dy, b(2) += b(4) * dx + b(5) * dy;
+}
+
+void lift_bed(States& s, double dz) {
+  for (std::size_t row = 0; (row + 6) * kLanes <= s.bed.size(); row += 6)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) s.bed[at(row, lane)] += dz;
+}
+
+void turn_ground(States& s, double angle) {
+  const double c = std::cos(angle), sine = std::sin(angle);
+  const auto turn = [&](double& x, double& y) {
+    const double before = x;
+    x = c * before - sine * y, y = sine * before + c * y;
+  };
+  if (!s.ground.empty()) turn(s.ground[0], s.ground[1]);
+  for (std::size_t row = 0; (row + 6) * kLanes <= s.bed.size(); row += 6)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const auto b = [&](std::size_t k) -> double& { return s.bed[at(row + k, lane)]; };
+      turn(b(1), b(2));
+      double yx = b(4);  // R H Rᵀ, by columns and then by rows
+      turn(b(3), yx), turn(b(4), b(5)), turn(b(3), b(4)), turn(yx, b(5));
+    }
+}
+
+void reflect_ground(States& s) {
+  if (!s.ground.empty()) s.ground[1] = -s.ground[1];
+  for (std::size_t row = 0; (row + 6) * kLanes <= s.bed.size(); row += 6)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      for (const std::size_t k : {2, 4}) s.bed[at(row + k, lane)] *= -1;
 }
 
 bool wants_matrix(std::uint32_t want) {

@@ -30,12 +30,13 @@ struct States {
   std::vector<double> memory = {};  // [state_width][64], what elements remember; empty: nothing yet
   std::vector<double> x_low = {};   // digits that x has no room for; empty: not known
   std::vector<double> ground = {};  // [3] velocity of the ground, one for all lanes; empty: it stands
+  std::vector<double> bed = {};     // [6 nodes][64] the bed below the nodes of the stencil; empty: none
 };
 
 /// The fields of States that have lanes, for loops.
 inline constexpr std::vector<double> States::*kFields[] = {
-    &States::x,          &States::v,      &States::a,    &States::current,
-    &States::current_dz, &States::memory, &States::x_low};
+    &States::x,          &States::v,      &States::a,     &States::current,
+    &States::current_dz, &States::memory, &States::x_low, &States::bed};
 
 struct Factors {
   double cu = 1, cv = 0, ca = 0;
@@ -102,6 +103,14 @@ class Specimen {
   std::vector<double> forgotten_;  // zeros: the memory of new elements
   void* self_ = nullptr;
 };
+
+/// The bed of a lane below where its nodes are after a move by dx: a paraboloid stays the same one.
+void move_bed(States& states, std::size_t node, std::size_t lane, double dx, double dy);
+/// The beds of all nodes higher by dz.
+void lift_bed(States& states, double dz);
+/// The beds of all nodes and the velocity of the ground, turned about z; or reflected at y = 0.
+void turn_ground(States& states, double angle);
+void reflect_ground(States& states);
 
 bool wants_matrix(std::uint32_t want);
 /// "energy + force + tangent"

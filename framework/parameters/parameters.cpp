@@ -85,6 +85,12 @@ std::size_t column_count(const netloft_parameter& p) {
   return n;
 }
 
+/// Samples ascend by their first column; those on a grid, within one value of it, by the second.
+bool may_follow(const netloft_parameter& p, const std::vector<double>& row, const std::vector<double>& next) {
+  if (next[0] > row[0]) return true;
+  return p.arguments == 2 && next[0] == row[0] && next[1] > row[1];
+}
+
 std::optional<std::string> samples_fault(const netloft_parameter& p, const Samples& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != column_count(p))
@@ -93,8 +99,9 @@ std::optional<std::string> samples_fault(const netloft_parameter& p, const Sampl
     for (const double v : rows[i])
       if (!std::isfinite(v))
         return std::string(p.name) + ": row " + std::to_string(i + 1) + " contains no number";
-    if (i && !(rows[i][0] > rows[i - 1][0]))
-      return std::string(p.name) + ": the first column must increase, row " + std::to_string(i + 1) +
+    if (i && !may_follow(p, rows[i - 1], rows[i]))
+      return std::string(p.name) + ": the first column must increase" +
+             (p.arguments == 2 ? ", and within it the second" : "") + ", row " + std::to_string(i + 1) +
              " does not";
   }
   return {};

@@ -102,6 +102,10 @@ void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, con
                  who + " has an empty range");
   faults.require(p.kind != NETLOFT_TABLE || (p.columns && p.columns[0] && p.column_units),
                  who + " is a table without columns");
+  if (p.kind == NETLOFT_TABLE && p.columns && p.columns[0])
+    faults.require(p.arguments <= 2 && (p.arguments < 2 || (p.columns[1] && p.columns[2])),
+                   who + " is a table over " + std::to_string(p.arguments) +
+                       " arguments; one or two are possible, with a column beside them");
   if (p.kind != NETLOFT_CHOICE) return;
   faults.require(count_words(p) > 0, who + " is a choice of nothing");
   faults.require(p.fallback >= 0 && p.fallback < count_words(p),

@@ -209,7 +209,8 @@ std::string describe_traits(std::uint32_t traits) {
       {NETLOFT_OF_MEMBERS, "of members"},
       {NETLOFT_IS_WEIGHT, "weight"},
       {NETLOFT_IS_DRAG, "drag"},
-      {NETLOFT_READS_GROUND, "reads ground"}};
+      {NETLOFT_READS_GROUND, "reads ground"},
+      {NETLOFT_READS_BED, "reads bed"}};
   std::string text;
   for (const auto& [bit, name] : kNames)
     if (traits & bit) text += (text.empty() ? "" : ", ") + std::string(name);

@@ -126,6 +126,17 @@ void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3
   for (const std::size_t i : {0u, 1u, 2u}) velocity[i] += tow[i];
 }
 
+std::array<double, 6> SeaBed::at(double x, double y) const {
+  using T = Dual<2>;
+  const T relieved = relief.at(T::variable(x, 0), T::variable(y, 1));
+  return {-depth + slope_x * x + slope_y * y + relieved.value,
+          slope_x + relieved.gradient[0],
+          slope_y + relieved.gradient[1],
+          relieved.hessian[0],
+          relieved.hessian[1],
+          relieved.hessian[2]};
+}
+
 std::vector<double> Scene::corners_in_time() const {
   std::vector<double> times;
   for (const auto& guide : guides)

@@ -3,6 +3,8 @@
 #include "framework/parameters/parameters.hpp"
 #include "framework/scene/course.hpp"
 
+#include <netloft/interpolation.hpp>
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -47,6 +49,17 @@ struct Current {
   bool is_uniform() const { return samples.size() <= 1; }
   /// Velocity at height z and its derivative with respect to z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
+};
+
+/// The bed of the sea: z_b = −depth + slope_x x + slope_y y, and a relief over it where there is one.
+struct SeaBed {
+  bool is_there = false;
+  double depth = 0;                 // [m]
+  double slope_x = 0, slope_y = 0;  // dz_b/dx, dz_b/dy
+  Surface relief = {};              // height above that plane over x and y [m]; at its edges beyond them
+
+  /// z_b, its two derivatives and the three second ones at a place.
+  std::array<double, 6> at(double x, double y) const;
 };
 
 /// A law chosen for a slot of a part: "hydro/morison" and its parameters.
@@ -107,8 +120,9 @@ struct Scene {
   SceneWater water;
   Current current;
   std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
-  std::vector<double> positions;      // initial positions, 3 per node [m]
-  std::vector<std::uint8_t> held;     // per node, the axes along which it cannot move
+  SeaBed bed = {};
+  std::vector<double> positions;   // initial positions, 3 per node [m]
+  std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move
   /// Axes of nodes that are held along axes other than x, y and z: the columns of a rotation matrix, stored
   /// row by row. Bits of `held` then refer to these axes.
   std::map<std::uint32_t, std::array<double, 9>> frames;

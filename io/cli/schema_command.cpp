@@ -38,6 +38,16 @@ Json column_schema(const char* unit, const std::string& doc) {
       {"type", "array"}, {"items", quantity(unit, -inf, inf, doc)}, {"minItems", 1}, {"description", doc}};
 }
 
+/// The same, or numbers with one unit for all.
+Json column_or_values_schema(const char* unit, const std::string& doc) {
+  const Json values = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 1}};
+  const Json with_unit = {{"type", "object"},
+                          {"properties", {{"unit", {{"type", "string"}}}, {"values", values}}},
+                          {"required", {"unit", "values"}},
+                          {"additionalProperties", false}};
+  return {{"description", doc}, {"anyOf", {column_schema(unit, doc), with_unit}}};
+}
+
 /// A table of columns by name; the first is what the others are over.
 Json columns_schema(const std::string& doc,
                     std::initializer_list<std::pair<const char*, const char*>> columns) {
@@ -54,7 +64,7 @@ Json parameter_schema(const netloft_parameter& p) {
       Json table = object();
       table["description"] = p.doc;
       for (std::size_t k = 0; p.columns[k]; ++k) {
-        table["properties"][p.columns[k]] = column_schema(p.column_units[k], p.doc);
+        table["properties"][p.columns[k]] = column_or_values_schema(p.column_units[k], p.doc);
         table["required"].push_back(p.columns[k]);
       }
       return table;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string_view>
 
 namespace netloft::io {
@@ -36,6 +38,28 @@ std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Asse
     warnings.push_back(fmt::format("{} carries {:.4g} N and breaks at {:.4g} N{}", at->first, largest[p],
                                    at->second.breaking_load,
                                    at->second.material.empty() ? "" : " (" + at->second.material + ")"));
+  }
+  return warnings;
+}
+
+std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembler& assembler,
+                                        const Answer& answer) {
+  std::vector<std::string> warnings;
+  for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
+    const ElementFamily& family = *assembler.families()[f];
+    for (std::size_t k = 0; k < family.type().outputs.size(); ++k) {
+      if (family.type().outputs[k].role != NETLOFT_OUTPUT_DOUBT) continue;
+      std::map<std::uint32_t, std::array<std::size_t, 2>> elements;  // of a part: in doubt, all
+      for (std::size_t e = 0; e < family.size(); ++e) {
+        auto& [in_doubt, all] = elements[family.part(e)];
+        in_doubt += answer.outputs[f][k][e] != 0, ++all;
+      }
+      for (const auto& [part, count] : elements)
+        if (count[0] > 0)
+          warnings.push_back(
+              fmt::format("{}: {}{}", loaded.scene.parts[part].name, family.type().outputs[k].doc,
+                          count[1] > 1 ? fmt::format(", at {} of its {} elements", count[0], count[1]) : ""));
+    }
   }
   return warnings;
 }

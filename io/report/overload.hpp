@@ -9,4 +9,8 @@ namespace netloft::io {
 std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Assembler& assembler,
                                            const Answer& answer);
 
+/// A sentence for every part with elements that are used beyond what is known of them (NETLOFT_OUTPUT_DOUBT).
+std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembler& assembler,
+                                        const Answer& answer);
+
 }  // namespace netloft::io

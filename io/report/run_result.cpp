@@ -98,6 +98,7 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
   result.law_use = assembler.find_law_use(result.solution.x, at_rest(result.solution));
   for (auto& sentence : law_range_warnings(loaded.scene, result.law_use))
     result.warnings.push_back(std::move(sentence));
+  for (auto& doubt : doubt_warnings(loaded, assembler, answer)) result.warnings.push_back(std::move(doubt));
   result.outputs = std::move(answer.outputs), result.part_forces = std::move(answer.forces);
   collect_hold_forces(loaded, assembler, result);
   collect_balance(result);

@@ -35,6 +35,7 @@ struct Body : Pose<T> {
   Vec3<T> a, alpha;  // their rates of change
   Vec3<T> current;   // of the water at the origin [m/s]
   Vec3<double> current_dz, ground{};
+  Bed bed{};  // below the origin
   Water water{};
   double time = 0;
 
@@ -70,6 +71,7 @@ template <class T, int Nodes>
 struct MovingNodes {
   Points<T, Nodes> x, v, a, current;
   Vec3<double> ground{};
+  std::array<Bed, Nodes> bed{};  // below the nodes
   Water water{};
   double time = 0;
 };

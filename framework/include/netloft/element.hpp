@@ -17,10 +17,11 @@
 // vector, as plugin.h says.
 //
 // An element that must know all of its part declares `Whole`, which `gather(parameters, data, whole)` makes
-// of every element of the part in turn; `evaluate` is handed it after the data, and a
-// `check_whole(parameters, whole)` may throw std::invalid_argument. One whose part shares numbers that are
-// solved for, too (the front of a catch), says how many: `static constexpr int globals = 1`. They are
-// coordinates of one more node, the last: N is one more.
+// of every element of the part in turn; `evaluate` and `force` are handed it after the data, outputs as well,
+// and a `check_whole(parameters, whole)` may throw std::invalid_argument. What is read off tables
+// (interpolation.hpp) belongs there, too: it is made once. One whose part shares numbers that are solved for,
+// too (the front of a catch), says how many: `static constexpr int globals = 1`. They are coordinates of one
+// more node, the last: N is one more.
 //
 // One that bears tension along straight lines declares these members, and solvers may take the tensions for
 // unknowns:
@@ -60,12 +61,14 @@ enum Trait : std::uint32_t {
   is_weight = NETLOFT_IS_WEIGHT,
   is_drag = NETLOFT_IS_DRAG,
   reads_ground = NETLOFT_READS_GROUND,
+  reads_bed = NETLOFT_READS_BED,
 };
 
 /// What an output means to reports that compare parts of different types.
 enum class OutputRole : std::uint32_t {
   plain = NETLOFT_OUTPUT_PLAIN,
   tension = NETLOFT_OUTPUT_TENSION,  // in a rope or in one twine [N], negative in compression
+  doubt = NETLOFT_OUTPUT_DOUBT,      // not zero where the element is used beyond what is known of it
 };
 
 /// Describes one element to the host: parameters, data, terms, outputs.
@@ -75,6 +78,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   using Parameters = typename E::Parameters;
   using Data = typename E::Data;
   using Output = double (*)(const Parameters&, const Data&, const detail::ViewOf<E>&);
+  using OutputWithWhole = double (*)(const Parameters&, const Data&, const typename Family<E>::Whole&,
+                                     const detail::ViewOf<E>&);
   using LanesOutput = void (*)(const Family<E>&, const netloft_tile&, double* values);
   using Start = double (*)(const Parameters&, const typename Family<E>::Whole&);
   static_assert(std::is_trivially_copyable_v<Data>, "Data must be plain numbers");
@@ -108,11 +113,15 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   /// A number reported per element, in physical sign.
   void output(const char* name, const char* unit, const char* doc, Output function,
               OutputRole role = OutputRole::plain) {
-    add_output(name, unit, doc, {function, nullptr}, role);
+    add_output(name, unit, doc, {function, nullptr, nullptr}, role);
+  }
+  void output_of_whole(const char* name, const char* unit, const char* doc, OutputWithWhole function,
+                       OutputRole role = OutputRole::plain) {
+    add_output(name, unit, doc, {nullptr, function, nullptr}, role);
   }
   /// The same for 64 elements at once, with the family at hand: what comes out of a law.
   void output_lanes(const char* name, const char* unit, const char* doc, LanesOutput function) {
-    add_output(name, unit, doc, {nullptr, function}, OutputRole::plain);
+    add_output(name, unit, doc, {nullptr, nullptr, function}, OutputRole::plain);
   }
 
   /// A law that users choose by name under this key; `accepts` is a sum of netloft_law_kind.
@@ -159,9 +168,10 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     return static_cast<std::size_t>(reinterpret_cast<const char*>(&(object.*member)) -
                                     reinterpret_cast<const char*>(&object));
   }
-  /// One of both.
+  /// One of them.
   struct OutputFunction {
     Output one;
+    OutputWithWhole with_whole;
     LanesOutput lanes;
   };
   /// An element has members only with the term that is their force.
@@ -211,6 +221,9 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
         for (std::size_t k = 0; k < functions_.size(); ++k)
           if (functions_[k].one)
             values[k * kLanes + lane] = functions_[k].one(f.parameters(e), f.data(e), state);
+          else if (functions_[k].with_whole)
+            values[k * kLanes + lane] =
+                functions_[k].with_whole(f.parameters(e), f.data(e), f.whole(e), state);
       }
       for (std::size_t k = 0; k < functions_.size(); ++k)
         if (functions_[k].lanes) functions_[k].lanes(f, *t, values + k * kLanes);

@@ -65,8 +65,15 @@ concept HasEnergy = requires(const typename E::Parameters& p, const typename E::
   T::energy(p, d, w, x);
 };
 template <class E, class T>
-concept HasForce = requires(const typename E::Parameters& p, const typename E::Data& d,
-                            const MotionOf<E, Dual<dofs_of<E>, 1>>& m) {
+concept HasForceWithWhole = requires(const typename E::Parameters& p, const typename E::Data& d,
+                                     const typename Family<E>::Whole& w,
+                                     const MotionOf<E, Dual<dofs_of<E>, 1>>& m) {
+  T::force(p, d, w, m);
+};
+template <class E, class T>
+concept HasForce = HasForceWithWhole<E, T> ||
+    requires(const typename E::Parameters& p, const typename E::Data& d,
+             const MotionOf<E, Dual<dofs_of<E>, 1>>& m) {
   T::force(p, d, m);
 };
 
@@ -108,8 +115,31 @@ void gather(const double* from, std::size_t lane, Points<double, Nodes>& to) {
       to[static_cast<std::size_t>(n)][axis] = from[static_cast<std::size_t>(3 * n + axis) * kLanes + lane];
 }
 
+/// The bed below a node.
+inline Bed bed_below(const netloft_tile& t, std::size_t node, std::size_t lane) {
+  if (!t.bed) return {};
+  const auto at = [&](std::size_t k) { return t.bed[(6 * node + k) * kLanes + lane]; };
+  return {true,
+          t.x[3 * node * kLanes + lane],
+          t.x[(3 * node + 1) * kLanes + lane],
+          at(0),
+          at(1),
+          at(2),
+          at(3),
+          at(4),
+          at(5)};
+}
+
+/// Below the nodes of a stencil; what is behind them has no bed.
+template <std::size_t Nodes>
+std::array<Bed, Nodes> beds_below(const netloft_tile& t, std::size_t of_stencil, std::size_t lane) {
+  std::array<Bed, Nodes> beds{};
+  for (std::size_t n = 0; n < of_stencil; ++n) beds[n] = bed_below(t, n, lane);
+  return beds;
+}
+
 template <int Nodes>
-State<Nodes> gather(const netloft_tile& t, std::size_t lane) {
+State<Nodes> gather(const netloft_tile& t, std::size_t lane, std::size_t of_stencil = 0) {
   State<Nodes> s;
   gather<Nodes>(t.x, lane, s.x);
   gather<Nodes>(t.x_low, lane, s.x_low);
@@ -118,6 +148,7 @@ State<Nodes> gather(const netloft_tile& t, std::size_t lane) {
   gather<Nodes>(t.current, lane, s.current);
   gather<Nodes>(t.current_dz, lane, s.current_dz);
   if (t.ground) s.ground = {t.ground[0], t.ground[1], t.ground[2]};
+  s.bed = beds_below<static_cast<std::size_t>(Nodes)>(t, of_stencil, lane);
   s.water = {t.water_density, t.gravity, t.water_viscosity};
   s.time = t.time, s.cu = t.cu, s.cv = t.cv, s.ca = t.ca;
   s.wants_tangent = t.want & (NETLOFT_WANT_TANGENT | NETLOFT_WANT_CONVEX | NETLOFT_WANT_METRIC);
@@ -187,8 +218,10 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
     m.a = a[0], m.alpha = spin_rate_of(x[1], v[1], a[1]);
     m.current = current[0];
     m.current_dz = read_dual<double, N>(t.current_dz, lane, 0)[0];
+    m.bed = bed_below(t, 0, lane);
   } else {
     m.x = x, m.v = v, m.a = a, m.current = current;
+    m.bed = beds_below<static_cast<std::size_t>(N)>(t, E::stencil & 0xff, lane);
   }
   if (t.ground) m.ground = {t.ground[0], t.ground[1], t.ground[2]};
   m.water = {t.water_density, t.gravity, t.water_viscosity}, m.time = t.time;
@@ -215,8 +248,14 @@ void differentiate_force(const Family<E>& f, std::size_t element, const netloft_
                          Local<nodes_of<E>>& local) {
   constexpr int dofs = dofs_of<E>;
   using D = Dual<dofs, 1>;
-  const auto residual = residual_of<E, D>(
-      T::force(f.parameters(element), f.data(element), read_motion<E, D>(t, lane)), t, lane);
+  const auto motion = read_motion<E, D>(t, lane);
+  const auto push = [&] {
+    if constexpr (HasForceWithWhole<E, T>)
+      return T::force(f.parameters(element), f.data(element), f.whole(element), motion);
+    else
+      return T::force(f.parameters(element), f.data(element), motion);
+  };
+  const auto residual = residual_of<E, D>(push(), t, lane);
   for (int r = 0; r < dofs; ++r) {
     const D& entry = residual[static_cast<std::size_t>(r / 3)][r % 3];
     local.force[static_cast<std::size_t>(r / 3)][r % 3] = entry.value;
@@ -251,17 +290,18 @@ ViewOf<E> view_of(const netloft_tile& t, std::size_t lane) {
   if constexpr (is_on_body<E>)
     return read_motion<E, double>(t, lane);
   else
-    return gather<nodes_of<E>>(t, lane);
+    return gather<nodes_of<E>>(t, lane, E::stencil & 0xff);
 }
 
 template <class E, class T>
 Status evaluate_one(const Family<E>& f, const netloft_tile& t, std::size_t lane, Local<nodes_of<E>>& local) {
   const std::size_t element = t.first + lane;
   if constexpr (HasEvaluateWithWhole<E, T>) {
-    return T::evaluate(f.parameters(element), f.data(element), f.whole(element), gather<nodes_of<E>>(t, lane),
-                       local);
+    return T::evaluate(f.parameters(element), f.data(element), f.whole(element),
+                       gather<nodes_of<E>>(t, lane, E::stencil & 0xff), local);
   } else if constexpr (HasEvaluate<E, T>) {
-    return T::evaluate(f.parameters(element), f.data(element), gather<nodes_of<E>>(t, lane), local);
+    return T::evaluate(f.parameters(element), f.data(element),
+                       gather<nodes_of<E>>(t, lane, E::stencil & 0xff), local);
   } else if constexpr (HasForce<E, T>) {
     differentiate_force<E, T>(f, element, t, lane, local);
     return Status::ok;

@@ -78,6 +78,12 @@ class ParameterTable {
     p.columns = names.data(), p.column_units = units.data();
     if (required) p.flags |= NETLOFT_REQUIRED;
   }
+  /// Samples on a grid of two arguments, the first two columns; empty if not given.
+  void grid(const char* name, netloft_table P::*member, const char* doc,
+            std::initializer_list<std::pair<const char*, const char*>> columns, bool required = false) {
+    table(name, member, doc, columns, required);
+    rows_.back().arguments = 2;
+  }
 
   const std::vector<netloft_parameter>& rows() const { return rows_; }
 

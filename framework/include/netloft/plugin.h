@@ -42,7 +42,9 @@ enum netloft_kind {
   NETLOFT_TABLE = 5    /* netloft_table, owned by the host */
 };
 
-/* A sampled curve: rows with ascending first column, `columns` numbers each, row by row. */
+/* A sampled curve: rows with ascending first column, `columns` numbers each, row by row. Over two arguments
+ * (netloft_parameter.arguments) the rows are a grid: they ascend by the first column, and within each value
+ * of it by the second, which has the same values every time. */
 typedef struct netloft_table {
   const double* values;
   uint32_t rows, columns;
@@ -72,6 +74,8 @@ typedef struct netloft_parameter {
   const char* fallback_text;       /* for NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
   const char* const* column_units; /* their units, as many */
+  uint32_t arguments; /* leading columns of a table that the others are over; 0 means 1, 2 a grid */
+  uint32_t reserved;
 } netloft_parameter;
 
 /* ---------------------------------------------------------------- elements */
@@ -89,7 +93,7 @@ enum netloft_stencil {
   NETLOFT_TRIANGLE = 3,     /* outer face seen counter-clockwise */
   NETLOFT_BAR_PAIR = 0x103, /* nodes of two neighbouring bars of one rope, in order */
   NETLOFT_TRIANGLE_PAIR =
-      0x104, /* the shared edge (a, b), then the corners opposite: c of the triangle (a, b, c), d */
+      0x104,           /* the shared edge (a, b), then the corners opposite: c of the triangle (a, b, c), d */
   NETLOFT_BODY = 0x201 /* a rigid body */
 };
 
@@ -132,8 +136,9 @@ enum {
   NETLOFT_OF_MEMBERS = 1 << 14,   /* the force is that of the element's members (netloft_member), no more */
   NETLOFT_IS_WEIGHT = 1 << 15,    /* reports count it as weight in water */
   NETLOFT_IS_DRAG = 1 << 16,      /* reports count it as force of the flowing water */
-  NETLOFT_READS_GROUND = 1 << 17  /* wants tile.ground when the ground passes the gear; it may be given no
+  NETLOFT_READS_GROUND = 1 << 17, /* wants tile.ground when the ground passes the gear; it may be given no
                                      tile.state then, for what only slides remembers nothing */
+  NETLOFT_READS_BED = 1 << 18     /* wants tile.bed when the scene has a bed */
 };
 
 /* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC
@@ -177,6 +182,8 @@ typedef struct netloft_tile {
   const double* x_low;    /* digits that x has no room for: positions are x + x_low; mostly null: not known.
                              A term may ignore them; stiff ones gain digits in differences of positions [m] */
   const double* ground; /* [3] velocity at which the ground passes a towed gear [m/s]; null where it stands */
+  const double* bed; /* [6 nodes][64] the bed of the scene below each node of the stencil: its height z_b [m],
+                        dz_b/dx, dz_b/dy, and its second derivatives xx, xy, yy [1/m]; null: there is none */
 } netloft_tile;
 
 typedef struct netloft_term {
@@ -191,7 +198,9 @@ typedef struct netloft_term {
 /* What an output means to reports that compare parts of different types. */
 enum netloft_output_role {
   NETLOFT_OUTPUT_PLAIN = 0,
-  NETLOFT_OUTPUT_TENSION = 1 /* tension in a rope or in one twine [N], negative in compression */
+  NETLOFT_OUTPUT_TENSION = 1, /* tension in a rope or in one twine [N], negative in compression */
+  NETLOFT_OUTPUT_DOUBT = 2 /* differs from zero where the element is used beyond what is known of it, as its
+                              sentence says; reports warn of it */
 };
 
 /* A number reported per element, in physical sign: tension is positive when the rope pulls. */

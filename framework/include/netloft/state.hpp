@@ -30,12 +30,28 @@ struct Water {
   double viscosity = 0;  // kinematic [m2/s]
 };
 
+/// The bed of the scene as it is below a place: a paraboloid that touches it there.
+struct Bed {
+  bool is_there = false;
+  double x = 0, y = 0;                          // of the place [m]
+  double height = 0, slope_x = 0, slope_y = 0;  // z_b [m], its derivatives
+  double xx = 0, xy = 0, yy = 0;                // its second derivatives [1/m]
+
+  /// z_b below a point near by [m].
+  template <class T>
+  T below(const Vec3<T>& point) const {
+    const T dx = point.x - T(x), dy = point.y - T(y);
+    return height + slope_x * dx + slope_y * dy + 0.5 * xx * dx * dx + xy * dx * dy + 0.5 * yy * dy * dy;
+  }
+};
+
 /// One element's inputs in `evaluate`. Arrays that the term did not ask for are zero.
 template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
   Points<double, Nodes> x_low{};  // low-order part of x [m]; zero if it is not known
   Vec3<double> ground{};          // velocity of the ground [m/s]; zero where it stands
+  std::array<Bed, Nodes> bed{};   // below the nodes
   Water water{};
   double time = 0;
   double cu = 1, cv = 0, ca = 0;  // factors of dforce/dx, dforce/dv, dforce/da in the tangent
