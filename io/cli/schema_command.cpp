@@ -475,9 +475,10 @@ void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) 
 
 Json scene_schema(Registry& registry) {
   PartSchema parts, bodies;
-  Json analysis = object(), water = object(), tow = object();
+  Json analysis = object(), water = object(), tow = object(), bed = object();
   put_table(water, water_keys());
   put_table(tow, tow_keys());
+  put_table(bed, bed_keys());
   put(water, "current", current_schema(), false);
   put_table(analysis, analysis_keys());
   put_table(analysis, dynamics_keys());
@@ -497,6 +498,7 @@ Json scene_schema(Registry& registry) {
   put_files(scene);
   put(scene, "water", water, false);
   put(scene, "tow", tow, false);
+  put(scene, "bed", bed, false);
   put_pieces(scene, parts, bodies);
   put_gear(scene);
   put(scene, "hold", hold_schema(), false);

@@ -18,8 +18,10 @@ double real(const Values& parameters, const std::string& name) {
   return value ? *value : 0;
 }
 
-/// Height of the seabed below a place [m], from the first part that has a depth; empty if there is no seabed.
+/// Height of the seabed below a place [m], that of the scene or of the first part that has a depth; empty if
+/// there is no seabed.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
+  if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
     if (part.parameters.contains("seabed.depth"))
       return real(part.parameters, "seabed.slope_x") * place.x +

@@ -75,8 +75,15 @@ struct PartRows {
   }
 };
 
-/// The bed of the first part that has one.
+/// The bed of the scene, or that of the first part that has one.
 void write_seabed(Tree& tree, const Scene& scene) {
+  if (scene.bed.is_there) {
+    const char* doc = "seabed: z = -depth + slope_x x + slope_y y, and a relief where there is one";
+    tree.write_real("/netloft/seabed/depth", scene.bed.depth, "m", doc);
+    tree.write_real("/netloft/seabed/slope_x", scene.bed.slope_x, "1", doc);
+    tree.write_real("/netloft/seabed/slope_y", scene.bed.slope_y, "1", doc);
+    return;
+  }
   for (const auto& part : scene.parts) {
     if (!std::isfinite(real_of(part, "seabed.depth"))) continue;
     for (const char* name : {"depth", "slope_x", "slope_y"}) {

@@ -35,6 +35,21 @@ std::span<const netloft_parameter> tow_keys() {
   return table.rows();
 }
 
+std::span<const netloft_parameter> bed_keys() {
+  static const auto table = [] {
+    ParameterTable<BedKeys> t;
+    t.real("depth", &BedKeys::depth, "m", "depth of the bed below z = 0, at x = y = 0", {.lo = 0, .hi = 2e4});
+    t.real("slope_x", &BedKeys::slope_x, "1", "rise of the bed along x",
+           {.lo = -10, .hi = 10, .fallback = 0});
+    t.real("slope_y", &BedKeys::slope_y, "1", "rise of the bed along y",
+           {.lo = -10, .hi = 10, .fallback = 0});
+    t.grid("relief", &BedKeys::relief, "height above that plane on a grid, for beds of any shape",
+           {{"x", "m"}, {"y", "m"}, {"height", "m"}});
+    return t;
+  }();
+  return table.rows();
+}
+
 std::span<const netloft_parameter> analysis_keys() {
   static const auto table = [] {
     ParameterTable<AnalysisKeys> t;

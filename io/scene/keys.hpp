@@ -36,6 +36,12 @@ struct TowKeys {
 /// The word for every knot a node, in place of the number of nodes of `[gear]`.
 inline constexpr const char* kKnots = "knots";
 
+/// `[bed]`.
+struct BedKeys {
+  double depth = 0, slope_x = 0, slope_y = 0;  // [m]
+  netloft_table relief{};                      // x, y, height
+};
+
 /// `[gear]`, but for the table `finer`.
 struct GearKeys {
   const char *title = nullptr, *source = nullptr;
@@ -56,6 +62,7 @@ std::span<const GearElements> gear_elements();
 /// `describe` and the schema all come from here.
 std::span<const netloft_parameter> water_keys();
 std::span<const netloft_parameter> tow_keys();
+std::span<const netloft_parameter> bed_keys();
 std::span<const netloft_parameter> analysis_keys();
 std::span<const netloft_parameter> gear_keys();
 

@@ -88,6 +88,7 @@ class SceneReader {
     one_sided_.report(draft_, diagnostics_);
     return std::move(out_);
   }
+    check_bed();
 
  private:
   void read_water() {
@@ -98,6 +99,7 @@ class SceneReader {
     if (faults.empty()) take_water(*static_cast<const WaterKeys*>(block.data()));
     out_.scene.current = read_current(water);
     if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
+    if (root_.has("bed")) read_bed(root_.table("bed"), out_.scene);
   }
 
   /// A model at 1 : s in water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the
@@ -505,7 +507,15 @@ class SceneReader {
       TableReader tow = root_.table("tow");
       tow.error("leeway", "leads across the plane y = 0, of which half a gear is the mirror image", cure);
     }
-    for (const auto& part : out_.scene.parts)
+    if (!bed_is_symmetric()) {
+      TableReader bed = root_.table("bed");
+      bed.error(bed.has("slope_y") ? "slope_y" : "relief",
+                "tells port from starboard of the plane y = 0, of which half a gear is the mirror image",
+                cure);
+    }
+    for (std::size_t p = 0; p < draft_.types.size(); ++p) {
+      if (draft_.types[p]->is_on_body()) continue;  // whose y is outward
+      const Part& part = out_.scene.parts[p];
       for (const auto& [name, value] : part.parameters)
         if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
           diagnostics_.error(out_.place_of(part.name),
@@ -525,6 +535,13 @@ class SceneReader {
             out_.parts[p].place,
             out_.scene.parts[p].name +
                 ": its friction is that of a ground that stands, in "
+  bool bed_is_symmetric() const {
+    const SeaBed& bed = out_.scene.bed;
+    if (bed.slope_y != 0) return false;
+    if (bed.relief.empty()) return true;
+    return bed.relief.is_even_in_y();
+  }
+
                 "water that flows; a towed gear passes both",
             "[tow] speed = \"3 kn\" lets both pass, instead of water.current; [tow] speed = 0 says "
             "that the ground stands");
@@ -544,6 +561,7 @@ class SceneReader {
   bool& refused_;
   ElementChoice elements_;
   Draft draft_;
+    }
   LoadedScene& out_;  // of the draft
   MeshParts meshes_;
   std::optional<GearParts> gear_;
@@ -564,6 +582,18 @@ std::optional<NetPlan> read_plan_of(const Document& document, const std::filesys
   NetPlan plan = read_plan(document, folder, diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
   return plan;
+  /// What lies on the bed of the scene wants one.
+  void check_bed() {
+    for (std::size_t p = 0; !out_.scene.bed.is_there && p < draft_.types.size(); ++p)
+      for (const auto& term : draft_.types[p]->terms)
+        if (const auto both = NETLOFT_READS_BED | NETLOFT_FROM_OUTSIDE;
+            (term.traits & both) == std::uint32_t{both} && names_needed_by(term).empty())
+          diagnostics_.error(out_.parts[p].place,
+                             out_.scene.parts[p].name + ": " + draft_.types[p]->type +
+                                 " stands on the bed of the scene, and there is none",
+                             "[bed] depth = \"100 m\"");
+  }
+
 }
 
 void append_new(std::vector<SourceFile>& files, const std::vector<SourceFile>& more) {

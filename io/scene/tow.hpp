@@ -9,6 +9,9 @@ namespace netloft::io {
 /// `[tow]`: lets water and ground pass the gear. Without the table both are as they are written elsewhere.
 void read_tow(TableReader tow, Scene& scene);
 
+/// `[bed]`: the bed of the sea.
+void read_bed(TableReader bed, Scene& scene);
+
 /// Whether a part is rubbed by a ground of which the scene does not say whether it passes, while water does.
 bool is_rubbed_by_standing_ground(const Scene& scene, const Part& part, const ElementType& type);
 

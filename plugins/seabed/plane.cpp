@@ -144,7 +144,6 @@ struct Drag {
 };
 
 Drag drag_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
-  constexpr double kCreep = 0.01;  // c/g: in one of a hundred metres that pass, what sticks may lag behind
   Drag d{};
   double along = 0, square = 0, ground = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -153,7 +152,7 @@ Drag drag_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
     along += d.n[axis] * d.w[axis], ground += t.ground[axis] * t.ground[axis];
   }
   for (int axis = 0; axis < 3; ++axis) d.w[axis] -= along * d.n[axis], square += d.w[axis] * d.w[axis];
-  d.slip = Plane::slip(std::sqrt(square), kCreep * std::sqrt(ground));
+  d.slip = Plane::slip(std::sqrt(square), Plane::kCreep * std::sqrt(ground));
   const Plane::Depth depth = press_node(p, t, i);
   d.limit = p.friction[i] * p.K[i] * depth.f1, d.limit_slope = p.friction[i] * p.K[i] * depth.f2;
   return d;

@@ -55,6 +55,8 @@ struct Plane {
     double h, slope;
   };
   static Slip slip(double speed, double creep);
+  /// c/g of (9): in one of a hundred metres that pass, what sticks may lag behind.
+  static constexpr double kCreep = 0.01;
   static double normal_force(const Parameters& p, const Data& d, const State<1>& s);
 
   static void check(const Parameters&, const Data& d);

@@ -1,7 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/seabed/plane.hpp"
+#include "plugins/seabed/bed.hpp"
 
+using netloft::seabed::OnBed;
 using netloft::seabed::Plane;
+
+namespace {
+
+using netloft::Real;
+
+void add_bed(netloft::Plugin& plugin) {
+  using P = OnBed::Parameters;
+  auto& e = plugin.element<OnBed>("bed", "The bed of the scene under nodes, of any shape");
+  e.real("seabed.stiffness", &P::stiffness, "N/m2", "force per metre of rope and metre of depth",
+         {.lo = 0, .hi = 1e12, .fallback = 1e5});
+  e.real("seabed.softness", &P::softness, "m", "depth over which the bed reaches that stiffness",
+         {.lo = 1e-6, .hi = 10, .fallback = 0.02});
+  e.real("seabed.friction", &P::friction, "1", "friction force over normal force, on a bed that passes",
+         {.lo = 0, .hi = 10, .fallback = 0});
+  e.real("seabed.radius", &P::radius, "m",
+         "by which bobbins, discs or the rope's own thickness keep it off the bed",
+         {.lo = 0, .hi = 10, .fallback = 0});
+  e.data("length", &OnBed::Data::length, "m", "rope or twine that the node carries");
+  e.data("pieces", &OnBed::Data::pieces, "1",
+         "number of pieces at the node, each counted as a metre if the node carries no length");
+  e.term<OnBed::Contact, netloft::conservative | netloft::symmetric | netloft::reads_bed |
+                             netloft::from_outside>("contact", "normal force of the bed on the node");
+  e.term<OnBed::Friction,
+         netloft::reads_bed | netloft::reads_ground | netloft::reads_velocity | netloft::from_outside>(
+      "friction", "friction of a bed that passes", "seabed.friction");
+  e.output("normal_force", "N", "force of the bed on the node, along its normal",
+           [](auto& p, auto& d, auto& s) { return OnBed::normal_force(p, d, s); });
+}
+
+}  // namespace
 
 NETLOFT_PLUGIN("seabed", "0.1.0", "The ground on which a gear lies and is dragged") {
   auto& e = plugin.element<Plane>("plane", "A plane seabed under nodes, with friction that sticks");
@@ -33,4 +64,5 @@ NETLOFT_PLUGIN("seabed", "0.1.0", "The ground on which a gear lies and is dragge
       "seabed.friction");
   e.output("normal_force", "N", "force of the seabed on the node, along its normal",
            [](auto& p, auto& d, auto& s) { return Plane::normal_force(p, d, s); });
+  add_bed(plugin);
 }

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "plugins/seabed/plane.hpp"
+
+namespace netloft::seabed {
+
+/// The bed of the scene, of any shape, under a node that carries L metres of rope or twine and is round with
+/// the radius r: contact, and the friction of a bed that a gear is towed over.
+///   g = z − z_b(x, y) − r,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured upright              (1)
+///   E = k L f(−g),  r = −k L f' ∇g,  K = k L (f'' ∇g ∇gᵀ + f' ∇∇z_b)       f of plane.hpp (2)       (2)
+///   N = k L f' ‖∇g‖,  n = ∇g/‖∇g‖                              normal force                         (3)
+///   w = (I − n nᵀ)(v − v_b),  r = μ N w h(‖w‖)                 h of plane.hpp (9)                   (4)
+/// v_b is the velocity at which the ground passes; where it stands there is no friction, and a `seabed/plane`
+/// has the one that sticks. r lifts a footrope on bobbins or discs off the bed.
+struct OnBed {
+  static constexpr auto stencil = NETLOFT_NODE;
+  struct Parameters {
+    double stiffness = 0, softness = 0, friction = 0, radius = 0;
+  };
+  using Data = Plane::Data;
+  static void check(const Parameters&, const Data& d) { Plane::check({}, d); }
+
+  /// k L of (2).
+  static double stiffness_of(const Parameters& p, const Data& d) {
+    return p.stiffness * (d.length > 0 ? d.length : d.pieces);
+  }
+  /// N of (3), where the bed is known.
+  static double normal_force(const Parameters& p, const Data& d, const State<1>& s) {
+    const Bed& b = s.bed[0];
+    const double slope = std::sqrt(1 + b.slope_x * b.slope_x + b.slope_y * b.slope_y);
+    return stiffness_of(p, d) * slope * Plane::press(b.height + p.radius - s.x[0].z, p.softness).f1;
+  }
+
+  struct Contact {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+  struct Friction {
+    template <class T>
+    static Points<T, 1> force(const Parameters& p, const Data& d, const MovingNodes<T, 1>& m);
+  };
+};
+
+template <class T>
+Points<T, 1> OnBed::Friction::force(const Parameters& p, const Data& d, const MovingNodes<T, 1>& m) {
+  const double passing = norm(m.ground);
+  const Bed& b = m.bed[0];
+  const T depth = b.below(m.x[0]) + T(p.radius) - m.x[0].z;
+  if (!(passing > 0) || !b.is_there || !(depth > T(0))) return {Vec3<T>{}};
+  const T dx = m.x[0].x - T(b.x), dy = m.x[0].y - T(b.y);
+  const Vec3<T> up{-(b.slope_x + b.xx * dx + b.xy * dy), -(b.slope_y + b.xy * dx + b.yy * dy), T(1)};
+  const T pressed = depth < T(p.softness) ? depth * depth / T(2 * p.softness) : depth - T(0.5 * p.softness);
+  const Vec3<T> n = (1.0 / norm(up)) * up;
+  const Vec3<T> over = m.v[0] - Vec3<T>{T(m.ground.x), T(m.ground.y), T(m.ground.z)};
+  const Vec3<T> w = over - dot(over, n) * n;
+  const T speed = norm(w);
+  const double c = Plane::kCreep * passing;
+  const T share = speed >= T(c) ? 1.0 / speed : (2.0 - speed / T(c)) / T(c);
+  return {(-p.friction * stiffness_of(p, d)) * pressed * norm(up) * share * w};  // (4)
+}
+
+}  // namespace netloft::seabed
