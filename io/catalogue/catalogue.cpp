@@ -41,6 +41,12 @@ void read_numbers(CataloguePart& part, TableReader& table) {
           table.real(key.name, {.unit = key.unit, .doc = key.doc, .range = between(key.lo, key.hi)});
 }
 
+void read_tables(CataloguePart& part, TableReader& table) {
+  for (const auto* keys : {&part.kind->tables, &part.kind->beside})
+    for (const char* key : *keys)
+      if (const Value* value = table.raw(key)) part.tables.emplace(key, *value);
+}
+
 bool has_all(const CataloguePart& part, std::initializer_list<const char*> keys) {
   return std::all_of(keys.begin(), keys.end(), [&](const char* key) { return part.numbers.contains(key); });
 }
@@ -82,6 +88,7 @@ CataloguePart read_part(const std::string& name, const PartKind& kind, const Fil
   const int errors_before = table.diagnostics().errors();
   read_texts(part, head, table);
   read_numbers(part, table);
+  read_tables(part, table);
   if (table.diagnostics().errors() == errors_before) derive(part, table);
   return part;
 }

@@ -24,6 +24,7 @@ struct CataloguePart {
   const PartKind* kind = nullptr;
   std::map<std::string, double> numbers;     // by key, in the units of its kind
   std::map<std::string, std::string> texts;  // source, uncertainty, …
+  std::map<std::string, Value> tables;       // as they are written
   std::string file;
 };
 

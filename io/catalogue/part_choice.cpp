@@ -2,6 +2,7 @@
 #include "io/catalogue/part_choice.hpp"
 
 #include "framework/registry/nearest.hpp"
+#include "io/toml/merge.hpp"
 
 #include <algorithm>
 
@@ -79,8 +80,25 @@ Value spell_out(const Value& said, const CataloguePart& part,
   for (const auto& [key, number] : part.numbers)
     if (wanted(key) && !own.find(key))
       spelled.members.push_back({key, said.place, Value{said.place, number}});
+  for (const char* key : part.kind->tables)
+    if (const auto table = part.tables.find(key); table != part.tables.end() && wanted(key) && !own.find(key))
+      spelled.members.push_back({key, said.place, table->second});
   spelled.members.insert(spelled.members.end(), own.members.begin(), own.members.end());
   return {said.place, std::move(spelled)};
+}
+
+void put_beside(const CataloguePart& part, Table& owner) {
+  for (const char* key : part.kind->beside) {
+    const auto given = part.tables.find(key);
+    if (given == part.tables.end()) continue;
+    Value whole = given->second;
+    if (Member* own = owner.find(key)) {
+      merge(whole, own->value);
+      own->value = std::move(whole);
+    } else {
+      owner.members.push_back({key, whole.place, std::move(whole)});
+    }
+  }
 }
 
 }  // namespace netloft::io

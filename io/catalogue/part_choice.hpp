@@ -18,9 +18,13 @@ const CataloguePart* choose_part(const Value& said, const std::vector<std::strin
                                  const std::string& path, const Catalogue& catalogue,
                                  Diagnostics& diagnostics);
 
-/// A table of the numbers of a part for which `wanted(key)`, with the overrides in `said` on top. All values
-/// have the place of `said`, because that is where the user can change them.
+/// A table of the numbers and curves of a part for which `wanted(key)`, with the overrides in `said` on top.
+/// Numbers have the place of `said`, because that is where the user can change them.
 Value spell_out(const Value& said, const CataloguePart& part,
                 const std::function<bool(const std::string&)>& wanted);
+
+/// Puts what stands beside the name of a part (points of a board) into the table that names it, below what is
+/// said there.
+void put_beside(const CataloguePart& part, Table& owner);
 
 }  // namespace netloft::io

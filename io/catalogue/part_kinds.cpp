@@ -37,6 +37,31 @@ std::vector<PartKey> piece_numbers() {
   };
 }
 
+/// Of a rigid body: amounts about its axes x aft, y outward, z up.
+void add_axes(std::vector<PartKey>& numbers, const char* const (&names)[3], const char* unit, const char* doc,
+              double most) {
+  for (const char* name : names) numbers.push_back({name, unit, doc, -most, most});
+}
+
+std::vector<PartKey> board_numbers() {
+  std::vector<PartKey> numbers = {
+      {"mass", "kg", "mass of the board in air", 0, 1e6, kRequired},
+      {"volume", "m3", "volume of the water that it displaces", 0, 1e3},
+      {"area", "m2", "projected area", 1e-4, 1e3, kRequired},
+      {"chord", "m", "length along the flow", 1e-2, 100, kRequired},
+      {"span", "m", "height of a board, width of a kite", 1e-2, 100, kRequired},
+      {"lift", "1", "factor on its force across the flow", 0, 5},
+      {"drag", "1", "factor on its force along the flow", 0, 5},
+      {"parasite", "1", "drag coefficient of what a flat plate has not", 0, 5},
+  };
+  add_axes(numbers, {"centre_x", "centre_y", "centre_z"}, "m", "centre of mass from the middle", 1e3);
+  add_axes(numbers, {"float_x", "float_y", "float_z"}, "m", "centre of volume from the middle", 1e3);
+  add_axes(numbers, {"inertia_x", "inertia_y", "inertia_z"}, "kg m2", "moment of inertia", 1e9);
+  add_axes(numbers, {"added_x", "added_y", "added_z"}, "kg", "added mass", 1e9);
+  add_axes(numbers, {"turning_x", "turning_y", "turning_z"}, "kg m2", "added inertia", 1e9);
+  return numbers;
+}
+
 }  // namespace
 
 std::span<const PartKind> part_kinds() {
@@ -53,6 +78,19 @@ std::span<const PartKind> part_kinds() {
       {"float", "float", "what lifts", piece_numbers()},
       {"weight", "float", "what sinks", piece_numbers()},
       {"ground", "float", "pieces of ground gear", piece_numbers()},
+      {"board",
+       "board",
+       "otter boards, kites",
+       board_numbers(),
+       {},
+       {"polar", "polar_slip", "pressure"},
+       {"points", "outline", "turned"}},
+      {"polar",
+       "",
+       "forces of boards over the direction of the flow",
+       {},
+       {},
+       {"attack", "sideslip", "lift", "drag", "side", "chord", "span"}},
   };
   return kinds;
 }

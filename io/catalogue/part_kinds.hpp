@@ -22,7 +22,9 @@ struct PartKind {
   const char* key;  // key of a scene's part that takes it: a chain is given under `rope`; empty: none
   const char* doc;
   std::vector<PartKey> numbers;
-  std::vector<const char*> texts = {};  // required ones besides source and uncertainty
+  std::vector<const char*> texts = {};   // required ones besides source and uncertainty
+  std::vector<const char*> tables = {};  // values handed on as they are written: curves
+  std::vector<const char*> beside = {};  // the same, which stand beside `key` in the part that takes it
 };
 
 std::span<const PartKind> part_kinds();

@@ -19,14 +19,48 @@ void add_forces(const Scene& scene, Assembler& assembler, std::size_t f, const K
   }
 }
 
+/// Per node of the scene the body to which it belongs.
+std::vector<std::int32_t> bodies_by_node(const Scene& scene) {
+  std::vector<std::int32_t> bodies(scene.node_count(), -1);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    bodies[scene.bodies[b].origin] = static_cast<std::int32_t>(b);
+    for (const auto& point : scene.bodies[b].points) bodies[point.node] = static_cast<std::int32_t>(b);
+  }
+  return bodies;
+}
+
+void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, const Kinematics& motion,
+                     Answer& answer) {
+  if (scene.bodies.empty()) return;
+  const ElementFamily& family = *assembler.families()[f];
+  const auto groups = bodies_by_node(scene);
+  const std::size_t bodies = scene.bodies.size();
+  std::vector<double> sums(3 * bodies * family.parts().size());
+  for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
+    if (!assembler.sum_term_at(answer.x, f, t, groups, bodies, sums, motion)) continue;
+    for (std::size_t k = 0; k < sums.size() / 3; ++k) {
+      const double* sum = &sums[3 * k];
+      if (sum[0] == 0 && sum[1] == 0 && sum[2] == 0) continue;
+      const std::uint32_t part = family.parts()[k / bodies];
+      answer.body_forces.push_back({static_cast<std::uint32_t>(k % bodies),
+                                    part,
+                                    {scene.parts[part].name,
+                                     family.active_terms()[t].name,
+                                     {-sum[0], -sum[1], -sum[2]},
+                                     family.active_terms()[t].traits}});
+    }
+  }
+}
+
 }  // namespace
 
 Answer ask_elements(const Scene& scene, Assembler& assembler, std::span<const double> x,
                     const Kinematics& motion) {
-  Answer answer{{x.begin(), x.end()}, FamilyOutputs(assembler.families().size()), {}};
+  Answer answer{{x.begin(), x.end()}, FamilyOutputs(assembler.families().size()), {}, {}};
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
     assembler.outputs(x, f, answer.outputs[f], motion);
     add_forces(scene, assembler, f, motion, answer);
+    add_body_forces(scene, assembler, f, motion, answer);
   }
   return answer;
 }

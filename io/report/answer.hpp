@@ -19,11 +19,18 @@ struct PartForce {
   std::uint32_t traits = 0;  // of the term: NETLOFT_IS_WEIGHT, NETLOFT_IS_DRAG and others
 };
 
+/// Sum of one force of one part over the nodes of a rigid body: its origin and its points.
+struct BodyForce {
+  std::uint32_t body = 0, part = 0;  // of the scene
+  PartForce of;
+};
+
 /// The outputs and forces of the elements of a scene at positions x, over all dofs.
 struct Answer {
   std::vector<double> x;
   FamilyOutputs outputs;
   std::vector<PartForce> forces;
+  std::vector<BodyForce> body_forces;  // but for those that are zero throughout
 };
 
 /// Evaluates all elements. Forces that cannot be evaluated at x are left out.

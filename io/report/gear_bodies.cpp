@@ -1,26 +1,90 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where rigid bodies are and how they are turned.
+// Where rigid bodies are, how they are turned, and what pulls at them.
 #include <netloft/attitude.hpp>
+
+#include <algorithm>
 
 #include "io/report/gear_view.hpp"
 
 namespace netloft::io {
 
+namespace {
+
+void add_place(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
+               const std::string& own, std::vector<Figure>& figures) {
+  const RigidBody& body = loaded.scene.bodies[b];
+  const auto psi = assembler.rotation(b, answer.x);
+  const Attitude turned = attitude_of(turned_axes(Vector{psi[0], psi[1], psi[2]}), loaded.bodies[b].side);
+  const auto at = assembler.node_position(body.origin, answer.x);
+  figures.push_back({own + "heading", "rad", "angle by which its nose is turned outward", turned.heading});
+  figures.push_back({own + "heel", "rad", "angle by which its top leans outward", turned.heel});
+  figures.push_back({own + "trim", "rad", "angle by which its nose is up", turned.trim});
+  figures.push_back({own + "x", "m", "place of its origin, aft", at[0]});
+  figures.push_back({own + "y", "m", "place of its origin, to starboard", at[1]});
+  figures.push_back({own + "z", "m", "height of its origin over the surface of the water", at[2]});
+}
+
+/// What its own element says of itself: the attack of a board. A doubt is a warning, not a figure.
+void add_outputs(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
+                 const std::string& own, std::vector<Figure>& figures) {
+  for (std::size_t f = 0; f < assembler.families().size(); ++f) {
+    const ElementFamily& family = *assembler.families()[f];
+    for (std::size_t e = 0; e < family.size(); ++e) {
+      if (family.part(e) != loaded.bodies[b].part) continue;
+      const auto& outputs = family.type().outputs;
+      for (std::size_t k = 0; k < outputs.size(); ++k)
+        if (outputs[k].role != NETLOFT_OUTPUT_DOUBT)
+          figures.push_back(
+              {own + outputs[k].name, outputs[k].unit, outputs[k].doc, answer.outputs[f][k][e]});
+    }
+  }
+}
+
+/// Whether a part stands on a body alone, as its own element and its shoe do; ropes lead away from it.
+bool rides_on(const RigidBody& body, const Part& part) {
+  return std::all_of(part.nodes.begin(), part.nodes.end(), [&](std::uint32_t node) {
+    return node == body.origin || std::any_of(body.points.begin(), body.points.end(),
+                                              [&](const auto& point) { return point.node == node; });
+  });
+}
+
+/// Under which name a force on a body is summed up: water and weight of what rides on it, and all else by the
+/// part that brings it.
+std::string source_of(const RigidBody& body, const Part& part, const PartForce& force) {
+  if (rides_on(body, part) && force.traits & NETLOFT_IS_DRAG) return "water";
+  if (rides_on(body, part) && force.traits & NETLOFT_IS_WEIGHT) return "weight";
+  return part.name;
+}
+
+void add_budget(const LoadedScene& loaded, const Answer& answer, std::size_t b,
+                std::vector<Figure>& figures) {
+  const RigidBody& body = loaded.scene.bodies[b];
+  std::vector<std::pair<std::string, Vector>> sums;
+  for (const BodyForce& force : answer.body_forces) {
+    if (force.body != b) continue;
+    const std::string source = source_of(body, loaded.scene.parts[force.part], force.of);
+    auto at = std::find_if(sums.begin(), sums.end(), [&](const auto& s) { return s.first == source; });
+    if (at == sums.end()) at = sums.insert(at, {source, {}});
+    at->second += Vector{force.of.force[0], force.of.force[1], force.of.force[2]};
+  }
+  for (const auto& [source, force] : sums) {
+    const std::string at = "body_forces/" + body.name + "/" + source + "/", doc = "force on it by " + source;
+    figures.push_back({at + "x", "N", doc + ", aft", force.x});
+    figures.push_back({at + "out", "N", doc + ", outward", loaded.bodies[b].side * force.y});
+    figures.push_back({at + "z", "N", doc + ", upwards", force.z});
+  }
+}
+
+}  // namespace
+
 void add_body_figures(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
                       std::vector<Figure>& figures) {
   for (std::size_t b = 0; b < loaded.scene.bodies.size(); ++b) {
-    const RigidBody& body = loaded.scene.bodies[b];
-    const auto psi = assembler.rotation(b, answer.x);
-    const Attitude turned = attitude_of(turned_axes(Vector{psi[0], psi[1], psi[2]}), loaded.bodies[b].side);
-    const auto at = assembler.node_position(body.origin, answer.x);
-    const std::string own = "bodies/" + body.name + "/";
-    figures.push_back({own + "heading", "rad", "angle by which its nose is turned outward", turned.heading});
-    figures.push_back({own + "heel", "rad", "angle by which its top leans outward", turned.heel});
-    figures.push_back({own + "trim", "rad", "angle by which its nose is up", turned.trim});
-    figures.push_back({own + "x", "m", "place of its origin, aft", at[0]});
-    figures.push_back({own + "y", "m", "place of its origin, to starboard", at[1]});
-    figures.push_back({own + "z", "m", "height of its origin over the surface of the water", at[2]});
+    const std::string own = "bodies/" + loaded.scene.bodies[b].name + "/";
+    add_place(loaded, assembler, answer, b, own, figures);
+    add_outputs(loaded, assembler, answer, b, own, figures);
+    add_budget(loaded, answer, b, figures);
   }
 }
 

@@ -11,6 +11,7 @@ namespace netloft::io {
 
 namespace {
 
+constexpr double kDegrees = 57.295779513082321;
 using Out = std::back_insert_iterator<std::string>;
 
 /// Formats a number, or "-" if it is unknown.
@@ -105,6 +106,9 @@ void headlines(const std::vector<NamedScalar>& figures, Out out) {
     if (figure.name.starts_with("ground/")) line("ground " + last, figure, out);
     if (figure.name.starts_with("rigging/"))
       line(figure.name.substr(8, figure.name.rfind('/') - 8) + " pull", figure, out);
+    if (figure.name.starts_with("pairs/"))
+      line("spread of " + figure.name.substr(6, figure.name.rfind('/') - 6), figure, out);
+    if (figure.name.starts_with("towing/")) line("towing " + last, figure, out);
     if (figure.name == "weight_in_water/all") line("weight in water", figure, out);
     if (figure.name.starts_with("budget/")) line("  " + last, figure, out);
   }
@@ -120,7 +124,6 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
 
 /// Writes where every rigid body is and how it is turned; angles are outward and up.
 void bodies(const std::vector<NamedScalar>& figures, Out out) {
-  constexpr double kDegrees = 57.295779513082321;
   const std::string body = "bodies/";
   table(figures, "bodies",
         {{"heading [°]", body, "/heading", "{:.2f}", false, kDegrees},
@@ -130,12 +133,24 @@ void bodies(const std::vector<NamedScalar>& figures, Out out) {
          {"y [m]", body, "/y"},
          {"z [m]", body, "/z"}},
         out);
+  table(figures, "water on bodies",
+        {{"attack [°]", body, "/attack", "{:.2f}", false, kDegrees},
+         {"sideslip [°]", body, "/sideslip", "{:.2f}", false, kDegrees},
+         {"lift [N]", body, "/lift"},
+         {"drag [N]", body, "/drag"},
+         {"spread [N]", body, "/spread"}},
+        out);
+  table(figures, "forces on bodies [N]",
+        {{"aft", "body_forces/", "/x"}, {"outward", "body_forces/", "/out"}, {"up", "body_forces/", "/z"}},
+        out);
 }
 
 }  // namespace
 
 bool are_of_plan(const std::vector<NamedScalar>& figures) {
-  return !figures.empty() && !figures.back().name.starts_with("bodies/");
+  if (figures.empty()) return false;
+  const std::string& last = figures.back().name;
+  return !last.starts_with("bodies/") && !last.starts_with("body_forces/");
 }
 
 double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
@@ -179,6 +194,11 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
         {middle, {"starboard [N]", rope, "/tension_starboard"}, largest, mass}, out);
   table(figures, "ropes",
         {{"start [N]", rope, "/tension_start"}, {"end [N]", rope, "/tension_end"}, largest, mass}, out);
+  table(figures, "warps",
+        {{"down, start", "warps/", "/down_at_start", "{:.2f}°", false, kDegrees},
+         {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegrees},
+         {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegrees}},
+        out);
   table(figures, "netting",
         {{"open: least", panel, "/opening_min", "{:.3f}"},
          {"mean", panel, "/opening_mean", "{:.3f}"},
