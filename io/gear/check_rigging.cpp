@@ -276,6 +276,13 @@ class Connections {
 
 std::string owner(const std::string& name) { return name.substr(0, name.find('.')); }
 
+/// Whether a rope of the plan leads to it.
+bool is_tied(const NetPlan& plan, const std::string& name) {
+  return std::any_of(plan.ropes.begin(), plan.ropes.end(), [&](const Rope& rope) {
+    return owner(rope.between[0]) == name || owner(rope.between[1]) == name;
+  });
+}
+
 void connect_join(Connections& all, const Join& join) {
   const std::string first = join.edges[0].empty() ? "" : owner(join.edges[0][0]);
   for (const auto& row : join.edges)
@@ -349,7 +356,10 @@ void check_connections(const NetPlan& plan, Diagnostics& diagnostics) {
   Connections all;
   for (const auto& panel : plan.panels) all.add(panel.name, panel.place);
   for (const auto& rope : plan.ropes) all.add(rope.name, rope.place);
-  for (const auto& point : plan.points) all.add(point.name, point.place);
+  for (const auto& point : plan.points)
+    if (!plan.find_body(owner(point.name))) all.add(point.name, point.place);
+  for (const auto& body : plan.bodies)
+    if (is_tied(plan, body.name)) all.add(body.name, body.place);  // others a scene may tie
   for (const auto& join : plan.joins) connect_join(all, join);
   for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);
   for (const auto& rope : plan.ropes)

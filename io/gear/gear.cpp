@@ -58,6 +58,9 @@ class GearMaker {
     for (const auto& join : plan_.joins) add_seam(join);
     for (const auto& rope : plan_.ropes) add_rope(rope);
     for (const auto& point : plan_.points) add_point(point);
+    for (const auto& body : plan_.bodies)
+      for (const Side side : sides_of(body.stands))
+        gear_.bodies.push_back({prefix(side) + body.name, &body, side == Side::port});
     for (const auto& pieces : plan_.pieces) add_pieces(pieces);
     for (const auto& join : plan_.joins)
       if (!is_whole() && join.is_to_itself()) put_on_plane(join);
@@ -176,7 +179,9 @@ class GearMaker {
       GearRope one{prefix(side) + rope.name,
                    &rope,
                    side == Side::port,
-                   is_halved ? rope.length / 2 : rope.length,
+                   is_halved            ? rope.length / 2
+                   : side == Side::port ? rope.length_port.value_or(rope.length)
+                                        : rope.length,
                    {},
                    {},
                    ""};

@@ -83,6 +83,13 @@ struct GearPoint {
   std::optional<std::array<double, 3>> at;  // [m], mirrored if it is to port
 };
 
+/// A rigid body of the plan; its points are points of the gear.
+struct GearBody {
+  std::string name;
+  const PlanBody* body = nullptr;
+  bool is_mirrored = false;
+};
+
 /// A net plan completed by its symmetry. It refers to the plan, which must live longer. Points are named
 /// "headrope.end", "port-wing.fore-outer", "port-towing-point", and in the whole those of middle panels as
 /// their edges: "body.port-fore-outer"; on the plane of symmetry "body.fore-inner".
@@ -93,6 +100,7 @@ struct Gear {
   std::vector<GearRope> ropes;
   std::vector<GearPieces> pieces;
   std::vector<GearPoint> points;
+  std::vector<GearBody> bodies;
 
   const GearPanel* find_panel(const std::string& name) const;
   const GearRope* find_rope(const std::string& name) const;

@@ -385,9 +385,11 @@ double area_of(const Gear& gear, const Fineness& fineness) {
   return area;
 }
 
+/// Of ropes but warps, which have bars of their own length.
 double length_of(const Gear& gear) {
   double length = 0;
-  for (const auto& rope : gear.ropes) length += rope.length;
+  for (const auto& rope : gear.ropes)
+    if (rope.rope->role != kWarp) length += rope.length;
   return length;
 }
 

@@ -118,6 +118,7 @@ Standing standing_of(const NetPlan& plan, const std::string& name) {
   if (const Rope* rope = plan.find_rope(name)) return rope->stands;
   if (const Panel* panel = plan.find_panel(name)) return panel->stands;
   if (const Point* point = plan.find_point(name)) return point->stands;
+  if (const PlanBody* body = plan.find_body(name)) return body->stands;
   return Standing::alone;
 }
 

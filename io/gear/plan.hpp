@@ -90,9 +90,10 @@ struct Rope {
   std::string name;
   Standing stands = Standing::alone;
   std::string part_name;
-  Value rope;         // a table: diameter, EA, density, …
-  double length = 0;  // unstretched [m]
-  std::string role;   // one of rope_roles(); empty: none
+  Value rope;                         // a table: diameter, EA, density, …
+  double length = 0;                  // unstretched [m]
+  std::optional<double> length_port;  // of the one to port, if it is another [m]
+  std::string role;                   // one of rope_roles(); empty: none
   Place role_place;
   std::array<std::string, 2> between;  // points at its ends; empty: none
   bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
@@ -144,6 +145,25 @@ struct Point {
   Place place;
 };
 
+/// A rigid body, such as an otter board. A plan knows where ropes lead to, `door.warp`; what it is, a scene
+/// reads.
+struct PlanBody {
+  std::string name;
+  Standing stands = Standing::pair;
+  std::vector<std::string> points;  // by name; each is a point of the plan as well
+  Place place;
+};
+
+/// The ship that tows the gear: it makes the points and the ropes `block` and `warp`.
+struct Ship {
+  double speed = 0;                        // over the ground [m/s]
+  double block_height = 0, block_gap = 0;  // above the water, between those to port and to starboard [m]
+  double efficiency = 0;                   // towing power over the heat of the fuel; 0: not known
+  Place place, speed_place;
+};
+
+inline constexpr const char *kBlock = "block", *kWarp = "warp";
+
 struct NetPlan {
   std::string title, source;
   std::vector<Panel> panels;
@@ -152,11 +172,14 @@ struct NetPlan {
   std::vector<Join> joins;
   std::vector<Pieces> pieces;
   std::vector<Point> points;
+  std::vector<PlanBody> bodies;
+  std::optional<Ship> ship;
   std::vector<SourceFile> files;
 
   const Panel* find_panel(const std::string& name) const;
   const Rope* find_rope(const std::string& name) const;
   const Point* find_point(const std::string& name) const;
+  const PlanBody* find_body(const std::string& name) const;
 };
 
 }  // namespace netloft::io

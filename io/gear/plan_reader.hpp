@@ -26,6 +26,11 @@ Join read_join(TableReader& table);
 Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue& catalogue);
 Point read_point(const std::string& name, TableReader& table);
 
+/// Reads how a body stands and which points it has, its own or those of the board that it names.
+PlanBody read_plan_body(const std::string& name, TableReader& table, const Catalogue& catalogue);
+/// `[ship]`: adds its blocks and warps to the plan, whose bodies are known.
+void add_ship(NetPlan& plan, TableReader& ship, const Catalogue& catalogue);
+
 /// Adds the selvedges that seams gather: outlines become narrower, and each strip becomes a rope on the edge.
 void add_selvedges(NetPlan& plan, Diagnostics& diagnostics);
 

@@ -13,9 +13,11 @@ namespace netloft::io {
 namespace {
 
 // The tables of a scene beside those of a plan, and the keys of its [gear] about the model.
-constexpr const char* kOfScenes[] = {"water", "tow", "parts", "hold", "analysis", "results", "elements"};
+constexpr const char* kOfScenes[] = {"water", "tow",      "bed",     "parts",
+                                     "hold",  "analysis", "results", "elements"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
-constexpr const char* kOfPlans[] = {"gear", "panels", "ropes", "hang", "floats", "points"};
+constexpr const char* kOfPlans[] = {"gear", "panels", "ropes",
+                                    "hang", "floats", "points"};  // a ship and bodies alone make none
 
 /// Whether a [[join]] connects parts of a scene rather than edges.
 bool joins_parts(TableReader& join) {
@@ -48,6 +50,9 @@ class PlanReader {
                [&](const auto& name, auto& t) { plan_.pieces.push_back(read_pieces(name, t, catalogue_)); });
     read_named("points", "points that ropes lead to", Presence::optional,
                [&](const auto& name, auto& t) { plan_.points.push_back(read_point(name, t)); });
+    read_named("bodies", "rigid bodies", Presence::optional,
+               [&](const auto& name, auto& t) { add_body(read_plan_body(name, t, catalogue_)); });
+    if (root_.has("ship")) read_ship();
     for (auto& table : root_.tables("hang")) plan_.hangings.push_back(read_hanging(table));
     for (auto& table : root_.tables("join"))
       if (!joins_parts(table)) plan_.joins.push_back(read_join(table));
@@ -64,6 +69,22 @@ class PlanReader {
     plan_.title = gear.text("title", {.doc = "what it is", .fallback = ""});
     plan_.source = gear.text("source", {.doc = "where the plan comes from", .fallback = ""});
     for (const char* key : kOfModels) gear.has(key);
+  }
+
+  /// Its points are points of the plan.
+  void add_body(PlanBody body) {
+    for (const auto& point : body.points)
+      plan_.points.push_back({body.name + "." + point, body.stands, {}, body.place});
+    plan_.bodies.push_back(std::move(body));
+  }
+
+  void read_ship() {
+    TableReader ship = root_.table("ship");
+    for (const char* name : {kBlock, kWarp})
+      if (!names_.insert(name).second)
+        ship.error(name, "there is something named \"" + std::string(name) + "\" already",
+                   "a ship brings its blocks and its warps with it");
+    add_ship(plan_, ship, catalogue_);
   }
 
   void read_catalogue(const Catalogue* at_hand) {
@@ -160,5 +181,6 @@ NetPlan read_plan_text(const std::string& text, const std::string& name, const C
 const Panel* NetPlan::find_panel(const std::string& name) const { return find_named(panels, name); }
 const Rope* NetPlan::find_rope(const std::string& name) const { return find_named(ropes, name); }
 const Point* NetPlan::find_point(const std::string& name) const { return find_named(points, name); }
+const PlanBody* NetPlan::find_body(const std::string& name) const { return find_named(bodies, name); }
 
 }  // namespace netloft::io

@@ -71,7 +71,8 @@ void read_role(Rope& rope, TableReader& table) {
 
 const std::vector<std::string>& rope_roles() {
   static const std::vector<std::string> words = {"headline",    "footrope", "fishing-line", "ground-rope",
-                                                 "breast-line", "bridle",   "sweep",        "warp"};
+                                                 "breast-line", "bridle",   "sweep",        "backstrap",
+                                                 "door-leg",    "warp"};
   return words;
 }
 

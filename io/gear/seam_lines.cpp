@@ -131,7 +131,7 @@ class LineMaker {
 
   void add_rope(std::size_t r, const RopeCourse& course) {
     const GearRope& rope = gear_.ropes[r];
-    const double size = size_ / finer(fineness_, rope.name, rope.rope->name);
+    const double size = std::max(size_, coarsest(rope)) / finer(fineness_, rope.name, rope.rope->name);
     auto& runs = all_.ropes.emplace_back();
     for (const auto& stretch : course)
       if (stretch.is_free)
@@ -141,6 +141,13 @@ class LineMaker {
     all_.rope_ends.push_back({number_of(course.front().from), number_of(course.back().to)});
     const auto middle = all_.points.find(rope.name + ".middle");
     all_.rope_middles.push_back(middle == all_.points.end() ? kNoPoint : middle->second);
+  }
+
+  /// A warp turns by some tenths of a radian along its length, so that this many bars follow it to a
+  /// thousandth of its tension, whatever size the netting has.
+  static double coarsest(const GearRope& rope) {
+    constexpr double kBarsOfWarps = 32;
+    return rope.rope->role == kWarp ? rope.length / kBarsOfWarps : 0;
   }
 
   RopeRun free_run(const RopeStretch& stretch, double size) {

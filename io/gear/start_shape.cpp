@@ -31,6 +31,8 @@ double half_width(double half_girth) {
 struct Lead {
   std::uint32_t from, to;
   double length;  // [m]
+  std::vector<std::pair<std::uint32_t, double>>
+      between;  // nodes from `to` back, how far they are from `from` [m]
 };
 
 /// Makes one shape; the member functions are steps in the order of execution.
@@ -152,6 +154,7 @@ class Shaper {
 
   void append_leads(std::uint32_t from, const Neighbours& neighbours, std::vector<Lead>& leads) const {
     std::vector<double> best(mesh_.nodes, std::numeric_limits<double>::infinity());
+    std::vector<std::uint32_t> before(mesh_.nodes, from);
     using Reached = std::pair<double, std::uint32_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
     best[from] = 0;
@@ -160,23 +163,48 @@ class Shaper {
       queue.pop();
       if (length > best[node]) continue;
       if (placed_[node]) {
-        leads.push_back({from, node, length});
+        leads.push_back({from, node, length, {}});
+        for (auto k = before[node]; k != from; k = before[k]) leads.back().between.push_back({k, best[k]});
         continue;  // beyond it lies netting
       }
       for (const auto& [next, step] : neighbours[node])
-        if (length + step < best[next]) queue.push({best[next] = length + step, next});
+        if (length + step < best[next]) before[next] = node, queue.push({best[next] = length + step, next});
     }
   }
 
   /// Places ropes beside the netting: straight between two placed ends, forward from a single one.
   void put_ropes() {
+    const auto leads = find_leads();
     for (const auto& k : known_) complete(k.node);
+    put_on_leads(leads);
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
       for (const bool between : {true, false})
         for (const auto& rope : mesh_.ropes)
           if (!goes_on) goes_on = put_stretch(rope, between);
     }
+  }
+
+  /// What leads from a board to the netting runs straight, whatever ropes it is made of.
+  void put_on_leads(const std::vector<Lead>& leads) {
+    for (const Lead& lead : leads) {
+      if (!is_of_body(lead.from) || !placed_[lead.from]) continue;
+      for (const auto& [node, distance] : lead.between) {
+        if (placed_[node]) continue;
+        const double t = distance / lead.length;
+        for (int axis = 0; axis < 3; ++axis)
+          x(node, axis) = (1 - t) * x(lead.from, axis) + t * x(lead.to, axis);
+        placed_[node] = true;
+      }
+    }
+  }
+
+  bool is_of_body(std::uint32_t node) const {
+    return std::any_of(gear_.points.begin(), gear_.points.end(), [&](const GearPoint& point) {
+      const auto at = mesh_.points.find(point.name);
+      return point.point->name.find('.') != std::string::npos && at != mesh_.points.end() &&
+             at->second == node;
+    });
   }
 
   /// Marks a node beside the netting as placed once all its coordinates are known.

@@ -41,29 +41,46 @@ void add_outputs(const LoadedScene& loaded, const Assembler& assembler, const An
   }
 }
 
-/// Whether a part stands on a body alone, as its own element and its shoe do; ropes lead away from it.
-bool rides_on(const RigidBody& body, const Part& part) {
-  return std::all_of(part.nodes.begin(), part.nodes.end(), [&](std::uint32_t node) {
-    return node == body.origin || std::any_of(body.points.begin(), body.points.end(),
-                                              [&](const auto& point) { return point.node == node; });
+/// Whether a part stands on bodies alone, as the element of a board and its shoe do; ropes lead away from
+/// them.
+bool rides_on_bodies(const Scene& scene, const Part& part) {
+  return std::ranges::all_of(part.nodes, [&](std::uint32_t node) {
+    return std::ranges::any_of(scene.bodies, [&](const RigidBody& body) {
+      return node == body.origin ||
+             std::ranges::any_of(body.points, [&](const auto& point) { return point.node == node; });
+    });
   });
 }
 
-/// Under which name a force on a body is summed up: water and weight of what rides on it, and all else by the
-/// part that brings it.
-std::string source_of(const RigidBody& body, const Part& part, const PartForce& force) {
-  if (rides_on(body, part) && force.traits & NETLOFT_IS_DRAG) return "water";
-  if (rides_on(body, part) && force.traits & NETLOFT_IS_WEIGHT) return "weight";
-  return part.name;
+/// Whether elements of a part rest on some ground, which they say by an output.
+bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
+  return std::ranges::any_of(assembler.families(), [&](const auto& family) {
+    const auto& outputs = family->type().outputs;
+    const auto& parts = family->parts();
+    return std::ranges::find(parts, part) != parts.end() &&
+           std::ranges::any_of(outputs, [](const auto& o) { return o.name == std::string("normal_force"); });
+  });
 }
 
-void add_budget(const LoadedScene& loaded, const Answer& answer, std::size_t b,
+/// Under which name a force on a body is summed up: water, weight and ground of what rides on bodies, and
+/// all else by the part that brings it.
+std::string source_of(const LoadedScene& loaded, const Assembler& assembler, const BodyForce& force) {
+  const Part& part = loaded.scene.parts[force.part];
+  const std::uint32_t traits = force.of.traits;
+  if (!rides_on_bodies(loaded.scene, part)) return part.name;
+  if (traits & NETLOFT_IS_DRAG) return "water";
+  if (traits & NETLOFT_IS_WEIGHT) return "weight";
+  const bool reads_ground = traits & (NETLOFT_READS_BED | NETLOFT_READS_GROUND);
+  return reads_ground || rests_on_ground(assembler, force.part) ? "ground" : part.name;
+}
+
+void add_budget(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
                 std::vector<Figure>& figures) {
   const RigidBody& body = loaded.scene.bodies[b];
   std::vector<std::pair<std::string, Vector>> sums;
   for (const BodyForce& force : answer.body_forces) {
     if (force.body != b) continue;
-    const std::string source = source_of(body, loaded.scene.parts[force.part], force.of);
+    const std::string source = source_of(loaded, assembler, force);
     auto at = std::find_if(sums.begin(), sums.end(), [&](const auto& s) { return s.first == source; });
     if (at == sums.end()) at = sums.insert(at, {source, {}});
     at->second += Vector{force.of.force[0], force.of.force[1], force.of.force[2]};
@@ -84,7 +101,7 @@ void add_body_figures(const LoadedScene& loaded, const Assembler& assembler, con
     const std::string own = "bodies/" + loaded.scene.bodies[b].name + "/";
     add_place(loaded, assembler, answer, b, own, figures);
     add_outputs(loaded, assembler, answer, b, own, figures);
-    add_budget(loaded, answer, b, figures);
+    add_budget(loaded, assembler, answer, b, figures);
   }
 }
 

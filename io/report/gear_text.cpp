@@ -83,9 +83,10 @@ void table(const std::vector<NamedScalar>& figures, const std::string& title,
   }
 }
 
-/// The name of a figure in words: "headline height" for "headline_height".
+/// The name of a figure in words: "headline height" for "headline_height", "door spread" for "door/spread".
 std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '_' || c == '/'; }, ' ');
   return name;
 }
 
@@ -97,6 +98,12 @@ void line(const std::string& name, const NamedScalar& figure, Out out) {
                  error_text(figure), figure.doc);
 }
 
+/// "pairs/door/spread" and what spreads it; the rest of a pair stands in the tables of its bodies.
+bool is_of_pair(const std::string& name) {
+  return name.starts_with("pairs/") &&
+         (name.ends_with("/spread") || name.ends_with("/spread_force") || name.ends_with("/ground_share"));
+}
+
 /// Writes the principal figures, one a line, with their errors.
 void headlines(const std::vector<NamedScalar>& figures, Out out) {
   for (const auto& figure : figures) {
@@ -106,8 +113,7 @@ void headlines(const std::vector<NamedScalar>& figures, Out out) {
     if (figure.name.starts_with("ground/")) line("ground " + last, figure, out);
     if (figure.name.starts_with("rigging/"))
       line(figure.name.substr(8, figure.name.rfind('/') - 8) + " pull", figure, out);
-    if (figure.name.starts_with("pairs/"))
-      line("spread of " + figure.name.substr(6, figure.name.rfind('/') - 6), figure, out);
+    if (is_of_pair(figure.name)) line(spoken(figure.name.substr(6)), figure, out);
     if (figure.name.starts_with("towing/")) line("towing " + last, figure, out);
     if (figure.name == "weight_in_water/all") line("weight in water", figure, out);
     if (figure.name.starts_with("budget/")) line("  " + last, figure, out);
@@ -138,7 +144,7 @@ void bodies(const std::vector<NamedScalar>& figures, Out out) {
          {"sideslip [°]", body, "/sideslip", "{:.2f}", false, kDegrees},
          {"lift [N]", body, "/lift"},
          {"drag [N]", body, "/drag"},
-         {"spread [N]", body, "/spread"}},
+         {"outward [N]", body, "/outward"}},
         out);
   table(figures, "forces on bodies [N]",
         {{"aft", "body_forces/", "/x"}, {"outward", "body_forces/", "/out"}, {"up", "body_forces/", "/z"}},

@@ -77,6 +77,8 @@ std::vector<Figure> find_gear_figures(const LoadedScene& loaded, const Assembler
   const GearView gear(loaded, assembler, answer);
   add_mouth_figures(gear, figures);
   add_rope_figures(gear, figures);
+  add_pair_figures(gear, figures);
+  add_towing_figures(gear, figures);
   add_force_figures(gear, figures);
   add_ground_figures(gear, figures);
   add_netting_figures(gear, figures);

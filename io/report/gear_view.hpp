@@ -55,6 +55,9 @@ Vector whole_of(const Vector& modelled, double times);
 
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
+/// Out of what add_body_figures has added.
+void add_pair_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);

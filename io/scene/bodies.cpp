@@ -58,18 +58,38 @@ Point placed(const Point& origin, const Point& rotation, const Point& r) {
   return point_of(vector_of(origin) + rotated(vector_of(rotation), vector_of(r)));
 }
 
+/// A body of a plan is on the side where the plan has it.
+double read_side(TableReader& table, const BodyOfPlan* plan) {
+  if (!plan || table.has(kSide.name)) {
+    const double said = read_word(table, kSide) == "port" ? -1 : 1;
+    if (!plan) return said;
+    table.error(kSide.name, "is given by the net plan, which has this body to starboard and to port",
+                "stands = \"alone\", if there is one");
+  }
+  return plan->side;
+}
+
+Point read_origin(TableReader& table, const BodyOfPlan* plan, const BodyGeometry& body) {
+  if (!plan) return read_one_point(table, kOrigin);
+  if (table.has(kOrigin.name) || !plan->guess) return mirrored(read_one_point(table, kOrigin), body.side);
+  double lowest = 0;
+  for (const auto* points : {&body.r, &body.outline})
+    for (const Point& p : *points) lowest = std::min(lowest, p[2]);
+  return plan->guess(lowest);
+}
+
 }  // namespace
 
-Geometry read_body(TableReader& table) {
+Geometry read_body(TableReader& table, const BodyOfPlan* plan) {
   Geometry out;
   BodyGeometry body;
-  body.side = read_word(table, kSide) == "port" ? -1 : 1;
-  const Point origin = read_one_point(table, kOrigin);
+  body.side = read_side(table, plan);
   read_turning(table, body);
   read_named_points(table, body);
   if (table.has("outline"))
     for (const Point& corner : read_points(table, kOutline))
       body.outline.push_back(mirrored(corner, body.side));
+  const Point origin = read_origin(table, plan, body);
   append(out.positions, origin);
   out.names.sets["origin"] = {0};
   for (std::uint32_t k = 0; k < body.r.size(); ++k) {

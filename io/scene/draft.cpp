@@ -104,6 +104,16 @@ std::vector<Mention> Draft::expand(const Mention& m) {
   return all;
 }
 
+bool Draft::has(const std::string& name) const {
+  return points.contains(name) || part_number(name.substr(0, name.find('.')));
+}
+
+std::vector<Mention> Draft::both_sides(const Mention& m) const {
+  const Mention starboard{"starboard-" + m.name, m.place, m.path}, port{"port-" + m.name, m.place, m.path};
+  if (has(m.name) || !has(starboard.name) || !has(port.name)) return {m};
+  return {starboard, port};
+}
+
 std::optional<std::size_t> Draft::find_part(const Mention& m, const std::string& name) {
   if (const auto p = part_number(name)) return p;
   std::vector<std::string> names, owners;

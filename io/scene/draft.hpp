@@ -46,6 +46,9 @@ class Draft {
   /// "*.middle" as the names of this edge or point of all parts that have it; other names as they are. If
   /// nothing has it, it is said where it was mentioned.
   std::vector<Mention> expand(const Mention& m);
+  /// What a pair of a plan is called in the whole gear, "starboard-door.toe" and "port-door.toe", where
+  /// "door.toe" is mentioned; other names as they are. So a part stands on it in the half and in the whole.
+  std::vector<Mention> both_sides(const Mention& m) const;
 
   LoadedScene out;
   std::vector<Geometry> geometries;            // as out.scene.parts
@@ -55,6 +58,7 @@ class Draft {
 
  private:
   std::optional<std::size_t> find_part(const Mention& m, const std::string& name);
+  bool has(const std::string& name) const;
 
   Diagnostics& diagnostics_;
   std::set<std::string> riders_;

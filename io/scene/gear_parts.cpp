@@ -3,7 +3,6 @@
 
 #include "framework/registry/nearest.hpp"
 #include "io/catalogue/part_kinds.hpp"
-#include "io/gear/start_shape.hpp"
 #include "io/gear/twine_coordinates.hpp"
 #include "io/scene/idle_keys.hpp"
 #include "io/scene/inventory.hpp"
@@ -76,8 +75,8 @@ bool is_seam(TableReader& join) {
 }
 
 GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& elements, Draft& draft)
-    : elements_(elements), draft_(draft), diagnostics_(root.diagnostics()) {
-  for (const char* key : {"panels", "ropes", "hang", "floats", "points"}) root.has(key);
+    : plan_(plan), elements_(elements), draft_(draft), diagnostics_(root.diagnostics()) {
+  for (const char* key : {"panels", "ropes", "hang", "floats", "points", "ship"}) root.has(key);
   const int errors_before = diagnostics_.errors();
   draft_.out.gear.emplace();
   read_model(root, plan);
@@ -87,7 +86,6 @@ GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice
   if (diagnostics_.errors() > errors_before) return;
   mesh_ = divide(gear_, fineness_);
   if (fineness_.knots) draft_.out.gear->nodes = mesh_.nodes;
-  start_ = start_shape(gear_, mesh_);
   own_.resize(mesh_.nodes);
 }
 
@@ -103,6 +101,7 @@ void GearParts::read_model(TableReader& root, const NetPlan& plan) {
   gear_ = make_gear(plan, keys.extent == 1 ? Extent::half : Extent::whole);
   fineness_.nodes = static_cast<std::size_t>(keys.nodes), fineness_.size = keys.size;
   read_finer(table);
+  check_halves(table);
   draft_.out.gear->times = gear_.extent == Extent::half ? 2 : 1;
   draft_.out.gear->nodes = fineness_.nodes, draft_.out.gear->size = fineness_.size;
   draft_.out.gear->bill = bill_of(plan), draft_.out.gear->sheet = sheet_of(plan, gear_);
@@ -113,6 +112,19 @@ void GearParts::check_knots(TableReader& gear) const {
     if (gear.has(key))
       gear.error(key, "stands beside nodes = \"knots\", which says how fine the mesh is",
                  "leave one of them out");
+}
+
+/// What the half of a gear cannot have.
+void GearParts::check_halves(TableReader& table) const {
+  if (gear_.extent == Extent::whole) return;
+  for (const auto& body : plan_.bodies)
+    if (body.stands != io::Standing::pair)
+      table.error("extent", "= \"half\", and " + in_quotes(body.name) + " is a body that stands once",
+                  "extent = \"whole\"; half a body is none");
+  for (const auto& rope : plan_.ropes)
+    if (rope.length_port.value_or(rope.length) != rope.length)
+      table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another length to port",
+                  "extent = \"whole\", or leave out length_port");
 }
 
 /// `finer = { top-codend = 2 }`, by panels and ropes.
@@ -187,7 +199,40 @@ bool GearParts::read_part(const Made& made, const std::string& path, Value numbe
   return diagnostics_.errors() == errors_before;
 }
 
+/// A board starts where warps of such boards have it: as deep as they reach, on the bed where there is one.
+/// Only a start: what is found does not depend on it, unless a gear has several equilibria.
+BodyOfPlan GearParts::place_of(const GearBody& body) const {
+  BodyOfPlan place{body.is_mirrored ? -1.0 : 1.0, {}};
+  const io::Rope* warp = plan_.find_rope(kWarp);
+  if (!plan_.ship || !warp) return place;
+  place.guess = [this, warp, side = place.side](double lowest) {
+    constexpr double kDepth = 0.3, kSpread = 0.09;  // over the length of warp
+    const double L = warp->length, y = plan_.ship->block_gap / 2 + kSpread * L;
+    const SeaBed& bed = draft_.out.scene.bed;
+    const double reach = plan_.ship->block_height - kDepth * L;
+    const double z = bed.is_there ? std::max(reach, bed.at(L, side * y)[0] - lowest) : reach;
+    const double down = plan_.ship->block_height - z;
+    return std::array{std::sqrt(std::max(L * L - down * down, 0.25 * L * L)), side * y, z};
+  };
+  return place;
+}
+
+void GearParts::tie(const GearBody& body, std::size_t part) {
+  const Geometry& geometry = draft_.geometries[part];
+  if (body.body->stands == io::Standing::pair)
+    draft_.out.gear->pairs[body.body->name].push_back(static_cast<std::uint32_t>(part));
+  for (std::uint32_t k = 0; geometry.body && k < geometry.body->names.size(); ++k) {
+    const auto node = mesh_.points.find(body.name + "." + geometry.body->names[k]);
+    if (node == mesh_.points.end()) continue;
+    own_[node->second].push_back({part, k + 1});
+    for (int axis = 0; axis < 3; ++axis)
+      known_.push_back({node->second, axis,
+                        geometry.positions[3 * (k + std::size_t{1}) + static_cast<std::size_t>(axis)]});
+  }
+}
+
 void GearParts::add_parts() {
+  start_ = start_shape(gear_, mesh_, known_);
   for (std::size_t p = 0; p < mesh_.panels.size(); ++p) add_panel(gear_.panels[p], mesh_.panels[p]);
   for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) add_rope(gear_.ropes[r], mesh_.ropes[r]);
   for (const auto& pieces : gear_.pieces) draft_.announce_rider(pieces.name);
@@ -356,10 +401,26 @@ void GearParts::hold_middle() {
   draft_.out.holds.push_back(std::move(hold));
 }
 
+void GearParts::hold_blocks() {
+  if (!plan_.ship) return;
+  Scene& scene = draft_.out.scene;
+  Hold hold{kShip, {}, {}};
+  for (const auto& point : gear_.points) {
+    if (point.point->name != kBlock) continue;
+    const std::uint32_t node = scene_node(mesh_.points.at(point.name));
+    hold.nodes.push_back(node), hold.axes.push_back(kAllAxes);
+    scene.held[node] = kAllAxes;
+    std::copy(point.at->begin(), point.at->end(), scene.positions.begin() + 3 * std::ptrdiff_t{node});
+  }
+  draft_.out.holds.push_back(std::move(hold));
+  draft_.out.gear->ship_speed = plan_.ship->speed;
+  draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
+}
+
 void GearParts::follow_holds() {
   if (mesh_.nodes == 0) return;
   Scene& scene = draft_.out.scene;
-  std::vector<KnownCoordinate> known;
+  std::vector<KnownCoordinate> known = known_;
   for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
     for (int axis = 0; axis < 3; ++axis)
       if (const auto in = scene_node(node); scene.held[in] & (1 << axis) && !scene.frames.contains(in))
@@ -375,7 +436,8 @@ bool GearParts::has_name(const std::string& name) const {
   return std::any_of(gear_.panels.begin(), gear_.panels.end(), is_it) ||
          std::any_of(gear_.ropes.begin(), gear_.ropes.end(), is_it) ||
          std::any_of(gear_.pieces.begin(), gear_.pieces.end(), is_it) ||
-         std::any_of(gear_.points.begin(), gear_.points.end(), is_it);
+         std::any_of(gear_.points.begin(), gear_.points.end(), is_it) ||
+         std::any_of(gear_.bodies.begin(), gear_.bodies.end(), is_it);
 }
 
 }  // namespace netloft::io

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gear/gear_mesh.hpp"
 #include "io/gear/plan.hpp"
+#include "io/gear/start_shape.hpp"
+#include "io/scene/bodies.hpp"
 #include "io/scene/draft.hpp"
 #include "io/scene/element_choice.hpp"
 #include "io/scene/keys.hpp"
@@ -10,6 +11,9 @@ namespace netloft::io {
 
 /// Name of the hold that keeps the middle of a half on the plane of symmetry.
 inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
+
+/// Name of the hold that is the ship.
+inline constexpr const char* kShip = "ship";
 
 /// Whether `join` is a seam of a net plan rather than a join of parts.
 bool is_seam(TableReader& join);
@@ -23,6 +27,11 @@ class GearParts {
 
   /// False after an error: then nothing in the scene can be judged.
   bool is_divided() const { return mesh_.nodes > 0; }
+  const std::vector<GearBody>& bodies() const { return gear_.bodies; }
+  /// Where a body of the plan stands.
+  BodyOfPlan place_of(const GearBody& body) const;
+  /// Ropes lead to the points of this part, which is that body. All bodies come before `add_parts`.
+  void tie(const GearBody& body, std::size_t part);
   /// Panels and ropes, on nodes of their own, and the names of points.
   void add_parts();
   /// Nodes that panels and ropes share become one.
@@ -31,6 +40,8 @@ class GearParts {
   void add_pieces();
   /// Of a half: the plane of symmetry.
   void hold_middle();
+  /// The blocks of the ship, where there is one.
+  void hold_blocks();
   /// The start again, now that it is known what is held where.
   void follow_holds();
 
@@ -48,6 +59,7 @@ class GearParts {
   void read_model(TableReader& root, const NetPlan& plan);
   void check_knots(TableReader& gear) const;
   void read_finer(TableReader& gear);
+  void check_halves(TableReader& gear) const;
   Made read_elements(TableReader& elements, const GearElements& of) const;
   void read_exceptions(TableReader& elements);
   const Made& made(std::string_view kind) const;
@@ -65,6 +77,7 @@ class GearParts {
   std::string point_name(const std::string& name) const;
   std::uint32_t scene_node(std::uint32_t gear_node) const;
 
+  const NetPlan& plan_;
   const ElementChoice& elements_;
   Draft& draft_;
   Diagnostics& diagnostics_;
@@ -73,6 +86,7 @@ class GearParts {
   GearMesh mesh_;
   std::vector<Made> made_;
   std::map<std::string, Value> exceptions_;  // `[elements.NAME]` by part
+  std::vector<KnownCoordinate> known_;       // points of bodies
   std::vector<double> start_;                // 3 per node of the gear
   /// Parts and own nodes that a node of the gear is: its first is where its position comes from.
   std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;

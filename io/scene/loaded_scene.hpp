@@ -90,6 +90,11 @@ struct GearInScene {
   std::string headline, footrope;               // ropes by their roles in the plan; empty: none
   std::set<std::uint32_t> across;               // ropes from one side to the other: port, middle, starboard
   std::map<std::string, std::vector<std::uint32_t>> roles;  // ropes of the other roles, such as bridle
+  /// Bodies that are there to port and to starboard, by their name in the plan: parts of the scene; of a half
+  /// the one to starboard.
+  std::map<std::string, std::vector<std::uint32_t>> pairs;
+  double ship_speed = 0;       // over the ground [m/s]; 0: there is no ship
+  double ship_efficiency = 0;  // towing power over the heat of the fuel; 0: not known
   std::vector<BillItem> bill;
   std::map<std::string, SheetPlace> sheet;  // by panel, as the gear names it
 };

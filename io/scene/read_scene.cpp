@@ -53,7 +53,8 @@ class SceneReader {
         elements_(registry, refused),
         draft_(diagnostics),
         out_(draft_.out),
-        meshes_(file.parent_path(), diagnostics) {
+        meshes_(file.parent_path(), diagnostics),
+        plan_(plan) {
     out_.scene.name = file.stem().string();
     root_.has("catalogue");  // read with the parts that are named
     if (plan) gear_.emplace(*plan, root_, elements_, draft_);
@@ -62,16 +63,19 @@ class SceneReader {
   LoadedScene read() {
     if (gear_ && !gear_->is_divided()) return std::move(out_);
     read_water();
-    if (gear_) gear_->add_parts();
+    if (gear_) {
+      read_bodies_of_plan();
+      gear_->add_parts();
+    }
     read_parts();
-    read_bodies();
+    if (!gear_) read_bodies();
     read_joins();
     assemble_nodes();
     add_bodies(draft_, diagnostics_);
     if (gear_) gear_->add_pieces();
     read_riders();
     add_companions();
-    if (gear_) gear_->hold_middle();
+    if (gear_) gear_->hold_middle(), gear_->hold_blocks();
     read_holds();
     if (gear_) gear_->follow_holds();
     place_points(out_.scene);
@@ -84,11 +88,11 @@ class SceneReader {
     if (diagnostics_.errors() > 0) return std::move(out_);
     check_held();
     check_ground();
+    check_bed();
     check_beds(out_, diagnostics_);
     one_sided_.report(draft_, diagnostics_);
     return std::move(out_);
   }
-    check_bed();
 
  private:
   void read_water() {
@@ -100,6 +104,21 @@ class SceneReader {
     out_.scene.current = read_current(water);
     if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
     if (root_.has("bed")) read_bed(root_.table("bed"), out_.scene);
+    read_ship();
+  }
+
+  /// A ship tows the gear of a net plan.
+  void read_ship() {
+    if (!root_.has("ship")) return;
+    if (!plan_)
+      return root_.error("ship", "tows a gear from a net plan, and there is none",
+                         "[tow] speed and a [[hold]] tow other gears");
+    if (says_tow_)
+      diagnostics_.error(plan_->ship->speed_place, "ship.speed stands beside [tow], and either tows the gear",
+                         "leave out one of them");
+    says_tow_ = true;
+    out_.scene.ground = {plan_->ship->speed, 0, 0};
+    out_.scene.current.tow = out_.scene.ground;
   }
 
   /// A model at 1 : s in water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the
@@ -147,6 +166,19 @@ class SceneReader {
     }
   }
 
+  /// Those of a net plan, to starboard and to port.
+  void read_bodies_of_plan() {
+    TableReader bodies = root_.table("bodies", Presence::optional);
+    for (const GearBody& body : gear_->bodies()) {
+      if (!draft_.is_sound.empty() && !draft_.is_sound.back()) return;  // said once, not for both sides
+      const BodyOfPlan place = gear_->place_of(body);
+      TableReader table = bodies.table(body.body->name);
+      table.has("stands");
+      read_part(body.name, table, Home::bodies, body.body->stands == Standing::pair ? &place : nullptr);
+      gear_->tie(body, draft_.geometries.size() - 1);
+    }
+  }
+
   void check_part_name(const std::string& name, TableReader& parts) {
     const bool has_dot = name.find('.') != std::string::npos;
     const std::string fault =
@@ -161,7 +193,8 @@ class SceneReader {
 
   enum class Home { parts, bodies };
 
-  void read_part(const std::string& name, TableReader& table, Home home = Home::parts) {
+  void read_part(const std::string& name, TableReader& table, Home home = Home::parts,
+                 const BodyOfPlan* place = nullptr) {
     const int errors_before = diagnostics_.errors();
     const std::string type_name = read_type_name(name, table);
     const ElementType* type = elements_.find(type_name, table);
@@ -177,7 +210,7 @@ class SceneReader {
     part.name = name, part.type = type_name;
     if (type) {
       elements_.read(*type, table, part);
-      geometry = read_geometry(*type, name, table);
+      geometry = place ? read_body(table, place) : read_geometry(*type, name, table);
       read_extra_data(*type, geometry, table);
     } else {
       for (const auto& key : table.keys()) table.raw(key);  // nobody knows what may stand here
@@ -493,6 +526,13 @@ class SceneReader {
           "reactions are of what a [[hold]] holds");
   }
 
+  bool bed_is_symmetric() const {
+    const SeaBed& bed = out_.scene.bed;
+    if (bed.slope_y != 0) return false;
+    if (bed.relief.empty()) return true;
+    return bed.relief.is_even_in_y();
+  }
+
   /// Half a gear stands for a whole one only if nothing tells port from starboard.
   void check_symmetry() {
     const std::string cure = "[gear] extent = \"whole\"";
@@ -520,6 +560,7 @@ class SceneReader {
         if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
           diagnostics_.error(out_.place_of(part.name),
                              part.name + ": " + name + " is not zero, and tells port from starboard", cure);
+    }
   }
 
   void check_held() {
@@ -535,16 +576,21 @@ class SceneReader {
             out_.parts[p].place,
             out_.scene.parts[p].name +
                 ": its friction is that of a ground that stands, in "
-  bool bed_is_symmetric() const {
-    const SeaBed& bed = out_.scene.bed;
-    if (bed.slope_y != 0) return false;
-    if (bed.relief.empty()) return true;
-    return bed.relief.is_even_in_y();
-  }
-
                 "water that flows; a towed gear passes both",
             "[tow] speed = \"3 kn\" lets both pass, instead of water.current; [tow] speed = 0 says "
             "that the ground stands");
+  }
+
+  /// What lies on the bed of the scene wants one.
+  void check_bed() {
+    for (std::size_t p = 0; !out_.scene.bed.is_there && p < draft_.types.size(); ++p)
+      for (const auto& term : draft_.types[p]->terms)
+        if (const auto both = NETLOFT_READS_BED | NETLOFT_FROM_OUTSIDE;
+            (term.traits & both) == std::uint32_t{both} && names_needed_by(term).empty())
+          diagnostics_.error(out_.parts[p].place,
+                             out_.scene.parts[p].name + ": " + draft_.types[p]->type +
+                                 " stands on the bed of the scene, and there is none",
+                             "[bed] depth = \"100 m\"");
   }
 
   /// A [[join]] that was made, and where it stands.
@@ -561,9 +607,9 @@ class SceneReader {
   bool& refused_;
   ElementChoice elements_;
   Draft draft_;
-    }
   LoadedScene& out_;  // of the draft
   MeshParts meshes_;
+  const NetPlan* plan_;
   std::optional<GearParts> gear_;
   std::vector<const ElementType*> companions_;
   std::vector<std::pair<std::string, TableReader>> riders_;
@@ -582,18 +628,6 @@ std::optional<NetPlan> read_plan_of(const Document& document, const std::filesys
   NetPlan plan = read_plan(document, folder, diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
   return plan;
-  /// What lies on the bed of the scene wants one.
-  void check_bed() {
-    for (std::size_t p = 0; !out_.scene.bed.is_there && p < draft_.types.size(); ++p)
-      for (const auto& term : draft_.types[p]->terms)
-        if (const auto both = NETLOFT_READS_BED | NETLOFT_FROM_OUTSIDE;
-            (term.traits & both) == std::uint32_t{both} && names_needed_by(term).empty())
-          diagnostics_.error(out_.parts[p].place,
-                             out_.scene.parts[p].name + ": " + draft_.types[p]->type +
-                                 " stands on the bed of the scene, and there is none",
-                             "[bed] depth = \"100 m\"");
-  }
-
 }
 
 void append_new(std::vector<SourceFile>& files, const std::vector<SourceFile>& more) {

@@ -31,7 +31,8 @@ class RiderMaker {
     read_names();
     if (table_.diagnostics().errors() > errors_before) return;
     for (std::size_t n = 0; n < names_.size(); ++n)
-      for (const auto& at : draft_.expand(mention_of_item(names_[n], table_, "on", n))) stand_on(n, at);
+      for (const auto& named : draft_.expand(mention_of_item(names_[n], table_, "on", n)))
+        for (const auto& at : draft_.both_sides(named)) stand_on(n, at);
     drop_repeats(nodes_);
     if (on_nodes_) stand_on_nodes();
     if (!corners_.empty()) stand_between_points();

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Net plans, checked and drawn."""
+import re
 import tomllib
 import unittest
 import xml.etree.ElementTree as xml
@@ -11,6 +12,12 @@ EASTERN = (SOURCE / "gear-library/gears/83-112-eastern.toml").read_text()
 SLIP = EASTERN.replace('cut = "3B1M out"', 'cut = "381M out"')
 
 
+def panels_of(gear):
+    """Names of the panels of a plan and of what it includes."""
+    plan = tomllib.loads(gear.read_text())
+    return set(plan.get("panels", {})).union(*(panels_of(gear.parent / other) for other in plan.get("include", [])))
+
+
 class Gears(InFreshFolder):
     def test_gears_of_the_library_can_be_sewn_and_drawn(self):
         self.assertTrue(GEARS)
@@ -18,17 +25,21 @@ class Gears(InFreshFolder):
             self.assertEqual(self.netloft("check", str(gear)).code, 0, gear)
             self.assertEqual(self.netloft("draw", str(gear), "-o", "plan.svg").code, 0, gear)
             texts = [e.text for e in xml.parse(self.folder / "plan.svg").iter() if e.tag.endswith("text")]
-            for panel in tomllib.loads(gear.read_text())["panels"]:
+            panels = panels_of(gear)
+            self.assertTrue(panels, gear)
+            for panel in panels:
                 self.assertIn(panel, texts)
 
     def test_the_plans_on_the_page_can_be_sewn(self):
         page = (SOURCE / "io/gear/GEAR.md").read_text()
-        plans = [block.split("\n", 1)[1] for block in page.split("```toml")[1:]]
-        self.assertEqual(len(plans), 2)
-        for plan in plans:
-            self.write("gear.toml", plan.split("```")[0])
-            run = self.netloft("check", "gear.toml")
-            self.assertEqual((run.code, run.err), (0, ""))
+        plans = re.findall(r"^```toml (\S+)\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
+        self.assertEqual(len(plans), len(re.findall("^```toml", page, re.MULTILINE)), "every plan has a name")
+        self.assertEqual(len(plans), 3)
+        for name, plan in plans:
+            self.write(name, plan)
+        for name, plan in plans:
+            run = self.netloft("check", name)
+            self.assertEqual((run.code, run.err), (0, ""), name)
 
     def test_the_slip_of_the_printed_plan_is_found_and_named(self):
         self.write("slip.toml", SLIP)

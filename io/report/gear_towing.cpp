@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Of gears from block to cod-end: warps, and what towing costs.
+#include <cmath>
+
+#include "io/report/gear_view.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kHeatOfDiesel = 42.7e6;  // lower heating value [J/kg], ISO 15550
+
+/// Unit vector along the outer bar of a rope, from one end inwards.
+Vector direction(const GearView& gear, std::uint32_t rope, bool from_start) {
+  const auto& nodes = gear.nodes_of(rope);
+  const std::size_t n = nodes.size();
+  const Vector way =
+      from_start ? gear.at(nodes[1]) - gear.at(nodes[0]) : gear.at(nodes[n - 2]) - gear.at(nodes[n - 1]);
+  return (1 / norm(way)) * way;
+}
+
+/// Angles of a warp at its ends, and the sum of what its block bears.
+void add_warp(const GearView& gear, std::uint32_t rope, Vector& pull, std::vector<Figure>& figures) {
+  const auto tensions = gear.output(rope, "tension");
+  if (tensions.empty()) return;
+  const Vector at_block = direction(gear, rope, true), at_end = direction(gear, rope, false);
+  const std::string own = "warps/" + gear.name(rope) + "/";
+  figures.push_back(
+      {own + "down_at_start", "rad", "angle below the horizontal at its start", std::asin(-at_block.z)});
+  figures.push_back({own + "out_at_start", "rad",
+                     "angle between it and the tow at its start, seen from above",
+                     std::abs(std::atan2(at_block.y, at_block.x))});
+  figures.push_back({own + "up_at_end", "rad", "angle above the horizontal at its end", std::asin(at_end.z)});
+  pull += tensions.front() * at_block;
+}
+
+void add_cost(const GearView& gear, const Vector& pull, std::vector<Figure>& figures) {
+  const GearInScene& g = gear.gear();
+  const double force = gear.times() * pull.x, power = force * g.ship_speed;
+  figures.push_back({"towing/pull", "N", "what the ship pulls with, forwards", force});
+  figures.push_back({"towing/power", "W", "that pull times the speed over the ground", power});
+  if (!(g.ship_efficiency > 0)) return;
+  const double burnt = power / (g.ship_efficiency * kHeatOfDiesel);
+  figures.push_back({"towing/fuel", "kg/s", "diesel for that power, at the efficiency of the ship", burnt});
+  for (const auto& figure : figures)
+    if (figure.name == "mouth/lower_wing_spread" && figure.value > 0) {
+      figures.push_back({"towing/fuel_per_area", "kg/m2", "diesel per area swept between the wing ends",
+                         burnt / (figure.value * g.ship_speed)});
+      return;
+    }
+}
+
+}  // namespace
+
+void add_towing_figures(const GearView& gear, std::vector<Figure>& figures) {
+  const auto warps = gear.gear().roles.find("warp");
+  if (warps == gear.gear().roles.end()) return;
+  Vector pull;
+  for (const auto rope : warps->second) add_warp(gear, rope, pull, figures);
+  if (gear.gear().ship_speed > 0) add_cost(gear, pull, figures);
+}
+
+}  // namespace netloft::io
