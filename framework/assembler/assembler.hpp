@@ -64,6 +64,8 @@ class Assembler {
   void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                   std::span<double> x_low) const;
   bool has_bodies() const { return !bodies_.empty(); }
+  /// The origin of the body that carries a node; a node that none carries is its own.
+  std::uint32_t carrier(std::uint32_t node) const { return bodies_.carrier(node); }
   /// Rates over all dofs at positions x from those of the unknowns and those of the guides.
   void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
             std::span<double> all_v, std::span<double> all_a) const;

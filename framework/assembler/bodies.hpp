@@ -34,6 +34,12 @@ class Bodies {
   /// Nodes of each body: its origin and its rotation.
   const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
   double arm(std::size_t body) const { return bodies_[body].arm; }
+  /// The origin of the body that carries a node; a node that none carries is its own.
+  std::uint32_t carrier(std::uint32_t node) const {
+    for (const Point& point : points_)
+      if (point.node == node) return pairs_[point.body][0];
+    return node;
+  }
   /// Positions of carried nodes from those of their bodies, (1).
   void place(std::span<double> x) const;
   /// Rates of carried nodes, (1).

@@ -70,11 +70,12 @@ MemberProblem::MemberProblem(Assembler& assembler, MakeFactorisation make, Limit
       tangent_(assembler.value_slots()),
       values_(assembler.value_slots()) {
   list_members();
+  list_rotations();
   fill_interface();
 }
 
 bool MemberProblem::serves(const Scene& scene, const Assembler& assembler) {
-  if (!scene.bodies.empty() || !scene.frames.empty()) return false;
+  if (!scene.frames.empty()) return false;
   return std::any_of(assembler.families().begin(), assembler.families().end(), [](const auto& family) {
     if (!has_members(*family)) return false;
     const auto told = members_of(*family);
@@ -99,19 +100,41 @@ void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
   MemberSite site;
   site.nodes = static_cast<std::uint32_t>(family.nodes_per_element());
   site.members = 0;
-  for (std::uint32_t i = 0; i < 3 * site.nodes; ++i)
-    site.dof[i] =
-        assembler_.numbering().index(family.node(element, static_cast<int>(i / 3)), static_cast<int>(i % 3));
+  const auto dof = [&](std::uint32_t i, bool of_carrier) {
+    const std::uint32_t node = family.node(element, static_cast<int>(i / 3));
+    return assembler_.numbering().index(of_carrier ? assembler_.carrier(node) : node,
+                                        static_cast<int>(i % 3));
+  };
+  for (std::uint32_t i = 0; i < 3 * site.nodes; ++i) site.dof[i] = dof(i, true);
   for (std::uint32_t p = 0; p < site.nodes; ++p)
     for (std::uint32_t q = 0; q < site.nodes; ++q) site.block[3 * p + q] = find_block(site, p, q);
   for (const netloft_member& m : told) {
     if (!bears(m)) continue;
     if (site.members == 0) site.first = static_cast<std::uint32_t>(members_.size());
+    for (std::uint32_t i = 0; i < 3 * site.nodes; ++i)
+      if (site.dof[i] != dof(i, false))
+        carried_.push_back({members_.size(), i / 3, i % 3, dof(i, false), site.dof[i]});
     members_.push_back(m), part_.push_back(family.part(element));
     weights_.push_back({{m.c[0], m.c[1], m.c[2]}, {m.number * m.c[0], m.number * m.c[1], m.number * m.c[2]}});
     if (++site.members == 2) sites_.push_back(site), site.members = 0;
   }
   if (site.members > 0) sites_.push_back(site);
+}
+
+void MemberProblem::list_rotations() {
+  const SparsePattern& p = assembler_.pattern();
+  std::vector<bool> turns(static_cast<std::size_t>(p.size));
+  for (const auto& body : assembler_.body_nodes())
+    for (int axis = 0; axis < 3; ++axis)
+      if (const auto i = assembler_.numbering().index(body[1], axis); i < p.size)
+        turns[static_cast<std::size_t>(i)] = true, rotations_.push_back(static_cast<std::size_t>(i));
+  if (rotations_.empty()) return;
+  for (std::size_t c = 0; c < turns.size(); ++c)
+    for (auto k = static_cast<std::size_t>(p.column_start[c]);
+         k < static_cast<std::size_t>(p.column_start[c + 1]); ++k) {
+      const auto r = static_cast<std::size_t>(p.row[k]);
+      if (turns[r] || turns[c]) (r == c ? of_rotations_ : beside_).push_back(p.slot_of(k));
+    }
 }
 
 /// By any of its entries that is kept.
@@ -163,6 +186,10 @@ void MemberProblem::combine(const double* v, double* w) const {
 int MemberProblem::chords(const double* u, double* w) {
   assembler_.place({u, interface_.unknowns}, x_);
   combine(x_.data(), w);
+  for (const Carried& at : carried_) {
+    const double beside = x_[static_cast<std::size_t>(at.point)] - x_[static_cast<std::size_t>(at.origin)];
+    w[3 * at.member + at.axis] += weights_[at.member].c[at.k] * beside;
+  }
   return NETLOFT_OK;
 }
 
@@ -181,8 +208,16 @@ int MemberProblem::evaluate(const double* u, double* residual) {
                         .matrix = MatrixKind::exact,
                         .values = tangent_.data()};
   if (!assembler_.evaluate(x_, request)) return assembler_.fault().status;
+  keep_attitudes(residual);
   load_ = largest_of({residual, x_.size()});
   return all_finite({residual, x_.size()}) ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
+}
+
+/// No moment turns a body, and its rotation has no part in any other equation.
+void MemberProblem::keep_attitudes(double* residual) {
+  for (const std::size_t i : rotations_) residual[i] = 0;
+  for (const std::size_t slot : of_rotations_) tangent_[slot] = 1;
+  for (const std::size_t slot : beside_) tangent_[slot] = 0;
 }
 
 int MemberProblem::add_forces(const double* f, double* residual) {

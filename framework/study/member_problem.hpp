@@ -10,6 +10,10 @@ namespace netloft {
 ///   r(u) + Σ n c T t = 0                                                                    (1)
 /// r are the terms without NETLOFT_OF_MEMBERS, n, c, T and t those of netloft_member. Counts and times every
 /// call as StaticProblem does, on the same assembler. Everything is at rest, at time zero.
+///
+/// Rigid bodies move and keep their attitude: c is then constant for members that lead to their points, as
+/// these methods want it, and a board stands upright while the ropes that will hold it come taut. What is
+/// found is a start for a solver that turns them.
 class MemberProblem {
  public:
   /// Why `progress` told a method to give up.
@@ -20,7 +24,7 @@ class MemberProblem {
   MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
 
-  /// Whether a scene has members on nodes that move along the axes of the world: no bodies, no frames.
+  /// Whether a scene has members on nodes that move along the axes of the world: no frames.
   static bool serves(const Scene& scene, const Assembler& assembler);
 
   netloft_members& interface() { return interface_; }
@@ -35,7 +39,9 @@ class MemberProblem {
   void list_members(const ElementFamily& family);
   void add_site(const ElementFamily& family, std::size_t element, std::span<const netloft_member> told);
   std::int32_t find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const;
+  void list_rotations();
   void fill_interface();
+  void keep_attitudes(double* residual);
   MemberTable table() const { return {sites_, weights_}; }
   void combine(const double* v, double* w) const;
   Stop limit_reached(double seconds) const;
@@ -61,6 +67,15 @@ class MemberProblem {
 
   std::vector<netloft_member> members_;
   std::vector<std::uint32_t> part_;
+  /// A node that a body carries, at which member `member` has c[k], and the origin of that body, by the first
+  /// of their coordinates in vectors over all degrees of freedom.
+  struct Carried {
+    std::size_t member, k, axis;
+    std::int32_t point, origin;
+  };
+  std::vector<Carried> carried_;
+  std::vector<std::size_t> rotations_;              // of bodies, among the unknowns
+  std::vector<std::size_t> of_rotations_, beside_;  // their places on the diagonal, and off it
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;                            // by member
   std::vector<double> x_, step_;                                  // over all degrees of freedom

@@ -132,6 +132,62 @@ TEST(MemberProblem, FindsChangesOfChordsAlongAStep) {
   for (std::size_t i = 0; i < w.size(); ++i) EXPECT_NEAR(w[i], taken.w[i] + change[i], 1e-13);
 }
 
+/// A rope to a rigid body that is turned, and another from it to a node beside.
+Scene ropes_on_a_body() {
+  Sketch s;
+  const auto anchor = s.node(-3, 0, 1, kAllAxes), eye = s.node(0, 0, 0), tail = s.node(0, 0, 0),
+             end = s.node(4, 0.5, -1), origin = s.node(0, 0.3, -0.2);
+  s.rope("warp", {anchor, eye}, 2.5), s.rope("leg", {tail, end}, 3.5);
+  s.scene.add_body({.name = "board",
+                    .origin = origin,
+                    .rotation = {0.3, 0.5, -0.8},
+                    .points = {{eye, {-0.4, 0.1, 0.2}}, {tail, {0.5, 0, -0.1}}}});
+  return s.scene;
+}
+
+/// Whether an unknown belongs to the rotation of the only body.
+bool turns(const Taken& taken, std::size_t unknown) {
+  return taken.assembled.assembler.numbering().node(static_cast<std::int32_t>(unknown)) ==
+         taken.assembled.assembler.body_nodes()[0][1];
+}
+
+TEST(MemberProblem, KeepsTheAttitudeOfBodiesOnMembers) {
+  Taken taken(ropes_on_a_body());
+  netloft_members& m = taken.m;
+  const auto whole = taken.assembled.residual(taken.positions());
+  const auto K = taken.assembled.matrix(taken.positions(), MatrixKind::exact);
+  std::vector<double> residual(m.dofs), found(m.unknowns), rhs(m.unknowns);
+  ASSERT_EQ(m.evaluate(m.host, taken.u.data(), residual.data()), NETLOFT_OK);
+  ASSERT_EQ(m.set_matrix_along(m.host, taken.lines.data(), residual.data()), NETLOFT_OK);
+  auto x = random_numbers(m.unknowns, 5);
+  for (std::size_t r = 0; r < rhs.size(); ++r)
+    if (turns(taken, r)) x[r] = 0;
+  for (std::size_t r = 0; r < rhs.size(); ++r) {
+    EXPECT_NEAR(residual[r], turns(taken, r) ? 0 : whole[r], 1e-12 * largest(whole)) << r;
+    for (std::size_t c = 0; c < rhs.size() && !turns(taken, r); ++c) rhs[r] += K[r * rhs.size() + c] * x[c];
+  }
+  ASSERT_EQ(m.factorise(m.host, NETLOFT_INDEFINITE), NETLOFT_FACTOR_OK);
+  ASSERT_EQ(m.solve(m.host, rhs.data(), found.data()), NETLOFT_OK);
+  EXPECT_LT(largest_difference(found, x), 1e-7);
+}
+
+TEST(MemberProblem, FindsChordsAndTheirChangesAtPointsOfBodies) {
+  Taken taken(ropes_on_a_body());
+  netloft_members& m = taken.m;
+  const auto& assembler = taken.assembled.assembler;
+  const auto x = taken.positions();
+  const auto from = assembler.node_position(0, x), to = assembler.node_position(1, x);
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(taken.w[axis], to[axis] - from[axis], 1e-13);
+  auto step = random_numbers(m.unknowns, 9);
+  for (std::size_t i = 0; i < step.size(); ++i)
+    if (turns(taken, i)) step[i] = 0;
+  std::vector<double> change(taken.w.size()), there = taken.u, w(taken.w.size());
+  ASSERT_EQ(m.changes(m.host, step.data(), change.data()), NETLOFT_OK);
+  for (std::size_t i = 0; i < there.size(); ++i) there[i] += step[i];
+  ASSERT_EQ(m.chords(m.host, there.data(), w.data()), NETLOFT_OK);
+  for (std::size_t i = 0; i < w.size(); ++i) EXPECT_NEAR(w[i], taken.w[i] + change[i], 1e-13);
+}
+
 TEST(MemberProblem, ServesMembersOnNodesThatMoveAlongTheAxes) {
   const auto serves = [](const Scene& scene) {
     const Assembled a(scene);
