@@ -322,6 +322,37 @@ double largest_sigma(const SparsePattern& p, std::span<const double> K, std::spa
   return std::min(kMostSigma, std::pow(10, std::ceil(std::log10(largest) - kRounding)));
 }
 
+/// Adds to a block of a matrix what makes its symmetric part positive semidefinite.
+void make_block_positive(const SparsePattern& p, const std::vector<std::int32_t>& unknowns,
+                         std::span<double> A) {
+  if (unknowns.empty()) return;
+  const auto n = static_cast<Eigen::Index>(unknowns.size());
+  const auto slot = [&](Eigen::Index r, Eigen::Index c) {
+    const std::int32_t i = unknowns[static_cast<std::size_t>(r)], j = unknowns[static_cast<std::size_t>(c)];
+    return p.symmetric ? find_slot(p, std::max(i, j), std::min(i, j)) : find_slot(p, i, j);
+  };
+  Eigen::MatrixXd block(n, n);
+  for (Eigen::Index r = 0; r < n; ++r)
+    for (Eigen::Index c = 0; c < n; ++c) block(r, c) = A[slot(r, c)];
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of(0.5 * (block + block.transpose()));
+  if (!(of.eigenvalues()[0] < 0)) return;
+  const Eigen::VectorXd lacking = (-of.eigenvalues()).cwiseMax(0.0);
+  const Eigen::MatrixXd more = of.eigenvectors() * lacking.asDiagonal() * of.eigenvectors().transpose();
+  for (Eigen::Index r = 0; r < n; ++r)
+    for (Eigen::Index c = p.symmetric ? r : 0; c < n; ++c) A[slot(r, c)] += more(r, c);
+}
+
+/// Leaves of C what damps.
+void leave_what_damps(const Assembler& assembler, std::span<double> C) {
+  const Numbering& numbering = assembler.numbering();
+  std::vector<std::vector<std::int32_t>> blocks(numbering.dofs() / 3);
+  std::vector<std::size_t> block_of(blocks.size());
+  std::iota(block_of.begin(), block_of.end(), std::size_t{0});
+  for (const auto& body : assembler.body_nodes()) block_of[body[1]] = body[0];
+  for (std::int32_t i = 0; i < numbering.unknowns(); ++i) blocks[block_of[numbering.node(i)]].push_back(i);
+  for (const auto& block : blocks) make_block_positive(assembler.pattern(), block, C);
+}
+
 /// Makes the linear stiffness M the matrix of (2). 1/τ; zero where the trace of C is not positive.
 double add_damping(const SparsePattern& p, std::span<const double> C, std::span<double> M) {
   if (!(trace(p, C) > 0)) return 0;
@@ -344,6 +375,7 @@ Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFa
     return {.verdict = GrowthVerdict::unknown};
   const SparsePattern& pattern = assembler.pattern();
   const std::size_t entries = pattern.value_slots();
+  leave_what_damps(assembler, C);
   const double per_second = add_damping(pattern, C, M);
   Growth growth = find_growth(pattern, std::span(K).first(entries), std::span(M).first(entries), make, doubt);
   growth.rate *= per_second, growth.frequency *= per_second;

@@ -30,7 +30,10 @@ struct Growth {
 /// (divergence) that det K < 0 tells of is there for any damping; whether a pair grows (flutter) depends on
 /// it, of two unknowns with det K > 0 by the sign of K₁₁/M₁₁ + K₂₂/M₂₂: V. V. Bolotin, Nonconservative
 /// Problems of the Theory of Elastic Stability, 1963. Netting waves in an oblique current as flags do, where
-/// G alone would let it rest. Mass and the damping of twines are left out: of 339 equilibria of trawls, of
+/// G alone would let it rest. Of C counts what damps: the block of a node, of a body with its rotation, loses
+/// what of its symmetric part is negative, as that of a board beyond its greatest lift and of a sphere in its
+/// drag crisis are. Without mass these would leave at once; with it they may swing where nothing else damps
+/// them, which a motion tells. Mass and the damping of twines are left out: of 339 equilibria of trawls, of
 /// 183 to 11 943 unknowns, masses with added ones changed no verdict; they lower what grows by a tenth.
 ///
 /// The Cayley transform
