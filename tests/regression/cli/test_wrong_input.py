@@ -3,6 +3,7 @@
 import unittest
 
 from program import InFreshFolder
+import wrong_boards
 import wrong_bodies
 import wrong_laws
 import wrong_scenes
@@ -54,7 +55,7 @@ def add_case(wrong):
     setattr(WrongInput, name, lambda self: self.check(wrong))
 
 
-for each in wrong_scenes.ALL + wrong_bodies.ALL + wrong_laws.ALL:
+for each in wrong_scenes.ALL + wrong_boards.ALL + wrong_bodies.ALL + wrong_laws.ALL:
     add_case(each)
 
 

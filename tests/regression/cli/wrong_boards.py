@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Boards, their polars, beds and ships a person gets wrong, as in wrong_scenes.py. Each is BOARD or SHIP with a change."""
+"""Boards, their polars, beds and ships a person gets wrong, as in wrong_case.py. Each is BOARD or SHIP with a change."""
 from program import changed
-from wrong_scenes import Wrong
+from wrong_case import Wrong
 
 # A board on a warp, with a polar over two angles.
 BOARD = """\
