@@ -17,6 +17,7 @@ int test_command(const Options& options);       // conformance of a plugin
 int compare_command(const Options& options);    // speed against error of solvers
 int diff_command(const Options& options);       // what changed between two results
 int refine_command(const Options& options);     // what a scene reports on finer and finer meshes
+int scope_command(const Options& options);      // lengths of warp for depths
 int stability_command(const Options& options);  // solvers on hard cases
 int calibrate_command(const Options& options);  // parameters of scenes out of measurements
 int study_command(const Options& options);      // many solves of one scene, varied

@@ -122,6 +122,22 @@ void add_refine_command(CLI::App& app, Options& o) {
       ->type_name("[PART=]N,N,…");
 }
 
+void add_scope_command(CLI::App& app, Options& o) {
+  auto* command = app.add_subcommand(
+      "scope", "find the lengths of warp, over depths, with which boards stand as they ought to");
+  add_scene_options(*command, o);
+  const auto range = [&](const char* flag, std::string& value, const char* doc, const char* type) {
+    return command->add_option(flag, value, doc)
+        ->check(CLI::Validator(not_empty, "", "not empty"))
+        ->type_name(type);
+  };
+  range("--depth", o.scope.depth, "depths [m]; else 7 of them", "LO:HI[:N]")->required();
+  range("--warp", o.scope.warp, "lengths of warp over the depth; else 2:5:13", "LO:HI[:N]");
+  range("--heel", o.scope.heel, "heel of the boards [deg], outward; else -5:5", "LO:HI");
+  range("--spread", o.scope.spread, "spread of the boards [m]; else any", "LO:HI");
+  range("-o,--output", o.output, "draw the lengths over the depth", "FILE.svg|FILE.html");
+}
+
 void add_author_commands(CLI::App& app, Options& o) {
   auto* make =
       app.add_subcommand("new", "write a plugin to begin with: it builds, passes its tests and runs");
@@ -417,6 +433,7 @@ void add_commands(CLI::App& app, Options& o) {
   add_diff_command(app, o);
   add_result_commands(app, o);
   add_refine_command(app, o);
+  add_scope_command(app, o);
   add_import_command(app, o);
   add_stability_command(app, o);
   add_study_command(app, o);
@@ -433,6 +450,7 @@ int dispatch(const Options& o) {
   if (o.command == "compare") return compare_command(o);
   if (o.command == "diff") return diff_command(o);
   if (o.command == "refine") return refine_command(o);
+  if (o.command == "scope") return scope_command(o);
   if (o.command == "stability") return stability_command(o);
   if (o.command == "study") return study_command(o);
   if (o.command == "calibrate") return calibrate_command(o);
@@ -455,8 +473,8 @@ int fail(const Options& o, const std::string& message, int code) {
 }
 
 bool solves(const Options& o) {
-  constexpr std::array<const char*, 7> kSolving = {"run",   "compare",   "refine", "stability",
-                                                   "study", "calibrate", "test"};
+  constexpr std::array<const char*, 8> kSolving = {"run",       "compare", "refine",    "scope",
+                                                   "stability", "study",   "calibrate", "test"};
   return std::find(kSolving.begin(), kSolving.end(), o.command) != kSolving.end();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/cli/compare_options.hpp"
+#include "io/cli/scope_options.hpp"
 #include "io/cli/stability_options.hpp"
 #include "io/cli/study_options.hpp"
 
@@ -54,6 +55,7 @@ struct Options {
   bool divides = false;            // import: --divide
   PictureOptions picture;          // of view and draw
   CompareOptions compare;          // of that command alone
+  ScopeOptions scope;              // of that command alone
   StabilityOptions stability;      // of that command alone
   StudyCommandOptions study;       // of that command alone
   std::vector<std::string> words;  // the command line as given

@@ -16,6 +16,7 @@ from pathlib import Path
 PROGRAM, SOURCE = os.environ["NETLOFT_PROGRAM"], Path(os.environ["NETLOFT_SOURCE_DIR"])
 PLUGINS = os.environ["NETLOFT_TEST_PLUGINS"]
 ROPE, MOTION, GEAR = "rope.toml", "motion.toml", "gear.toml"
+AT_SEA = SOURCE / "gear-library/scenes/gov-like-67m.toml"
 COMMON = f"--plugins {PLUGINS} --color always --json"
 SCENE = "--set parts.rope.cells=20 --threads 1 --scene-plugins " + COMMON
 
@@ -50,6 +51,9 @@ COMMANDS = (
     ("netloft diff rope.hdf coarse.hdf --json", '"after"'),
     (f"netloft refine {ROPE} {SCENE} --strategy direct --solver newton --cells 10,20", "sag_z"),
     ("netloft refine trawl.toml --nodes 150,300", "headline"),
+    (f"netloft scope {AT_SEA} {COMMON} --set gear.nodes=600 --threads 1 --scene-plugins --strategy auto --solver newton --depth 65:67:2 "
+     "--warp 3.3:3.4:2 --heel -40:40 --spread 1:200 -o scope.svg; ls scope.svg", "scope.svg"),
+    (f"netloft scope {AT_SEA} --set gear.nodes=600 --depth 65:67:2 --warp 3.3:3.4:2 --heel -40:40 --output scope.html", "headline"),
     (f"netloft stability tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --draw 2 --work 1000 "
      f"--seconds-per-case 5 --threads 1 --html matrix.html {COMMON}", '"newton"'),
     ("netloft stability tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),

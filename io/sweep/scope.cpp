@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/sweep/scope.hpp"
+
+#include "io/plot/plot.hpp"
+#include "io/sweep/branch.hpp"
+#include "io/sweep/path_run.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/kept_analyses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN(), kDegrees = 57.295779513082321;
+
+Variable variable_in_metres(const char* name, const char* key) {
+  Variable variable;
+  variable.name = name, variable.unit = "m";
+  variable.keys.emplace_back().path = key;
+  return variable;
+}
+
+/// Names of figures, as the gear of a scene has them.
+struct FigureNames {
+  std::string heel, spread;
+};
+
+FigureNames names_for(const LoadedScene& loaded) {
+  if (!loaded.gear || !(loaded.gear->ship_speed > 0) || !loaded.scene.bed.is_there)
+    throw std::invalid_argument(
+        "a scope table is of a gear behind a ship over a bed: [ship] in its plan, [bed] in the scene");
+  if (loaded.gear->pairs.size() != 1)
+    throw std::invalid_argument("a scope table is of a gear with one pair of boards");
+  const std::string& pair = loaded.gear->pairs.begin()->first;
+  return {"gear/pairs/" + pair + "/heel", "gear/pairs/" + pair + "/spread"};
+}
+
+double value_of(const std::vector<StudyFigure>& figures, const std::string& name) {
+  const auto at = std::ranges::find(figures, name, &StudyFigure::name);
+  return at == figures.end() ? kNone : at->value;
+}
+
+ScopePoint point_of(Case& the_case, const Solution& solution, double warp) {
+  if (solution.status != SolveStatus::converged) return {warp, kNone, kNone, kNone, kNone, kNone};
+  const auto figures = figures_of(the_case, solution);
+  const FigureNames names = names_for(the_case.loaded());
+  return {warp,
+          kDegrees * value_of(figures, names.heel),
+          value_of(figures, names.spread),
+          value_of(figures, "gear/mouth/upper_wing_spread"),
+          value_of(figures, "gear/mouth/headline_height"),
+          value_of(figures, "gear/towing/pull")};
+}
+
+bool is_within(const ScopeRequest& request, const ScopePoint& p) {
+  return request.heel.contains(p.heel) && (!request.spread || request.spread->contains(p.spread));
+}
+
+/// How far from a within its band the value leaves it on the way to b, as a fraction; 1: it does not.
+double leaves_at(const Interval& band, double a, double b) {
+  if (band.contains(b)) return 1;
+  return !std::isfinite(b) ? 0 : ((b > a ? band.high : band.low) - a) / (b - a);
+}
+
+/// The length at which the boards leave their bands between a point within and its neighbour.
+double end_between(const ScopeRequest& request, const ScopePoint& in, const ScopePoint& out) {
+  double t = leaves_at(request.heel, in.heel, out.heel);
+  if (request.spread) t = std::min(t, leaves_at(*request.spread, in.spread, out.spread));
+  return in.warp + t * (out.warp - in.warp);
+}
+
+/// Goes through depths and lengths, to and fro, so that from one point to the next little changes.
+class ScopeRun {
+ public:
+  ScopeRun(const CaseSource& source, Registry& registry, const ScopeRequest& request, const Watch& watch)
+      : source_(source),
+        registry_(registry),
+        request_(request),
+        watch_(watch),
+        make_(keep_analyses(make_factorisation)),
+        branch_(
+            variables_, [this](const auto& values) { return open(values); }, watch_) {}
+
+  std::vector<ScopeRow> run() {
+    std::vector<ScopeRow> rows;
+    for (std::size_t d = 0; d < request_.depths.size() && !is_interrupted(); ++d) {
+      ScopeRow& row = rows.emplace_back();
+      row.depth = request_.depths[d], row.points.resize(request_.scopes.size());
+      const std::size_t count = row.points.size();
+      for (std::size_t k = 0; k < count && !is_interrupted(); ++k) solve(row, d % 2 == 0 ? k : count - 1 - k);
+      find_lengths(request_, row);
+    }
+    return rows;
+  }
+
+ private:
+  bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
+
+  std::shared_ptr<Case> open(const std::vector<VariableValue>& values) const {
+    CaseSource source = source_;
+    for (std::size_t v = 0; v < values.size(); ++v)
+      for (auto& word : variables_[v].overrides(values[v])) source.overrides.push_back(std::move(word));
+    auto the_case = std::make_shared<Case>(std::move(source), registry_, make_);
+    return the_case->open() == Case::State::ready ? the_case : nullptr;
+  }
+
+  void solve(ScopeRow& row, std::size_t k) {
+    const double warp = request_.scopes[k] * row.depth;
+    const std::vector<VariableValue> values = {variables_[0].value_of(row.depth),
+                                               variables_[1].value_of(warp)};
+    const auto the_case = open(values);
+    if (!the_case) throw std::invalid_argument("the scene cannot be read with a warp of " + values[1].text);
+    Reached reached = branch_.reach(the_case, values);
+    row.points[k] = point_of(*the_case, reached.solution, warp);
+    std::ranges::move(reached.events, std::back_inserter(row.events));
+  }
+
+  const CaseSource& source_;
+  Registry& registry_;
+  const ScopeRequest& request_;
+  const Watch& watch_;
+  MakeFactorisation make_;
+  std::vector<Variable> variables_ = {variable_in_metres("depth", "bed.depth"),
+                                      variable_in_metres("warp", "ship.warp.length")};
+  Branch branch_;
+};
+
+}  // namespace
+
+void find_lengths(const ScopeRequest& request, ScopeRow& row) {
+  const auto& p = row.points;
+  const double middle = 0.5 * (request.heel.low + request.heel.high);
+  row.chosen.reset(), row.warp.reset();
+  for (std::size_t k = 0; k < p.size(); ++k)
+    if (is_within(request, p[k]) &&
+        (!row.chosen || std::abs(p[k].heel - middle) < std::abs(p[*row.chosen].heel - middle)))
+      row.chosen = k;
+  if (!row.chosen) return;
+  std::size_t first = *row.chosen, last = first;
+  while (first > 0 && is_within(request, p[first - 1])) --first;
+  while (last + 1 < p.size() && is_within(request, p[last + 1])) ++last;
+  row.warp = {first > 0 ? end_between(request, p[first], p[first - 1]) : p[first].warp,
+              last + 1 < p.size() ? end_between(request, p[last], p[last + 1]) : p[last].warp};
+}
+
+std::vector<ScopeRow> find_scope(const CaseSource& source, Registry& registry, const ScopeRequest& request,
+                                 const Watch& watch) {
+  Case first(source, registry);
+  if (first.open() == Case::State::ready) names_for(first.loaded());
+  return ScopeRun(source, registry, request, watch).run();
+}
+
+std::string draw_scope(const std::string& scene, const std::vector<ScopeRow>& rows, bool as_page) {
+  LinePlot plot{"Warp for " + scene, "depth [m]", "warp [m]", {}};
+  plot.x_scale = plot.y_scale = AxisScale::linear;
+  PlotSeries lengths{"boards as wanted", {}};
+  for (const ScopeRow& row : rows)
+    if (row.chosen) {
+      lengths.points.push_back({row.depth, row.points[*row.chosen].warp});
+      lengths.band.push_back({row.depth, row.warp->low, row.warp->high});
+    }
+  plot.series.push_back(std::move(lengths));
+  return as_page ? draw_html(plot) : draw_svg(plot);
+}
+
+}  // namespace netloft::io
