@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Kills, full disks and other faults at every command that writes or reads results; counts what they harm.
 
-    campaign.py NETLOFT SOURCE_FOLDER FULL_DISK.so [--kills 60] [--minutes M] [--seed 1] [--writes 12] [--only WORD]
+    campaign.py NETLOFT SOURCE_FOLDER FULL_DISK.so [--kills 60] [--minutes M] [--seed 1] [--writes 12] [--only WORD] [--table FILE]
 
-prints a Markdown table with a row for each fault and command, and exits with 1 unless all counts of harm are 0:
+prints a Markdown table with a row for each fault and command, and exits with 1 unless all counts of harm are 0. FILE holds the
+table of what has been tried so far, so that a campaign which is itself killed is not lost. The counts are of
     lost            what was there before the fault, or was confirmed, is not there, or not all of it
     unreadable      a file that counts cannot be read, or the command does not succeed once the fault is over
     silently wrong  a number differs from that of a run without faults, and nothing says so
@@ -30,6 +31,7 @@ from journal import Damaged, Journal
 
 HARMS = ("lost", "unreadable", "silently wrong", "without a word")
 NOBODY = 65534
+TRIES_PER_TABLE = 50  # kept after so many: a minute or so
 
 
 class Harm(Exception):
@@ -279,8 +281,8 @@ def is_whole_table(content, like):
 
 
 class Tally:
-    def __init__(self):
-        self.by_name = {}
+    def __init__(self, file=None):
+        self.by_name, self.file = {}, file
 
     @property
     def rows(self):
@@ -294,8 +296,21 @@ class Tally:
             try:
                 attempt()
             except Harm as harm:
-                row[harm.args[0]] += 1
-                print(f"{fault}, {case}, try {row['tries']}: {harm.args[0]}: {harm.args[1]}", file=sys.stderr)
+                self.add(row, *harm.args)
+            except (OSError, subprocess.SubprocessError) as error:  # a file that must be there is not, or no end
+                self.add(row, "lost", error)
+            if self.file and sum(row["tries"] for row in self.rows) % TRIES_PER_TABLE == 0:
+                self.keep()
+
+    @staticmethod
+    def add(row, harm, what):
+        row[harm] += 1
+        print(f"{row['fault']}, {row['case']}, try {row['tries']}: {harm}: {what}", file=sys.stderr, flush=True)
+
+    def keep(self):
+        beside = self.file.with_name(self.file.name + ".new")
+        beside.write_text(self.table() + "\n")
+        beside.replace(self.file)
 
     def table(self):
         lines = ["| fault | command | tries | " + " | ".join(HARMS) + " |", "|---" * (3 + len(HARMS)) + "|"]
@@ -313,24 +328,42 @@ def in_fresh_folder(action):
         return action(Path(folder))
 
 
-def kill_tries(case, seconds, number, rng):
-    """Kills at random instants of the command; one that comes when it has ended is drawn again."""
-    def has_hit(folder):
-        case.prepare(folder)
-        run = case.program.begin(case.words, folder)
-        time.sleep(rng.uniform(0, seconds))
-        confirmed = case.observe(folder)
+def has_ended(run, seconds):
+    try:
+        run.wait(timeout=seconds)
+        return True
+    except subprocess.TimeoutExpired:
+        return False
+
+
+class Kill:
+    """Kills at random instants of a command. How long it takes depends on what else the machine does, and the machine may
+    stop it for minutes: each run that ends before its kill says it anew and is tried again, and each kill that hits draws
+    later ones from a longer time, so that the end of the command stays within reach."""
+
+    LONGER = 1.05
+
+    def __init__(self, case, seconds, rng):
+        self.case, self.seconds, self.rng = case, seconds, rng
+
+    def __call__(self):
+        while not in_fresh_folder(self.has_hit):
+            pass
+
+    def has_hit(self, folder):
+        self.case.prepare(folder)
+        begun = time.monotonic()
+        run = self.case.program.begin(self.case.words, folder)
+        if has_ended(run, self.rng.uniform(0, self.seconds)):
+            self.seconds = time.monotonic() - begun
+            return False
+        confirmed = self.case.observe(folder)
         run.send_signal(signal.SIGKILL)
         if run.wait() != -signal.SIGKILL:
             return False
-        case.judge(folder, confirmed)
+        self.seconds *= self.LONGER
+        self.case.judge(folder, confirmed)
         return True
-
-    def attempt():
-        while not in_fresh_folder(has_hit):
-            pass
-    for _ in range(number):
-        yield attempt
 
 
 def count_writes(case, folder):
@@ -476,11 +509,12 @@ def try_faults(words, case, seconds, tally, rng):
 def kill_all(words, cases, seconds, tally, rng):
     """In turns, so that an end before all kills are done leaves as many of each command."""
     end = time.monotonic() + 60 * words.minutes
+    kills = [Kill(case, seconds[case.name], rng) for case in cases]
     for number in range(words.kills):
         if time.monotonic() > end:
             return
-        case = cases[number % len(cases)]
-        tally.count("killed", case.name, kill_tries(case, seconds[case.name], 1, rng))
+        kill = kills[number % len(kills)]
+        tally.count("killed", kill.case.name, (kill,))
 
 
 def try_all(words, cases, tally):
@@ -501,6 +535,7 @@ def parse(arguments):
     p.add_argument("--minutes", type=float, default=1e6, help="no more kills after these")
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--writes", type=int, default=12, help="at most so many writes of a command that fail in turn")
+    p.add_argument("--table", type=Path, help="a file that holds the table of what has been tried so far")
     p.add_argument("--only", default="", help="only commands whose name contains this")
     words = p.parse_args(arguments)
     words.netloft, words.source, words.library = (os.path.abspath(path) for path in (words.netloft, words.source, words.library))
@@ -509,14 +544,14 @@ def parse(arguments):
 
 def main(arguments):
     words = parse(arguments)
-    program, tally = Program(words), Tally()
+    program, tally = Program(words), Tally(words.table)
     cases = in_fresh_folder(lambda folder: make_cases(words, program, folder))
     try:
         try_all(words, [case for case in cases if words.only in case.name], tally)
     except KeyboardInterrupt:
         print("interrupted: the counts are of what was tried until then", file=sys.stderr)
     finally:
-        print(tally.table())
+        print(tally.table(), flush=True)
     return 0 if tally.is_clean() else 1
 
 
