@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <stdexcept>
 
 #include "io/hdf5/image.hpp"
 #include "io/hdf5/result_file.hpp"
@@ -70,17 +71,32 @@ Handle make_nameless() {
   return Handle(file, H5Fclose);
 }
 
+/// Records with a right checksum need not fit together: what HDF5 or VTK would not take is an error of the
+/// journal.
+template <class Action>
+decltype(auto) with_misfits_of(const std::string& context, Action&& action) {
+  return with_context(context, [&]() -> decltype(auto) {
+    try {
+      return action();
+    } catch (const std::invalid_argument& misfit) {
+      throw FileError(std::string("the records of the motion do not fit together: ") + misfit.what());
+    }
+  });
+}
+
 }  // namespace
 
 void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name) {
   silence_hdf5();
   const SeriesLayout& layout = journal.layout();
   Rows rows{layout.columns.size(), {}};
-  with_context("cannot write " + file_name, [&] {
+  with_misfits_of("cannot write " + file_name, [&] {
     VtkHdf grid(file, layout.mesh, layout.changing, layout.fixed, journal.size());
     for (std::size_t i = 0; i < journal.size(); ++i) {
       const SeriesState state = journal.state(i);
       const std::vector<std::span<const double>> fields(state.fields.begin(), state.fields.end());
+      if (state.row.size() != rows.columns)
+        throw std::invalid_argument("an output lacks numbers of a series");
       grid.write_state(state.time, state.points, fields);
       rows.values.insert(rows.values.end(), state.row.begin(), state.row.end());
     }
@@ -105,7 +121,7 @@ void make_result(const SeriesJournal& journal, const std::filesystem::path& fina
 
 Handle unfold(const std::filesystem::path& part) {
   const SeriesJournal journal = SeriesJournal::read(part);
-  return with_context("cannot read " + part.string() + " by way of a temporary file", [&] {
+  return with_misfits_of("cannot read " + part.string() + " by way of a temporary file", [&] {
     Handle file = make_nameless();
     Tree tree(file, "a temporary file");
     begin_result(tree, journal.status().outcome, journal.status().sentence);

@@ -98,6 +98,21 @@ TEST_F(Series, WithoutOutputsHoldsNoShape) {
   EXPECT_FALSE(Reader(in("a.hdf.part")).has("/VTKHDF"));
 }
 
+TEST_F(Series, WhoseRecordsDoNotFitTogetherIsRefused) {
+  const auto refuses = [&](const std::function<void(SeriesJournal&)>& spoil) {
+    SeriesJournal journal = begin();
+    journal.write(state(0), "after 0");
+    spoil(journal);
+    return error_of([&] { Reader(in("a.hdf.part")); });
+  };
+  SeriesState few_points = state(1), few_numbers = state(1);
+  few_points.points.pop_back(), few_numbers.row.pop_back();
+  const std::string words = "the records of the motion do not fit together";
+  EXPECT_PRED2(says, refuses([&](auto& j) { j.write(few_points, "after 1"); }), words);
+  EXPECT_PRED2(says, refuses([&](auto& j) { j.write(few_numbers, "after 1"); }), words);
+  EXPECT_PRED2(says, refuses([&](auto& j) { j.set_status({"running", std::string("a\0b", 3)}); }), words);
+}
+
 TEST_F(Series, GoesOnFromItsLastCheckpoint) {
   {
     SeriesJournal journal = written({0.0, 0.25});
