@@ -69,8 +69,13 @@ class MooringReader {
   }
 
   MooringFile read() {
-    for (Row row = next_row(); !row.empty() && errors() < kMostErrors; row = next_row())
-      is_title(row) ? begin(row) : read_row(row);
+    bool has_end = false;
+    for (Row row = next_row(); !row.empty() && errors() < kMostErrors; row = next_row()) {
+      const bool begins = is_title(row);
+      has_end = begins || row[0].text == "END";
+      begins ? begin(row) : read_row(row);
+    }
+    if (!has_end) note(rows_.place(), "the file does not end with a line of dashes: is it whole?");
     if (errors() == 0 && out_.table.ropes.empty())
       error(rows_.place(), "there are no lines",
             "a file of MoorDyn has the sections LINE TYPES, POINTS and LINES");

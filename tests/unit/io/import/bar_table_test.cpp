@@ -101,6 +101,7 @@ TEST(BarTable, AnswersWrongCellsWithTheirPlace) {
       {"low,2,0,-0.4,,5,", "left,2,0,-0.4,,5,", "there is a node \"left\" already"},
       {"low,2,0,-0.4,,5,", "lo w,2,0,-0.4,,5,", "\"lo w\" is no name"},
       {"low,2,0,-0.4,,5,", "low,2,0,-0.4,,5,\nodd,1,1,1,,3,", "no bar ends at the node \"odd\""},
+      {"low,2,0,-0.4,,5,", "low,2,0,-0.4,,5,\nodd,1,1,1,,,", "no bar ends at the node \"odd\""},
       {"rope,left,low", "rope,left,lo", "there is no node \"lo\" above this line"},
       {"rope,left,low", "rope,left,left", "begins and ends at the same node"},
       {"rope,left,low", "rope,,low", "from is blank"},

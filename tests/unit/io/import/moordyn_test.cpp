@@ -138,6 +138,14 @@ TEST(MoorDyn, SaysWhatItLeavesOut) {
   EXPECT_EQ(left_out, 3);
 }
 
+TEST(MoorDyn, AsksWhetherAFileWithoutAnEndIsWhole) {
+  const std::string cut = kMooring.substr(0, kMooring.find("9.8       g"));
+  const Read read(cut);
+  ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
+  ASSERT_EQ(read.mooring.findings.size(), 2u);  // and point 4 is coupled
+  EXPECT_NE(read.mooring.findings.back().text.find("is it whole?"), std::string::npos);
+}
+
 TEST(MoorDyn, AnswersWhatIsWrongWithItsPlace) {
   const struct {
     const char *old, *fresh, *says;
