@@ -10,6 +10,7 @@
 #include "io/sweep/path_run.hpp"
 #include "io/sweep/study_plots.hpp"
 #include "io/sweep/study_table.hpp"
+#include "io/toml/document.hpp"
 #include "io/units/units.hpp"
 
 #include <fmt/format.h>
@@ -257,9 +258,19 @@ class Campaign {
   std::vector<std::size_t> left_;  // places of items without a record
 };
 
+/// A sentence about a file that is no longer what it was when the study was planned; empty if there is none.
+std::string what_changed(const Study& study, const fs::path& folder) {
+  for (const auto& [path, hash] : study.files)
+    if (const auto text = read_whole(folder / path); text && fnv1a64(*text) != hash)
+      return path + " has changed since the study was planned";
+  return {};
+}
+
 int run_study(const Options& o) {
   catch_interrupts();
   const Study study = read_study(o.target);
+  if (const std::string changed = what_changed(study, o.target); !changed.empty())
+    throw StudyError(changed + "; plan it again");
   return Campaign(o, study, read_items(o.study.items, study.items.size())).run();
 }
 
@@ -311,6 +322,8 @@ int collect_study(const Options& o) {
   write_whole(folder / "table.csv", study_csv(table));
   write_whole(folder / "table.hdf", study_hdf5(study, table));
   write_whole(folder / "costs.csv", costs_csv(study, folder));
+  if (const std::string changed = what_changed(study, folder); !changed.empty())
+    terminal.say("netloft: " + changed + "; the table is of what was planned");
   for (const std::string& sentence : table.sentences) terminal.say("netloft: " + sentence);
   const auto counts = table.count_by_status();
   std::string text = fmt::format("{}: {}", study.name, count_of(table.rows.size(), "point"));

@@ -307,6 +307,12 @@ class LostStudies(Studies):
         self.assertIn("scene.toml has changed since the study was planned; plan it again", ended.err)
         self.assertEqual(self.records(), [])
 
+    def test_a_scene_that_changed_after_all_was_computed_is_said(self):
+        self.study("run", "s.study")
+        self.write("scene.toml", SCENE + "# another\n")
+        self.assertIn("scene.toml has changed since the study was planned; plan it again", self.study("run", "s.study", code=1).err)
+        self.assertIn("scene.toml has changed since the study was planned; the table is of what was planned", self.study("collect", "s.study").err)
+
 
 class WrongStudies(Studies):
     def errors(self, text):
