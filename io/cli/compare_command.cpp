@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/cli/replaced_file.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/watchdog.hpp"
 #include "io/compare/report.hpp"
@@ -77,12 +78,6 @@ void check_kind(const LoadedScene& loaded) {
         "\"static\", or compare two motions with `netloft diff`"};
 }
 
-void check_plot_name(const std::string& name) {
-  const std::string suffix = fs::path(name).extension().string();
-  if (!name.empty() && suffix != ".svg" && suffix != ".html")
-    throw UsageError{"--plot " + name + ": plots are drawn as .svg or .html"};
-}
-
 /// Opens the scene once with every method, and on every mesh, so that all that is wrong is said at first.
 class Inspection {
  public:
@@ -136,7 +131,8 @@ void write_files(const Comparison& result, const CompareOptions& o) {
 
 int run(const Options& options) {
   const ComparisonTask task = read_task(options.compare);
-  check_plot_name(options.compare.plot);
+  require_ending("--csv", options.compare.csv, {".csv"});
+  require_ending("--plot", options.compare.plot, {".svg", ".html"});
   catch_interrupts();
   Terminal terminal(options.color, options.json);
   Registry registry;

@@ -52,7 +52,14 @@ std::string draw_divided(const NetPlan& plan, std::size_t nodes) {
 }  // namespace
 
 int draw_command(const Options& options) {
-  if (is_result(options.target)) return draw_result_command(options);
+  if (is_result(options.target)) {
+    refuse_idle(options, {"--set", "--plugins", "--mesh", "--nodes"}, options.target + " is a result");
+    return draw_result_command(options);
+  }
+  refuse_idle(
+      options,
+      {"--view", "--field", "--state", "--width", "--ropes", "--dark", "--log", "--elements", "--dimensions"},
+      options.target + " is a net plan");
   Terminal terminal(options.color);
   Diagnostics diagnostics;
   NetPlan plan = read_plan(options.target, options.set, diagnostics);

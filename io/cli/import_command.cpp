@@ -46,6 +46,7 @@ void print_check(const FolderCheck& check) {
 
 int check_gears(const Options& options) {
   const FolderCheck check = check_folder(options.folder);
+  if (check.gears.empty()) throw UsageError{"--check " + options.folder + ": there is no GEAR.don in it"};
   if (!options.json) {
     print_check(check);
     return kDone;
@@ -62,7 +63,7 @@ struct Outputs {
   explicit Outputs(const Options& options)
       : scene(options.output.empty() ? fs::path(options.target).stem().string() + ".toml" : options.output),
         mesh(fs::path(scene).replace_extension(".mesh")) {
-    if (mesh == scene) throw UsageError{scene.string() + ": the scene would have the name of its mesh"};
+    require_ending("-o", scene.string(), {".toml"});
   }
   fs::path scene, mesh;
 };
@@ -82,7 +83,7 @@ int import_gear(const Options& options) {
   if (code == kDone) {
     const std::vector<std::string> sources{options.target, options.mesh_file};
     replace_file(to.mesh.string(), gear.mesh, sources);
-    replace_file(to.scene.string(), gear.scene, sources);
+    replace_file(to.scene.string(), gear.scene, sources, {".toml"});
   }
   if (options.json)
     print({{"status", code == kDone ? "done" : "wrong input"},
@@ -98,7 +99,12 @@ int import_gear(const Options& options) {
 }  // namespace
 
 int import_command(const Options& options) {
-  if (!options.folder.empty()) return check_gears(options);
+  if (!options.folder.empty()) {
+    if (!options.kind.empty() && options.kind != "femnet")
+      throw UsageError{"import: --check is of gears of FEMNET"};
+    refuse_idle(options, {"--mesh", "--divide", "--output"}, "--check writes nothing");
+    return check_gears(options);
+  }
   if (options.target.empty()) throw UsageError{"import: GEAR is missing, the file of the gear"};
   if (options.kind != "femnet" && (!options.mesh_file.empty() || options.divides))
     throw UsageError{"import: --mesh and --divide are of gears of FEMNET"};

@@ -519,6 +519,17 @@ std::string unknown_command(const CLI::App& app, std::span<const std::string> wo
                : "\"; `netloft " + before + "--help` lists them");
 }
 
+/// Of the command, and of one below it.
+std::vector<std::string> given_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options())
+      if (option->count() > 0) names.push_back(option->get_name());
+    for (auto& name : given_options(*command)) names.push_back(std::move(name));
+  }
+  return names;
+}
+
 /// A file that is opened must not become a stream that was closed: what is printed would land in it. Nor is a
 /// limit on the size of files a reason to die without a word.
 void guard_streams() {
@@ -554,6 +565,7 @@ int start(int argc, char** argv) {
     return explain(app, e, o.words);
   }
   o.command = app.get_subcommands().front()->get_name();
+  o.given = given_options(app);
   return guarded(o);
 }
 

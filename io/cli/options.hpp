@@ -59,12 +59,17 @@ struct Options {
   StabilityOptions stability;      // of that command alone
   StudyCommandOptions study;       // of that command alone
   std::vector<std::string> words;  // the command line as given
+  std::vector<std::string> given;  // long names of the options in it: "--field"
 };
 
 /// Something wrong with the command line: exit 2.
 struct UsageError {
   std::string message;
 };
+
+/// An option that changes nothing is a misunderstanding: throws UsageError if one of `idle` is given, with
+/// `why`: "GEAR is a net plan".
+void refuse_idle(const Options& options, const std::vector<std::string>& idle, const std::string& why);
 
 /// Exit codes: the promise of the README.
 enum Exit { kDone = 0, kOther = 1, kWrongInput = 2, kNotConverged = 3, kRefused = 4, kInterrupted = 130 };

@@ -22,7 +22,18 @@ std::string list_of(const std::vector<std::string>& endings) {
   return list;
 }
 
+bool has_one_of(const std::string& file, const std::vector<std::string>& endings) {
+  const std::string ending = fs::path(file).extension().string();
+  return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
 }  // namespace
+
+void require_ending(const std::string& option, const std::string& file,
+                    const std::vector<std::string>& endings) {
+  if (!file.empty() && !has_one_of(file, endings))
+    throw UsageError{option + " " + file + ": this is written as " + list_of(endings)};
+}
 
 void replace_file(const std::string& output, const std::string& content,
                   const std::vector<std::string>& sources, const std::vector<std::string>& endings) {
@@ -32,9 +43,7 @@ void replace_file(const std::string& output, const std::string& content,
   for (const auto& source : sources)
     if (fs::equivalent(output, source, none))
       throw UsageError{output + " is what it would be made from; name another file with -o"};
-  const std::string ending = fs::path(output).extension().string();
-  if (!endings.empty() && std::find(endings.begin(), endings.end(), ending) == endings.end())
-    throw UsageError{output + ": this is written as " + list_of(endings)};
+  if (!has_one_of(output, endings)) throw UsageError{output + ": this is written as " + list_of(endings)};
   write_whole(output, content);
 }
 

@@ -12,6 +12,10 @@ namespace netloft::io {
 void replace_file(const std::string& output, const std::string& content,
                   const std::vector<std::string>& sources, const std::vector<std::string>& endings = {});
 
+/// Throws UsageError unless a file that `option` names is to be written with one of `endings`, or not at all.
+void require_ending(const std::string& option, const std::string& file,
+                    const std::vector<std::string>& endings);
+
 /// A text as JSON, in quotes.
 std::string in_json(const std::string& text);
 

@@ -111,10 +111,12 @@ std::optional<MeshFormat> mesh_format_of(const std::string& ending) {
 }
 
 int export_result(const Options& options) {
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  if (ending != ".glb") refuse_idle(options, {"--field"}, "it is of a .glb");
+  if (ending != ".csv") refuse_idle(options, {"--table"}, "it is of a .csv");
   const StoredResult result(options.target);
   const SheetOptions how = sheet_options(options, result);
   const std::size_t state = how.state;
-  const std::string ending = std::filesystem::path(options.output).extension().string();
   try {
     if (ending == ".glb")
       write_and_say(options, options.output, glb(shape_of(result, state, how.colouring)), {options.target});

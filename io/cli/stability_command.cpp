@@ -2,6 +2,7 @@
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
 #include "io/cli/prefix.hpp"
+#include "io/cli/replaced_file.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/terminal.hpp"
 #include "io/cli/watchdog.hpp"
@@ -139,6 +140,7 @@ int stability_command(const Options& options) {
   Registry registry;
   find_plugins(options, registry);
   Diagnostics diagnostics;
+  require_ending("--html", o.html, {".html", ".htm"});
   const std::filesystem::path folder = find_suite(o);
   const StabilitySuite suite = read_suite(folder, o.draw, diagnostics);
   if (diagnostics.errors()) {

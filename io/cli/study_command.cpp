@@ -299,6 +299,10 @@ int write_script(const Options& o) {
   const fs::path folder = o.target;
   const Study study = read_study(folder);
   const Engine engine = o.study.engine == "slurm" ? Engine::slurm : Engine::parallel;
+  if (engine == Engine::slurm)
+    refuse_idle(o, {"--jobs"}, "Slurm has its own limits of tasks");
+  else
+    refuse_idle(o, {"--chunk"}, "parallel starts a program for every item");
   double seconds = 0;
   ScriptOptions script{(installed_prefix() / "bin" / "netloft").string(), o.plugins, 1, "", o.study.jobs};
   script.chunk = items_per_minute(study, folder, seconds);

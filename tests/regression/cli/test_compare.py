@@ -173,6 +173,7 @@ class Comparisons(InFreshFolder):
         self.assertIn("not a whole number of cells", self.refused(str(SCENES / "dead-weight-panel.toml"), "--set",
                                                                "parts.net.cells=[32,18]", *newton, "--cells", "8,16,32"))
         self.assertIn(".svg or .html", self.refused(ROPE, *newton, "--plot", "a.png"))
+        self.assertIn("--csv a.hdf: this is written as .csv", self.refused(ROPE, *newton, "--csv", "a.hdf"))
         self.assertIn("no folder", self.refused(ROPE, *newton, "--csv", "nowhere/a.csv"))
         self.assertIn("is no name of a solver", self.refused(ROPE, "--solver", "a b"))
         self.assertIn("damping", self.refused(ROPE, "--solver", "newton:dampinng=1"))
@@ -180,9 +181,9 @@ class Comparisons(InFreshFolder):
         self.assertEqual(self.files(), {})
 
     def test_the_scene_is_never_written_over(self):
-        self.write("scene.toml", GOOD)
-        self.assertIn("read from it", self.refused("scene.toml", "--solver", "newton", "--csv", "scene.toml"))
-        self.assertEqual((self.folder / "scene.toml").read_text(), GOOD)
+        self.write("scene.csv", GOOD)
+        self.assertIn("read from it", self.refused("scene.csv", "--solver", "newton", "--csv", "scene.csv"))
+        self.assertEqual((self.folder / "scene.csv").read_text(), GOOD)
 
     def test_a_scene_without_cells_has_no_mesh_to_refine(self):
         self.write("point.toml", '[parts.a]\ntype = "float/float"\nat = [0, 0, 0]\nfloat = { volume = 0.001, mass = 0.1 }\n'

@@ -110,6 +110,14 @@ class Imports(InFreshFolder):
         self.assertEqual(ended.code, 2)
         self.assertIn('gear.csv:2:7: error: z = "zero" is no number', ended.err)
         self.assertEqual(set(self.files()), {"gear.csv"})
+        self.write("gear.csv", "node,x,y,z,hold\na,0,0,0,xyz\nb,1,0,0,xyz\nbar,from,to,diameter,EA,density\nrope,a,b,0.01,1e5,1000\n")
+        for words, what in ((("table", "gear.csv", "-o", "gear.hdf"), "-o gear.hdf: this is written as .toml"),
+                            (("--check", "."), "--check .: there is no GEAR.don in it"),
+                            (("table", "--check", "."), "--check is of gears of FEMNET"),
+                            (("--check", ".", "-o", "a.toml"), "--output has no effect here: --check writes nothing")):
+            ended = self.netloft("import", *words)
+            self.assertEqual((ended.code, set(self.files())), (2, {"gear.csv"}))
+            self.assertIn(what, ended.err)
         for words in (("table", "gear.csv", "--divide"), ("moordyn", "gear.csv", "--mesh", "gear.mdg"), ("orcaflex", "gear.csv"),
                       ("table", "nowhere.csv"), ("table",)):
             self.assertEqual(self.netloft("import", *words).code, 2, words)

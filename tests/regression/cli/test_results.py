@@ -303,6 +303,17 @@ class Results(InFreshFolder):
         self.assertIn("a.pdf: this is written as .svg or .png", self.refused("draw", result, "-o", "a.pdf"))
         self.assertIn("a.pdf: this is written as .html or .htm", self.refused("view", result, "-o", "a.pdf"))
 
+    def test_an_option_without_effect_is_refused(self):
+        result = self.solved("a", GOOD)
+        for option in (["--mesh"], ["--set", "a=1"], ["--plugins", "."]):
+            self.assertIn(f"{option[0]} has no effect here: {result} is a result", self.refused("draw", result, *option))
+        plan = str(SOURCE / "gear-library" / "gears" / "four-panel.toml")
+        for option in (["--view", "side"], ["--field", "tension"], ["--width", "500"], ["--dimensions"]):
+            self.assertIn(f"{option[0]} has no effect here: {plan} is a net plan", self.refused("draw", plan, "-o", "a.svg", *option))
+        self.assertIn("--field has no effect here: it is of a .glb", self.refused("export", result, "a.csv", "--field", "tension"))
+        self.assertIn("--table has no effect here: it is of a .csv", self.refused("export", result, "a.glb", "--table", "nodes"))
+        self.assertFalse({"a.svg", "a.csv", "a.glb"} & set(self.files()))
+
     def test_an_export_holds_every_part_where_it_is(self):
         result, _ = self.gear()
         self.done("export", result, "gear.glb")
