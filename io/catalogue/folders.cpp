@@ -28,11 +28,16 @@ std::string folder_fault(const std::filesystem::path& folder) {
   return fault ? folder.string() + " cannot be read: " + fault.message() : "";
 }
 
-std::vector<std::filesystem::path> catalogue_folders(std::vector<std::filesystem::path> own) {
+std::vector<std::filesystem::path> catalogue_folders(Diagnostics& diagnostics,
+                                                     std::vector<std::filesystem::path> own) {
   if (const char* listed = std::getenv("NETLOFT_CATALOGUE")) {
     std::istringstream words(listed);
-    for (std::string folder; std::getline(words, folder, ':');)
-      if (!folder.empty()) own.emplace_back(folder);
+    for (std::string folder; std::getline(words, folder, ':');) {
+      if (folder.empty()) continue;
+      if (const auto fault = folder_fault(folder); !fault.empty())
+        diagnostics.error({}, "NETLOFT_CATALOGUE: " + fault);
+      own.emplace_back(folder);
+    }
   }
   if (const auto library = library_folder(); !library.empty()) own.push_back(library);
   return own;

@@ -76,7 +76,7 @@ std::vector<const CataloguePart*> asked_for(const Catalogue& catalogue, const st
 
 int catalogue_command(const Options& options) {
   Diagnostics diagnostics;
-  const Catalogue catalogue = Catalogue::load(catalogue_folders(), diagnostics);
+  const Catalogue catalogue = Catalogue::load(catalogue_folders(diagnostics), diagnostics);
   if (diagnostics.errors()) {
     Terminal terminal(options.color);
     terminal.say(diagnostics.render(terminal.color()));

@@ -94,7 +94,7 @@ class PlanReader {
       own.push_back(folder_ / name);
       if (const auto fault = folder_fault(own.back()); !fault.empty()) root_.error("catalogue", fault);
     }
-    catalogue_ = at_hand ? *at_hand : Catalogue::load(catalogue_folders(own), diagnostics_);
+    catalogue_ = at_hand ? *at_hand : Catalogue::load(catalogue_folders(diagnostics_, own), diagnostics_);
     plan_.files.insert(plan_.files.end(), catalogue_.files().begin(), catalogue_.files().end());
   }
 

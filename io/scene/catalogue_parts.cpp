@@ -154,7 +154,7 @@ std::vector<SourceFile> put_catalogue_parts(Value& scene, const std::filesystem:
   const auto mentions = find_mentions(scene);
   const auto own = own_folders(scene, folder, diagnostics);
   if (mentions.empty() && find_polars(scene).empty()) return {};
-  const Catalogue catalogue = Catalogue::load(catalogue_folders(own), diagnostics);
+  const Catalogue catalogue = Catalogue::load(catalogue_folders(diagnostics, own), diagnostics);
   for (const auto& mention : mentions) put(mention, catalogue, registry, diagnostics, strengths);
   for (const auto& polar : find_polars(scene)) put_polar(polar, catalogue, diagnostics);
   return catalogue.files();

@@ -34,6 +34,13 @@ class Catalogue(InFreshFolder):
         self.assertEqual(run.code, 2, run.err)
         return run.err
 
+    def test_a_folder_of_the_environment_that_is_not_there_is_an_error(self):
+        self.write("scene.toml", with_twine('"pe-braided-4mm"'))
+        for words in (("catalogue", "twine"), ("plan", "scene.toml")):
+            ended = self.netloft(*words, environment=self.environment(NETLOFT_CATALOGUE="/nowhere"))
+            self.assertEqual(ended.code, 2)
+            self.assertIn("error: NETLOFT_CATALOGUE: there is no folder /nowhere", ended.err)
+
     def test_a_name_stands_for_its_numbers(self):
         (self.folder / "parts").mkdir()
         self.write("parts/twines.toml", MINE)

@@ -63,7 +63,8 @@ TEST(GearLibrary, SolidFillsPartOfTheRound) {
 }
 
 TEST(CatalogueFolders, TheGearLibraryIsFoundFromTheProgram) {
-  const auto folders = catalogue_folders({"mine"});
+  Diagnostics diagnostics;
+  const auto folders = catalogue_folders(diagnostics, {"mine"});
   ASSERT_GE(folders.size(), 2u);
   EXPECT_EQ(folders.front(), "mine");
   EXPECT_TRUE(std::filesystem::exists(folders.back() / "twines.toml"));
