@@ -46,7 +46,7 @@ MixedNewton::Ending MixedNewton::solve(const Stage& stage, std::span<double> u) 
     if (find_step())
       take(stage, u);
     else
-      damping_ = std::clamp(p_.refused_rise * damping_, p_.refused_damping, kMostDamping);
+      set_damping(p_.rise * damping_);
   }
   return Ending::no_forces;
 }
@@ -126,8 +126,7 @@ bool MixedNewton::assemble() {
 /// For the matrices after this one.
 void MixedNewton::follow_residual() {
   const double before = std::exchange(norm_, norm_of({residual_.data(), step_.size()}));
-  if (before > 0) damping_ *= std::clamp(norm_ / before, p_.far_fall, p_.far_rise);
-  damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
+  if (before > 0) set_damping(damping_ * std::clamp(norm_ / before, p_.fall, p_.rise));
 }
 
 bool MixedNewton::find_step() {
@@ -178,12 +177,10 @@ void MixedNewton::move_tensions(double a) {
   }
 }
 
-void MixedNewton::adapt_damping(double a) {
-  if (a > p_.whole_step)
-    damping_ = std::max(kLeastDamping, p_.fall * damping_);
-  else if (a < p_.short_step)
-    damping_ = std::min(kMostDamping, p_.rise * damping_);
-}
+/// As in Newton's method with damping, solvers/newton, (5).
+void MixedNewton::adapt_damping(double a) { set_damping(a == 1 ? p_.fall * damping_ : damping_ / (2 * a)); }
+
+void MixedNewton::set_damping(double damping) { damping_ = std::clamp(damping, kLeastDamping, kMostDamping); }
 
 std::vector<double> MixedNewton::tensions_by_part() const {
   std::vector<double> largest(members_.parts(), 0.0);

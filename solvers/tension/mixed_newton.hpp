@@ -17,16 +17,16 @@ namespace netloft::tension {
 /// structural problem discretized via displacement-based finite elements", Comput. Methods Appl. Mech. Eng.
 /// 313 (2017). Where it deviates:
 /// - a < 1 where a member would turn by more than `farthest_turn`; no energy is searched;
-/// - D = μ Σ n c cᵀ EA/l₀ I, the linear stiffness, holds what is slack; μ falls with every whole step;
-/// - far from an equilibrium T = k ε(u) instead of (3), and μ follows the residual (solvers/ptc, (2)).
+/// - D = μ Σ n c cᵀ EA/l₀ I, the linear stiffness, holds what is slack; μ falls after a whole step and
+///   becomes μ/2a after a shorter one;
+/// - far from an equilibrium T = k ε(u) instead of (3), and μ follows the residual (solvers/ptc,
+///   (2)).
 class MixedNewton {
  public:
   /// All that steers the method whatever the stage; plugin.cpp says what each is and where it comes from.
   struct Parameters {
     double strain_of_taut = 0;
-    double far_fall = 0, far_rise = 0;                          // of μ in a step from afar
-    double fall = 0, rise = 0, short_step = 0, whole_step = 0;  // of μ in a step, by its a
-    double refused_damping = 0, refused_rise = 0;
+    double fall = 0, rise = 0;  // of μ
   };
 
   /// One solve with the stiffness of every part reduced.
@@ -86,6 +86,7 @@ class MixedNewton {
   void take(const Stage& stage, std::span<double> u);
   void move_tensions(double a);
   void adapt_damping(double a);
+  void set_damping(double damping);
 
   Parameters p_;
   Members members_;

@@ -2,8 +2,15 @@
 #include "solvers/tension/stages.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace netloft::tension {
+
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 Stages::Stages(const Parameters& parameters, netloft_members& members)
     : p_(parameters), parts_(members.parts), newton_(parameters, members) {}
@@ -11,7 +18,7 @@ Stages::Stages(const Parameters& parameters, netloft_members& members)
 MixedNewton::Ending Stages::solve(std::span<double> u) {
   using Ending = MixedNewton::Ending;
   Ending ending = newton_.solve(soft_stage(), u);
-  for (double multiple = p_.first; multiple < p_.last && ending != Ending::called_off; multiple *= p_.ratio)
+  for (double multiple = p_.ratio; multiple < p_.last && ending != Ending::called_off; multiple *= p_.ratio)
     ending = newton_.solve(next_stage(multiple), u);
   return ending == Ending::called_off ? ending : newton_.solve(last_stage(), u);
 }
@@ -21,7 +28,7 @@ MixedNewton::Stage Stages::soft_stage() const {
           .factor = std::vector<double>(parts_, p_.softest),
           .is_far = true,
           .damping = p_.soft_damping,
-          .farthest_turn = p_.soft_turn,
+          .farthest_turn = kNoLimit,
           .tolerance = p_.soft_tolerance,
           .iterations = p_.iterations};
 }
@@ -38,17 +45,17 @@ MixedNewton::Stage Stages::next_stage(double multiple) const {
           .damping = p_.damping,
           .farthest_turn = p_.turn,
           .settled_turn = p_.settled_turn,
-          .tolerance = p_.next_tolerance,
+          .tolerance = kNoLimit,
           .iterations = p_.iterations};
 }
 
 MixedNewton::Stage Stages::last_stage() const {
   return {.name = "as it is",
           .factor = std::vector<double>(parts_, 1.0),
-          .damping = p_.last_damping,
+          .damping = p_.damping,
           .farthest_turn = p_.turn,
           .tolerance = p_.tolerance,
-          .iterations = p_.last_iterations};
+          .iterations = p_.iterations};
 }
 
 }  // namespace netloft::tension

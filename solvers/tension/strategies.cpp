@@ -87,54 +87,38 @@ std::string Only::explain(const Parameters&, Study& study) {
          "are";
 }
 
-// Dampings are parts of the linear stiffness. Numbers called fitted were chosen on four gears, out of
+// Dampings are parts of the linear stiffness. What is said to be fitted was chosen on four real gears, out of
 // thousands of random sets and a grid: tests/validation/README.md, "How sure it is".
 void FromSoft::describe(StrategyTable<FromSoft>& t) {
   using P = Parameters;
   t.needs(NETLOFT_STUDY_MEMBERS);
-  t.integer("iterations", &P::iterations, "limit of every stage but the last", 1, 10000, 60);
-  t.integer("last_iterations", &P::last_iterations,
-            "limit of the last stage; the analysis' solver goes on from where it ends", 1, 10000, 30);
+  t.integer("iterations", &P::iterations, "limit of every stage", 1, 10000, 60);
   const auto add = [&](const char* name, double P::*member, const char* unit, double fallback,
                        const char* doc) {
     t.real(name, member, unit, doc, {.lo = 1e-16, .hi = 1e9, .fallback = fallback});
   };
-  add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted on four gears");
-  add("first", &P::first, "1", 5,
-      "stiffness of a part over its tension in the second stage; fitted on four gears");
-  add("ratio", &P::ratio, "1", 4.6, "by how much that grows from stage to stage; fitted on four gears");
-  add("last", &P::last, "1", 2e4,
-      "stiffness over tension before parts are as stiff as they are; fitted on four gears");
+  add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");
+  add("ratio", &P::ratio, "1", 5,
+      "stiffness of a part over its tension in the second stage, and by how much that grows from stage to "
+      "stage; fitted");
+  add("last", &P::last, "1", 2e4, "stiffness over tension before parts are as stiff as they are; fitted");
   add("least_tension", &P::least_tension, "1", 1e-4,
       "tension that every part is taken to have at least, over that of the busiest part");
-  add("soft_damping", &P::soft_damping, "1", 0.2, "first damping of the first stage; fitted on four gears");
-  add("soft_turn", &P::soft_turn, "rad", 7,
-      "most that a member turns in a step of the first stage; fitted on four gears");
+  add("soft_damping", &P::soft_damping, "1", 0.2, "first damping of the first stage; fitted");
   add("soft_tolerance", &P::soft_tolerance, "1", 0.15,
-      "largest residual over the largest reaction that ends the first stage; fitted on four gears");
-  add("damping", &P::damping, "1", 9e-5, "first damping of the stages between; fitted on four gears");
-  add("turn", &P::turn, "rad", 0.25,
-      "most that a member turns in a step of all later stages; fitted on four gears");
+      "largest residual over the largest reaction that ends the first stage; fitted");
+  add("damping", &P::damping, "1", 2e-5, "first damping of later stages; fitted");
+  add("turn", &P::turn, "rad", 0.25, "most that a member turns in a step of a later stage; fitted");
   add("settled_turn", &P::settled_turn, "rad", 1,
-      "a stage between ends where no taut member turns more in a whole step; fitted on four gears");
-  add("next_tolerance", &P::next_tolerance, "1", 5,
-      "and where no residual exceeds so much of the largest reaction; fitted on four gears");
-  add("last_damping", &P::last_damping, "1", 2e-5, "first damping of the last stage; fitted on four gears");
+      "a stage between ends where no taut member turns more in a whole step; fitted");
   add("tolerance", &P::tolerance, "1", 1e-9,
       "largest residual over the largest reaction that ends the last stage");
   add("strain_of_taut", &P::strain_of_taut, "1", 1e-3, "largest strain of a member that a step makes taut");
-  add("far_fall", &P::far_fall, "1", 0.06,
-      "least factor on the damping of the first stage, which follows the residual; fitted on four gears");
-  add("far_rise", &P::far_rise, "1", 1 / 0.7, "largest such factor; fitted on four gears");
   add("fall", &P::fall, "1", 0.1,
-      "factor on the damping of later stages after a whole step; fitted on four gears");
-  add("rise", &P::rise, "1", 3, "factor on it after a short step; fitted on four gears");
-  add("short_step", &P::short_step, "1", 0.2,
-      "what counts as a short step, over a whole one; fitted on four gears");
-  add("whole_step", &P::whole_step, "1", 0.9, "what counts as a whole step; fitted on four gears");
-  add("refused_rise", &P::refused_rise, "1", 100,
-      "factor on the damping where a matrix could not be factorised");
-  add("refused_damping", &P::refused_damping, "1", 1e-6, "least damping after that");
+      "factor on the damping after a whole step, and least factor in the first stage, where it follows the "
+      "residual");
+  add("rise", &P::rise, "1", 3,
+      "factor on it where a matrix has no factor, and largest factor in the first stage");
 }
 
 void FromSoft::run(const Parameters& parameters, Study& study) {

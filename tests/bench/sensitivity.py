@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the numbers that steer a strategy are worth: each is halved and doubled over a fresh draw of the hard cases.
 
-    sensitivity.py NETLOFT SUITE --draw 2041 [--strategy auto] [--of auto] [--of tension/only] [--of newton] [--size small] [--case TEXT] [--jobs 1]
+    sensitivity.py NETLOFT SUITE --draw 2041 [--strategy auto] [--of auto] [--of tension/stages] [--of newton] [--size small] [--case TEXT] [--jobs 1]
 
 prints a Markdown table: right / claimed wrong / work at half, at the default, and at double. A number whose row says
 "changes nothing" is no parameter but noise, and may go. Draws that a number was chosen by say nothing about it.

@@ -31,7 +31,7 @@ Solution find_by_strategy(const Solved& s, const Solving& how) {
   Registry& registry = shipped_plugins();
   StudyOptions options;
   options.solver = {&registry.solver(how.solver), how.solver_parameters};
-  options.limits = how.limits, options.work = how.work;
+  options.limits = how.limits, options.work = how.work, options.given = how.given;
   return find_equilibrium({&s.scene, s.assembler.get(), &registry, nullptr, keep_analyses(how.make),
                            TangentChoice::exact, how.threads},
                           options, {&registry.strategy(how.strategy), how.strategy_parameters});

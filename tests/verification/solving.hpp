@@ -4,6 +4,7 @@
 #include "solvers/factorisation/factorisation.hpp"
 
 #include <array>
+#include <map>
 #include <memory>
 
 namespace netloft::test {
@@ -19,7 +20,8 @@ struct Solving {
   std::string solver = "newton";
   std::string strategy = "";  // empty: the solver alone, in one solve
   Values strategy_parameters = {};
-  double work = 5000;  // budget of the strategy
+  double work = 5000;                   // budget of the strategy
+  std::map<std::string, Values> given;  // parameters of what the strategy calls, by type
   MakeFactorisation make = make_factorisation;
 };
 

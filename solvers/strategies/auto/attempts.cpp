@@ -11,7 +11,7 @@ namespace {
 
 /// What of a scene decides which attempts suit it.
 struct Kind {
-  bool sticks, has_slack_members, has_members, has_meshes, is_conservative;
+  bool sticks, has_slack_members, has_members, has_meshes;
 };
 
 /// By how much the stiffest part would stretch if it carried all that drives the gear; 1 where nothing does.
@@ -27,7 +27,6 @@ Kind kind_of(Study& study, const Options& options) {
   kind.has_slack_members =
       kind.has_members && (study.flows() ? study.members() > study.size() : stretch <= options.slack);
   kind.has_meshes = study.levels() > 1;
-  kind.is_conservative = study.conservative();
   return kind;
 }
 
@@ -50,13 +49,10 @@ const Row kTable[] = {
       "with tensions as unknowns stiff members turn at once"},
      [](const Kind& k) { return k.has_members && !k.sticks; }},
     {{"direct", "direct", "", "direct", "the start may be near"}, [](const Kind&) { return true; }},
-    {{"pseudo-time", "pseudo-time", "", "pseudo-time",
-      "forces without an energy: a motion passes by what is unstable"},
-     [](const Kind& k) { return !k.is_conservative && !k.sticks; }},
     {{"stiffness-steps", "stiffness-steps", "", "direct", "soft members turn where stiff ones hold fast"},
      [](const Kind&) { return true; }},
     {{"pseudo-time", "pseudo-time", "", "pseudo-time", "a motion passes by what is unstable"},
-     [](const Kind& k) { return k.is_conservative && !k.sticks; }},
+     [](const Kind& k) { return !k.sticks; }},
     {{"relaxed", "relaxed", "", "relaxed", "a solver without a tangent leads where the others stall"},
      [](const Kind& k) { return !k.sticks; }},
 };

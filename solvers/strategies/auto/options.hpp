@@ -9,7 +9,7 @@ struct Options {
   std::int64_t starts = 0, restarts = 0;
   double restart_work = 0, slice = 0, growth = 0;
   double slack = 0;
-  double perturbation = 0, far = 0, near = 0, counts = 0;
+  double perturbation = 0, far = 0, counts = 0;
   const char* without = nullptr;
 };
 

@@ -28,8 +28,7 @@ Stage solve_from(Study& study, const Options& options, int turn, const Stage& be
         best.u);
     return study.work_left() > 0 ? study.call("direct", "", ask, convex.u) : Stage{};
   }
-  const double fraction = turn % 2 == 1 ? options.near : options.far;
-  return study.call("direct", "", ask, perturbed(best.u, fraction * study.element_size(), turn));
+  return study.call("direct", "", ask, perturbed(best.u, options.far * study.element_size(), turn));
 }
 
 }  // namespace

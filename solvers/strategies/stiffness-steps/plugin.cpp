@@ -11,12 +11,11 @@ using namespace netloft;
 /// Continuation in the stiffness. Bars that hardly stretch leave Newton's method only short steps where they
 /// have to turn; soft ones turn at once. The scene is solved with a cap on all axial stiffnesses,
 ///   C₀ = s F,  C_{k+1} = f C_k until C_k reaches the largest stiffness                    (1)
-/// F the largest load on a node; f grows after a stage of few iterations and its square root is taken where a
-/// stage fails (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6).
+/// F the largest load on a node; the square root of f takes its place where a stage fails (E. L. Allgower and
+/// K. Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6).
 struct StiffnessSteps {
   struct Parameters {
-    double softest = 0, factor = 0, least_factor = 0, first_cap = 0, tolerance = 0, perturbation = 0;
-    std::int64_t few = 0;
+    double softest = 0, factor = 0, least_factor = 0, tolerance = 0;
   };
 
   static void run(const Parameters& p, Study& study) {
@@ -38,32 +37,21 @@ struct StiffnessSteps {
   }
 
  private:
-  static double first_cap(const Parameters& p, Study& study) {
-    return p.first_cap > 0 ? p.first_cap * study.stiffness() : p.softest * study.largest_load();
-  }
+  static double first_cap(const Parameters& p, Study& study) { return p.softest * study.largest_load(); }
 
   /// Where the caps of (1) lead.
   static Displacements stiffened(const Parameters& p, Study& study, double cap) {
     Displacements u = study.start();
     double done = 0, factor = p.factor;
     for (; cap < study.stiffness() && study.work_left() > 0; cap = done * factor) {
-      const Stage stage = solve_stage(p, study, cap, u);
-      if (stage.is_stationary()) {
+      const Stage stage =
+          study.solve({.name = "softer", .variant = {.stiffness_cap = cap}, .tolerance = p.tolerance}, u);
+      if (stage.is_stationary())
         u = stage.u, done = cap;
-        if (stage.iterations <= p.few) factor = std::min(factor * std::sqrt(p.factor), p.factor * p.factor);
-      } else if (done == 0 || (factor = std::sqrt(factor)) < p.least_factor) {
+      else if (done == 0 || (factor = std::sqrt(factor)) < p.least_factor)
         return stage.u;
-      }
     }
     return u;
-  }
-
-  /// What is soft may buckle: it leaves an unstable equilibrium by a perturbation.
-  static Stage solve_stage(const Parameters& p, Study& study, double cap, const Displacements& u) {
-    const Ask ask{.name = "softer", .variant = {.stiffness_cap = cap}, .tolerance = p.tolerance};
-    Stage stage = study.solve(ask, u);
-    if (stage.ending != Ending::unstable || study.work_left() == 0) return stage;
-    return study.solve(ask, perturbed(stage.u, p.perturbation * study.element_size()));
   }
 };
 
@@ -76,16 +64,11 @@ NETLOFT_PLUGIN("stiffness-steps", "0.1.0", "From soft to stiff") {
   s.real("softest", &P::softest, "1",
          "first cap over the largest load on a node: members stretch by a few hundredths",
          {.lo = 1e-3, .hi = 1e6, .fallback = 30});
-  s.real("first_cap", &P::first_cap, "1", "first cap over the largest stiffness instead; 0: by `softest`",
-         {.lo = 0, .hi = 1, .fallback = 0});
-  s.real("factor", &P::factor, "1", "by which the cap is raised at first; at most its square",
+  s.real("factor", &P::factor, "1", "by which the cap is raised at first",
          {.lo = 1.01, .hi = 1e6, .fallback = 10});
   s.real("least_factor", &P::least_factor, "1", "below which the cap is not raised any more",
          {.lo = 1.001, .hi = 10, .fallback = 1.3});
-  s.integer("few", &P::few, "iterations of a stage after which the factor grows", 1, 1000, 15);
   s.real("tolerance", &P::tolerance, "1",
          "largest residual over the largest load of a stage, which only gives a start",
          {.lo = 1e-16, .hi = 1, .fallback = 1e-4});
-  s.real("perturbation", &P::perturbation, "1", "of a stage that ends unstable, over the size of an element",
-         {.lo = 0, .hi = 10, .fallback = 0.02});
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "framework/study/study.hpp"
 #include "tests/validation/real_gears/perturbed.hpp"
 
 namespace {
@@ -27,30 +28,28 @@ struct Wish {
   int repeats = 1;
 };
 
-Value value_of(const netloft_parameter& p, const std::string& text) {
-  if (p.kind == NETLOFT_REAL) return std::stod(text);
-  if (p.kind == NETLOFT_INTEGER) return std::int64_t{std::stoll(text)};
-  if (p.kind == NETLOFT_BOOLEAN) return text == "true";
-  return text;
-}
-
-/// "key=value" as the solver's table wants it.
-void set(Values& values, const SolverType& solver, const std::string& setting) {
-  const auto equals = setting.find('=');
-  const std::string key = setting.substr(0, equals);
-  for (const auto& p : solver.parameters)
-    if (key == p.name && equals != std::string::npos) {
-      values[key] = value_of(p, setting.substr(equals + 1));
-      return;
-    }
-  throw std::invalid_argument("--set " + setting + ": write key=value, key a parameter of " + solver.type);
+/// "newton:damping=0.1" or "tension/stages:turn=0.5,fall=0.2": parameters of a solver or a strategy.
+void set(test::Solving& how, const std::string& setting) {
+  const auto colon = setting.find(':');
+  if (colon == std::string::npos) throw std::invalid_argument("--set " + setting + ": write NAME:key=value");
+  const std::string name = setting.substr(0, colon), text = setting.substr(colon + 1);
+  const auto set_of = [&](const auto& type, const std::string& used, Values& parameters) {
+    how.given[type.type] = parse_parameters(type.parameters, text);
+    if (name == used) parameters = how.given[type.type];
+  };
+  if (plugins().plugin(name.substr(0, name.find('/'))).strategies.empty())
+    set_of(plugins().solver(name), how.solver, how.solver_parameters);
+  else
+    set_of(plugins().strategy(name), how.strategy, how.strategy_parameters);
 }
 
 void describe(CLI::App& app, Wish& wish) {
   app.add_option("folder", wish.folder, "where the files of the gears are")->required();
   app.add_option("--gear", wish.gear, "part of the name of those that are wanted");
   app.add_option("--solver", wish.how.solver, "plugin, or plugin/name")->capture_default_str();
-  app.add_option("--set", wish.settings, "key=value of the solver")->take_all()->allow_extra_args(false);
+  app.add_option("--set", wish.settings, "NAME:key=value,… of a solver or a strategy; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_option("--tolerance", wish.how.limits.tolerance, "largest residual over largest load")
       ->capture_default_str();
   app.add_option("--iterations", wish.how.limits.iterations, "limit")->capture_default_str();
@@ -61,9 +60,10 @@ void describe(CLI::App& app, Wish& wish) {
                "start from FEMNET's answer, not from the drawing");
   app.add_option("--noise", wish.start.noise, "shake the start by so much [m]");
   app.add_option("--seed", wish.start.seed, "of the noise");
-  app.add_option("--strategy", wish.how.strategy, "auto, tension/stages, …; else the solver alone");
+  app.add_option("--strategy", wish.how.strategy,
+                 "auto, tension/stages, …; else the solver alone, of perturbed drawings auto");
   app.add_option("--perturbed", wish.drawings.count,
-                 "instead: the default strategy from the drawing and so many, perturbed by 1 mm to 0.3 m")
+                 "instead: from the drawing and so many, perturbed by 1 mm to 0.3 m")
       ->check(CLI::PositiveNumber);
   app.add_option("--repeat", wish.repeats, "solve so often and show the time of the fastest")
       ->check(CLI::PositiveNumber);
@@ -172,8 +172,7 @@ int main(int count, char** arguments) {
   describe(app, wish);
   CLI11_PARSE(app, count, arguments);
   try {
-    for (const auto& setting : wish.settings)
-      set(wish.how.solver_parameters, plugins().solver(wish.how.solver), setting);
+    for (const auto& setting : wish.settings) set(wish.how, setting);
     return wish.drawings.count > 0 ? run_perturbed(wish) : run(wish);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_real_gears: %s\n", error.what());

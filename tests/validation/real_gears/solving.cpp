@@ -75,7 +75,7 @@ SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Star
 SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                              const test::Solving& how) {
   test::Solving by_strategy = how;
-  by_strategy.strategy = "auto";
+  if (by_strategy.strategy.empty()) by_strategy.strategy = "auto";
   return solve(gear, modelling, start, by_strategy);
 }
 

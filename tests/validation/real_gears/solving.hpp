@@ -34,7 +34,7 @@ struct Start {
 SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                  const test::Solving& how);
 
-/// By the program's default strategy, from wherever the gear starts.
+/// By the strategy wanted, else the program's default one, from wherever the gear starts.
 SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                              const test::Solving& how);
 
