@@ -20,14 +20,17 @@ struct StageRecord {
 
 /// Another place where the gear is in equilibrium that is not unstable.
 struct OtherShape {
-  double energy = 0;     // [J]
-  double distance = 0;   // of its furthest node from where the solution has it [m]
-  std::string furthest;  // that node
-  int times = 1;         // that it was found
+  double energy = 0;           // [J]
+  double distance = 0;         // of its furthest node from where the solution has it [m]
+  std::string furthest;        // that node
+  int times = 1;               // that it was found
+  std::vector<double> x = {};  // positions over all dofs
 };
 
-/// What was found by looking for other shapes.
+/// What was found by looking for other shapes, and by which rule the solution was chosen among them
+/// (framework/study/shapes.hpp).
 struct Shapes {
+  bool by_energy = false;       // the least; else the first that was found
   int restarts = 0, times = 1;  // that the solution was found, the first time included
   std::vector<OtherShape> others;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/gear_json.hpp"
 
+#include "io/report/spread.hpp"
+
 namespace netloft::io {
 
 using Json = nlohmann::ordered_json;
@@ -21,7 +23,8 @@ Json gear_json(const LoadedScene& loaded, const std::vector<NamedScalar>& figure
           {"times", times},
           {"figures", values},
           {"units", units},
-          {"errors", errors_json(figures)}};
+          {"errors", errors_json(figures)},
+          {"spread", spread_json(figures)}};
 }
 
 }  // namespace netloft::io

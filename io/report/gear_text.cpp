@@ -106,18 +106,8 @@ bool is_of_pair(const std::string& name) {
 
 /// Writes the principal figures, one a line, with their errors.
 void headlines(const std::vector<NamedScalar>& figures, Out out) {
-  for (const auto& figure : figures) {
-    const std::string last = spoken(figure.name.substr(figure.name.find('/') + 1));
-    if (figure.name.starts_with("mouth/")) line(last == "area" ? "mouth area" : last, figure, out);
-    if (figure.name == "drag/all/x") line("drag", figure, out);
-    if (figure.name.starts_with("ground/")) line("ground " + last, figure, out);
-    if (figure.name.starts_with("rigging/"))
-      line(figure.name.substr(8, figure.name.rfind('/') - 8) + " pull", figure, out);
-    if (is_of_pair(figure.name)) line(spoken(figure.name.substr(6)), figure, out);
-    if (figure.name.starts_with("towing/")) line("towing " + last, figure, out);
-    if (figure.name == "weight_in_water/all") line("weight in water", figure, out);
-    if (figure.name.starts_with("budget/")) line("  " + last, figure, out);
-  }
+  for (const auto& figure : figures)
+    if (const std::string name = principal_name(figure.name); !name.empty()) line(name, figure, out);
 }
 
 /// Writes drag and weight of every kind, or of every part.
@@ -157,6 +147,19 @@ bool are_of_plan(const std::vector<NamedScalar>& figures) {
   if (figures.empty()) return false;
   const std::string& last = figures.back().name;
   return !last.starts_with("bodies/") && !last.starts_with("body_forces/");
+}
+
+std::string principal_name(const std::string& figure) {
+  const std::string last = spoken(figure.substr(figure.find('/') + 1));
+  if (figure.starts_with("mouth/")) return last == "area" ? "mouth area" : last;
+  if (figure == "drag/all/x") return "drag";
+  if (figure.starts_with("ground/")) return "ground " + last;
+  if (figure.starts_with("rigging/")) return figure.substr(8, figure.rfind('/') - 8) + " pull";
+  if (is_of_pair(figure)) return spoken(figure.substr(6));
+  if (figure.starts_with("towing/")) return "towing " + last;
+  if (figure == "weight_in_water/all") return "weight in water";
+  if (figure.starts_with("budget/")) return "  " + last;
+  return "";
 }
 
 double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }

@@ -11,6 +11,10 @@ bool are_of_plan(const std::vector<NamedScalar>& figures);
 /// was modelled.
 std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half);
 
+/// What a principal figure is called in a table, "headline height" for "mouth/headline_height"; empty: it is
+/// none.
+std::string principal_name(const std::string& figure);
+
 /// The error of a number, of solver and mesh together; NaN unless both are known, because the error of the
 /// mesh is by far the larger one as a rule.
 double total_error(const NamedScalar& scalar);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/gear_json.hpp"
+#include "io/report/spread.hpp"
 #include "io/report/text.hpp"
 
 namespace netloft::io {
@@ -77,7 +78,10 @@ Json shapes_json(const Shapes& shapes) {
                       {"distance", other.distance},
                       {"furthest", other.furthest},
                       {"times", other.times}});
-  return {{"restarts", shapes.restarts}, {"times", shapes.times}, {"others", others}};
+  return {{"restarts", shapes.restarts},
+          {"times", shapes.times},
+          {"chosen_by", shapes.by_energy ? "least energy" : "found first"},
+          {"others", others}};
 }
 
 /// What is asked of laws within and beyond the ranges that they were measured in.
@@ -165,6 +169,7 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"results", results},
                {"units", units},
                {"errors", errors_json(r.scalars)},
+               {"spread", spread_json(r.scalars)},
                {"mesh_note", r.mesh_note.empty() ? Json(nullptr) : Json(r.mesh_note)},
                {"node_error", s.correction},
                {"gear", gear_json(loaded, r.gear)},

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace netloft::io {
 
@@ -56,21 +58,51 @@ void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar
   }
 }
 
+/// Widens what is known of a number by its value at another equilibrium; unknown ends are those of one.
+void widen(const std::vector<NamedScalar>& there, std::vector<NamedScalar>& scalars) {
+  for (auto& scalar : scalars) {
+    const NamedScalar* other = find_scalar(there, scalar.name);
+    if (!other) continue;
+    scalar.least = std::fmin(std::fmin(scalar.least, scalar.value), other->value);
+    scalar.largest = std::fmax(std::fmax(scalar.largest, scalar.value), other->value);
+  }
+}
+
 /// The motion of a scene at rest, with the low-order part of its positions if that is known.
 Kinematics at_rest(const Solution& s) { return {.x_low = s.x_low.empty() ? nullptr : s.x_low.data()}; }
+
+/// All numbers of a scene at one place.
+struct Numbers {
+  std::vector<NamedScalar> scalars, gear;
+};
+
+/// Empty where there is no place, or no force there.
+std::optional<Numbers> numbers_at(const LoadedScene& loaded, Assembler& assembler, Solution there) {
+  there.residual.assign(there.x.size(), 0.0);
+  const Kinematics motion = at_rest(there);
+  if (there.x.empty() || !assembler.evaluate(there.x, {.residual = there.residual.data(), .motion = motion}))
+    return {};
+  const Answer answer = ask_elements(loaded.scene, assembler, there.x, motion);
+  return Numbers{collect_scalars(loaded, assembler, there, answer.outputs),
+                 collect_gear(loaded, assembler, answer)};
+}
 
 /// Evaluates all numbers once more, after the next Newton step, to estimate the solver's error.
 void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   Solution after;
   after.x = result.solution.corrected, after.x_low = result.solution.corrected_low;
-  after.residual.resize(after.x.size());
-  const Kinematics at_corrected = at_rest(after);
-  if (after.x.empty() ||
-      !assembler.evaluate(after.x, {.residual = after.residual.data(), .motion = at_corrected}))
-    return;
-  const Answer answer = ask_elements(loaded.scene, assembler, after.x, at_corrected);
-  note_changes(collect_scalars(loaded, assembler, after, answer.outputs), result.scalars);
-  note_changes(collect_gear(loaded, assembler, answer), result.gear);
+  if (const auto numbers = numbers_at(loaded, assembler, std::move(after)))
+    note_changes(numbers->scalars, result.scalars), note_changes(numbers->gear, result.gear);
+}
+
+/// And at every other equilibrium that was found.
+void collect_spread(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+  for (const OtherShape& other : result.solution.shapes.others) {
+    Solution there;
+    there.x = other.x, there.energy = other.energy;
+    if (const auto numbers = numbers_at(loaded, assembler, std::move(there)))
+      widen(numbers->scalars, result.scalars), widen(numbers->gear, result.gear);
+  }
 }
 
 }  // namespace
@@ -103,6 +135,7 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
   collect_hold_forces(loaded, assembler, result);
   collect_balance(result);
   collect_solver_errors(loaded, assembler, result);
+  collect_spread(loaded, assembler, result);
 }
 
 }  // namespace netloft::io

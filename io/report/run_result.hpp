@@ -29,6 +29,8 @@ struct NamedScalar {
       kUnknown;  // bound of the distance from the limit of finer meshes, if that was asked for
   // observed; unknown: there is no order to be believed
   double mesh_order = kUnknown;
+  // over all equilibria that were found; unknown: there was one only
+  double least = kUnknown, largest = kUnknown;
 };
 
 /// Returns null if none has this name.

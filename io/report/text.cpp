@@ -4,6 +4,7 @@
 #include "framework/study/variants.hpp"
 
 #include "io/report/gear_text.hpp"
+#include "io/report/spread.hpp"
 
 #include <fmt/format.h>
 
@@ -63,6 +64,11 @@ void shapes_text(const Shapes& shapes, Out out) {
                    "    another equilibrium is up to {:.3g} m away, at {}, with an energy of {:.10g} J "
                    "(found {} time{})\n",
                    other.distance, other.furthest, other.energy, other.times, plural(other.times));
+  if (!shapes.others.empty())
+    fmt::format_to(out, "  the answer is the one {}\n",
+                   shapes.by_energy ? "of least energy"
+                                    : "that was found first: forces without an energy do not say which the "
+                                      "gear takes");
 }
 
 /// Whether the tables of a gear report this force part by part.
@@ -141,6 +147,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   if (with_errors)
     fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n",
                    mesh_note_text(result.mesh_note));
+  text += spread_text(result.scalars, result.gear);
   forces_text(result, loaded.gear.has_value(), out);
   text += gear_text(result.gear, loaded.gear && loaded.gear->times == 2);
   if (!result.output_file.empty()) fmt::format_to(out, "  written to {}\n", result.output_file);

@@ -194,6 +194,13 @@ void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result
                    "sum of all forces on the gear, those of the holds included");
 }
 
+void write_spread_of(Tree& tree, const std::string& at, const std::vector<NamedScalar>& scalars) {
+  for (const auto& s : scalars) {
+    write_known(tree, at + "least/" + s.name, s.least, s.unit, "over all equilibria that were found");
+    write_known(tree, at + "largest/" + s.name, s.largest, s.unit, "over all equilibria that were found");
+  }
+}
+
 /// How good an outcome is; the names are those of name_of().
 int rank_of(const std::string& outcome) {
   if (outcome == "converged" || outcome == "finished") return 2;
@@ -254,6 +261,8 @@ void write_result(ResultFile& file, const LoadedScene& loaded, Assembler& assemb
   tree.write_real("/netloft/energy", result.solution.energy, "J",
                   "energy at the end, if all forces have one");
   write_errors(tree, result);
+  write_spread_of(tree, "/netloft/spread/", result.scalars);
+  write_spread_of(tree, "/netloft/spread/gear/", result.gear);
   write_gear(tree, loaded, result.gear);
   if (const auto memory = assembler.memory(); !memory.empty())
     tree.write_reals("/netloft/memory", memory, "1", "state of the elements, one after another: friction");

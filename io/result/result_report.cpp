@@ -2,6 +2,7 @@
 #include "io/result/result_report.hpp"
 
 #include "io/report/gear_text.hpp"
+#include "io/report/spread.hpp"
 #include "io/result/materials.hpp"
 #include "io/result/tables.hpp"
 
@@ -77,7 +78,8 @@ Json figures_json(const std::vector<NamedScalar>& figures) {
   for (const auto& f : figures)
     all[f.name] = {{"value", number(f.value)},           {"unit", f.unit},
                    {"error", number(total_error(f))},    {"solver_error", number(f.solver_error)},
-                   {"mesh_error", number(f.mesh_error)}, {"doc", f.doc}};
+                   {"mesh_error", number(f.mesh_error)}, {"least", number(f.least)},
+                   {"largest", number(f.largest)},       {"doc", f.doc}};
   return all;
 }
 
@@ -105,6 +107,7 @@ std::string result_text(const StoredResult& result) {
   const Out out = std::back_inserter(text);
   head_text(result, out);
   scalars_text(result, out);
+  text += spread_text(result.scalars, result.figures);
   forces_text(result, out);
   text += gear_text(result.figures, result.is_half);
   materials_text(materials_of(result), out);

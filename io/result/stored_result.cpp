@@ -9,7 +9,7 @@ namespace netloft::io {
 
 namespace {
 
-const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/";
+const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::ptrdiff_t kDeepest = 16;  // of groups within groups: one that holds itself has no end
 // Fields that are made of others: the larger tension of the two twine directions, the opening of meshes, and
@@ -302,6 +302,8 @@ void StoredResult::read_scalars(const std::string& group, const std::string& err
     scalar.solver_error = known(kErrors + errors + "solver/" + name);
     scalar.mesh_error = known(kErrors + errors + "mesh/" + name);
     scalar.mesh_order = known(kErrors + errors + "mesh_order/" + name);
+    scalar.least = known(kSpread + errors + "least/" + name);
+    scalar.largest = known(kSpread + errors + "largest/" + name);
     into.push_back(scalar);
   }
 }

@@ -10,6 +10,7 @@ struct Options {
   double restart_work = 0, slice = 0, growth = 0;
   double slack = 0;
   double perturbation = 0, far = 0, counts = 0;
+  bool everywhere = false;
   const char* without = nullptr;
 };
 

@@ -14,6 +14,11 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
       1, 1000, 2);
   s.integer("restarts", &Options::restarts,
             "how often to look for other shapes where something is in compression", 0, 1000, 6);
+  s.boolean(
+      "everywhere", &Options::everywhere,
+      "look for other shapes in every scene, also where nothing is in compression or forces have no energy; "
+      "of those without one the first that was found is the answer",
+      false);
   s.real("restart_work", &Options::restart_work, "1",
          "work of all restarts over the work that led to the first equilibrium",
          {.lo = 0, .hi = 1e6, .fallback = 1});

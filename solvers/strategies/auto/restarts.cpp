@@ -16,6 +16,7 @@ double borne_by_compression(Study& study, const Stage& at) {
 }
 
 bool may_have_other_shapes(Study& study, const Options& options, const Stage& at) {
+  if (options.everywhere) return !study.remembers();
   return study.conservative() && study.resists_compression() && !study.remembers() &&
          borne_by_compression(study, at) > options.counts;
 }
@@ -44,7 +45,7 @@ void restart(Study& study, const Options& options, const Stage& first, double wo
     left -= before - study.work_left();
     if (!next.has_converged()) continue;
     study.answer(next.u);
-    if (next.energy < best.energy) best = std::move(next);
+    if (study.conservative() && next.energy < best.energy) best = std::move(next);
   }
 }
 

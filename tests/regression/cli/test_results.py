@@ -362,5 +362,85 @@ class Results(InFreshFolder):
         self.assertEqual(len(self.data_of(page)["results"]), 2)
 
 
+# Two bars of 1 m between points 1.8 m apart bear their weight hanging, and also standing, as an arch.
+ARCH = """\
+[water]
+density = 0
+gravity = 9.81
+
+[parts.arch]
+type = "rope/bar"
+length = "2 m"
+cells = 2
+sketch = [[0, 0, 0], [0.9, 0, 0.43], [1.8, 0, 0]]
+rope = { diameter = "10 mm", EA = "10 kN", EA_compression = "10 kN", density = 1000 }
+
+[[hold]]
+on = ["arch.start", "arch.end"]
+
+[[hold]]
+on = "arch"
+axes = "y"
+
+[analysis]
+strategy = "auto"
+
+[analysis.auto]
+without = "tension-only+tension-stages"
+restarts = 12
+restart_work = 1e6
+
+[results]
+middle = { of = "arch", take = "mean z" }
+thrust = { of = "arch.end", take = "sum reaction x" }
+"""
+RISE = (1 - 0.9 ** 2) ** 0.5 / 3  # of the mean of three nodes, if bars do not stretch
+THRUST = 0.5 * 1000 * 9.81 * 3.14159265 / 4 * 0.01 ** 2 * 0.9 / (3 * RISE)  # half the weight at the middle, by moments
+
+
+class SeveralEquilibria(InFreshFolder):
+    def solved(self, text, *words):
+        self.write("arch.toml", text)
+        ended = self.netloft("run", "arch.toml", *words)
+        self.assertEqual(ended.code, 0, ended.err)
+        return ended
+
+    def test_numbers_have_their_least_and_largest_over_all_that_were_found(self):
+        report = self.solved(ARCH, "--json").json()
+        self.assertEqual(len(report["shapes"]["others"]), 1)
+        self.assertEqual(report["shapes"]["chosen_by"], "least energy")
+        self.assertEqual(report["results"]["middle"], report["spread"]["middle"]["least"])
+        for name, size in ("middle", RISE), ("thrust", THRUST):
+            self.assertAlmostEqual(report["spread"][name]["least"] / -size, 1, delta=1e-3)
+            self.assertAlmostEqual(report["spread"][name]["largest"] / size, 1, delta=1e-3)
+
+    def test_a_report_of_the_file_repeats_them(self):
+        said = self.solved(ARCH).out
+        self.assertIn("the answer is the one of least energy", said)
+        table = [line for line in said.splitlines() if line.startswith("    middle")]
+        self.assertEqual(len(table), 1)
+        self.assertIn(table[0], self.netloft("report", "arch.hdf").out)
+        again = self.netloft("report", "arch.hdf", "--json").json()["results"]["middle"]
+        self.assertAlmostEqual(again["largest"] / RISE, 1, delta=1e-3)
+        with h5py.File(self.folder / "arch.hdf") as f:
+            self.assertEqual(f["netloft/spread/largest/middle"][()], again["largest"])
+
+    def test_one_equilibrium_has_no_spread(self):
+        report = self.solved(changed(ARCH, ("restarts = 12", "restarts = 0")), "--json").json()
+        self.assertIsNone(report["shapes"])
+        self.assertIsNone(report["spread"])
+        with h5py.File(self.folder / "arch.hdf") as f:
+            self.assertNotIn("spread", f["netloft"])
+
+    def test_where_a_force_has_no_energy_they_are_looked_for_on_demand_and_the_first_is_the_answer(self):
+        flows = changed(ARCH, ("density = 0", "density = 1\ncurrent = [0.1, 0, 0]"))
+        report = self.solved(flows, "--json").json()
+        self.assertIsNone(report["shapes"])
+        report = self.solved(changed(flows, ("restarts = 12", "restarts = 12\neverywhere = true")), "--json").json()
+        self.assertEqual(report["shapes"]["chosen_by"], "found first")
+        self.assertEqual(report["results"]["middle"], report["spread"]["middle"]["largest"])
+        self.assertAlmostEqual(report["spread"]["middle"]["least"] / -RISE, 1, delta=1e-3)
+
+
 if __name__ == "__main__":
     unittest.main()
