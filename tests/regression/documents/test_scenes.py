@@ -28,7 +28,7 @@ COARSER = {
 FOUND = {"static": "converged", "dynamic": "finished"}
 
 
-PIECES = {"common.toml", "geometry.toml", "geometry-half.toml", "geometry-whole.toml", "mesh.toml", "properties.toml"}
+PIECES = {"common.toml", "geometry.toml", "geometry-half.toml", "geometry-whole.toml", "mesh.toml", "net.toml", "properties.toml"}
 
 
 def included_by(file):
