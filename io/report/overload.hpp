@@ -9,7 +9,8 @@ namespace netloft::io {
 std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Assembler& assembler,
                                            const Answer& answer);
 
-/// A sentence for every part with elements that are used beyond what is known of them (NETLOFT_OUTPUT_DOUBT).
+/// A sentence for every part with elements that are used beyond what is known of them (NETLOFT_OUTPUT_DOUBT),
+/// and for every board of a pair that has crossed the plane of symmetry.
 std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembler& assembler,
                                         const Answer& answer);
 
