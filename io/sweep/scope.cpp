@@ -74,7 +74,8 @@ double end_between(const ScopeRequest& request, const ScopePoint& in, const Scop
   return in.warp + t * (out.warp - in.warp);
 }
 
-/// Goes through depths and lengths, to and fro, so that from one point to the next little changes.
+/// Goes at every depth from the shortest length on, which follows that of the depth before: a fold on the way
+/// up is none of the next depth.
 class ScopeRun {
  public:
   ScopeRun(const CaseSource& source, Registry& registry, const ScopeRequest& request, const Watch& watch)
@@ -83,7 +84,7 @@ class ScopeRun {
         request_(request),
         watch_(watch),
         make_(keep_analyses(make_factorisation)),
-        branch_(
+        shortest_(
             variables_, [this](const auto& values) { return open(values); }, watch_) {}
 
   std::vector<ScopeRow> run() {
@@ -91,8 +92,9 @@ class ScopeRun {
     for (std::size_t d = 0; d < request_.depths.size() && !is_interrupted(); ++d) {
       ScopeRow& row = rows.emplace_back();
       row.depth = request_.depths[d], row.points.resize(request_.scopes.size());
-      const std::size_t count = row.points.size();
-      for (std::size_t k = 0; k < count && !is_interrupted(); ++k) solve(row, d % 2 == 0 ? k : count - 1 - k);
+      solve(row, 0, shortest_);
+      Branch longer = shortest_;
+      for (std::size_t k = 1; k < row.points.size() && !is_interrupted(); ++k) solve(row, k, longer);
       find_lengths(request_, row);
     }
     return rows;
@@ -109,13 +111,13 @@ class ScopeRun {
     return the_case->open() == Case::State::ready ? the_case : nullptr;
   }
 
-  void solve(ScopeRow& row, std::size_t k) {
+  void solve(ScopeRow& row, std::size_t k, Branch& branch) {
     const double warp = request_.scopes[k] * row.depth;
     const std::vector<VariableValue> values = {variables_[0].value_of(row.depth),
                                                variables_[1].value_of(warp)};
     const auto the_case = open(values);
     if (!the_case) throw std::invalid_argument("the scene cannot be read with a warp of " + values[1].text);
-    Reached reached = branch_.reach(the_case, values);
+    Reached reached = branch.reach(the_case, values);
     row.points[k] = point_of(*the_case, reached.solution, warp);
     std::ranges::move(reached.events, std::back_inserter(row.events));
   }
@@ -127,7 +129,7 @@ class ScopeRun {
   MakeFactorisation make_;
   std::vector<Variable> variables_ = {variable_in_metres("depth", "bed.depth"),
                                       variable_in_metres("warp", "ship.warp.length")};
-  Branch branch_;
+  Branch shortest_;  // over depths, at the shortest length
 };
 
 }  // namespace
