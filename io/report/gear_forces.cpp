@@ -3,6 +3,8 @@
 // Forces of water, weight and ground on the parts of a gear.
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <numeric>
 #include <set>
 
 #include "io/report/gear_view.hpp"
@@ -86,21 +88,22 @@ void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::
   figures.push_back({"budget/floating", "N", "weight in water of all parts that float", floating});
 }
 
-/// Nodes that press on some ground.
-std::set<std::uint32_t> touching_nodes(const GearView& gear) {
-  std::set<std::uint32_t> touching;
+/// Normal forces of some ground on the nodes that press on it [N].
+std::map<std::uint32_t, double> forces_of_ground(const GearView& gear) {
+  std::map<std::uint32_t, double> forces;
   for (std::size_t f = 0; f < gear.answer().outputs.size(); ++f) {
     const ElementFamily& family = *gear.assembler().families()[f];
     const auto& outputs = family.type().outputs;
     for (std::size_t k = 0; k < outputs.size(); ++k)
       for (std::size_t e = 0; e < family.size() && outputs[k].name == std::string("normal_force"); ++e)
-        if (gear.answer().outputs[f][k][e] > 0) touching.insert(family.node(e, 0));
+        if (const double force = gear.answer().outputs[f][k][e]; force > 0)
+          forces[family.node(e, 0)] += force;
   }
-  return touching;
+  return forces;
 }
 
-double fraction_on_ground(const GearView& gear, std::uint32_t rope) {
-  const auto touching = touching_nodes(gear);
+double fraction_on_ground(const GearView& gear, std::uint32_t rope,
+                          const std::map<std::uint32_t, double>& touching) {
   const auto& nodes = gear.nodes_of(rope);
   const auto lengths = gear.rest_lengths(rope);
   double on = 0, all = 0;
@@ -110,6 +113,22 @@ double fraction_on_ground(const GearView& gear, std::uint32_t rope) {
     all += lengths[bar];
   }
   return on / all;
+}
+
+void add_footrope(const GearView& gear, std::uint32_t footrope, std::vector<Figure>& figures) {
+  const auto forces = forces_of_ground(gear);
+  const double fraction = fraction_on_ground(gear, footrope, forces);
+  const auto lengths = gear.rest_lengths(footrope);
+  const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  double force = 0;
+  for (const auto node : gear.nodes_of(footrope))
+    if (const auto at = forces.find(node); at != forces.end()) force += at->second;
+  figures.push_back({"ground/footrope_fraction", "1",
+                     "fraction of the footrope's length that touches the ground", fraction});
+  figures.push_back({"ground/footrope_length", "m", "length of the footrope that touches the ground",
+                     gear.times() * fraction * length});
+  figures.push_back({"ground/footrope_force", "N", "force of the ground on the footrope, along its normal",
+                     gear.times() * force});
 }
 
 }  // namespace
@@ -134,10 +153,7 @@ void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
   figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * normal});
   if (any_has(gear, all, is_friction))
     add_vector("ground/friction_", "friction of the ground", sum_over(gear, all, is_friction), figures);
-  if (const auto* footrope = gear.find_rope(gear.gear().footrope))
-    figures.push_back({"ground/footrope_fraction", "1",
-                       "fraction of the footrope's length that touches the ground",
-                       fraction_on_ground(gear, *footrope)});
+  if (const auto* footrope = gear.find_rope(gear.gear().footrope)) add_footrope(gear, *footrope, figures);
 }
 
 }  // namespace netloft::io

@@ -59,6 +59,14 @@ void check_fineness(const GearKeys& keys, TableReader& table) {
                 "0 goes with a size alone");
 }
 
+/// Of the names in a gear those that a plan's name stands for: itself, or in the whole both of a pair.
+std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names) {
+  const auto is_there = [&](const std::string& one) { return std::ranges::find(names, one) != names.end(); };
+  if (is_there(name)) return {name};
+  const std::string starboard = "starboard-" + name, port = "port-" + name;
+  return is_there(starboard) && is_there(port) ? std::vector{starboard, port} : std::vector<std::string>{};
+}
+
 /// What the part of a plan bears, where it says so.
 void keep_strength(LoadedScene& loaded, const std::string& part, const Value& numbers, int twines,
                    const std::string& material) {
@@ -137,9 +145,11 @@ void GearParts::read_finer(TableReader& table) {
     const double times = finer.real(name, {.unit = "1",
                                            .doc = "sides of triangles, or bars, that many times shorter",
                                            .range = between(1 / kMostFiner, kMostFiner)});
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    const auto meant = meant_by(name, names);
+    if (meant.empty())
       finer.error(name, "there is no panel or rope " + in_quotes(name), name_hint(name, names));
-    fineness_.finer[name] = times;
+    for (const auto& one : meant)
+      if (one == name || !finer.has(one)) fineness_.finer[one] = times;
   }
 }
 
@@ -152,13 +162,16 @@ void GearParts::read_exceptions(TableReader& elements) {
   for (const auto& of : gear_elements()) names.push_back(of.kind);
   for (const auto& name : elements.keys()) {
     const Value* said = elements.raw(name);
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    const auto meant = meant_by(name, names);
+    if (meant.empty())
       elements.error(name, "there is nothing named " + in_quotes(name) + " in the net plan",
                      name_hint(name, names));
     else if (!said->as<Table>())
       elements.error(name, "a table is expected, such as { drag = \"hydro/morison\" }");
-    else
+    else if (meant.front() == name)
       exceptions_[name] = *said;
+    else
+      for (const auto& side : meant) exceptions_of_pairs_[side] = *said;
   }
 }
 
@@ -191,7 +204,8 @@ bool GearParts::read_part(const Made& made, const std::string& path, Value numbe
   Value whole{numbers.place, Table{}};
   put(*whole.as<Table>(), made.of->key, std::move(numbers));
   merge(whole, made.said);
-  if (const auto said = exceptions_.find(part.name); said != exceptions_.end()) merge(whole, said->second);
+  for (const auto* exceptions : {&exceptions_of_pairs_, &exceptions_})
+    if (const auto said = exceptions->find(part.name); said != exceptions->end()) merge(whole, said->second);
   TableReader reader(whole, diagnostics_, path);
   reader.has("type");
   elements_.read(*made.type, reader, part);

@@ -85,9 +85,9 @@ class GearParts {
   Fineness fineness_;
   GearMesh mesh_;
   std::vector<Made> made_;
-  std::map<std::string, Value> exceptions_;  // `[elements.NAME]` by part
-  std::vector<KnownCoordinate> known_;       // points of bodies
-  std::vector<double> start_;                // 3 per node of the gear
+  std::map<std::string, Value> exceptions_, exceptions_of_pairs_;  // `[elements.NAME]` by part
+  std::vector<KnownCoordinate> known_;                             // points of bodies
+  std::vector<double> start_;                                      // 3 per node of the gear
   /// Parts and own nodes that a node of the gear is: its first is where its position comes from.
   std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;
 };

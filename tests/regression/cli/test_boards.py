@@ -138,13 +138,16 @@ class Boards(InFreshFolder):
         self.assertTrue(any("door" in w and "have no numbers" in w for w in outside), outside)
 
 
-MESH = 'nodes = 0\nsize = "0.3 m"'  # the same in the half and in the whole
+MESH = 'nodes = 0\nsize = "0.3 m"\nfiner = { bridle = 2 }'  # the same in the half and in the whole
 SHOE = """
 [parts.shoe]
 type = "seabed/bed"
 on = ["door.toe", "door.heel"]
 each = 0.5
 seabed = { stiffness = "50 kN/m2", friction = 0.4 }
+
+[elements.bridle]
+rope = { density = 6000 }
 
 [analysis]
 tolerance = 1e-11
@@ -171,6 +174,13 @@ class Towed(InFreshFolder):
             self.assertLess(abs(half["bodies/door/" + name] - whole["bodies/starboard-door/" + name]), 1e-8, name)
             self.assertLess(abs(half["bodies/door/" + name] - whole["bodies/port-door/" + name]), 1e-8, name)
         self.assertGreater(half["pairs/door/spread"], 6, "boards spread farther than the blocks")
+
+    def test_boards_that_have_crossed_are_a_warning(self):
+        start = 'board = "flat-1.0x2.0"\nat = [88.4, -20.4, -39.5]\nturned = { heading = "129 deg", heel = "12 deg", trim = "180 deg" }'
+        for scene, crossed in ((SHIP, False), (changed(SHIP, ('board = "flat-1.0x2.0"', start)), True)):
+            self.write("scene.toml", scene + SHOE)
+            warnings = self.netloft("run", "scene.toml", "--json", "--overwrite").json()["warnings"]
+            self.assertEqual(any("door" in w and "have crossed" in w for w in warnings), crossed, warnings)
 
 
 if __name__ == "__main__":
