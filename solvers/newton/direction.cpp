@@ -42,7 +42,7 @@ std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double dam
   return find_partly_convex(iterate, damping);
 }
 
-/// Then (7) says more of K than K₊ does. Where K was not nearly definite the last time, it is not asked again
+/// Then (6) says more of K than K₊ does. Where K was not nearly definite the last time, it is not asked again
 /// before it is positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
   if (!iterate.has_energy() || !may_be_nearly_definite_ || damping >= kHardlyDamped) {

@@ -7,16 +7,14 @@ namespace netloft::newton {
 
 namespace {
 
-// Round-offs by which a step may go uphill by (8).
+// Round-offs by which a step may go uphill by (7).
 constexpr double kRoundOffs = 10;
 // A straight step that ends before the first of these is compared with a curved one. Where it fails, second
 // derivatives are found by residuals so near. A curved step must gain so many times what the straight one
 // does.
 constexpr double kShort = 0.9, kNear = 1e-2, kCurvedGain = 1.5;
-// So many steps in a row that promise no less to gain than before: (8) leads nowhere.
+// So many steps in a row that promise no less to gain than before: (7) leads nowhere.
 constexpr int kStalled = 5;
-// With forces that have no energy, and less damping than this, a step that quarters ‖r‖ counts.
-constexpr double kHardlyDamped = 1e-3, kQuartered = 0.0625;
 
 }  // namespace
 
@@ -35,8 +33,6 @@ std::span<const double> CurvedStep::find(Iterate& iterate, std::span<const doubl
 Step Globalisation::take(Iterate& iterate, const Direction& direction) {
   const Path path{direction.s};
   if (-iterate.slope(path) <= iterate.round_off(path)) return take_at_round_off(iterate, direction);
-  if (!iterate.has_energy() && direction.damping < kHardlyDamped && iterate.accept(path, 1, kQuartered))
-    return forget_gains(), Step{Step::Rule::residual, 1};
   const Step step = take_by_energy(iterate, direction);
   if (step) forget_gains();
   return step;
@@ -46,30 +42,15 @@ Step Globalisation::take_at_round_off(Iterate& iterate, const Direction& directi
   Step step;
   if (iterate.accept({direction.s}, 1, 1))
     step = {Step::Rule::residual, 1};
-  else
-    step = take_by_contraction(iterate, direction.s);
-  if (!step && direction.damping == 0) step = take_by_slope(iterate, direction.s);
+  else if (direction.damping == 0)
+    step = take_by_slope(iterate, direction.s);
   step.is_at_round_off = true;
   return step;
 }
 
 Step Globalisation::take_newton_step(Iterate& iterate, std::span<const double> s) {
-  if (iterate.problem().step_length(s) <= 1) {
-    if (iterate.accept({s}, 1, 0.25)) return {Step::Rule::residual, 1};
-    if (const Step step = take_by_contraction(iterate, s)) return step;
-  }
+  if (iterate.problem().step_length(s) <= 1 && iterate.accept({s}, 1, 0.25)) return {Step::Rule::residual, 1};
   return take_by_slope(iterate, s);
-}
-
-/// (6). What rounding leaves of ‖r‖ in stiff parts then does not hide how far soft ones still are off.
-Step Globalisation::take_by_contraction(Iterate& iterate, std::span<const double> s) {
-  const auto r = iterate.residual_at({s}, 1);
-  if (!r) return {};
-  left_.resize(s.size());
-  Problem& problem = iterate.problem();
-  problem.solve(*r, left_);
-  if (problem.step_length(left_) > 0.5 * problem.step_length(s) || !iterate.accept({s}, 1)) return {};
-  return {Step::Rule::contraction, 1};
 }
 
 Step Globalisation::take_by_slope(Iterate& iterate, std::span<const double> s) {
@@ -82,7 +63,7 @@ Step Globalisation::take_by_slope(Iterate& iterate, std::span<const double> s) {
   return {Step::Rule::slope, found->t};
 }
 
-/// (5), (4), and where (4) ends short, (9), too, if that gains much more.
+/// (5), (4), and where (4) ends short, (8), too, if that gains much more.
 Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction) {
   Path path{direction.s};
   const LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};

@@ -12,14 +12,14 @@ namespace netloft::newton {
 
 /// What became of a direction.
 struct Step {
-  enum class Rule { none, energy, residual, contraction, slope };
+  enum class Rule { none, energy, residual, slope };
   Rule rule = Rule::none;        // by which u has moved
   double length = 0;             // t of (4)
   bool is_at_round_off = false;  // what the step promises to gain is less than the energy's round-off
   explicit operator bool() const { return rule != Rule::none; }
 };
 
-/// a of (9): how a path along s has to bend so that stiff members keep their length to second order.
+/// a of (8): how a path along s has to bend so that stiff members keep their length to second order.
 class CurvedStep {
  public:
   /// Memory for `size` unknowns is reserved, and touched by the first search.
@@ -34,29 +34,25 @@ class CurvedStep {
 /// How far to go along a direction.
 class Globalisation {
  public:
-  Globalisation(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {
-    left_.reserve(size);
-  }
+  Globalisation(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
-  /// Moves u along s, as (4) wants it or, at round-off, as (6) or (8) do.
+  /// Moves u along s, as (4) wants it or, at round-off, by the residual or as (7) does.
   Step take(Iterate& iterate, const Direction& direction);
   /// At round-off, once more with Newton's own step s.
   Step take_newton_step(Iterate& iterate, std::span<const double> s);
-  /// (8): by the slope, which still has significant digits where the energy has none.
+  /// (7): by the slope, which still has significant digits where the energy has none.
   Step take_by_slope(Iterate& iterate, std::span<const double> s);
-  /// (8) may be tried again: u has moved otherwise.
+  /// (7) may be tried again: u has moved otherwise.
   void forget_gains();
 
  private:
   Step take_at_round_off(Iterate& iterate, const Direction& direction);
-  Step take_by_contraction(Iterate& iterate, std::span<const double> s);
   Step take_by_energy(Iterate& iterate, const Direction& direction);
   std::optional<Sample> find_whole_uphill(Iterate& iterate, const Path& path);
   bool has_stalled(double gain);
 
   const Newton::Parameters& p_;
   CurvedStep curved_;
-  std::vector<double> left_;
   bool last_was_uphill_ = false;
   double least_gain_ = std::numeric_limits<double>::infinity();
   int times_no_less_ = 0;

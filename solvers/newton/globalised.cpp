@@ -72,7 +72,7 @@ class Globalised {
   }
 
   /// Fallback at round-off, where damping leads nowhere: once at a point by Newton's own step, or if this is
-  /// a saddle, by (7), or if K is singular, by a step of K + σ M.
+  /// a saddle, by (6), or if K is singular, by a step of K + σ M.
   bool fall_back() {
     Problem& problem = iterate_.problem();
     if (damping_ == 0 || fell_back_at_ == iterate_.count() || !iterate_.has_energy() || !problem.symmetric())

@@ -9,7 +9,7 @@
 namespace netloft::newton {
 
 /// The way off a saddle: where K + σ M is positive definite with a small σ (K is nearly definite) and K is
-/// not, along the direction of least curvature, (7) of Newton.
+/// not, along the direction of least curvature, (6) of Newton.
 class NegativeCurvature {
  public:
   /// Memory for the directions is reserved, and touched by the first of them.

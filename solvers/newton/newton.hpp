@@ -16,10 +16,9 @@ namespace netloft::newton {
 ///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
 ///   m(t) ≤ m(0) + c t r·s and |m'(t)| ≤ η |r·s|, or t = 1                                (4)
 ///   m(1) ≤ m(0) − c_up r·s is enough after a step that was not such a one                 (5)
-///   |s'| ≤ |s| / 2, (K + μ M) s' = −r(u + s) with the matrix of u                         (6)
-///   u + t v, K v = λ M v with the least λ < 0, m'(t) ≈ 0                                   (7)
-///   |m'(t)| ≤ |m'(0)| / 10 or t = 1 and m'(1) ≤ 0, m(t) not above m(0) but for rounding    (8)
-///   u + t s + ½ t² a, a = −(K + θ (K₊ − K) + μ M)⁻¹ r″(s, s)                              (9)
+///   u + t v, K v = λ M v with the least λ < 0, m'(t) ≈ 0                                   (6)
+///   |m'(t)| ≤ |m'(0)| / 10 or t = 1 and m'(1) ≤ 0, m(t) not above m(0) but for rounding    (7)
+///   u + t s + ½ t² a, a = −(K + θ (K₊ − K) + μ M)⁻¹ r″(s, s)                              (8)
 /// The second term of (3) is the work of d along the path, by the trapezoidal rule; the slope is that of the
 /// work itself, which differs by ¼ t² s·d″, zero at t = 0. A dead load d(u) in its place would not turn with
 /// the gear.
@@ -30,16 +29,15 @@ namespace netloft::newton {
 ///
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3). (5) lets an iterate
 /// cross the kinks between slack and taut, one step at a time (watchdog: Chamberlain et al. 1982, Math.
-/// Programming Study 16). (9) is tried where (4) ends short and all forces have an energy ("geodesic
+/// Programming Study 16). (8) is tried where (4) ends short and all forces have an energy ("geodesic
 /// acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
 ///
 /// At round-off, where the step promises less than the energy can resolve, a step is accepted if it does not
-/// raise ‖r‖; or by (6), the natural monotonicity test (Deuflhard, Newton Methods for Nonlinear Problems,
-/// 2004); or by (8), the approximate Wolfe conditions (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
-/// With drag, a lightly damped step that quarters ‖r‖ is accepted anywhere.
+/// raise ‖r‖; or by (7), the approximate Wolfe conditions (W. W. Hager and H. Zhang, SIAM J. Optim. 16,
+/// 2005).
 ///
 /// Negative curvature. Where K is indefinite and K + σ M with a σ of 1e-7, 1e-6, … 1e-4 is not, K is nearly
-/// definite: K + σ M is then the matrix of (2), and (7) leaves the saddle (J. J. Moré and D. C. Sorensen,
+/// definite: K + σ M is then the matrix of (2), and (6) leaves the saddle (J. J. Moré and D. C. Sorensen,
 /// Math. Programming 16, 1979).
 struct Newton {
   struct Parameters {
