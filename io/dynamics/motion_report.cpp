@@ -31,6 +31,24 @@ std::string start_text(const LoadedScene& loaded, const StartBalance& s) {
       from, s.residual, s.node, s.load);
 }
 
+/// What the scheme took, where it is too much to speak of one motion.
+std::string loss_text(const std::optional<NumericalLoss>& l) {
+  if (!l || !l->is_large()) return "";
+  return fmt::format(
+      "  warning: the scheme took {:.3g} J of the {:.3g} J that were given, most of it ({:.3g} J) between t "
+      "= {:.4g} "
+      "and {:.4g} s, at {};\n  what follows depends on the scheme: damping of the stretch (rope.damping, "
+      "stiffness_damping) lets a finer accuracy tell\n",
+      l->lost, l->given, l->worst, l->from, l->until, l->node);
+}
+
+nlohmann::ordered_json loss_json(const std::optional<NumericalLoss>& l) {
+  if (!l) return nullptr;
+  return {{"lost", l->lost},   {"given", l->given}, {"is_large", l->is_large()},
+          {"worst", l->worst}, {"from", l->from},   {"until", l->until},
+          {"node", l->node}};
+}
+
 nlohmann::ordered_json start_json(const StartBalance& s) {
   if (s.node.empty()) return nullptr;
   return {{"out_of_balance", s.residual}, {"largest_load", s.load}, {"node", s.node}};
@@ -48,7 +66,7 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
                  r.march.longest, r.march.rejected, r.outputs);
   fmt::format_to(out, "  {} iterations, {} factorisations, {:.3g} s, {:.3g} CPU s; real-time factor {:.3g}\n",
                  b.iterations, b.factorisations, b.total_seconds, b.total_cpu_seconds, real_time_factor(r));
-  text += start_text(loaded, r.march.start);
+  text += start_text(loaded, r.march.start) + loss_text(r.loss);
   if (r.march.stable_step > 0)
     fmt::format_to(out, "  stable for steps up to {:.3g} s, by the tangent at the start\n",
                    r.march.stable_step);
@@ -82,6 +100,7 @@ std::string motion_json(const LoadedScene& loaded, const Plan& plan, const Motio
                      {"shortest_step", r.march.shortest},
                      {"longest_step", r.march.longest},
                      {"stable_step", r.march.stable_step},
+                     {"numerical_loss", loss_json(r.loss)},
                      {"start", start_json(r.march.start)},
                      {"outputs", r.outputs},
                      {"iterations", b.iterations},

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/dynamics/motion_run.hpp"
 
+#include "framework/problem/energy_judge.hpp"
 #include "io/dynamics/checkpoint.hpp"
 #include "io/dynamics/xdmf.hpp"
 #include "io/hdf5/image.hpp"
 #include "io/report/picture.hpp"
 #include "io/scene/result_request.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace netloft::io {
@@ -15,11 +17,67 @@ namespace {
 
 const std::string kEnergy = "energy/", kGear = "gear/";
 
+/// Compares every output with the one before it.
+class LossWatch {
+ public:
+  LossWatch(const Scene& scene, const Assembler& assembler) : scene_(scene), assembler_(assembler) {}
+
+  void note(const Snapshot& at) {
+    if (!at.budget) return;
+    const EnergyBudget::Totals totals = at.budget->totals();
+    const std::vector<double> v = assembler_.node_positions(at.v);
+    if (before_.v.empty())
+      judge_.begin(totals, 0);
+    else
+      compare({at.t, totals, v});
+    before_ = {at.t, totals, v};
+  }
+  /// None before the second output.
+  std::optional<NumericalLoss> loss() const { return loss_; }
+
+ private:
+  struct Moment {
+    double t = 0;
+    EnergyBudget::Totals totals = {};
+    std::vector<double> v = {};  // of the nodes, three each
+  };
+  void compare(const Moment& now) {
+    judge_.note(before_.totals, now.totals, 1);
+    if (!loss_) loss_.emplace();
+    loss_->lost = -judge_.made(), loss_->given = judge_.given();
+    const double lost = now.totals.numerical - before_.totals.numerical;
+    if (lost <= loss_->worst) return;
+    loss_->worst = lost, loss_->from = before_.t, loss_->until = now.t;
+    loss_->node = scene_.node_name(most_changed(now.v));
+  }
+  std::uint32_t most_changed(const std::vector<double>& v) const {
+    double most = -1;
+    std::uint32_t which = 0;
+    for (std::uint32_t node = 0; node < v.size() / 3; ++node) {
+      const std::size_t i = 3 * std::size_t{node};
+      const double change =
+          std::hypot(v[i] - before_.v[i], v[i + 1] - before_.v[i + 1], v[i + 2] - before_.v[i + 2]);
+      if (change > most) most = change, which = node;
+    }
+    return which;
+  }
+
+  const Scene& scene_;
+  const Assembler& assembler_;
+  EnergyJudge judge_;
+  Moment before_;
+  std::optional<NumericalLoss> loss_;
+};
+
 /// One run; the journal is made at the first output, because the content of an output is known only then.
 class MotionRun {
  public:
   MotionRun(Case& the_case, const RunContext& context, const MotionOptions& options)
-      : case_(the_case), loaded_(the_case.loaded()), context_(context), options_(options) {}
+      : case_(the_case),
+        loaded_(the_case.loaded()),
+        context_(context),
+        options_(options),
+        losses_(loaded_.scene, the_case.assembler()) {}
 
   MotionResult run() {
     if (options_.resume) from_ = read_killed();
@@ -30,6 +88,7 @@ class MotionRun {
                              return false;
                            }};
     result_.march = case_.march(watch, options_.interrupt, from_ ? &*from_ : nullptr);
+    result_.loss = losses_.loss();
     if (!journal_) return std::move(result_);
     if (result_.outputs == outputs_before_) recall_last_output();
     finish();
@@ -62,6 +121,7 @@ class MotionRun {
 
   void write(const Snapshot& at) {
     const SeriesState state = describe(at);
+    losses_.note(at);
     if (!journal_) begin_journal();
     if (result_.outputs == outputs_before_) journal_->require_layout(layout_);
     journal_->write(state, at.state ? pack_checkpoint(*at.state) : "");
@@ -213,6 +273,7 @@ class MotionRun {
   const LoadedScene& loaded_;
   const RunContext& context_;
   const MotionOptions& options_;
+  LossWatch losses_;
   SeriesLayout layout_;
   std::optional<MarchState> from_;
   std::optional<SeriesJournal> journal_;

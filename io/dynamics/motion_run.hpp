@@ -8,6 +8,16 @@
 
 namespace netloft::io {
 
+/// What the scheme took, by energy_judge.hpp, over the outputs of this run: energy that no force has taken
+/// and none has kept.
+struct NumericalLoss {
+  double lost = 0, given = 0;             // in all [J]
+  double worst = 0, from = 0, until = 0;  // most between two outputs [J], their times [s]
+  std::string node;                       // whose velocity changed most between them
+  /// More than a twentieth went where the scheme decides: no accuracy resolves the path that follows.
+  bool is_large() const { return lost > 0.05 * given; }
+};
+
 /// The result of a motion.
 struct MotionResult {
   MarchResult march;
@@ -15,6 +25,7 @@ struct MotionResult {
   std::vector<NamedScalar> gear;     // at the last output; empty: no net plan
   // at the last output [J]; empty: no energy budget was kept
   std::vector<std::pair<std::string, double>> energies;
+  std::optional<NumericalLoss> loss;  // none: no energy budget was kept
   std::size_t outputs = 0;
   double resumed_from = 0;  // [s]
   std::string output_file;  // the .part if it was interrupted
