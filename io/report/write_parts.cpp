@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace netloft::io {
 
@@ -75,6 +76,24 @@ struct PartRows {
   }
 };
 
+/// A relief on an even grid, for pictures: between its own places it is smooth.
+void write_relief(Tree& tree, const Surface& relief) {
+  constexpr std::size_t kPlaces = 65;
+  if (relief.empty()) return;
+  std::vector<double> x, y, height;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double s = static_cast<double>(i) / (kPlaces - 1);
+    x.push_back(std::lerp(relief.first_of_x(), relief.last_of_x(), s));
+    y.push_back(std::lerp(relief.first_of_y(), relief.last_of_y(), s));
+  }
+  for (const double at_x : x)
+    for (const double at_y : y) height.push_back(relief.at(at_x, at_y));
+  const std::string at = "/netloft/seabed/relief/";
+  tree.write_reals(at + "x", x, "m", "places");
+  tree.write_reals(at + "y", y, "m", "places");
+  tree.write_matrix(at + "height", height, kPlaces, "m", "above the plane, [x, y]");
+}
+
 /// The bed of the scene, or that of the first part that has one.
 void write_seabed(Tree& tree, const Scene& scene) {
   if (scene.bed.is_there) {
@@ -82,6 +101,7 @@ void write_seabed(Tree& tree, const Scene& scene) {
     tree.write_real("/netloft/seabed/depth", scene.bed.depth, "m", doc);
     tree.write_real("/netloft/seabed/slope_x", scene.bed.slope_x, "1", doc);
     tree.write_real("/netloft/seabed/slope_y", scene.bed.slope_y, "1", doc);
+    write_relief(tree, scene.bed.relief);
     return;
   }
   for (const auto& part : scene.parts) {
@@ -156,14 +176,58 @@ void write_parts(Tree& tree, const LoadedScene& loaded) {
   write_seabed(tree, loaded.scene);
 }
 
-void write_bill(Tree& tree, const std::vector<BillItem>& bill) {
+namespace {
+
+/// The number of an element's parameter with this name, whatever its table is called: `board.mass`.
+double number_called(const Part& part, const std::string& name) {
+  for (const auto& [parameter, value] : part.parameters)
+    if (parameter.ends_with("." + name)) return real_of(part, parameter);
+  return kNone;
+}
+
+BillItem item_of(const LoadedScene& loaded, const std::string& name, std::uint32_t part, double number) {
+  const Part& body = loaded.scene.parts[part];
+  const auto known = loaded.strengths.find(name);
+  return {"body",
+          name,
+          known == loaded.strengths.end() ? "" : known->second.material,
+          number,
+          kNone,
+          kNone,
+          kNone,
+          number_called(body, "mass"),
+          number_called(body, "area")};
+}
+
+/// Bodies to port and to starboard are a row, whether one half was modelled or both.
+std::vector<BillItem> items_of_bodies(const LoadedScene& loaded) {
+  std::vector<BillItem> items;
+  std::set<std::uint32_t> paired;
+  for (const auto& [name, parts] : loaded.gear->pairs) {
+    if (parts.empty()) continue;
+    items.push_back(item_of(loaded, name, parts.front(), 2));
+    paired.insert(parts.begin(), parts.end());
+  }
+  for (const auto& body : loaded.bodies)
+    if (!paired.contains(body.part))
+      items.push_back(item_of(loaded, loaded.scene.parts[body.part].name, body.part, 1));
+  return items;
+}
+
+}  // namespace
+
+void write_bill(Tree& tree, const LoadedScene& loaded) {
+  auto bill = loaded.gear->bill;
+  const auto bodies = items_of_bodies(loaded);
+  bill.insert(bill.end(), bodies.begin(), bodies.end());
   if (bill.empty()) return;
   std::vector<std::string> kinds, names, parts;
-  std::vector<double> numbers, lengths, diameters, loads;
+  std::vector<double> numbers, lengths, diameters, loads, masses, areas;
   for (const auto& row : bill) {
     kinds.push_back(row.kind), names.push_back(row.name), parts.push_back(row.part_name);
     numbers.push_back(row.number), lengths.push_back(row.length);
     diameters.push_back(row.diameter), loads.push_back(row.breaking_load);
+    masses.push_back(row.mass), areas.push_back(row.area);
   }
   const std::string at = "/netloft/bill/";
   tree.write_strings(at + "kind", kinds);
@@ -173,6 +237,8 @@ void write_bill(Tree& tree, const std::vector<BillItem>& bill) {
   tree.write_reals(at + "length", lengths, "m", "of one rope, unstretched");
   tree.write_reals(at + "diameter", diameters, "m", "of a twine, a rope or a piece");
   tree.write_reals(at + "breaking_load", loads, "N", "of a rope, or of the twines of a bar");
+  tree.write_reals(at + "mass", masses, "kg", "of one piece or body, in air");
+  tree.write_reals(at + "area", areas, "m2", "of one body, projected");
 }
 
 }  // namespace netloft::io

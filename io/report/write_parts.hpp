@@ -9,7 +9,7 @@ namespace netloft::io {
 /// twines, places on the plan, the seabed.
 void write_parts(Tree& tree, const LoadedScene& loaded);
 
-/// Writes the rows of a bill of materials below /netloft/bill.
-void write_bill(Tree& tree, const std::vector<BillItem>& bill);
+/// Writes the bill of materials of a scene with a net plan below /netloft/bill, rigid bodies last.
+void write_bill(Tree& tree, const LoadedScene& loaded);
 
 }  // namespace netloft::io

@@ -246,7 +246,7 @@ void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedSc
   tree.set_attribute("/netloft/gear", "times", loaded.gear->times);
   tree.set_attribute("/netloft/gear", "headline", std::string_view(loaded.gear->headline));
   tree.set_attribute("/netloft/gear", "footrope", std::string_view(loaded.gear->footrope));
-  write_bill(tree, loaded.gear->bill);
+  write_bill(tree, loaded);
 }
 
 void write_result(ResultFile& file, const LoadedScene& loaded, Assembler& assembler, const RunResult& result,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/result/dimensions.hpp"
 
+#include "io/result/rope_nodes.hpp"
+#include "io/result/ship.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,18 +12,6 @@ namespace netloft::io {
 namespace {
 
 using Where = DimensionEnd::Where;
-
-/// Nodes of a rope from its start to its end; none if there is no such rope.
-std::vector<std::uint32_t> nodes_of_rope(const StoredResult& result, const std::string& name) {
-  std::vector<std::uint32_t> nodes;
-  const auto part = find_part(result, name);
-  for (std::size_t i = 0; part && i < result.mesh.bars.size(); ++i) {
-    if (result.mesh.cell_part[result.mesh.bar_cells[i]] != *part) continue;
-    if (nodes.empty()) nodes.push_back(result.mesh.bars[i][0]);
-    nodes.push_back(result.mesh.bars[i][1]);
-  }
-  return nodes;
-}
 
 /// The middle of a rope that goes from side to side; that of a half starts there.
 std::uint32_t middle_of(const std::vector<std::uint32_t>& rope, bool is_half) {
@@ -52,13 +43,29 @@ void add_towing_spread(const StoredResult& result, std::vector<Dimension>& all) 
     all.push_back({"spread of the towing points", {Where::node, held[0]}, {Where::node, held[1]}});
 }
 
-}  // namespace
+std::string name_aboard(const StoredBody& body) {
+  for (const char* side : {"port-", "starboard-"})
+    if (body.name.starts_with(side)) return body.name.substr(std::string(side).size());
+  return body.name;
+}
 
-std::vector<Dimension> dimensions_of(const StoredResult& result) {
-  std::vector<Dimension> all;
+/// Between a body to port and the one to starboard: that of a half and its image, or two of a pair.
+void add_body_spreads(const StoredResult& result, std::vector<Dimension>& all) {
+  for (const auto& body : result.bodies) {
+    if (body.is_to_port) continue;
+    const DimensionEnd starboard{Where::node, body.origin};
+    const std::string name = "spread of " + name_aboard(body);
+    if (result.is_half) all.push_back({name, {Where::mirrored, body.origin}, starboard});
+    for (const auto& other : result.bodies)
+      if (other.is_to_port && name_aboard(other) == name_aboard(body))
+        all.push_back({name, {Where::node, other.origin}, starboard});
+  }
+}
+
+void add_mouth(const StoredResult& result, std::vector<Dimension>& all) {
   const auto headline = nodes_of_rope(result, result.headline),
              footrope = nodes_of_rope(result, result.footrope);
-  if (headline.empty()) return all;
+  if (headline.empty()) return;
   const DimensionEnd top{Where::node, middle_of(headline, result.is_half)};
   if (result.bed)
     all.push_back({"headline height", top, {Where::bed, 0}});
@@ -66,15 +73,22 @@ std::vector<Dimension> dimensions_of(const StoredResult& result) {
     all.push_back({"headline height", top, {Where::node, middle_of(footrope, result.is_half)}});
   all.push_back(spread_of("upper wing spread", headline, result.is_half));
   if (!footrope.empty()) all.push_back(spread_of("lower wing spread", footrope, result.is_half));
-  add_towing_spread(result, all);
+}
+
+}  // namespace
+
+std::vector<Dimension> dimensions_of(const StoredResult& result) {
+  std::vector<Dimension> all;
+  add_mouth(result, all);
+  add_body_spreads(result, all);
+  if (!all.empty() && ships_of(result, 0).empty()) add_towing_spread(result, all);
   return all;
 }
 
 std::array<double, 3> place_of(const DimensionEnd& end, const StoredResult& result,
                                const std::vector<double>& points, const std::array<double, 3>& other) {
   if (end.where == Where::bed && result.bed)
-    return {other[0], other[1],
-            result.bed->slope_x * other[0] + result.bed->slope_y * other[1] - result.bed->depth};
+    return {other[0], other[1], result.bed->height(other[0], other[1])};
   const std::size_t at = 3 * std::size_t{end.node};
   return {points[at], (end.where == Where::mirrored ? -1 : 1) * points[at + 1], points[at + 2]};
 }

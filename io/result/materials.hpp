@@ -11,7 +11,7 @@ namespace netloft::io {
 struct Material {
   BillItem item;
   double length = 0;  // in the whole gear: of ropes, unstretched; of the twines of netting [m]
-  double area = 0;    // length times diameter of the twines [m2]
+  double area = 0;    // length times diameter of the twines; of bodies projected [m2]
   double mass = 0;    // in air [kg]
   double load = 0;    // largest tension in the newest state: of a rope, of a twine [N]
 

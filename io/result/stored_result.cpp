@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace netloft::io {
@@ -41,6 +42,7 @@ StoredResult::StoredResult(const std::filesystem::path& file) : path(file), read
   read_status();
   read_parts();
   read_mesh();
+  read_bodies();
   read_fields();
   find_contacts();
   read_scalars("gear/", "gear/", figures);
@@ -53,6 +55,27 @@ StoredResult::StoredResult(const std::filesystem::path& file) : path(file), read
   read_series();
   read_convergence();
   read_origins();
+}
+
+namespace {
+
+/// The interval of ascending places around x, and where in it x is; at the ends beyond them.
+std::pair<std::size_t, double> interval_of(const std::vector<double>& places, double x) {
+  const auto after = std::upper_bound(places.begin() + 1, places.end() - 1, x);
+  const auto i = static_cast<std::size_t>(after - places.begin()) - 1;
+  return {i, std::clamp((x - places[i]) / (places[i + 1] - places[i]), 0.0, 1.0)};
+}
+
+}  // namespace
+
+double StoredBed::height(double x, double y) const {
+  const double plane = slope_x * x + slope_y * y - depth;
+  if (is_plane()) return plane;
+  const auto [i, s] = interval_of(relief_x, x);
+  const auto [j, t] = interval_of(relief_y, y);
+  const double* here = &relief[i * relief_y.size() + j];
+  const double* next = here + relief_y.size();
+  return plane + std::lerp(std::lerp(here[0], here[1], t), std::lerp(next[0], next[1], t), s);
 }
 
 void StoredResult::check_format() const {
@@ -179,6 +202,28 @@ void StoredResult::read_cells() {
     } else if (nodes == 1) {
       mesh.dots.push_back(corner[0]), mesh.dot_cells.push_back(cell);
     }
+  }
+}
+
+void StoredResult::read_bodies() {
+  const std::string at = kRoot + "bodies/";
+  if (!reader_.has(at)) return;
+  const auto names = reader_.strings(at + "name");
+  const auto origins = reader_.integers(at + "origin");
+  const auto sides = reals_or_nothing(at + "side");
+  require(origins.size() == names.size(), path, "its rigid bodies are cut off");
+  for (std::size_t b = 0; b < names.size(); ++b) {
+    const auto origin = static_cast<std::size_t>(origins[b]);
+    require(origin < mesh.n_points, path, "a rigid body is at a node that it has not");
+    bodies.push_back({names[b], static_cast<std::uint32_t>(origin), at_or_none(sides, b) < 0, {}});
+  }
+  if (!reader_.has(at + "outline/body")) return;
+  const auto of = reader_.integers(at + "outline/body");
+  const auto places = whole(reals_or_nothing(at + "outline/place"), 3 * of.size(), "outlines of bodies");
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const auto body = static_cast<std::size_t>(of[i]);
+    require(body < bodies.size(), path, "an outline belongs to a body that it has not");
+    bodies[body].outline.push_back({places[3 * i], places[3 * i + 1], places[3 * i + 2]});
   }
 }
 
@@ -332,17 +377,30 @@ void StoredResult::read_surroundings() {
   if (reader_.has(kRoot + "seabed/depth"))
     bed = StoredBed{known(kRoot + "seabed/depth"), known(kRoot + "seabed/slope_x"),
                     known(kRoot + "seabed/slope_y")};
+  if (bed) read_relief();
   const std::string at = kRoot + "bill/";
   if (!reader_.has(at)) return;
   const auto kinds = reader_.strings(at + "kind"), names = reader_.strings(at + "name"),
              of = reader_.strings(at + "part");
   const auto number = reader_.reals(at + "number"), length = reader_.reals(at + "length"),
-             diameter = reader_.reals(at + "diameter"), load = reader_.reals(at + "breaking_load");
+             diameter = reader_.reals(at + "diameter"), load = reader_.reals(at + "breaking_load"),
+             mass = reals_or_nothing(at + "mass"), area = reals_or_nothing(at + "area");
   require(names.size() == kinds.size() && of.size() == kinds.size(), path,
           "its bill of materials is cut off");
   for (std::size_t i = 0; i < kinds.size(); ++i)
     bill.push_back({kinds[i], names[i], of[i], at_or_none(number, i), at_or_none(length, i),
-                    at_or_none(diameter, i), at_or_none(load, i)});
+                    at_or_none(diameter, i), at_or_none(load, i), at_or_none(mass, i), at_or_none(area, i)});
+}
+
+void StoredResult::read_relief() {
+  const std::string at = kRoot + "seabed/relief/";
+  if (!reader_.has(at)) return;
+  bed->relief_x = reader_.reals(at + "x"), bed->relief_y = reader_.reals(at + "y");
+  require(bed->relief_x.size() > 1 && bed->relief_y.size() > 1, path, "the relief of its bed is cut off");
+  for (const auto* places : {&bed->relief_x, &bed->relief_y})
+    require(std::is_sorted(places->begin(), places->end(), std::less_equal<>()), path,
+            "the places of the relief of its bed do not ascend");
+  bed->relief = whole(reader_.reals(at + "height"), bed->relief_x.size() * bed->relief_y.size(), "relief");
 }
 
 void StoredResult::read_series(const std::string& below) {

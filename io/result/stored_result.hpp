@@ -51,9 +51,22 @@ struct StoredField {
   const std::string& unit(CellKind kind) const { return units[static_cast<std::size_t>(kind)]; }
 };
 
-/// The bed z = -depth + slope_x x + slope_y y.
+/// The bed: a plane z = -depth + slope_x x + slope_y y, and a relief over it where there is one.
 struct StoredBed {
   double depth = 0, slope_x = 0, slope_y = 0;
+  std::vector<double> relief_x = {}, relief_y = {}, relief = {};  // places, heights [x][y] [m]
+
+  /// z at a place, straight between the heights of the relief and as at its edges beyond them.
+  double height(double x, double y) const;
+  bool is_plane() const { return relief.empty(); }
+};
+
+/// A rigid body, such as an otter board. How it is turned is the field `rotation` at its origin.
+struct StoredBody {
+  std::string name;
+  std::uint32_t origin = 0;  // node
+  bool is_to_port = false;
+  std::vector<std::array<double, 3>> outline;  // corners of its shape in its own axes [m]
 };
 
 /// A quantity over the outputs of a motion.
@@ -91,6 +104,7 @@ class StoredResult {
   std::vector<std::string> notes;  // what the file is too old to say
   std::vector<StoredPart> parts;
   StoredMesh mesh;
+  std::vector<StoredBody> bodies;
   std::vector<double> times;
   std::vector<std::string> stages;  // what each state of a solve is; empty: not kept
   std::vector<StoredField> fields;
@@ -125,12 +139,14 @@ class StoredResult {
   void read_parts();
   void read_mesh();
   void read_cells();
+  void read_bodies();
   void read_fields();
   void find_contacts();
   void read_scalars(const std::string& group, const std::string& errors, std::vector<NamedScalar>& into,
                     const std::string& below = "");
   void read_forces();
   void read_surroundings();
+  void read_relief();
   void read_series(const std::string& below = "");
   std::vector<double> whole(std::vector<double> values, std::size_t count, const std::string& what) const;
   void read_convergence();

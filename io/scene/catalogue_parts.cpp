@@ -5,6 +5,7 @@
 #include "io/catalogue/part_choice.hpp"
 #include "io/toml/table_reader.hpp"
 
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -92,6 +93,8 @@ void put(const Mention& mention, const Catalogue& catalogue, Registry& registry,
   if (!part) return;
   if (const auto load = part->numbers.find("breaking_load"); load != part->numbers.end())
     strengths[mention.name] = {load->second, part->name};
+  else
+    strengths.try_emplace(mention.name, Strength{std::numeric_limits<double>::quiet_NaN(), part->name});
   const auto known = known_numbers(mention, registry);
   mention.said() =
       spell_out(mention.said(), *part, [&](const std::string& key) { return known.contains(key); });

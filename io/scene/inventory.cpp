@@ -11,17 +11,18 @@ namespace netloft::io {
 
 namespace {
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 /// A number of a part's table in an SI unit, NaN if it is not given there.
 double number_of(const Value& part, const char* key, const char* unit) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
   const Table* table = part.as<Table>();
   const Member* member = table ? table->find(key) : nullptr;
-  if (!member) return none;
+  if (!member) return kNone;
   if (const double* value = member->value.as<double>()) return *value;
   if (const auto* value = member->value.as<std::int64_t>()) return static_cast<double>(*value);
   const std::string* text = member->value.as<std::string>();
-  const Quantity quantity = text ? to_si(*text, unit) : Quantity{none, "", ""};
-  return quantity.ok() ? quantity.value : none;
+  const Quantity quantity = text ? to_si(*text, unit) : Quantity{kNone, "", ""};
+  return quantity.ok() ? quantity.value : kNone;
 }
 
 double count_of(Standing stands) { return stands == Standing::pair ? 2 : 1; }
@@ -31,9 +32,11 @@ BillItem item_of(const Panel& panel) {
           panel.name,
           panel.twine_name,
           count_of(panel.stands),
-          std::numeric_limits<double>::quiet_NaN(),
+          kNone,
           panel.twine_diameter,
-          number_of(panel.twine, "breaking_load", "N") * panel.twines};
+          number_of(panel.twine, "breaking_load", "N") * panel.twines,
+          kNone,
+          kNone};
 }
 
 BillItem item_of(const Rope& rope) {
@@ -43,7 +46,9 @@ BillItem item_of(const Rope& rope) {
           count_of(rope.stands),
           rope.length,
           number_of(rope.rope, "diameter", "m"),
-          number_of(rope.rope, "breaking_load", "N")};
+          number_of(rope.rope, "breaking_load", "N"),
+          kNone,
+          kNone};
 }
 
 BillItem item_of(const Pieces& pieces) {
@@ -51,9 +56,11 @@ BillItem item_of(const Pieces& pieces) {
           pieces.name,
           pieces.part_name,
           pieces.number,
-          std::numeric_limits<double>::quiet_NaN(),
+          kNone,
           number_of(pieces.piece, "diameter", "m"),
-          std::numeric_limits<double>::quiet_NaN()};
+          kNone,
+          number_of(pieces.piece, "mass", "kg"),
+          kNone};
 }
 
 SheetPlace place_of(const PlacedPanel& placed) {

@@ -64,13 +64,15 @@ struct Analysis {
 
 /// A row of the bill of materials of a gear; NaN marks a number that does not apply or is not given.
 struct BillItem {
-  std::string kind;          // netting, rope, piece
+  std::string kind;          // netting, rope, piece, body
   std::string name;          // in the plan
   std::string part_name;     // in the catalogue; empty: written in the plan
   double number = 1;         // in the whole gear
   double length = 0;         // of one rope, unstretched [m]
   double diameter = 0;       // of a twine, a rope or a piece [m]
   double breaking_load = 0;  // of a rope, or of the twines of a bar [N]
+  double mass = 0;           // of a piece or a body, in air [kg]
+  double area = 0;           // of a body, projected [m2]
 };
 
 /// Where a panel lies on the drawing of its plan: the point (U, V) in meshes is at
@@ -101,7 +103,7 @@ struct GearInScene {
 
 /// What a part bears, as its plan or the catalogue says.
 struct Strength {
-  double breaking_load = 0;  // of a rope, or of the twines of a bar [N]
+  double breaking_load = 0;  // of a rope, or of the twines of a bar [N]; NaN: not known
   std::string material;      // in the catalogue; empty: written in the scene
 };
 
@@ -123,7 +125,7 @@ struct LoadedScene {
   Analysis analysis;
   std::vector<SourceFile> files;
   std::optional<GearInScene> gear;            // of a scene with a net plan
-  std::map<std::string, Strength> strengths;  // by part, where it is known
+  std::map<std::string, Strength> strengths;  // by part, where something is known
 
   /// Place of the part that a fault speaks of, for messages.
   Place place_of(const std::string& part) const {
