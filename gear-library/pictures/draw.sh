@@ -30,6 +30,10 @@ picture 83-112-front 83-112 --view front --width 800
 solve four-panel four-panel
 picture four-panel four-panel --field opening --width 800
 
+solve boards pelagic-with-doors
+picture with-boards boards --fit boards --dimensions --width 800
+picture from-the-ship boards --view side --fit all --width 800
+
 solve codend codend-from-plan
 picture codend codend --width 800
 

@@ -172,7 +172,8 @@ void add_picture_options(CLI::App& command, Options& o) {
   command.add_option("--state", p.state, "of a motion: number of the output, from 0; else the last")
       ->check(CLI::Range(0, 100000000));
   command.add_option("--width", p.width, "of a result: pixels; else 1000")->check(CLI::Range(300, 8000));
-  command.add_flag("--ropes", p.ropes, "of a result: make room for all ropes, not for the netting alone");
+  command.add_option("--fit", p.fit, "of a result: what there is room for; else netting")
+      ->check(CLI::IsMember({"netting", "boards", "all"}));
   command.add_flag("--dark", p.dark, "of a result: on dark ground");
   command.add_flag("--log", p.log, "of a result: logarithmic colours");
   command.add_flag("--elements", p.elements,

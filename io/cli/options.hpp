@@ -18,7 +18,7 @@ struct PictureOptions {
   std::size_t width = 1000;      // --width
   std::size_t states = 100;      // view: --states
   int state = -1;                // --state; -1: the newest
-  bool ropes = false;            // --ropes
+  std::string fit = "netting";   // --fit
   bool dark = false;             // --dark
   bool log = false;              // --log
   bool elements = false;         // --elements

@@ -59,7 +59,8 @@ SheetOptions sheet_options(const Options& options, const StoredResult& result) {
   sheet.colouring = {options.picture.field, options.picture.log, options.picture.elements};
   sheet.with_dimensions = options.picture.dimensions;
   sheet.width = options.picture.width;
-  sheet.with_ropes = options.picture.ropes, sheet.is_dark = options.picture.dark;
+  sheet.framing = framing_called(options.picture.fit).value_or(Framing::netting);
+  sheet.is_dark = options.picture.dark;
   sheet.state = state_of(options, result);
   return sheet;
 }

@@ -85,12 +85,13 @@ class GearPainter {
     for (const double sign : shape_.result->is_half ? std::vector<double>{1, -1} : std::vector<double>{1}) {
       place(sign);
       paint_catch();
+      paint_solids(sign);
       for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) paint_triangle(t);
       for (std::size_t b = 0; b < mesh_.bars.size(); ++b) paint_bar(b);
       for (const auto& side : outline_)
         paint_line(side.nodes[0], side.nodes[1], colour(CellKind::netting, side.cell), kLeastTwine);
       for (std::size_t d = 0; d < mesh_.dots.size(); ++d)
-        if (part(mesh_.dot_cells[d]).is_contact == shows_contacts_) paint_dot(d);
+        if (part(mesh_.dot_cells[d]).is_contact == shows_contacts_ && !has_plate(d)) paint_dot(d);
     }
   }
 
@@ -170,10 +171,12 @@ class GearPainter {
   /// The catch as a body within the netting; its front is closed to the middle of its rim, and lit as a
   /// plane, for the rim follows the sides of triangles, up and down.
   void paint_catch() {
-    for (const auto t : shape_.fish.triangles) paint_solid(corners_of(t), {});
+    const Solid catch_body{kCatchColour, kInside, {}};
+    for (const auto t : shape_.fish.triangles) paint_solid(corners_of(t), catch_body);
     const Point3 middle = middle_of_rim();
     const double light = light_at(std::abs(dot(normal_of_front(middle), vector(projection_.eye))));
-    for (const auto& [a, b] : shape_.fish.rim) paint_solid({at_[a], at_[b], projection_(middle)}, light);
+    for (const auto& [a, b] : shape_.fish.rim)
+      paint_solid({at_[a], at_[b], projection_(middle)}, {kCatchColour, kInside, light});
   }
 
   Point3 middle_of_rim() const {
@@ -198,13 +201,38 @@ class GearPainter {
     return norm(sum) > 0 ? (1 / norm(sum)) * sum : sum;
   }
 
-  /// `light`: on what is no plane of its own.
-  void paint_solid(const std::array<Point3, 3>& p, std::optional<double> light) {
+  /// Boards, and the ship.
+  void paint_solids(double sign) {
+    for (const auto& plate : shape_.plates)
+      paint_triangles(plate.triangles, sign, shape_.colour_of_plate(plate));
+    paint_triangles(shape_.hulls, sign, kShipColour);
+  }
+
+  void paint_triangles(const std::vector<Point3>& corners, double sign, const Colour& colour) {
+    const auto at = [&](std::size_t i) {
+      return projection_({corners[i][0], sign * corners[i][1], corners[i][2]});
+    };
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+      paint_solid({at(i), at(i + 1), at(i + 2)}, {colour, 0, {}});
+  }
+
+  bool has_plate(std::size_t dot) const {
+    return std::any_of(shape_.plates.begin(), shape_.plates.end(),
+                       [&](const BodyPlate& plate) { return plate.dot == dot; });
+  }
+
+  struct Solid {
+    Colour colour;
+    double behind;                // how much farther from the eye it is taken to be [m]
+    std::optional<double> light;  // on what is no plane of its own
+  };
+
+  void paint_solid(const std::array<Point3, 3>& p, const Solid& solid) {
     if (is_edge_on(p)) return;
     const Plane depth(p, p[0][2], p[1][2], p[2][2]);
-    const Colour lit = scaled(kCatchColour, light ? *light : light_on(depth));
+    const Colour lit = scaled(solid.colour, solid.light ? *solid.light : light_on(depth));
     for_inside(p, [&](std::size_t column, std::size_t row, double, double, double rx, double ry) {
-      canvas_.add(column, row, depth(rx, ry) - kInside, lit, 1);
+      canvas_.add(column, row, depth(rx, ry) - solid.behind, lit, 1);
     });
   }
 

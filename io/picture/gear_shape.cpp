@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/gear_shape.hpp"
 
+#include "io/result/ship.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,6 +48,13 @@ Colour GearShape::colour(CellKind kind, std::uint32_t cell, double value) const 
   return colour_at(scale->place(value));
 }
 
+Colour GearShape::colour_of_plate(const BodyPlate& plate) const {
+  const auto cell = result->mesh.dot_cells[plate.dot];
+  const bool is_known =
+      !field || (scales[static_cast<std::size_t>(CellKind::point)] && std::isfinite(value_of(cell)));
+  return is_known ? colour_of_cell(CellKind::point, cell) : kBodyColour;
+}
+
 bool GearShape::shows_contacts() const {
   return field && !scales[static_cast<std::size_t>(CellKind::netting)] &&
          !scales[static_cast<std::size_t>(CellKind::rope)];
@@ -58,6 +67,11 @@ GearShape shape_of(const StoredResult& result, std::size_t state, const Colourin
   for (std::size_t n = 0; n < result.mesh.n_points; ++n)
     shape.nodes.push_back({points[3 * n], points[3 * n + 1], points[3 * n + 2]});
   shape.fish = catch_body_of(result, state);
+  shape.plates = plates_of(result, state);
+  for (const auto& ship : ships_of(result, state)) {
+    const auto triangles = triangles_of(ship);
+    shape.hulls.insert(shape.hulls.end(), triangles.begin(), triangles.end());
+  }
   shape.field = find_field(result, colouring.field);
   if (!shape.field) return shape;
   shape.values = result.field(shape.field->name, state);
@@ -67,18 +81,30 @@ GearShape shape_of(const StoredResult& result, std::size_t state, const Colourin
   return shape;
 }
 
-std::vector<Point3> extent_of(const GearShape& shape, bool with_ropes) {
+std::optional<Framing> framing_called(const std::string& name) {
+  if (name == "netting") return Framing::netting;
+  if (name == "boards") return Framing::boards;
+  if (name == "all") return Framing::all;
+  return {};
+}
+
+std::vector<Point3> extent_of(const GearShape& shape, Framing framing) {
   const StoredMesh& mesh = shape.result->mesh;
   std::vector<Point3> points;
-  const auto take = [&](std::uint32_t node) {
-    points.push_back(shape.nodes[node]);
-    if (shape.result->is_half) points.push_back({points.back()[0], -points.back()[1], points.back()[2]});
+  const auto take = [&](const Point3& place) {
+    points.push_back(place);
+    if (shape.result->is_half) points.push_back({place[0], -place[1], place[2]});
   };
   for (const auto& triangle : mesh.triangles)
-    for (const auto node : triangle) take(node);
-  if (with_ropes || points.empty())
-    for (const auto& bar : mesh.bars)
-      for (const auto node : bar) take(node);
+    for (const auto node : triangle) take(shape.nodes[node]);
+  if (points.empty()) framing = Framing::all;
+  if (framing == Framing::netting) return points;
+  for (const auto& plate : shape.plates)
+    for (const auto& corner : plate.triangles) take(corner);
+  if (framing == Framing::boards) return points;
+  for (const auto& bar : mesh.bars)
+    for (const auto node : bar) take(shape.nodes[node]);
+  for (const auto& corner : shape.hulls) take(corner);
   return points;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "io/picture/colour_map.hpp"
 #include "io/picture/projection.hpp"
+#include "io/result/body_plates.hpp"
 #include "io/result/catch_body.hpp"
 #include "io/result/field_scale.hpp"
 #include "io/result/stored_result.hpp"
@@ -21,12 +22,16 @@ struct GearShape {
   std::vector<double> values;                     // by cell
   std::vector<std::array<double, 3>> at_corners;  // by triangle; of netting these are shown
   CatchBody fish;
+  std::vector<BodyPlate> plates;
+  std::vector<Point3> hulls;  // of ships: corners of triangles
 
   /// The colour of a value on some kind of cell; that of a part where no field is shown.
   Colour colour(CellKind kind, std::uint32_t cell, double value) const;
   Colour colour_of_cell(CellKind kind, std::uint32_t cell) const {
     return colour(kind, cell, value_of(cell));
   }
+  /// The colour of a rigid body.
+  Colour colour_of_plate(const BodyPlate& plate) const;
   /// Whether single nodes that only touch the bed are shown: where nothing else has the field.
   bool shows_contacts() const;
 
@@ -44,8 +49,14 @@ struct Colouring {
 /// Throws std::invalid_argument with a sentence for a field that the result has not.
 GearShape shape_of(const StoredResult& result, std::size_t state, const Colouring& colouring);
 
-/// Points that a picture has to hold: the nodes of netting, or of everything if there is none or
-/// `with_ropes`; of a half model mirrored, too.
-std::vector<Point3> extent_of(const GearShape& shape, bool with_ropes);
+/// What there is room for in a picture: the netting; boards and other bodies, too; bridles, warps and ship,
+/// too.
+enum class Framing { netting, boards, all };
+
+/// "netting", "boards", "all"; nothing for other names.
+std::optional<Framing> framing_called(const std::string& name);
+
+/// Points that a picture has to hold, of a half model mirrored, too; everything if there is no netting.
+std::vector<Point3> extent_of(const GearShape& shape, Framing framing);
 
 }  // namespace netloft::io

@@ -43,6 +43,11 @@ struct Vertices {
 
 using Primitives = std::map<std::pair<std::uint32_t, Mode>, Vertices>;
 
+/// The number after those of the parts: a ship is not a part of the gear.
+std::uint32_t ship_of(const GearShape& shape) {
+  return static_cast<std::uint32_t>(shape.result->parts.size());
+}
+
 Primitives gather(const GearShape& shape) {
   const StoredMesh& mesh = shape.result->mesh;
   Primitives all;
@@ -61,7 +66,15 @@ Primitives gather(const GearShape& shape) {
       add(kLines, mesh.bar_cells[b], node, shape.colour_of_cell(CellKind::rope, mesh.bar_cells[b]));
   for (std::size_t d = 0; d < mesh.dots.size(); ++d)
     add(kPoints, mesh.dot_cells[d], mesh.dots[d], shape.colour_of_cell(CellKind::point, mesh.dot_cells[d]));
+  for (const auto& plate : shape.plates)
+    for (const auto& corner : plate.triangles)
+      all[{mesh.cell_part[mesh.dot_cells[plate.dot]], kTriangles}].add(corner, shape.colour_of_plate(plate));
+  for (const auto& corner : shape.hulls) all[{ship_of(shape), kTriangles}].add(corner, kShipColour);
   return all;
+}
+
+std::string name_of(const GearShape& shape, std::uint32_t part) {
+  return part == ship_of(shape) ? "ship" : shape.result->parts[part].name;
 }
 
 /// Writes a file piece by piece: the document, and the numbers that it refers to.
@@ -74,7 +87,7 @@ class GltfWriter {
     Json nodes = Json::array(), children = Json::array(), halves = Json::array();
     for (const auto& [part, mesh] : mesh_of_part_) {
       children.push_back(nodes.size());
-      nodes.push_back({{"name", shape_.result->parts[part].name}, {"mesh", mesh}});
+      nodes.push_back({{"name", name_of(shape_, part)}, {"mesh", mesh}});
     }
     const auto group = [&](const char* name, int side) {
       halves.push_back(nodes.size());
@@ -103,7 +116,7 @@ class GltfWriter {
 
   void add_primitive(std::uint32_t part, Mode mode, const Vertices& vertices) {
     const auto [at, is_new] = mesh_of_part_.try_emplace(part, meshes_.size());
-    if (is_new) meshes_.push_back({{"name", shape_.result->parts[part].name}, {"primitives", Json::array()}});
+    if (is_new) meshes_.push_back({{"name", name_of(shape_, part)}, {"primitives", Json::array()}});
     Json attributes = {{"POSITION", add_accessor(vertices.positions, 3, true)},
                        {"COLOR_0", add_accessor(vertices.colours, 3, false)}};
     if (vertices.has_meshes && !vertices.meshes.empty())

@@ -35,6 +35,17 @@ std::string shortened(std::string text, std::size_t most) {
   return text.substr(0, end) + "…";
 }
 
+/// The middle of the box around points.
+Point3 middle_of(const std::vector<Point3>& points) {
+  Point3 middle{};
+  for (std::size_t k = 0; k < 3 && !points.empty(); ++k) {
+    const auto [lo, hi] = std::minmax_element(points.begin(), points.end(),
+                                              [&](const Point3& a, const Point3& b) { return a[k] < b[k]; });
+    middle[k] = ((*lo)[k] + (*hi)[k]) / 2;
+  }
+  return middle;
+}
+
 void add_title(const StoredResult& result, std::size_t state, SheetLayout& layout) {
   std::string title = result.title();
   if (!result.stages.empty()) title += ", " + result.stages[state];
@@ -46,14 +57,26 @@ void add_title(const StoredResult& result, std::size_t state, SheetLayout& layou
          (result.outcome.empty() ? "the run has not ended" : result.outcome) + ": no equilibrium", 13});
 }
 
-/// In views along the level: the bed under the gear.
+/// In views along the level: the bed under the gear, from edge to edge of the picture.
 void add_bed(const GearShape& shape, const Projection& projection, View view, Sheet& sheet) {
+  constexpr int kPieces = 64;
+  constexpr Colour kBed = {0.55f, 0.46f, 0.3f};
   const auto& bed = shape.result->bed;
-  const bool is_level = bed && bed->slope_x == 0 && bed->slope_y == 0;
-  if (!is_level || (view != View::side && view != View::front)) return;
-  const double y = sheet.picture_top + projection({0, 0, -bed->depth})[1];
-  if (y > sheet.picture_top && y < sheet.height - kFoot + 6)
-    sheet.layout.boxes.push_back({kMargin, y, sheet.width - 2 * kMargin, 1.5, {0.55f, 0.46f, 0.3f}});
+  if (!bed || (view != View::side && view != View::front)) return;
+  const Point3 middle = middle_of(extent_of(shape, Framing::netting));
+  const double there = projection(middle)[0];
+  const auto at = [&](int piece) {
+    const double column = std::lerp(kMargin, sheet.width - kMargin, static_cast<double>(piece) / kPieces);
+    const double ahead = (column - there) / projection.pixels_per_metre;
+    const double x = middle[0] + ahead * projection.right[0], y = middle[1] + ahead * projection.right[1];
+    return std::array{column, sheet.picture_top + projection({x, y, bed->height(x, y)})[1]};
+  };
+  for (int piece = 0; piece < kPieces; ++piece) {
+    const auto [x0, y0] = at(piece);
+    const auto [x1, y1] = at(piece + 1);
+    if (std::min(y0, y1) > sheet.picture_top && std::max(y0, y1) < sheet.height - kFoot + 6)
+      sheet.layout.lines.push_back({x0, y0, x1, y1, 1.5, kBed});
+  }
 }
 
 SheetLayout empty_layout(bool is_dark) {
@@ -80,7 +103,7 @@ Sheet compose(const StoredResult& result, const SheetOptions& options) {
   sheet.width = static_cast<double>(options.width);
   const bool is_narrow = sheet.width < kNarrow;
   const double legends = legend_height(shape);
-  const auto points = extent_of(shape, options.with_ropes);
+  const auto points = extent_of(shape, options.framing);
   const double height = picture_height(options.view, points, sheet.width);
   sheet.picture_top = is_narrow ? kHead + legends : std::max(kHead, legends + 10);
   sheet.height = height + sheet.picture_top + kFoot;

@@ -13,8 +13,8 @@ struct SheetOptions {
   Colouring colouring;
   std::size_t width = 1000;               // [pixels]
   std::size_t state = std::string::npos;  // npos: the newest
-  bool with_ropes = false;                // bridles and warps count for what has to fit
-  bool with_dimensions = false;           // height and spreads are drawn as lines with their lengths
+  Framing framing = Framing::netting;
+  bool with_dimensions = false;  // height and spreads are drawn as lines with their lengths
   bool is_dark = false;
   bool is_small = false;  // an SVG with few colours, for pages
 };

@@ -44,7 +44,7 @@ COMMANDS = (
     (f"netloft catalogue twine {COMMON}", "pe-braided-4mm"),
     (f"netloft check {GEAR} --set ropes.headline.length=7 {COMMON}", '"findings"'),
     (f"netloft draw {GEAR} --set ropes.headline.length=7 {COMMON} --mesh --nodes 200 -o mesh.svg; ls mesh.svg", "mesh.svg"),
-    ("netloft draw rope.hdf --view side --field part --state 0 --width 300 --ropes --dark --output rope.png; ls rope.png", "rope.png"),
+    ("netloft draw rope.hdf --view side --field part --state 0 --width 300 --fit all --dark --output rope.png; ls rope.png", "rope.png"),
     ("netloft draw rope.hdf --log --elements --dimensions -o tension.png; ls tension.png", "tension.png"),
     (f"netloft compare {ROPE} {SCENE} --strategy direct --solver newton --solver lbfgs --tolerance 1e-6:1e-6 --cells rope=10,20 "
      "--reference newton --repeats 1 --csv table.csv --plot work.svg; head -1 table.csv work.svg", "work.svg"),
