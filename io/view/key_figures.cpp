@@ -13,7 +13,7 @@ namespace netloft::io {
 
 namespace {
 
-constexpr std::size_t kMost = 8;
+constexpr std::size_t kMost = 9;
 
 /// A figure and what people call it.
 struct KeyFigure {
@@ -26,19 +26,29 @@ std::string spoken(std::string name) {
   return name;
 }
 
-/// Of a gear height, spreads, area and drag, and the pulls of its rigging; of other scenes what they ask for.
+/// The X of all figures `group`/X/`what`, said by `words`, in which {} is X.
+void add_group(const StoredResult& result, const std::string& group, const std::string& what,
+               const std::string& words, std::vector<KeyFigure>& keys) {
+  for (const auto& figure : result.figures) {
+    const std::size_t begin = group.size() + 1, end = figure.name.rfind('/');
+    if (!figure.name.starts_with(group + "/") || !figure.name.ends_with("/" + what) || end < begin) continue;
+    keys.push_back(
+        {fmt::format(fmt::runtime(words), spoken(figure.name.substr(begin, end - begin))), &figure});
+  }
+}
+
+/// Of a gear height, spreads, area and drag, what the ship pulls, and the pulls of its rigging; of other
+/// scenes what they ask for.
 std::vector<KeyFigure> key_figures_of(const StoredResult& result) {
   std::vector<KeyFigure> keys;
   for (const auto* name : {"mouth/headline_height", "mouth/upper_wing_spread", "mouth/lower_wing_spread",
                            "mouth/door_spread", "mouth/area"})
     if (const NamedScalar* figure = find_scalar(result.figures, name))
       keys.push_back({figure->name == "mouth/area" ? "mouth area" : spoken(figure->name.substr(6)), figure});
-  if (const NamedScalar* drag = find_scalar(result.figures, "drag/all/x")) keys.push_back({"drag", drag});
-  const std::string rigging = "rigging/";
-  for (const auto& figure : result.figures)
-    if (figure.name.starts_with(rigging))
-      keys.push_back(
-          {figure.name.substr(rigging.size(), figure.name.rfind('/') - rigging.size()) + " pull", &figure});
+  add_group(result, "pairs", "spread", "spread of {}", keys);
+  for (const auto& [name, words] : {std::pair{"drag/all/x", "drag"}, {"towing/pull", "towing pull"}})
+    if (const NamedScalar* figure = find_scalar(result.figures, name)) keys.push_back({words, figure});
+  add_group(result, "rigging", "tension_start", "{} pull", keys);
   for (const auto& scalar : result.scalars) keys.push_back({spoken(scalar.name), &scalar});
   if (keys.size() > kMost) keys.resize(kMost);
   return keys;

@@ -197,7 +197,7 @@ std::string held_html(const StoredResult& result) {
 }
 
 std::string materials_rows(const StoredResult& result) {
-  HtmlTable table({"", "part", "number", "diameter [mm]", "length [m]", "twine area [m²]", "mass [kg]",
+  HtmlTable table({"", "part", "number", "diameter [mm]", "length [m]", "area [m²]", "mass [kg]",
                    "largest load [N]", "breaking load [N]", "used"});
   const auto materials = materials_of(result);
   for (const auto& m : materials) {

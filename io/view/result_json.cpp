@@ -4,9 +4,12 @@
 #include "io/picture/colour_map.hpp"
 #include "io/picture/projection.hpp"
 #include "io/report/gear_text.hpp"
+#include "io/result/body_plates.hpp"
 #include "io/result/catch_body.hpp"
 #include "io/result/dimensions.hpp"
 #include "io/result/field_scale.hpp"
+#include "io/result/ship.hpp"
+#include "io/view/ground_json.hpp"
 #include "io/view/packed_array.hpp"
 #include "io/view/sweep.hpp"
 
@@ -108,6 +111,34 @@ Origin origin_of(const StoredResult& result) {
   return origin;
 }
 
+using Corners = std::vector<std::array<double, 3>>;
+
+Json packed_corners(const Corners& corners, const Origin& origin) {
+  std::vector<double> numbers;
+  for (const auto& corner : corners) numbers.insert(numbers.end(), corner.begin(), corner.end());
+  return packed(shifted(std::move(numbers), origin));
+}
+
+/// Boards as they are turned, and the ship.
+void put_solids(const StoredResult& result, std::size_t state, const Origin& origin, Json& json) {
+  Corners plates, hulls;
+  for (const auto& plate : plates_of(result, state))
+    plates.insert(plates.end(), plate.triangles.begin(), plate.triangles.end());
+  for (const auto& ship : ships_of(result, state)) {
+    const auto triangles = triangles_of(ship);
+    hulls.insert(hulls.end(), triangles.begin(), triangles.end());
+  }
+  json["plates"] = packed_corners(plates, origin), json["hulls"] = packed_corners(hulls, origin);
+}
+
+/// Which single node each triangle of the plates belongs to.
+Json plate_dots(const StoredResult& result) {
+  std::vector<std::uint32_t> dots;
+  for (const auto& plate : plates_of(result, result.times.size() - 1))
+    dots.insert(dots.end(), plate.triangles.size() / 3, plate.dot);
+  return packed(dots);
+}
+
 void put_states(const StoredResult& result, const std::vector<std::size_t>& kept, Json& json) {
   const Origin origin = origin_of(result);
   Json states = Json::array(), times = Json::array();
@@ -117,6 +148,7 @@ void put_states(const StoredResult& result, const std::vector<std::size_t>& kept
       if (const auto values = result.node_field(name, state);
           state + 1 == result.times.size() && !values.empty())
         one[name] = packed(values);
+    put_solids(result, state, origin, one);
     for (std::size_t f = 0; f < result.fields.size(); ++f) {
       one["fields"].push_back(packed_as_shown(result.field(result.fields[f].name, state)));
     }
@@ -179,7 +211,8 @@ Json style_json() {
                                    {"oblique", View::oblique}})
     views[name] = {{"azimuth", angles_of(view).azimuth}, {"elevation", angles_of(view).elevation}};
   return {{"stops", colour_stops()}, {"parts", part_colours()}, {"noValue", kNoValue},
-          {"float", kFloatColour},   {"catch", kCatchColour},   {"views", views}};
+          {"float", kFloatColour},   {"catch", kCatchColour},   {"body", kBodyColour},
+          {"ship", kShipColour},     {"views", views}};
 }
 
 Json figures_json(const StoredResult& result) {
@@ -212,13 +245,10 @@ Json result_json(const StoredResult& result, std::size_t most_states) {
                {"dimensions", dimensions_json(result)},
                {"fields", fields_json(result)},
                {"catch", catch_json(result)},
+               {"plateDot", plate_dots(result)},
                {"nodeError", number(result.node_error)},
                {"parts", parts_json(result)},
-               {"bed", nullptr}};
-  if (result.bed)
-    json["bed"] = {{"depth", number(result.bed->depth)},
-                   {"slopeX", number(result.bed->slope_x)},
-                   {"slopeY", number(result.bed->slope_y)}};
+               {"ground", ground_json(result)}};
   if (!result.stages.empty()) {
     json["stages"] = Json::array();
     for (const auto state : kept) json["stages"].push_back(result.stages[state]);

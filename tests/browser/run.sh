@@ -71,6 +71,7 @@ make_results() {
   solve slower "$scenes/83-112-flume-2.0kn.toml" --set gear.nodes=500
   solve stages "$scenes/83-112-flume-3.0kn.toml" --set gear.nodes=500 --stages
   solve broken "$scenes/83-112-flume-3.0kn.toml" --set gear.nodes=500 --solver newton --set analysis.max_iterations=4
+  solve boards "$scenes/pelagic-with-doors.toml" --set gear.nodes=300
   solve codend "$scenes/codend-from-plan.toml"
   solve motion "$scenes/dynamics/elastic-pendulum.toml"
   /usr/bin/python3 "$here/hostile.py" "$work/motion.hdf" "$work/hostile.hdf"

@@ -161,6 +161,25 @@ test('a cod-end shows its catch, closed in front', async () => {
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
+test('boards are plates that a click finds, with their attitude; the ship is ahead of the warps', async () => {
+  const {page, seen} = await opened('boards', 'boards');
+  const facts = await page.evaluate(() => {
+    const v = window.netloftViewer, {solids, result} = v.model;
+    v.look('top');
+    const corners = solids.at(solids.corners, 0, false), middle = [0, 1, 2].map((d) => (corners[0][d] + corners[1][d] + corners[2][d]) / 3);
+    const [x, y] = v.camera.project(middle), hit = v.pickAt(x, y), hull = Array.from({length: v.model.solids.hullCorners.length / 9}, (_, t) => solids.at(solids.hullCorners, t, false)).flat();
+    document.getElementById('extent').value = 'all';
+    v.fit();
+    v.selection.set(hit);
+    return {part: hit && result.parts[hit.part].name, aft: Math.max(...hull.map((p) => p[0])) + result.origin[0], inside: hull.every((p) => { const [a, b] = v.camera.project(p); return a > 0 && a < v.camera.width && b > 0 && b < v.camera.height; })};
+  });
+  assert.equal(facts.part, 'board');
+  assert.ok(Math.abs(facts.aft) < 0.01 && facts.inside, JSON.stringify(facts));
+  assert.match(await page.textContent('#selection'), /heading-?[0-9.]+°/);
+  assert.match(await page.textContent('main'), /spread of board/);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
 test('pages of small gears stay below two megabytes', async () => {
   for (const result of ['trawl', 'codend', 'slower']) {
     const {size} = statSync(view(`${result}-size.html`, result));
@@ -317,7 +336,7 @@ test('the legend covers no part of a gear that was fitted', async () => {
       const covered = await page.evaluate((v_) => {
         const v = window.netloftViewer, {left, top} = v.canvas.getBoundingClientRect(), legend = document.getElementById('legend').getBoundingClientRect();
         v.look(v_);
-        return [...v.model.places(false)].map((p) => v.camera.project(p)).filter(([x, y]) => x + left < legend.right && y + top < legend.bottom && x + left > legend.left && y + top > legend.top).length;
+        return [...v.model.places('netting')].map((p) => v.camera.project(p)).filter(([x, y]) => x + left < legend.right && y + top < legend.bottom && x + left > legend.left && y + top > legend.top).length;
       }, view_);
       assert.equal(covered, 0, `${name}, ${view_}`);
     }
@@ -484,14 +503,14 @@ test('what a result says is shown and never executed', async () => {
 });
 
 test('shapes for other programs are valid glTF', async () => {
-  for (const result of ['trawl', 'codend', 'motion', 'hostile']) {
+  for (const result of ['trawl', 'codend', 'motion', 'hostile', 'boards']) {
     execFileSync(process.env.NETLOFT_PROGRAM, ['export', `${result}.hdf`, `${result}.glb`], {stdio: 'pipe'});
     const {issues} = await validator.validateBytes(new Uint8Array(readFileSync(`${result}.glb`)));
     assert.deepEqual(issues.messages.map((m) => `${m.code} ${m.pointer}`), [], result);
   }
 });
 
-const PAGES = {motion: ['motion'], trawl: ['trawl'], two: ['slower', 'faster'], sweep: ['slower', 'trawl', 'faster']};
+const PAGES = {motion: ['motion'], trawl: ['trawl'], boards: ['boards'], two: ['slower', 'faster'], sweep: ['slower', 'trawl', 'faster']};
 
 async function violations(page) {
   // The test's own script is let in past the policy of the page, as an extension of the browser would be.

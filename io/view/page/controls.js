@@ -9,9 +9,10 @@ function connectControls(viewer) {
   connectSection(viewer);
   connectOverlay(viewer);
   for (const id of ['bed', 'surface', 'measures', 'holds']) $(id).addEventListener('change', () => viewer.draw());
+  if (!viewer.result.plateDot.length) $('extent').querySelector('[value=boards]').remove();
   $('extent').addEventListener('change', () => viewer.fit());
-  $('bed').disabled = !viewer.result.bed;
-  $('bed').checked = Boolean(viewer.result.bed);
+  $('bed').disabled = !viewer.result.ground.heights;
+  $('bed').checked = Boolean(viewer.result.ground.heights);
   $('print').addEventListener('click', () => window.print());
   window.addEventListener('beforeprint', () => viewer.printAs(true));
   window.addEventListener('afterprint', () => viewer.printAs(false));
@@ -34,7 +35,7 @@ function connectSection(viewer) {
     const axis = SECTIONS[$('section').value], k = axis ? axis.indexOf(1) : 0;
     $('cut').disabled = !axis;
     let [lo, hi] = [Infinity, -Infinity];
-    for (const p of viewer.model.places(false)) { lo = Math.min(lo, p[k]); hi = Math.max(hi, p[k]); }
+    for (const p of viewer.model.places('netting')) { lo = Math.min(lo, p[k]); hi = Math.max(hi, p[k]); }
     viewer.shared.common.section.value.set(...(axis || [0, 0, 0]), axis ? lo + (hi - lo) * Number($('cut').value) / 100 + 1e-9 : 1e30);
     viewer.draw();
   };

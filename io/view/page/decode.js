@@ -38,7 +38,7 @@ async function decodeMembers(object, names) {
 }
 
 const MESH_ARRAYS = ['tri', 'triUV', 'triPart', 'triCell', 'bar', 'barPart', 'barCell', 'dot', 'dotPart', 'dotCell',
-                     'nodePart', 'nodeNumber'];
+                     'nodePart', 'nodeNumber', 'plateDot'];
 
 /** Unpacks the mesh of a result; states are unpacked when they are shown. */
 async function decodeResult(result) {
@@ -51,7 +51,7 @@ async function decodeState(result, index) {
   const state = result.states[index];
   if (!state.ready) {
     state.ready = (async () => {
-      await decodeMembers(state, ['points', 'residual', 'reaction'].filter((name) => state[name]));
+      await decodeMembers(state, ['points', 'plates', 'hulls', 'residual', 'reaction'].filter((name) => state[name]));
       state.fields = await Promise.all(state.fields.map(decodeArray));
       return state;
     })();

@@ -17,8 +17,8 @@ function drawDimension(svg, a, b, text, along) {
 /** An end of a dimension, from the origin: a node, or (null) the bed below the other end. */
 function dimensionEnd(model, end, other) {
   if (end) return model.at(end.node, end.mirrored);
-  const {bed, origin} = model.result;
-  return [other[0], other[1], bed.slopeX * (other[0] + origin[0]) + bed.slopeY * (other[1] + origin[1]) - bed.depth - origin[2]];
+  const {ground, origin} = model.result;
+  return [other[0], other[1], bedHeight(ground, other[0] + origin[0], other[1] + origin[1]) - origin[2]];
 }
 
 function drawDimensions(svg, model, camera) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One result as meshes of the renderer: netting (surface and twines), bars, single nodes, the catch; a half twice, mirrored.
+// One result as meshes of the renderer: netting (surface and twines), bars, single nodes, the catch, solids; a half twice, mirrored.
 
 const ALONG = [0, -1, 1, -1, 0, 1, 1, 1], AROUND = [-1, -1, 1, -1, -1, 1, 1, 1];  // corners of a ribbon, of a disc
 
@@ -16,6 +16,7 @@ class GearModel {
     this.makeOutline();
     this.makeBalls();
     if (result.catch) this.makeCatch();
+    this.solids = new Solids(this);
     // Contact with a bed is not a thing to look at, unless somebody asks for it.
     result.parts.forEach((p, i) => { if (p.contact) this.show(i, false); });
   }
@@ -93,6 +94,8 @@ class GearModel {
   makeBalls() {
     const n = this.result.dot.length;
     this.balls = squares(AROUND, n, {centre: [new Float32Array(3 * n), 3], ...this.ofParts(this.result.dotPart, 0)});
+    // The plate of a body stands for the node at its origin.
+    for (const i of this.result.plateDot) this.balls.attributes.corner.array.fill(0, 8 * i, 8 * i + 8);
     this.add(this.balls, this.material('point', BALL_VERTEX, BALL_FRAGMENT, {leastPixels: {value: 3}}), 2);
   }
 
@@ -145,6 +148,7 @@ class GearModel {
     gather(this.edges.attributes.to, this.border.nodes, points, 1, 2, 4);
     gather(this.balls.attributes.centre, dot, points, 0, 1, 4);
     if (this.catchBody) this.moveCatch(points);
+    this.solids.move(this.state);
   }
 
   /** Colours by one value per cell; null: by part. `byElement`: netting in the value of each triangle. */
@@ -157,6 +161,7 @@ class GearModel {
     putValues(this.ropes.attributes.value, barCell.length, ofCells(barCell), 4);
     putValues(this.edges.attributes.value, this.border.cells.length, ofCells(this.border.cells), 4);
     putValues(this.balls.attributes.value, dotCell.length, ofCells(dotCell), 4);
+    this.solids.paint(ofCells(dotCell));
   }
 
   /** Parts of that name: results that are shown together may number theirs differently. */
@@ -176,11 +181,11 @@ class GearModel {
     return [this.points[3 * node], mirrored ? -2 * this.result.origin[1] - y : y, this.points[3 * node + 2]];
   }
 
-  /** The places of all nodes of shown parts, the mirrored half included; of netting alone, unless there is none. */
-  * places(withRopes) {
-    const hasNetting = this.result.triPart.some((part) => this.shown[part]);
-    for (const c of CELLS) {
-      if (c.kind === 'rope' && hasNetting && !withRopes) return;
+  /** The places of all nodes of shown parts, the mirrored half included: 'netting', 'boards', too, or 'all', also if there is no netting. */
+  * places(extent) {
+    const wanted = this.result.triPart.some((part) => this.shown[part]) ? extent : 'all';
+    if (wanted !== 'netting') yield* this.solids.places(wanted === 'all');
+    for (const c of wanted === 'all' ? CELLS : CELLS.slice(0, 1)) {
       const nodes = this.result[c.nodes], parts = this.result[c.parts];
       for (let i = 0; i < nodes.length; ++i) {
         if (!this.shown[parts[Math.floor(i / c.of)]]) continue;

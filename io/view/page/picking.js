@@ -51,6 +51,20 @@ function pick(model, camera, x, y, isCut) {
         const place = [0, 1, 2].map((d) => nodes.reduce((sum, n, i) => sum + hit.weights[i] * model.at(n, mirrored)[d], 0));
         if (!isCut(place)) best = {kind: c.kind, index, part, cell: result[c.cells][index], nodes, weights: hit.weights, mirrored, depth: hit.depth};
       }
+    best = pickPlate(model, camera, [x, y], mirrored, isCut, best);
+  }
+  return best;
+}
+
+/** The plate of a rigid body, if it is nearer than what was found: the single node at its origin. */
+function pickPlate(model, camera, p, mirrored, isCut, best) {
+  const {result, solids} = model;
+  for (let t = 0; t < result.plateDot.length; ++t) {
+    const index = result.plateDot[t], part = result.dotPart[index];
+    if (!model.shown[part]) continue;
+    const corners = solids.at(solids.corners, t, mirrored), hit = HITS.netting(p, corners.map((c) => camera.project(c)));
+    if (!hit || (best && hit.depth <= best.depth) || isCut(corners[0])) continue;
+    best = {kind: 'point', index, part, cell: result.dotCell[index], nodes: [result.dot[index]], weights: [1], mirrored, depth: hit.depth};
   }
   return best;
 }

@@ -17,7 +17,17 @@ function describeHit(model, hit) {
   const node = hit.nodes[hit.weights.indexOf(Math.max(...hit.weights))];
   rows.push(['nearest node', `${result.parts[result.nodePart[node]].name} ${result.nodeNumber[node]}` + (hit.mirrored ? ', mirrored' : '')]);
   if (result.nodeError !== null) rows.push(['position, error', `± ${formatNumber(result.nodeError, 2)} m of the solver; of the mesh ±?`]);
-  return [...rows, ...valuesOfHit(model, hit), ...forcesOfNode(model, node)];
+  return [...rows, ...figuresOfBody(model, part.name), ...valuesOfHit(model, hit), ...forcesOfNode(model, node)];
+}
+
+/** How a rigid body stands, and what its element says of itself. */
+function figuresOfBody(model, name) {
+  const {figures, series} = model.result, begin = `bodies/${name}/`;
+  return figures.filter((f) => f.name.startsWith(begin)).map((f) => {
+    const moving = series.find((s) => s.name === `gear/${f.name}`), value = moving ? moving.values[model.stateIndex] : f.value;
+    const text = f.unit === 'rad' ? `${formatNumber(value * 180 / Math.PI)}°` : withUnit(value, f.unit);
+    return [words(f.name.slice(begin.length)), moving || f.error.includes('?') ? `${text} ±?` : `${text} ${f.error}${f.unit === 'rad' ? ' rad' : ''}`];
+  });
 }
 
 function valuesOfHit(model, hit) {

@@ -137,7 +137,30 @@ void main() {
   result = vec4(colourOf(shownValue, colourOfPart) * (0.45 + 0.55 * sqrt(1.0 - r)), 1.0);
 }`;
 
-// What is solid and no netting: the catch.
+// Plates of rigid bodies: as netting, but solid.
+const PLATE_VERTEX = COMMON_VERTEX + `
+in vec3 position;
+in float value;
+in vec3 partColour;
+out vec3 world, colourOfPart;
+out float shownValue;
+void main() {
+  vec4 w = modelMatrix * vec4(position, 1.0);
+  world = w.xyz; shownValue = value; colourOfPart = partColour;
+  gl_Position = isHidden() ? kNowhere : projectionMatrix * viewMatrix * w;
+}`;
+
+const PLATE_FRAGMENT = COMMON_FRAGMENT + `
+uniform vec3 eye;
+in vec3 world, colourOfPart;
+in float shownValue;
+void main() {
+  cut(world);
+  vec3 normal = normalize(cross(dFdx(world), dFdy(world)));
+  result = vec4(colourOf(shownValue, colourOfPart) * (0.62 + 0.38 * abs(dot(normal, eye))), 1.0);
+}`;
+
+// What is solid and no part of the gear: the catch, the ship.
 const SOLID_VERTEX = `
 precision highp float;
 uniform mat4 modelMatrix, viewMatrix, projectionMatrix;

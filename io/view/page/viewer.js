@@ -56,7 +56,7 @@ class Viewer {
   async moveTo(index) {
     const states = await Promise.all(this.frames.statesAt(index).map((state, i) => decodeState(this.results[i], state)));
     this.frames.index = index;
-    this.models.forEach((model, i) => { model.state = states[i]; model.move(states[i].points); });
+    this.models.forEach((model, i) => { Object.assign(model, {state: states[i], stateIndex: this.frames.statesAt(index)[i]}); model.move(states[i].points); });
   }
 
   async showFrame(index) {
@@ -118,7 +118,7 @@ class Viewer {
   /** The gear fills the window, beside or below the legend where that would cover it, and does so until somebody moves it. */
   fit() {
     this.isTouched = false;
-    const points = [...this.model.places($('extent').checked)], {offsetLeft, offsetTop, offsetWidth, offsetHeight} = $('legend');
+    const points = [...this.model.places($('extent').value)], {offsetLeft, offsetTop, offsetWidth, offsetHeight} = $('legend');
     const [right, bottom] = [offsetLeft + offsetWidth, offsetTop + offsetHeight];
     this.camera.fit(points, MARGIN);
     if (points.some((p) => { const [x, y] = this.camera.project(p); return x < right && y < bottom; })) {

@@ -100,6 +100,7 @@ class Results(InFreshFolder):
         rows = {row["name"]: row for row in self.done("report", result, "--json").json()["materials"]}
         self.assertEqual((rows["headline"]["number"], rows["upper-bridle"]["number"]), (47, 2))
         self.assertAlmostEqual(rows["upper-bridle"]["length"], 2 * 54.9)
+        self.assertIsNone(rows["headline"]["mass"])  # the plan has their buoyancy alone
         bridle = rows["upper-bridle"]
         self.assertAlmostEqual(bridle["utilisation"], bridle["load"] / bridle["breaking_load"])
         with h5py.File(self.folder / result) as f:
