@@ -77,6 +77,12 @@ def table(fuzzers):
     return "\n".join(["| fuzzer | CPU minutes | executions | findings |", "|---|---|---|---|", *(f.row() for f in fuzzers if f.cpu)])
 
 
+def keep(file, text):
+    beside = file.with_name(file.name + ".new")
+    beside.write_text(text + "\n")
+    beside.replace(file)
+
+
 def main(arguments):
     p = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     p.add_argument("folder", type=Path, help="build/fuzz")
@@ -87,7 +93,7 @@ def main(arguments):
     fuzzers = [Fuzzer(name, words.folder.resolve(), 60 * words.minutes) for name in words.fuzzers or FUZZERS]
     try:
         for fuzzer in fuzzers:
-            fuzzer.run(lambda: words.table and words.table.write_text(table(fuzzers) + "\n"))
+            fuzzer.run(lambda: words.table and keep(words.table, table(fuzzers)))
     except KeyboardInterrupt:
         print("interrupted: the counts are of what was done until then", file=sys.stderr)
     print(table(fuzzers), flush=True)
