@@ -58,7 +58,7 @@ int draw_command(const Options& options) {
   }
   refuse_idle(
       options,
-      {"--view", "--field", "--state", "--width", "--ropes", "--dark", "--log", "--elements", "--dimensions"},
+      {"--view", "--field", "--state", "--width", "--fit", "--dark", "--log", "--elements", "--dimensions"},
       options.target + " is a net plan");
   Terminal terminal(options.color);
   Diagnostics diagnostics;

@@ -309,7 +309,7 @@ class Results(InFreshFolder):
         for option in (["--mesh"], ["--set", "a=1"], ["--plugins", "."]):
             self.assertIn(f"{option[0]} has no effect here: {result} is a result", self.refused("draw", result, *option))
         plan = str(SOURCE / "gear-library" / "gears" / "four-panel.toml")
-        for option in (["--view", "side"], ["--field", "tension"], ["--width", "500"], ["--dimensions"]):
+        for option in (["--view", "side"], ["--field", "tension"], ["--width", "500"], ["--dimensions"], ["--fit", "all"]):
             self.assertIn(f"{option[0]} has no effect here: {plan} is a net plan", self.refused("draw", plan, "-o", "a.svg", *option))
         self.assertIn("--field has no effect here: it is of a .glb", self.refused("export", result, "a.csv", "--field", "tension"))
         self.assertIn("--table has no effect here: it is of a .csv", self.refused("export", result, "a.glb", "--table", "nodes"))
