@@ -2,6 +2,7 @@
 #include "framework/registry/descriptors.hpp"
 
 #include "framework/parameters/parameters.hpp"
+#include "framework/parameters/whole_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,6 +86,25 @@ bool has_earlier_real(const std::vector<netloft_parameter>& rows, std::size_t be
   return false;
 }
 
+/// What is converted to a whole number must be one. That a default lies in its range is for `netloft test`.
+void check_integer(const netloft_parameter& p, const std::string& who, Faults& faults) {
+  if (!whole_number(p.lo) || !whole_number(p.hi))
+    return faults.add(who + " is a whole number in " + allowed(p) +
+                      "; both ends of its range must be whole numbers from -2^53 to 2^53");
+  faults.require(whole_number(p.fallback).has_value(),
+                 who + " has the default " + default_of(p) + "; it must be a whole number in " + allowed(p));
+}
+
+void check_columns(const netloft_parameter& p, const std::string& who, Faults& faults) {
+  if (!p.columns || !p.columns[0] || !p.column_units) return faults.add(who + " is a table without columns");
+  for (std::size_t i = 0; p.columns[i]; ++i)
+    if (!p.column_units[i])  // nobody may read what stands behind the null
+      return faults.add(who + " has no unit for its column \"" + p.columns[i] + "\"");
+  faults.require(p.arguments <= 2 && (p.arguments < 2 || (p.columns[1] && p.columns[2])),
+                 who + " is a table over " + std::to_string(p.arguments) +
+                     " arguments; one or two are possible, with a column beside them");
+}
+
 void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, const std::string& owner,
                      Faults& faults) {
   const std::string who = owner + ": parameter \"" + shown(p.name) + "\"";
@@ -100,12 +120,8 @@ void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, con
   faults.require(named(p.unit), who + " has no unit (\"1\" is the unit of a pure number)");
   faults.require(p.kind == NETLOFT_TEXT || p.kind == NETLOFT_TABLE || p.lo <= p.hi,
                  who + " has an empty range");
-  faults.require(p.kind != NETLOFT_TABLE || (p.columns && p.columns[0] && p.column_units),
-                 who + " is a table without columns");
-  if (p.kind == NETLOFT_TABLE && p.columns && p.columns[0])
-    faults.require(p.arguments <= 2 && (p.arguments < 2 || (p.columns[1] && p.columns[2])),
-                   who + " is a table over " + std::to_string(p.arguments) +
-                       " arguments; one or two are possible, with a column beside them");
+  if (p.kind == NETLOFT_INTEGER && named(p.unit)) check_integer(p, who, faults);
+  if (p.kind == NETLOFT_TABLE) check_columns(p, who, faults);
   if (p.kind != NETLOFT_CHOICE) return;
   faults.require(count_words(p) > 0, who + " is a choice of nothing");
   faults.require(p.fallback >= 0 && p.fallback < count_words(p),

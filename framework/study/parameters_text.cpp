@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/parameters/whole_number.hpp"
 #include "framework/study/study.hpp"
 
 #include <cstdlib>
@@ -16,6 +17,12 @@ double number_of(const std::string& text) {
   return number;
 }
 
+std::int64_t whole_number_of(const std::string& text) {
+  const auto number = whole_number(number_of(text));
+  if (!number) throw std::invalid_argument("\"" + text + "\" is no whole number from -2^53 to 2^53");
+  return *number;
+}
+
 bool truth_of(const std::string& text) {
   if (text != "true" && text != "false")
     throw std::invalid_argument("\"" + text + "\" is neither true nor false");
@@ -27,7 +34,7 @@ Value value_of(const netloft_parameter& parameter, const std::string& text) {
     case NETLOFT_REAL:
       return number_of(text);
     case NETLOFT_INTEGER:
-      return static_cast<std::int64_t>(number_of(text));
+      return whole_number_of(text);
     case NETLOFT_BOOLEAN:
       return truth_of(text);
     case NETLOFT_TABLE:

@@ -3,6 +3,7 @@
 // A plugin in plain C, whole when FLAW is FLAW_NONE; CMakeLists.txt builds one module for every flaw.
 #include <netloft/plugin.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -31,6 +32,9 @@ enum Flaw {
   FLAW_nameless_parameter,
   FLAW_no_unit,
   FLAW_bad_choice,
+  FLAW_bad_integer,
+  FLAW_endless_integer,
+  FLAW_column_without_unit,
   FLAW_throws,
   FLAW_many,
   FLAW_longer,
@@ -121,6 +125,10 @@ const netloft_parameter* parameters() {
   if (has(FLAW_no_unit) || has(FLAW_many)) rate.unit = "";
   if (has(FLAW_nameless_parameter)) stiffness.name = nullptr, rate.fallback_of = "stiffness";
   if (has(FLAW_bad_choice)) rate.kind = NETLOFT_CHOICE, rate.choices = words, rate.fallback = 2;
+  if (has(FLAW_bad_integer)) rate.kind = NETLOFT_INTEGER, rate.fallback = 1e30;
+  if (has(FLAW_endless_integer)) rate.kind = NETLOFT_INTEGER, rate.hi = INFINITY;
+  if (has(FLAW_column_without_unit))
+    rate.kind = NETLOFT_TABLE, rate.offset = 0, rate.columns = words, rate.column_units = words + 1;
   static const Array<netloft_parameter, 2,
                      step_of(sizeof stiffness, offsetof(netloft_parameter, fallback_text))>
       rows({stiffness, rate});

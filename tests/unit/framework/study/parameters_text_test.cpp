@@ -23,5 +23,12 @@ TEST(ParametersText, IsRefusedWithASentenceWhereItIsWrong) {
     EXPECT_THROW(parse_parameters(newton(), text), std::invalid_argument) << text;
 }
 
+TEST(ParametersText, HasWholeNumbersWhereNoOthersCanBe) {
+  const auto lbfgs = shipped_plugins().solver("lbfgs").parameters;
+  EXPECT_EQ(std::get<std::int64_t>(parse_parameters(lbfgs, "memory=1e2").at("memory")), 100);
+  for (const char* text : {"memory=8.5", "memory=1e300", "memory=nan"})
+    EXPECT_THROW(parse_parameters(lbfgs, text), std::invalid_argument) << text;
+}
+
 }  // namespace
 }  // namespace netloft::test
