@@ -6,6 +6,11 @@
 namespace netloft::io {
 namespace {
 
+// After a full disk H5Fclose() fails and leaves an id behind, on which the clean-up at exit crashes (1.10.8).
+// All our ids close themselves, so nothing else is left for it to do. It can be switched off ahead of any
+// other call alone, whoever makes that.
+[[maybe_unused]] const bool kNoCleanUp = H5dont_atexit() >= 0;
+
 struct Ends {
   std::string cause;    // deepest record
   std::string request;  // the call that failed
@@ -31,11 +36,6 @@ std::string system_words(const std::string& description) {
 }  // namespace
 
 void silence_hdf5() {
-  // After a full disk H5Fclose() fails and leaves an id behind, on which the clean-up at exit crashes
-  // (1.10.8). The clean-up is switched off; all our ids close themselves, so nothing else is left for it to
-  // do.
-  static const bool no_clean_up = H5dont_atexit() >= 0;
-  static_cast<void>(no_clean_up);
   thread_local const bool done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(done);
 }

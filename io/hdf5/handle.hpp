@@ -15,8 +15,8 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Stops HDF5 printing its error stack on stderr and cleaning up at exit. The first switch is per thread and
-/// the second must be ahead of any other call, so every entry point begins with this.
+/// Stops HDF5 printing its error stack on stderr. The switch is per thread, so every entry point begins with
+/// this.
 void silence_hdf5();
 
 /// The newest HDF5 error in one line: the call that failed, and the cause at the bottom of the stack.

@@ -15,6 +15,8 @@ herr_t count_and_close(hid_t id) {
   return H5Sclose(id);
 }
 
+TEST(Handle, TheCleanUpAtExitIsOffAheadOfAnyCall) { EXPECT_LT(H5dont_atexit(), 0) << "it was on until now"; }
+
 TEST(Handle, ClosesExactlyOnce) {
   closed = 0;
   {
