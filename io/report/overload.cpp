@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/overload.hpp"
 
+#include "io/scene/halves.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <string_view>
 
@@ -25,23 +26,6 @@ std::vector<double> largest_tensions(const LoadedScene& loaded, const Assembler&
           largest[family.part(e)] = std::max(largest[family.part(e)], answer.outputs[f][k][e]);
   }
   return largest;
-}
-
-/// Bodies of a pair that are where their mirror images ought to be: nothing keeps two boards from passing
-/// through each other.
-void add_crossed(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
-                 std::vector<std::string>& warnings) {
-  if (!loaded.gear) return;
-  for (std::size_t b = 0; b < loaded.scene.bodies.size(); ++b) {
-    const double y = assembler.node_position(loaded.scene.bodies[b].origin, answer.x)[1];
-    const bool is_paired = std::ranges::any_of(loaded.gear->pairs, [&](const auto& pair) {
-      return std::ranges::find(pair.second, loaded.bodies[b].part) != pair.second.end();
-    });
-    if (is_paired && loaded.bodies[b].side * y < 0)
-      warnings.push_back(fmt::format(
-          "{} is {:.3g} m beyond the plane of symmetry: it and the one on the other side have crossed",
-          loaded.scene.bodies[b].name, std::abs(y)));
-  }
 }
 
 }  // namespace
@@ -79,7 +63,8 @@ std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembl
                           count[1] > 1 ? fmt::format(", at {} of its {} elements", count[0], count[1]) : ""));
     }
   }
-  add_crossed(loaded, assembler, answer, warnings);
+  for (const auto& crossing : find_crossings(loaded, assembler.node_positions(answer.x)))
+    warnings.push_back(crossing.sentence);
   return warnings;
 }
 

@@ -10,7 +10,7 @@ std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Asse
                                            const Answer& answer);
 
 /// A sentence for every part with elements that are used beyond what is known of them (NETLOFT_OUTPUT_DOUBT),
-/// and for every board of a pair that has crossed the plane of symmetry.
+/// and for what has passed through its mirror image (find_crossings).
 std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembler& assembler,
                                         const Answer& answer);
 

@@ -13,6 +13,7 @@
 #include "io/scene/draft.hpp"
 #include "io/scene/element_choice.hpp"
 #include "io/scene/gear_parts.hpp"
+#include "io/scene/halves.hpp"
 #include "io/scene/holder.hpp"
 #include "io/scene/idle_keys.hpp"
 #include "io/scene/keys.hpp"
@@ -90,6 +91,7 @@ class SceneReader {
     check_ground();
     check_bed();
     check_beds(out_, diagnostics_);
+    check_crossings();
     one_sided_.report(draft_, diagnostics_);
     return std::move(out_);
   }
@@ -560,6 +562,18 @@ class SceneReader {
         if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
           diagnostics_.error(out_.place_of(part.name),
                              part.name + ": " + name + " is not zero, and tells port from starboard", cure);
+    }
+  }
+
+  /// A start from which a gear can come free is a warning; what is held stays where it is.
+  void check_crossings() {
+    for (const auto& crossing : find_crossings(out_, out_.scene.positions)) {
+      const Place place = out_.parts[crossing.part].place;
+      const std::string fault = "at the start " + crossing.sentence;
+      if (crossing.is_held)
+        diagnostics_.error(place, fault, "hold what is to starboard at a positive y");
+      else
+        diagnostics_.warning(place, fault, "let it start at a positive y");
     }
   }
 

@@ -181,6 +181,10 @@ class Towed(InFreshFolder):
             self.write("scene.toml", scene + SHOE)
             warnings = self.netloft("run", "scene.toml", "--json", "--overwrite").json()["warnings"]
             self.assertEqual(any("door" in w and "have crossed" in w for w in warnings), crossed, warnings)
+            self.assertEqual("warning: at the start door, " in self.netloft("plan", "scene.toml").err, crossed)
+        self.write("scene.toml", changed(scene, ('"half"', '"whole"')) + SHOE)
+        warnings = self.netloft("run", "scene.toml", "--json", "--overwrite").json()["warnings"]
+        self.assertTrue(any(w.startswith("starboard-door is ") and w.endswith(" m to port of port-door: they have crossed") for w in warnings), warnings)
 
 
 if __name__ == "__main__":

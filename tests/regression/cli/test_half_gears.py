@@ -25,6 +25,11 @@ class HalfGears(InFreshFolder):
     def test_refuse_a_bed_that_slopes_across(self):
         self.assertIn("seabed.slope_y is not zero", self.refused("parts.bed.seabed.slope_y=0.1"))
 
+    def test_refuse_holds_beyond_the_plane(self):
+        ended = self.netloft("plan", str(FLUME.parent / "four-panel.toml"), "--set", "hold[0].at=[0, -5, -30]")
+        self.assertEqual(ended.code, 2, ended.out)
+        self.assertIn("error: at the start upper-bridle and lower-bridle lie up to 5 m beyond the plane of symmetry, y = 0", ended.err)
+
     def test_take_what_is_symmetric(self):
         self.assertEqual(self.netloft("plan", str(FLUME), "--set", "parts.bed.seabed.slope_x=0.1").code, 0)
 
