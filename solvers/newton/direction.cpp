@@ -45,7 +45,7 @@ std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double dam
 /// Then (6) says more of K than K₊ does. Where K was not nearly definite the last time, it is not asked again
 /// before it is positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
-  if (!iterate.has_energy() || !may_be_nearly_definite_ || damping >= kHardlyDamped) {
+  if (!iterate.is_conservative() || !may_be_nearly_definite_ || damping >= kHardlyDamped) {
     may_be_nearly_definite_ = false;
     return {};
   }

@@ -13,6 +13,8 @@ constexpr double kRoundOffs = 10;
 // derivatives are found by residuals so near. A curved step must gain so many times what the straight one
 // does.
 constexpr double kShort = 0.9, kNear = 1e-2, kCurvedGain = 1.5;
+// Newton's own step is accepted at once where it leaves so much of the residual.
+constexpr double kHalved = 0.5;
 // So many steps in a row that promise no less to gain than before: (7) leads nowhere.
 constexpr int kStalled = 5;
 
@@ -40,7 +42,7 @@ Step Globalisation::take(Iterate& iterate, const Direction& direction) {
 
 Step Globalisation::take_at_round_off(Iterate& iterate, const Direction& direction) {
   Step step;
-  if (iterate.accept({direction.s}, 1, 1))
+  if (iterate.try_move_if_residual_below(1, {direction.s}, 1))
     step = {Step::Rule::residual, 1};
   else if (direction.damping == 0)
     step = take_by_slope(iterate, direction.s);
@@ -49,17 +51,18 @@ Step Globalisation::take_at_round_off(Iterate& iterate, const Direction& directi
 }
 
 Step Globalisation::take_newton_step(Iterate& iterate, std::span<const double> s) {
-  if (iterate.problem().step_length(s) <= 1 && iterate.accept({s}, 1, 0.25)) return {Step::Rule::residual, 1};
+  if (iterate.problem().step_length(s) <= 1 && iterate.try_move_if_residual_below(kHalved, {s}, 1))
+    return {Step::Rule::residual, 1};
   return take_by_slope(iterate, s);
 }
 
 Step Globalisation::take_by_slope(Iterate& iterate, std::span<const double> s) {
   const Path path{s};
   const Sample first{0, iterate.energy(), iterate.slope(path)};
-  if (!iterate.has_energy() || first.slope >= 0 || has_stalled(-first.slope)) return {};
+  if (!iterate.is_conservative() || first.slope >= 0 || has_stalled(-first.slope)) return {};
   const SlopeSearch search{.noise = kRoundOffs * kEnergyRoundOff * std::abs(iterate.energy())};
   const auto found = search([&](double t) { return iterate.merit(path, t); }, first);
-  if (!found || !iterate.accept(path, found->t)) return {};
+  if (!found || !iterate.try_move(path, found->t)) return {};
   return {Step::Rule::slope, found->t};
 }
 
@@ -73,7 +76,7 @@ Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction)
   };
   auto found = find_whole_uphill(iterate, path);
   if (!found) found = along(path);
-  if (!(found && found->t > kShort) && iterate.has_energy() && iterate.problem().symmetric()) {
+  if (!(found && found->t > kShort) && iterate.is_conservative() && iterate.problem().symmetric()) {
     const Path curved{direction.s, curved_.find(iterate, direction.s, found ? found->t : kNear)};
     const auto bent = curved.a.empty() ? std::nullopt : along(curved);
     const double gain = found ? iterate.energy() - found->value : 0;
@@ -81,7 +84,7 @@ Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction)
   }
   // Tolerances are a part of the last reactions evaluated. A force without an energy may have no value at t.
   if (!found) iterate.evaluate(Matrix::none);
-  if (!found || !iterate.accept(path, found->t)) return {};
+  if (!found || !iterate.try_move(path, found->t)) return {};
   return {Step::Rule::energy, found->t};
 }
 

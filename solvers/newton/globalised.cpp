@@ -75,7 +75,7 @@ class Globalised {
   /// a saddle, by (6), or if K is singular, by a step of K + σ M.
   bool fall_back() {
     Problem& problem = iterate_.problem();
-    if (damping_ == 0 || fell_back_at_ == iterate_.count() || !iterate_.has_energy() || !problem.symmetric())
+    if (damping_ == 0 || fell_back_at_ == iterate_.count() || !iterate_.is_conservative() || !problem.symmetric())
       return false;
     fell_back_at_ = iterate_.count();
     newton_step_.resize(iterate_.size());

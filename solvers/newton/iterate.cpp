@@ -58,19 +58,29 @@ std::optional<Sample> Iterate::merit(const Path& path, double t) {
   return Sample{t, energy + work, slope};
 }
 
-bool Iterate::accept(const Path& path, double t, double most) {
-  double energy = 0;
+bool Iterate::try_move(const Path& path, double t) {
+  if (evaluate_trial(path, t)) return accept_trial(), true;
+  evaluate();  // the tangent kept is that of the trial
+  return false;
+}
+
+bool Iterate::try_move_if_residual_below(double ratio, const Path& path, double t) {
+  if (evaluate_trial(path, t) && dot(r_trial_, r_trial_) <= ratio * ratio * dot(r_, r_))
+    return accept_trial(), true;
+  evaluate();  // the tangent kept is that of the trial
+  return false;
+}
+
+bool Iterate::evaluate_trial(const Path& path, double t) {
   move_trial(path, t);
-  const bool has_forces = problem_.evaluate(trial_, energy, r_trial_, Matrix::exact) == Evaluation::ok;
-  if (!has_forces || (std::isfinite(most) && !(dot(r_trial_, r_trial_) <= most * dot(r_, r_)))) {
-    evaluate();  // the tangent kept is that of the trial
-    return false;
-  }
+  return problem_.evaluate(trial_, energy_trial_, r_trial_, Matrix::exact) == Evaluation::ok;
+}
+
+void Iterate::accept_trial() {
   std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
   std::swap(r_, r_trial_);
-  energy_ = energy;
+  energy_ = energy_trial_;
   ++count_;
-  return true;
 }
 
 void Iterate::move_trial(const Path& path, double t) {

@@ -2,7 +2,6 @@
 #pragma once
 #include <netloft/solver.hpp>
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,7 +30,8 @@ class Iterate {
   std::size_t size() const { return r_.size(); }
   double energy() const { return energy_; }
   std::span<const double> residual() const { return r_; }
-  bool has_energy() const { return d_.empty(); }  // all forces have
+  /// All forces have an energy: there are no d.
+  bool is_conservative() const { return d_.empty(); }
   double slope(const Path& path) const { return dot(r_, path.s); }
   /// What rounding may change of the merit along a path.
   double round_off(const Path& path) const;
@@ -50,15 +50,19 @@ class Iterate {
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
   /// (3) and its derivative.
   std::optional<Sample> merit(const Path& path, double t);
-  /// Moves u to u(t), with the tangent there, unless there are no forces or ‖r‖² exceeds `most` times that of
-  /// here. False: u and the tangent are what they were.
-  bool accept(const Path& path, double t, double most = std::numeric_limits<double>::infinity());
+  /// Moves u to u(t) and evaluates the tangent there, unless there are no forces. False: u and the tangent are
+  /// what they were.
+  bool try_move(const Path& path, double t);
+  /// The same, unless ‖r‖ there is more than `ratio` of that here.
+  bool try_move_if_residual_below(double ratio, const Path& path, double t);
 
  private:
   void move_trial(const Path& path, double t);
+  bool evaluate_trial(const Path& path, double t);
+  void accept_trial();
 
   Problem& problem_;
-  double energy_ = 0;
+  double energy_ = 0, energy_trial_ = 0;
   std::size_t count_ = 0;
   std::vector<double> r_, trial_, r_trial_;
   std::vector<double> d_;  // empty if all forces have an energy

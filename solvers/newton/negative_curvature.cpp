@@ -41,7 +41,7 @@ bool NegativeCurvature::leave(Iterate& iterate) {
   const auto found = DescentSearch{}([&](double t) { return iterate.merit(path, t); },
                                      {0, iterate.energy(), iterate.slope(path)},
                                      kEnergyRoundOff * std::abs(iterate.energy()));
-  return found && iterate.accept(path, found->t);
+  return found && iterate.try_move(path, found->t);
 }
 
 }  // namespace netloft::newton
