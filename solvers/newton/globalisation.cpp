@@ -9,14 +9,16 @@ namespace {
 
 // Round-offs by which a step may go uphill by (7).
 constexpr double kRoundOffs = 10;
-// A straight step that ends before the first of these is compared with a curved one. Where it fails, second
-// derivatives are found by residuals so near. A curved step must gain so many times what the straight one
-// does.
-constexpr double kShort = 0.9, kNear = 1e-2, kCurvedGain = 1.5;
+// A straight step that ends before this t is compared with a curved one.
+constexpr double kShort = 0.9;
+// The t at which r'' is found by differences where the straight search found no t at all.
+constexpr double kNear = 1e-2;
+// A curved step is taken where it gains so many times what the straight one does.
+constexpr double kCurvedGain = 1.5;
 // Newton's own step is accepted at once where it leaves so much of the residual.
 constexpr double kHalved = 0.5;
-// So many steps in a row that promise no less to gain than before: (7) leads nowhere.
-constexpr int kStalled = 5;
+// (7) leads nowhere once more than so many steps in a row have not halved the decrease they predict.
+constexpr int kMostWithoutHalving = 5;
 
 }  // namespace
 
@@ -36,7 +38,7 @@ Step Globalisation::take(Iterate& iterate, const Direction& direction) {
   const Path path{direction.s};
   if (-iterate.slope(path) <= iterate.round_off(path)) return take_at_round_off(iterate, direction);
   const Step step = take_by_energy(iterate, direction);
-  if (step) forget_gains();
+  if (step) reset_stall_count();
   return step;
 }
 
@@ -59,7 +61,9 @@ Step Globalisation::take_newton_step(Iterate& iterate, std::span<const double> s
 Step Globalisation::take_by_slope(Iterate& iterate, std::span<const double> s) {
   const Path path{s};
   const Sample first{0, iterate.energy(), iterate.slope(path)};
-  if (!iterate.is_conservative() || first.slope >= 0 || has_stalled(-first.slope)) return {};
+  if (!iterate.is_conservative() || first.slope >= 0) return {};
+  record_predicted_decrease(-first.slope);
+  if (has_stalled()) return {};
   const SlopeSearch search{.noise = kRoundOffs * kEnergyRoundOff * std::abs(iterate.energy())};
   const auto found = search([&](double t) { return iterate.merit(path, t); }, first);
   if (!found || !iterate.try_move(path, found->t)) return {};
@@ -74,7 +78,8 @@ Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction)
   const auto along = [&](const Path& some) {
     return search([&](double t) { return iterate.merit(some, t); }, first);
   };
-  auto found = find_whole_uphill(iterate, path);
+  auto found = try_whole_step(iterate, path);
+  last_went_uphill_ = found && found->value > iterate.energy();
   if (!found) found = along(path);
   if (!(found && found->t > kShort) && iterate.is_conservative() && iterate.problem().symmetric()) {
     const Path curved{direction.s, curved_.find(iterate, direction.s, found ? found->t : kNear)};
@@ -88,24 +93,27 @@ Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction)
   return {Step::Rule::energy, found->t};
 }
 
-/// (5): a whole step, if m falls or the last step did not go uphill.
-std::optional<Sample> Globalisation::find_whole_uphill(Iterate& iterate, const Path& path) {
-  const auto whole = last_was_uphill_ ? std::nullopt : iterate.merit(path, 1);
+/// (5): a whole step that lowers m, or raises it by no more than `uphill` allows. The step after one that
+/// went uphill is left to the line search.
+std::optional<Sample> Globalisation::try_whole_step(Iterate& iterate, const Path& path) const {
+  if (last_went_uphill_) return {};
   const double most = iterate.energy() - p_.uphill * iterate.slope(path);
-  last_was_uphill_ = whole && whole->value > iterate.energy() && whole->value <= most;
-  return whole && (last_was_uphill_ || whole->value <= iterate.energy()) ? whole : std::nullopt;
+  const auto whole = iterate.merit(path, 1);
+  return whole && whole->value <= most ? whole : std::nullopt;
 }
 
-/// Whether what Newton's steps promise to gain has not halved for so long.
-bool Globalisation::has_stalled(double gain) {
-  const bool is_less = gain < 0.5 * least_gain_;
-  if (is_less) least_gain_ = gain;
-  times_no_less_ = is_less ? 0 : times_no_less_ + 1;
-  return times_no_less_ > kStalled;
+/// −r·s is what a step s would lower a linear energy by. It has to halve now and then, or the steps go round
+/// in rounding.
+void Globalisation::record_predicted_decrease(double decrease) {
+  const bool has_halved = decrease < 0.5 * least_decrease_;
+  if (has_halved) least_decrease_ = decrease;
+  steps_without_halving_ = has_halved ? 0 : steps_without_halving_ + 1;
 }
 
-void Globalisation::forget_gains() {
-  least_gain_ = std::numeric_limits<double>::infinity(), times_no_less_ = 0;
+bool Globalisation::has_stalled() const { return steps_without_halving_ > kMostWithoutHalving; }
+
+void Globalisation::reset_stall_count() {
+  least_decrease_ = std::numeric_limits<double>::infinity(), steps_without_halving_ = 0;
 }
 
 }  // namespace netloft::newton

@@ -42,20 +42,21 @@ class Globalisation {
   Step take_newton_step(Iterate& iterate, std::span<const double> s);
   /// (7): by the slope, which still has significant digits where the energy has none.
   Step take_by_slope(Iterate& iterate, std::span<const double> s);
-  /// (7) may be tried again: u has moved otherwise.
-  void forget_gains();
+  /// (7) may be tried again: u has moved by another rule.
+  void reset_stall_count();
 
  private:
   Step take_at_round_off(Iterate& iterate, const Direction& direction);
   Step take_by_energy(Iterate& iterate, const Direction& direction);
-  std::optional<Sample> find_whole_uphill(Iterate& iterate, const Path& path);
-  bool has_stalled(double gain);
+  std::optional<Sample> try_whole_step(Iterate& iterate, const Path& path) const;
+  void record_predicted_decrease(double decrease);
+  bool has_stalled() const;
 
   const Newton::Parameters& p_;
   CurvedStep curved_;
-  bool last_was_uphill_ = false;
-  double least_gain_ = std::numeric_limits<double>::infinity();
-  int times_no_less_ = 0;
+  bool last_went_uphill_ = false;
+  double least_decrease_ = std::numeric_limits<double>::infinity();  // −r·s of the steps by (7)
+  int steps_without_halving_ = 0;                                    // it, in a row
 };
 
 }  // namespace netloft::newton

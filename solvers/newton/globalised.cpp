@@ -67,7 +67,7 @@ class Globalised {
 
   bool leave_saddle(double sigma) {
     if (!curvature_.find_direction(iterate_.problem(), sigma) || !curvature_.leave(iterate_)) return false;
-    globalisation_.forget_gains();
+    globalisation_.reset_stall_count();
     return true;
   }
 
@@ -75,7 +75,8 @@ class Globalised {
   /// a saddle, by (6), or if K is singular, by a step of K + σ M.
   bool fall_back() {
     Problem& problem = iterate_.problem();
-    if (damping_ == 0 || fell_back_at_ == iterate_.count() || !iterate_.is_conservative() || !problem.symmetric())
+    if (damping_ == 0 || fell_back_at_ == iterate_.count() || !iterate_.is_conservative() ||
+        !problem.symmetric())
       return false;
     fell_back_at_ = iterate_.count();
     newton_step_.resize(iterate_.size());
@@ -90,7 +91,7 @@ class Globalised {
     if (!sigma) return false;
     if (curvature_.find_direction(problem, *sigma)) {
       if (!curvature_.leave(iterate_)) return false;
-      globalisation_.forget_gains();
+      globalisation_.reset_stall_count();
     } else {
       iterate_.solve(s);
       if (!globalisation_.take_by_slope(iterate_, s)) return false;
