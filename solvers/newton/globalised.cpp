@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "solvers/newton/direction.hpp"
 #include "solvers/newton/globalisation.hpp"
@@ -11,7 +13,7 @@ namespace netloft::newton {
 
 namespace {
 
-/// Less damping than this no longer matters.
+// Less damping than this no longer matters.
 constexpr double kSmallestDamping = 1e-12;
 
 double lowered(double damping, double factor) {
@@ -37,7 +39,7 @@ class Globalised {
         directions_(problem, curvature_),
         globalisation_(parameters, problem.size()),
         damping_(parameters.damping) {
-    newton_step_.reserve(problem.size());
+    step_.reserve(problem.size());
   }
 
   Outcome run() {
@@ -65,48 +67,65 @@ class Globalised {
     return directions_.find(iterate_, damping_);
   }
 
+  /// (6), after the step by K + σ M: with the factor that gave it, from where it has led. The step goes along
+  /// the valley and does not change by much across which direction the valley is a ridge.
   bool leave_saddle(double sigma) {
-    if (!curvature_.find_direction(iterate_.problem(), sigma) || !curvature_.leave(iterate_)) return false;
+    const auto v = curvature_.find_direction(iterate_.problem(), sigma);
+    return v && leave_along(*v);
+  }
+
+  bool leave_along(std::span<const double> v) {
+    if (!curvature_.leave_along(v, iterate_)) return false;
     globalisation_.reset_stall_count();
     return true;
   }
 
-  /// Fallback at round-off, where damping leads nowhere: once at a point by Newton's own step, or if this is
-  /// a saddle, by (6), or if K is singular, by a step of K + σ M.
+  /// At round-off, where damping leads nowhere, once at every point: by Newton's own step; or where K is
+  /// nearly definite, off the saddle; or where nothing curves downwards, either, by a step of K + σ M.
   bool fall_back() {
-    Problem& problem = iterate_.problem();
-    if (damping_ == 0 || fell_back_at_ == iterate_.count() || !iterate_.is_conservative() ||
-        !problem.symmetric())
-      return false;
+    if (!may_fall_back()) return false;
     fell_back_at_ = iterate_.count();
-    newton_step_.resize(iterate_.size());
-    const std::span<double> s = newton_step_;
-    if (problem.factorise(Matrix::exact, 0) == Factor::ok) {
-      iterate_.solve(s);
-      if (!globalisation_.take_newton_step(iterate_, s)) return false;
-      damping_ = 0;
-      return true;
-    }
+    Problem& problem = iterate_.problem();
+    if (problem.factorise(Matrix::exact, 0) == Factor::ok) return goes_on_with(0, take_undamped());
     const auto sigma = curvature_.factorise_nearly_definite(problem);
     if (!sigma) return false;
-    if (curvature_.find_direction(problem, *sigma)) {
-      if (!curvature_.leave(iterate_)) return false;
-      globalisation_.reset_stall_count();
-    } else {
-      iterate_.solve(s);
-      if (!globalisation_.take_by_slope(iterate_, s)) return false;
-    }
-    damping_ = *sigma;
-    return true;
+    const auto v = curvature_.find_direction(problem, *sigma);
+    return goes_on_with(*sigma, v ? leave_along(*v) : take_shifted());
+  }
+
+  bool may_fall_back() {
+    const bool has_fallen_back_here = fell_back_at_ && *fell_back_at_ == iterate_.count();
+    return damping_ != 0 && !has_fallen_back_here && iterate_.is_conservative() &&
+           iterate_.problem().symmetric();
+  }
+
+  bool goes_on_with(double damping, bool has_moved) {
+    if (has_moved) damping_ = damping;
+    return has_moved;
+  }
+
+  bool take_undamped() {
+    solve_for_step();
+    return static_cast<bool>(globalisation_.take_newton_step(iterate_, step_));
+  }
+
+  bool take_shifted() {
+    solve_for_step();
+    return static_cast<bool>(globalisation_.take_by_slope(iterate_, step_));
+  }
+
+  void solve_for_step() {
+    step_.resize(iterate_.size());
+    iterate_.solve(step_);
   }
 
   Iterate iterate_;
-  std::vector<double> newton_step_;  // of fall_back; reserved
+  std::vector<double> step_;  // of fall_back; reserved
   NegativeCurvature curvature_;
   Directions directions_;
   Globalisation globalisation_;
   double damping_;
-  std::size_t fell_back_at_ = std::numeric_limits<std::size_t>::max();
+  std::optional<std::size_t> fell_back_at_;  // count of points
 };
 
 }  // namespace

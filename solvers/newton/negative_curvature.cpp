@@ -17,10 +17,10 @@ constexpr double kLeastSigma = 1e-7, kMostSigma = 1e-4;
 
 NegativeCurvature::NegativeCurvature(const Problem& problem)
     : sigma_(kLeastSigma), curvature_(problem.symmetric() ? problem.size() : 0) {
-  v_.reserve(problem.size());
+  downhill_.reserve(problem.size());
 }
 
-/// By decades, from one below the last that did.
+/// By decades, from the one below that of the last time.
 std::optional<double> NegativeCurvature::factorise_nearly_definite(Problem& problem) {
   for (sigma_ = std::max(kLeastSigma, 0.1 * sigma_); sigma_ < 2 * kMostSigma; sigma_ *= 10)
     if (problem.factorise(Matrix::exact, sigma_) == Factor::ok) return sigma_;
@@ -28,16 +28,16 @@ std::optional<double> NegativeCurvature::factorise_nearly_definite(Problem& prob
   return {};
 }
 
-bool NegativeCurvature::find_direction(Problem& problem, double sigma) {
-  return curvature_.find(problem, sigma) < 0;
+std::optional<std::span<const double>> NegativeCurvature::find_direction(Problem& problem, double sigma) {
+  if (!(curvature_.find(problem, sigma) < 0)) return {};
+  return curvature_.direction();
 }
 
-bool NegativeCurvature::leave(Iterate& iterate) {
-  const auto v = curvature_.direction();
-  v_.assign(v.begin(), v.end());
-  const double one_element = (iterate.slope({v_}) > 0 ? -1 : 1) / iterate.problem().step_length(v_);
-  for (double& x : v_) x *= one_element;
-  const Path path{v_};
+bool NegativeCurvature::leave_along(std::span<const double> v, Iterate& iterate) {
+  downhill_.assign(v.begin(), v.end());
+  const double one_element = (iterate.slope({v}) > 0 ? -1 : 1) / iterate.problem().step_length(v);
+  for (double& x : downhill_) x *= one_element;
+  const Path path{downhill_};
   const auto found = DescentSearch{}([&](double t) { return iterate.merit(path, t); },
                                      {0, iterate.energy(), iterate.slope(path)},
                                      kEnergyRoundOff * std::abs(iterate.energy()));

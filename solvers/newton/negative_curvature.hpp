@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "solvers/newton/iterate.hpp"
@@ -17,15 +18,16 @@ class NegativeCurvature {
 
   /// σ such that K + σ M is positive definite, and factorised; none where K is not nearly definite.
   std::optional<double> factorise_nearly_definite(Problem& problem);
-  /// By the factor of K + σ M: whether K curves downwards anywhere. Nothing moves.
-  bool find_direction(Problem& problem, double sigma);
-  /// Moves along the direction found to where the energy no longer falls; false if it never does.
-  bool leave(Iterate& iterate);
+  /// By the factor of K + σ M: v along which K curves downwards most, if it does along any. Nothing moves.
+  /// The vector is valid until the next search.
+  std::optional<std::span<const double>> find_direction(Problem& problem, double sigma);
+  /// Moves along ±v to where the energy no longer falls; false if it never does.
+  bool leave_along(std::span<const double> v, Iterate& iterate);
 
  private:
-  double sigma_;  // the last that did
+  double sigma_;  // of the last K that was nearly definite
   LeastCurvature curvature_;
-  std::vector<double> v_;
+  std::vector<double> downhill_;  // ±v, one element long
 };
 
 }  // namespace netloft::newton
