@@ -7,9 +7,9 @@ namespace netloft::newton {
 
 namespace {
 
-// Whether K is nearly definite is only asked where damping is below this.
+// Whether K is nearly definite is only asked where damping is below this: elsewhere the iterate is far away.
 constexpr double kHardlyDamped = 1e-6;
-// Less of the convex part is as good as none.
+// Least fraction θ of the convex part that is tried.
 constexpr double kLeastConvexPart = 1.0 / 4096;
 
 }  // namespace
@@ -17,7 +17,7 @@ constexpr double kLeastConvexPart = 1.0 / 4096;
 Directions::Directions(const Problem& problem, NegativeCurvature& curvature)
     : curvature_(curvature), s_(problem.size()) {}
 
-std::optional<Direction> Directions::find_short(Iterate& iterate) {
+std::optional<Direction> Directions::find_short_undamped(Iterate& iterate) {
   Problem& problem = iterate.problem();
   if (problem.factorise(Matrix::exact, 0) != Factor::ok) return {};
   const Direction newton = solve(iterate, 0);
@@ -34,7 +34,7 @@ std::optional<Direction> Directions::find(Iterate& iterate, double damping) {
 std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double damping) {
   const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
   if (factor == Factor::ok) {
-    may_be_nearly_definite_ = true;
+    tests_near_definite_ = true;
     return solve(iterate, damping);
   }
   if (factor != Factor::not_positive) return {};
@@ -42,15 +42,16 @@ std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double dam
   return find_partly_convex(iterate, damping);
 }
 
-/// Then (6) says more of K than K₊ does. Where K was not nearly definite the last time, it is not asked again
-/// before it is positive definite.
+/// K + σ M with a tiny σ keeps Newton's step but for the few directions in which K curves downwards, which
+/// (6) leaves by; a convex part changes it in all. It costs four factorisations where K is far from definite,
+/// so that once it was, or was not asked, K is not asked again before it is positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
-  if (!iterate.is_conservative() || !may_be_nearly_definite_ || damping >= kHardlyDamped) {
-    may_be_nearly_definite_ = false;
+  if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kHardlyDamped) {
+    tests_near_definite_ = false;
     return {};
   }
   const auto sigma = curvature_.factorise_nearly_definite(iterate.problem());
-  may_be_nearly_definite_ = sigma.has_value();
+  tests_near_definite_ = sigma.has_value();
   if (!sigma) return {};
   Direction direction = solve(iterate, *sigma, "nearly definite");
   direction.nearly_definite = true;

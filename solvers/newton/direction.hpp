@@ -9,13 +9,13 @@
 
 namespace netloft::newton {
 
-/// Damping never needs to exceed the metric itself by much.
+/// Most damping μ: the step is then hardly longer than 1/64 of −M⁻¹ r, that of a gear without slack.
 constexpr double kLargestDamping = 64;
 
 /// A step s of (2) of Newton, and the matrix it belongs to.
 struct Direction {
   std::span<const double> s;
-  double damping = 0;            // μ
+  double damping = 0;            // μ, or as much as was asked for where convex parts have taken its place
   bool nearly_definite = false;  // K is not positive definite, and K + μ M is, with a μ next to nothing
   const char* note = "";
 };
@@ -25,9 +25,9 @@ class Directions {
  public:
   Directions(const Problem& problem, NegativeCurvature& curvature);
 
-  /// Newton's own step from the start, if it is no longer than an element.
-  std::optional<Direction> find_short(Iterate& iterate);
-  /// A step with at least the damping μ. None: no matrix could be factorised.
+  /// Newton's own step, if it leads downhill and moves no node by more than the length of an element.
+  std::optional<Direction> find_short_undamped(Iterate& iterate);
+  /// A step with at least the damping μ. None: no matrix could be factorised, or with none s leads downhill.
   std::optional<Direction> find(Iterate& iterate, double damping);
 
  private:
@@ -40,8 +40,8 @@ class Directions {
 
   NegativeCurvature& curvature_;
   std::vector<double> s_;
-  double convex_part_ = 1;              // θ of the last time
-  bool may_be_nearly_definite_ = true;  // K was positive definite the last time, or nearly so
+  double convex_part_ = 1;           // θ of the last time
+  bool tests_near_definite_ = true;  // K was positive definite the last time, or nearly so
 };
 
 }  // namespace netloft::newton

@@ -63,7 +63,7 @@ class Globalised {
  private:
   std::optional<Direction> find_direction(bool is_first) {
     if (is_first)
-      if (auto found = directions_.find_short(iterate_)) return found;
+      if (auto found = directions_.find_short_undamped(iterate_)) return found;
     return directions_.find(iterate_, damping_);
   }
 

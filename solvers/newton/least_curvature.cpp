@@ -79,7 +79,7 @@ double LeastCurvature::find(Problem& problem, double shift) {
     lengthen(problem);
     const double before = theta;
     theta = Tridiagonal{{a_.data(), lengthened + 1}, b_}.largest_eigenvalue();
-    lambda = 1 / theta - shift;  // (2)
+    lambda = 1 / theta - shift;  // (C2)
     is_found = lambda < 0 && theta <= before * (1 + kFound);
   }
   if (lengthened == 0) return lambda;

@@ -9,11 +9,12 @@
 namespace netloft::newton {
 
 /// Where a tangent K that is nearly definite curves least:
-///   K v = λ M v, the least λ, M the linear stiffness                                     (1)
+///   K v = λ M v, the least λ, M the linear stiffness                                     (C1)
 /// from the factor of K + σM, which is positive definite, by at most ten steps of Lanczos for
-///   (K + σM)⁻¹ M v = θ v, the largest θ; λ = 1/θ − σ                                     (2)
-/// in the inner product of M, each vector made orthogonal to all before it. λ is never found below what it
-/// is. B. N. Parlett, The Symmetric Eigenvalue Problem (1998), ch. 13 and 15.
+///   (K + σM)⁻¹ M v = θ v, the largest θ; λ = 1/θ − σ                                     (C2)
+/// in the inner product of M, each vector made orthogonal to all before it. Rayleigh quotients bound λ from
+/// above: where one is negative, K curves downwards. B. N. Parlett, The Symmetric Eigenvalue Problem (1998),
+/// ch. 13 and 15.
 class LeastCurvature {
  public:
   static constexpr std::size_t kSteps = 10;
@@ -21,9 +22,9 @@ class LeastCurvature {
   /// Memory for `size` unknowns is reserved, and touched by the first search.
   explicit LeastCurvature(std::size_t size);
 
-  /// λ of (1) by the last factor, which is that of K + `shift` M. No number if M is of no use.
+  /// λ of (C1) by the last factor, which is that of K + `shift` M. No number if M is of no use.
   double find(Problem& problem, double shift);
-  /// v of (1), after a search.
+  /// v of (C1), after a search.
   std::span<const double> direction() const { return w_; }
 
  private:
@@ -35,10 +36,10 @@ class LeastCurvature {
   std::span<double> basis(std::size_t i) { return {basis_.data() + i * w_.size(), w_.size()}; }
   std::span<double> image(std::size_t i) { return {images_.data() + i * w_.size(), w_.size()}; }
 
-  std::size_t size_, length_ = 0;         // of a vector, of the basis
-  std::vector<double> basis_, images_;    // q of every step, M q
-  std::vector<double> w_;                 // the next q, before it is one; in the end v
-  std::array<double, kSteps> a_{}, b_{};  // the matrix of (2) in that basis: its diagonal, beside it
+  std::size_t size_, length_ = 0;         // of a vector; vectors in the basis
+  std::vector<double> basis_, images_;    // orthonormal vectors q in the inner product of M; M q of each
+  std::vector<double> w_;                 // while searching the next q, not yet orthonormal; afterwards v
+  std::array<double, kSteps> a_{}, b_{};  // the tridiagonal matrix of (C2) in that basis: diagonal, beside it
 };
 
 }  // namespace netloft::newton
