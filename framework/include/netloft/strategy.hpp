@@ -78,20 +78,23 @@ struct Stage {
   Displacements u;
   Ending ending = Ending::not_converged;
   int stability = NETLOFT_STABILITY_UNKNOWN;
-  double residual = 0, load = 0, energy = 0;  // largest on a node [N], [N]; [J]
+  double residual = 0, load = 0, energy = 0;  // largest on a node [N], [N]; [J]; 0 where not `has_forces`
   double rounding = 0;                        // what rounding of the positions is worth [N]
   double spent = 0;                           // work
   unsigned iterations = 0, factorisations = 0;
   Displacements growing = {};                    // a disturbance that grows; empty: not known
   double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]
 
+  /// Forces were evaluated where it ended. False: elements have none at `u`, or a strategy that was called
+  /// has solved no stage of the variant it was called for, and `u` is its start.
+  bool has_forces() const { return load > 0; }
   /// Forces balance, whether or not it is stable.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
   bool has_converged() const { return ending == Ending::converged; }
   /// It swings faster than it grows: followed in time it comes to rest nowhere near.
   bool flutters() const { return ending == Ending::unstable && growth_frequency > growth_rate; }
   /// Largest residual over the largest load.
-  double imbalance() const { return load > 0 ? residual / load : residual > 0 ? 1 : 0; }
+  double imbalance() const { return has_forces() ? residual / load : residual > 0 ? 1 : 0; }
 };
 
 /// A scene and its easier variants as a strategy sees them.

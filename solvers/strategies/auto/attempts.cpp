@@ -11,21 +11,27 @@ namespace {
 
 /// What of a scene decides which attempts suit it.
 struct Kind {
-  bool sticks, has_slack_members, has_members, has_meshes;
+  bool sticks, has_loaded_members, suits_tension_only, has_meshes;
 };
 
-/// By how much the stiffest part would stretch if it carried all that drives the gear; 1 where nothing does.
-double stretch_of_stiffest(Study& study) {
-  return study.load() == 0 ? 1 : study.load() / std::max(study.load(), study.stiffness());
+/// By how much the stiffest part would stretch if it carried all that drives the gear.
+double stretch_of_stiffest(const Study& study) {
+  return study.load() / std::max(study.load(), study.stiffness());
 }
 
-Kind kind_of(Study& study, const Options& options) {
+/// Whether an equilibrium in which members bear tension only may be near the one that is looked for. Under
+/// dead loads it is, if members hardly stretch: which of them are slack is then what makes the scene hard,
+/// and the question is convex. In a current it is not convex; there have to be more members than unknowns, as
+/// in netting, or none of them need be slack.
+bool suits_tension_only(const Study& study, const Options& options) {
+  return study.flows() ? study.members() > study.size() : stretch_of_stiffest(study) <= options.slack;
+}
+
+Kind kind_of(const Study& study, const Options& options) {
   Kind kind{};
-  const double stretch = stretch_of_stiffest(study);
   kind.sticks = study.remembers();
-  kind.has_members = study.has_members() && study.load() > 0;
-  kind.has_slack_members =
-      kind.has_members && (study.flows() ? study.members() > study.size() : stretch <= options.slack);
+  kind.has_loaded_members = study.has_members() && study.load() > 0;
+  kind.suits_tension_only = kind.has_loaded_members && suits_tension_only(study, options);
   kind.has_meshes = study.levels() > 1;
   return kind;
 }
@@ -35,19 +41,21 @@ struct Row {
   bool (*suits)(const Kind& kind);
 };
 
-/// In the order of what they cost; each row says when it is tried.
+/// In the order in which they are tried, which was chosen on draws of the hard cases; each row says when.
 const Row kTable[] = {
     {{"relaxed", "relaxed", "", "relaxed", "elements stick and slide, which no tangent foresees"},
      [](const Kind& k) { return k.sticks; }},
     {{"tension-only", "tension/only", "", "direct",
       "twines and ropes may be slack: with tension only it is convex"},
-     [](const Kind& k) { return k.has_slack_members && !k.sticks; }},
+     [](const Kind& k) { return k.suits_tension_only && !k.sticks; }},
+    // The coarser mesh by this strategy again, and so on to the coarsest that is worth its price; what the
+    // user says of `auto` holds there, too.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0", "direct",
       "a coarser mesh costs a fraction and leads near"},
      [](const Kind& k) { return k.has_meshes && !k.sticks; }},
     {{"tension-stages", "tension/stages", "", "direct",
       "with tensions as unknowns stiff members turn at once"},
-     [](const Kind& k) { return k.has_members && !k.sticks; }},
+     [](const Kind& k) { return k.has_loaded_members && !k.sticks; }},
     {{"direct", "direct", "", "direct", "the start may be near"}, [](const Kind&) { return true; }},
     {{"stiffness-steps", "stiffness-steps", "", "direct", "soft members turn where stiff ones hold fast"},
      [](const Kind&) { return true; }},
@@ -57,16 +65,26 @@ const Row kTable[] = {
      [](const Kind& k) { return !k.sticks; }},
 };
 
+/// The parts that the user leaves out: "restarts+direct".
+std::vector<std::string> left_out(const Options& options) {
+  std::vector<std::string> names;
+  std::istringstream parts(options.without);
+  for (std::string name; std::getline(parts, name, '+');) names.push_back(name);
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 }  // namespace
 
 void check_parts(const Options& options) {
   std::vector<std::string> known{"restarts", "compensated"};
   for (const Row& row : kTable)
-    if (std::find(known.begin(), known.end(), row.attempt.name) == known.end())
-      known.push_back(row.attempt.name);
-  std::istringstream parts(options.without);
-  for (std::string name; std::getline(parts, name, '+');) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (!contains(known, row.attempt.name)) known.push_back(row.attempt.name);
+  for (const std::string& name : left_out(options)) {
+    if (contains(known, name)) continue;
     std::string all;
     for (const std::string& part : known) all += (all.empty() ? "" : ", ") + part;
     throw std::invalid_argument("without = \"" + name + "\" is no part of it; there are " + all);
@@ -74,21 +92,14 @@ void check_parts(const Options& options) {
 }
 
 bool is_left_out(const Options& options, const std::string& part) {
-  std::istringstream parts(options.without);
-  for (std::string name; std::getline(parts, name, '+');)
-    if (name == part) return true;
-  return false;
+  return contains(left_out(options), part);
 }
 
-std::vector<Attempt> attempts_for(Study& study, const Options& options) {
+std::vector<Attempt> attempts_for(const Study& study, const Options& options) {
   const Kind kind = kind_of(study, options);
   std::vector<Attempt> attempts;
   for (const Row& row : kTable)
     if (row.suits(kind) && !is_left_out(options, row.attempt.name)) attempts.push_back(row.attempt);
-  // A coarser mesh is brought to equilibrium likewise, without what the user leaves out.
-  for (Attempt& attempt : attempts)
-    if (!attempt.parameters.empty() && *options.without)
-      attempt.parameters += ";without=" + std::string(options.without);
   return attempts;
 }
 

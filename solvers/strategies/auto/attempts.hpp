@@ -13,13 +13,13 @@ namespace netloft::automatic {
 struct Attempt {
   const char* name;        // as `without` and the report have it
   const char* strategy;    // who makes it
-  std::string parameters;  // of that
-  const char* goes_on_by;  // who goes on where it was cut off at a point of the scene itself
+  const char* parameters;  // of that
+  const char* goes_on_by;  // strategy that goes on where it was cut off at a point of the scene itself
   const char* because;     // why it is tried at this place
 };
 
 /// The attempts that suit a scene, in the order in which they are tried.
-std::vector<Attempt> attempts_for(Study& study, const Options& options);
+std::vector<Attempt> attempts_for(const Study& study, const Options& options);
 
 /// Throws std::invalid_argument, naming the parts there are, where the user leaves out what is none of them.
 void check_parts(const Options& options);

@@ -9,28 +9,25 @@ namespace netloft::automatic {
 
 namespace {
 
-// An equilibrium that is met twice and about which the gear swings as it grows is what there is: no motion
-// rests near it, and it is reported as such.
-constexpr int kTimesFluttering = 2;
+// After so many slices that ended at an equilibrium about which the gear swings, more and more, the race is
+// over: it is reported that no rest was found.
+constexpr int kMostFlutters = 2;
 
-bool is_better(const Stage& a, const Stage& b) {
-  if (a.has_converged() != b.has_converged()) return a.has_converged();
-  if (a.is_stationary() != b.is_stationary()) return a.is_stationary();
-  return b.u.empty() || a.imbalance() < b.imbalance();
-}
-
-/// The start of the study; a little off it where elements have no force there, which shows no way.
+/// The start of the study; a little beside it where elements have no force there, which a solver cannot
+/// leave.
 Displacements start_with_forces(Study& study, const Options& options) {
   const Stage start = study.assess({.name = "the start"}, study.start());
-  if (start.load > 0 || start.is_stationary()) return study.start();
+  if (start.has_forces() || start.is_stationary()) return study.start();
   return perturbed(study.start(), options.perturbation * study.element_size());
 }
 
-/// By at most a fraction of an element, to the side that `side` says.
-Displacements along(const Stage& saddle, double length, double side) {
+/// The saddle displaced along what grows there, so that no node moves by more than `length`: to one side on
+/// turn 0, to the other on turn 1. Where it is not known what grows, two different perturbations.
+Displacements beside(const Stage& saddle, double length, int turn) {
   double largest = 0;
   for (const double g : saddle.growing) largest = std::max(largest, std::abs(g));
-  if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, length, side > 0 ? 0 : 1);
+  if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, length, turn);
+  const double side = turn == 0 ? 1 : -1;
   Displacements u = saddle.u;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += side * length / largest * saddle.growing[i];
   return u;
@@ -51,7 +48,7 @@ Stage Race::run() {
 
 void Race::run_from_start() {
   runners_.clear();
-  for (const Attempt& attempt : attempts_for(study_, options_)) runners_.push_back({attempt, {}});
+  for (const Attempt& attempt : attempts_for(study_, options_)) runners_.push_back({attempt});
   const auto has_ended = [](const Runner& r) { return r.has_ended; };
   for (double slice = options_.slice; !std::all_of(runners_.begin(), runners_.end(), has_ended);
        slice *= options_.growth)
@@ -62,51 +59,61 @@ void Race::run_from_start() {
 }
 
 bool Race::is_decided() const {
-  return best_.has_converged() || fluttering_ >= kTimesFluttering || study_.work_left() == 0;
+  return best_.has_converged() || flutter_count_ >= kMostFlutters || study_.work_left() == 0;
 }
 
 void Race::run_slice(Runner& runner, double slice) {
   const double work = std::min(slice, study_.work_left());
-  const Ask ask{.name = runner.attempt.name, .work = work};
-  const bool goes_on = !runner.from.empty();
-  Stage stage = goes_on
-                    ? study_.call(runner.attempt.goes_on_by, "", ask, std::move(runner.from))
-                    : study_.call(runner.attempt.strategy, runner.attempt.parameters.c_str(), ask, start_);
+  Stage stage = start_or_go_on(runner, work);
+  // What has solved nothing ends out of work, too, without having spent any: there is nothing in it.
   runner.has_ended = stage.ending != Ending::out_of_work || stage.spent == 0;
-  const bool was_cut_off = !runner.has_ended && stage.load > 0;
-  runner.from = was_cut_off ? stage.u : Displacements{};
-  fluttering_ += stage.flutters();
-  if (stage.ending == Ending::unstable && !stage.flutters() && study_.work_left() > 0)
-    stage = leave_saddle(study_, options_, std::move(stage), work);
-  keep_better(with_compensated_positions(study_, options_, std::move(stage)));
+  if (!runner.has_ended && stage.has_forces()) runner.cut_off_at = stage.u;
+  flutter_count_ += stage.flutters();
+  keep_better(with_compensated_positions(off_saddle(std::move(stage), work)));
 }
 
-void Race::keep_better(Stage stage) {
-  const bool is_known =
-      stage.is_stationary() || stage.load > 0;  // else no stage of the scene itself was solved
-  if (is_known && is_better(stage, best_)) best_ = std::move(stage);
+Stage Race::start_or_go_on(Runner& runner, double work) {
+  const Attempt& attempt = runner.attempt;
+  const Ask ask{.name = attempt.name, .work = work};
+  const auto from = std::exchange(runner.cut_off_at, std::nullopt);
+  return from ? study_.call(attempt.goes_on_by, "", ask, *from)
+              : study_.call(attempt.strategy, attempt.parameters, ask, start_);
 }
 
-Stage with_compensated_positions(Study& study, const Options& options, Stage stage) {
+/// From an unstable equilibrium to one side, and if that does not converge, to the other, of the last
+/// unstable one that was met. What flutters is left alone: the motion comes back to it from either side.
+Stage Race::off_saddle(Stage saddle, double work) {
+  const double length = options_.perturbation * study_.element_size();
+  const char* const strategy = study_.conservative() ? "direct" : "pseudo-time";
+  if (saddle.ending != Ending::unstable || saddle.flutters()) return saddle;
+  for (const int turn : {0, 1}) {
+    if (study_.work_left() == 0) break;
+    const Ask ask{.name = "off an unstable equilibrium", .work = std::min(work, study_.work_left())};
+    Stage next = study_.call(strategy, "", ask, beside(saddle, length, turn));
+    if (next.has_converged()) return next;
+    if (next.ending == Ending::unstable && study_.work_left() > 0) saddle = std::move(next);
+  }
+  return saddle;
+}
+
+/// Where rounding of the positions is worth more than what is left of the residual, goes on with positions
+/// that keep the digits which a double rounds off.
+Stage Race::with_compensated_positions(Stage stage) {
   const bool is_rounded =
-      stage.load > 0 && stage.residual <= stage.rounding && stage.ending != Ending::unstable;
-  if (!is_rounded || study.remembers() || study.work_left() == 0 || is_left_out(options, "compensated"))
+      stage.has_forces() && stage.residual <= stage.rounding && stage.ending != Ending::unstable;
+  if (!is_rounded || study_.remembers() || study_.work_left() == 0 || is_left_out(options_, "compensated"))
     return stage;
-  Stage next = study.solve({.name = "with compensated positions", .compensated = true}, stage.u);
+  Stage next = study_.solve({.name = "with compensated positions", .compensated = true}, stage.u);
   return next.has_converged() && next.residual <= stage.residual ? std::move(next) : std::move(stage);
 }
 
-Stage leave_saddle(Study& study, const Options& options, Stage saddle, double work) {
-  const double length = options.perturbation * study.element_size();
-  const char* const strategy = study.conservative() ? "direct" : "pseudo-time";
-  for (const double side : {1.0, -1.0}) {
-    Stage next = study.call(
-        strategy, "", {.name = "off an unstable equilibrium", .work = std::min(work, study.work_left())},
-        along(saddle, length, side));
-    if (next.has_converged() || study.work_left() == 0) return next.has_converged() ? next : saddle;
-    if (next.ending == Ending::unstable) saddle = std::move(next);
-  }
-  return saddle;
+/// One that converged before one that is unstable; of two alike the one that balances better.
+void Race::keep_better(Stage stage) {
+  if (!stage.is_stationary()) return;
+  const bool is_better = stage.has_converged() != best_.has_converged()
+                             ? stage.has_converged()
+                             : !best_.is_stationary() || stage.imbalance() < best_.imbalance();
+  if (is_better) best_ = std::move(stage);
 }
 
 }  // namespace netloft::automatic

@@ -2,6 +2,9 @@
 #pragma once
 #include "solvers/strategies/auto/attempts.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace netloft::automatic {
 
 /// Attempts run in slices of work, all of one length before any of the next longer one:
@@ -15,19 +18,22 @@ class Race {
  public:
   Race(Study& study, const Options& options);
 
-  /// The first stage that converged; else the best there is: an unstable equilibrium before none, then the
-  /// smallest residual.
+  /// The first stage that converged; else an unstable equilibrium, of several the one that balances best;
+  /// else a stage that is not stationary.
   Stage run();
 
  private:
   struct Runner {
     Attempt attempt;
-    Displacements from;      // where it was cut off; empty: begins anew
-    bool has_ended = false;  // by itself
+    bool has_ended = false;                        // by itself
+    std::optional<Displacements> cut_off_at = {};  // in the scene itself; else it begins anew
   };
 
   void run_from_start();
   void run_slice(Runner& runner, double slice);
+  Stage start_or_go_on(Runner& runner, double work);
+  Stage off_saddle(Stage saddle, double work);
+  Stage with_compensated_positions(Stage stage);
   void keep_better(Stage stage);
   bool is_decided() const;
 
@@ -35,15 +41,8 @@ class Race {
   const Options& options_;
   Displacements start_;
   std::vector<Runner> runners_;
-  Stage best_;
-  int fluttering_ = 0;
+  Stage best_;  // of those that are stationary
+  int flutter_count_ = 0;
 };
-
-/// A stage in which rounding of the positions is worth more than what is left of the residual goes on with
-/// positions that keep their digits; the better of both.
-Stage with_compensated_positions(Study& study, const Options& options, Stage stage);
-
-/// Away from an unstable equilibrium along what grows there, or by a perturbation; the better of both.
-Stage leave_saddle(Study& study, const Options& options, Stage saddle, double work);
 
 }  // namespace netloft::automatic

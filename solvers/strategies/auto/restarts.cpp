@@ -10,7 +10,8 @@ namespace netloft::automatic {
 
 namespace {
 
-/// Largest force on a node that only resistance to compression bears, over the largest load.
+/// Largest force on a node that only resistance to compression bears, over the largest load: what is out of
+/// balance at an equilibrium as soon as nothing resists compression any more.
 double borne_by_compression(Study& study, const Stage& at) {
   return study.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
@@ -21,15 +22,16 @@ bool may_have_other_shapes(Study& study, const Options& options, const Stage& at
          borne_by_compression(study, at) > options.counts;
 }
 
-Stage solve_from(Study& study, const Options& options, int turn, const Stage& best, double work) {
-  const Ask ask{.name = "restart", .work = work};
-  if (turn == 1) {
-    const Stage convex = study.solve(
-        {.name = "nothing in compression", .variant = {.compression = 0}, .tolerance = 1e-4, .work = work},
-        best.u);
-    return study.work_left() > 0 ? study.call("direct", "", ask, convex.u) : Stage{};
-  }
-  return study.call("direct", "", ask, perturbed(best.u, options.far * study.element_size(), turn));
+/// Where the gear would be if nothing resisted compression: what is in compression is folded there.
+Displacements without_compression(Study& study, const Stage& best, double work) {
+  const Ask ask{
+      .name = "nothing in compression", .variant = {.compression = 0}, .tolerance = 1e-4, .work = work};
+  return study.solve(ask, best.u).u;
+}
+
+Displacements start_of(Study& study, const Options& options, int turn, const Stage& best, double work) {
+  return turn == 1 ? without_compression(study, best, work)
+                   : perturbed(best.u, options.far * study.element_size(), turn);
 }
 
 }  // namespace
@@ -41,7 +43,10 @@ void restart(Study& study, const Options& options, const Stage& first, double wo
   double left = options.restart_work * work;
   for (int turn = 1; turn <= options.restarts && left > 0 && study.work_left() > 0; ++turn) {
     const double before = study.work_left();
-    Stage next = solve_from(study, options, turn, best, std::min(left, before));
+    const double most = std::min(left, before);
+    const auto start = start_of(study, options, turn, best, most);
+    if (study.work_left() == 0) return;
+    Stage next = study.call("direct", "", {.name = "restart", .work = most}, start);
     left -= before - study.work_left();
     if (!next.has_converged()) continue;
     study.answer(next.u);
