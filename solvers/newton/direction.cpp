@@ -76,7 +76,7 @@ Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   return factor;
 }
 
-/// With an unsymmetric matrix, raising μ until s leads downhill.
+/// Raises μ until s leads downhill.
 std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double damping) {
   for (const char* note = "";;
        note = "more damping", damping = std::clamp(damping * 10, 1e-4, kLargestDamping)) {

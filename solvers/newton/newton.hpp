@@ -6,7 +6,8 @@ namespace netloft::newton {
 
 /// Newton's method for r(u) = 0, in two behaviours.
 ///
-/// "classic", the Newton-Raphson iteration of the trawl-gear paper, eq. 5 and 6, undamped, as published:
+/// "classic", the Newton-Raphson iteration of "Modeling and simulation of bottom trawl gears", eq. 5 and 6,
+/// undamped, as published:
 ///   F'(q_i) (q_{i+1} − q_i) = −F(q_i)                                                   (1)
 ///
 /// "globalised", for problems whose forces have an energy E, all or in part. g is its gradient and r = g + d,

@@ -6,9 +6,8 @@
 
 namespace netloft::automatic {
 
-/// The default: tries what suits the scene, in slices of work, until an equilibrium is found that is stable;
-/// keeps the digits of positions where rounding is all that is left; looks for other shapes where there may
-/// be some.
+/// The default: attempts that suit the scene, in slices of work, until one ends at a stable equilibrium; then
+/// others from elsewhere, where there may be several. README.md says what happens when attempts fail.
 struct Auto {
   using Parameters = Options;
   static void run(const Options& options, Study& study);

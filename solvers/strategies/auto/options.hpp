@@ -4,7 +4,7 @@
 
 namespace netloft::automatic {
 
-/// Everything that steers the strategy; plugin.cpp says of each what it is and why it is as large.
+/// What a user may change; plugin.cpp says of each what it is.
 struct Options {
   std::int64_t starts = 0, restarts = 0;
   double restart_work = 0, slice = 0, growth = 0;

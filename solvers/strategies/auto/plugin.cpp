@@ -7,17 +7,16 @@ using netloft::automatic::Options;
 NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
   auto& s = plugin.strategy<Auto>(
       "auto", "Attempts that suit the scene in slices of work, then restarts for other shapes");
-  s.integer(
-      "starts", &Options::starts,
-      "starts that are tried where all attempts end without an equilibrium: the one given, then perturbed "
-      "ones",
-      1, 1000, 2);
+  s.integer("starts", &Options::starts,
+            "starts that are tried where all attempts end without a stable equilibrium: the one given, then "
+            "perturbed ones",
+            1, 1000, 2);
   s.integer("restarts", &Options::restarts,
             "how often to look for other shapes where something is in compression", 0, 1000, 6);
   s.boolean(
       "everywhere", &Options::everywhere,
-      "look for other shapes in every scene, also where nothing is in compression or forces have no energy; "
-      "of those without one the first that was found is the answer",
+      "look for other shapes in every scene without dry friction, also where nothing is in compression or "
+      "forces have no energy; of those without one the first that was found is the answer",
       false);
   s.real("restart_work", &Options::restart_work, "1",
          "work of all restarts over the work that led to the first equilibrium",
