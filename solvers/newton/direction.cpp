@@ -85,7 +85,7 @@ std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double d
       const Direction direction = solve(iterate, damping, note);
       if (iterate.slope({s_}) < 0) return direction;
     }
-    if (damping >= kLargestDamping || factor == Factor::failed || static_cast<int>(factor) < 0) return {};
+    if (damping >= kLargestDamping || factor == Factor::failed) return {};
   }
 }
 

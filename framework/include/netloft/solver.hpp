@@ -72,16 +72,16 @@ class Problem {
   }
   /// Factorises matrix + shift x metric, the metric being the linear stiffness.
   Factor factorise(Matrix matrix, double shift) {
-    return static_cast<Factor>(p_.factorise(p_.host, static_cast<int>(matrix), shift));
+    return checked_factor(p_.factorise(p_.host, static_cast<int>(matrix), shift));
   }
   /// The same for a matrix of any definiteness.
   Factor factorise_indefinite(Matrix matrix, double shift) {
-    return static_cast<Factor>(p_.factorise(p_.host, static_cast<int>(matrix) | NETLOFT_INDEFINITE, shift));
+    return checked_factor(p_.factorise(p_.host, static_cast<int>(matrix) | NETLOFT_INDEFINITE, shift));
   }
   /// Factorises K + share (K₊ − K) + shift x metric, of the tangent K and its convex part K₊, both kept by
   /// evaluations at the same point: as much of the convex part as is needed.
   Factor factorise_between(double share, double shift) {
-    return static_cast<Factor>(p_.factorise_between(p_.host, share, shift));
+    return checked_factor(p_.factorise_between(p_.host, share, shift));
   }
   void solve(std::span<const double> rhs, std::span<double> x) {
     check(p_.solve(p_.host, rhs.data(), x.data()));
@@ -100,7 +100,7 @@ class Problem {
   }
   /// Negative eigenvalues of the last matrix given to `factorise_indefinite`; -1 if not known.
   int negative_pivots() { return p_.negative_pivots(p_.host); }
-  /// Statistics an accepted point. True: go on. False: return Outcome::stopped.
+  /// Counts an accepted point. True: go on. False: return Outcome::stopped.
   bool progress(std::span<const double> u, double energy, std::span<const double> residual,
                 const char* note = "") {
     return p_.progress(p_.host, u.data(), energy, residual.data(), note) == NETLOFT_GO_ON;
@@ -112,6 +112,10 @@ class Problem {
   static Evaluation checked(int status) {
     check(status);
     return static_cast<Evaluation>(status);
+  }
+  static Factor checked_factor(int status) {
+    check(status);
+    return static_cast<Factor>(status);
   }
   static void check(int status) {
     if (status < 0) throw std::runtime_error("");  // the host knows what went wrong
