@@ -27,7 +27,7 @@ const std::vector<std::string>& geometry_data(Layout layout) {
                                                        {"rest_length"},
                                                        {"u", "v", "bar_length", "to_aft"},
                                                        {"rest_length", "parallel"},
-                                                       {"side"}};
+                                                       {"side", "arm"}};
   return data.of(layout);
 }
 

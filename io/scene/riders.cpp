@@ -86,14 +86,25 @@ class RiderMaker {
       table_.error("on", in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
   }
 
+  /// On its origin, or on one of its points, if the element has a datum for that.
   void stand_on_body(const Joiner::Ends& set, bool is_whole, const Mention& at) {
-    if (!is_whole || !draft_.geometries[set.part].body)
-      return table_.diagnostics().error(
-          at.place,
-          at.path + ": " + in_quotes(at.name) + " is no rigid body, which " + type_.type + " stands on",
-          "name one of [bodies]");
-    rider_.nodes.push_back(draft_.out.parts[set.part].nodes[0]);
-    rider_.data["side"].push_back(draft_.geometries[set.part].body->side);
+    const auto& body = draft_.geometries[set.part].body;
+    if (!body || !(is_whole || has_datum("arm")))
+      return table_.diagnostics().error(at.place,
+                                        at.path + ": " + in_quotes(at.name) + " is no rigid body" +
+                                            (has_datum("arm") ? " or point of one" : "") + ", which " +
+                                            type_.type + " stands on",
+                                        "name one of [bodies]");
+    for (const auto own : is_whole ? std::vector{std::uint32_t{0}} : set.own) {
+      rider_.nodes.push_back(draft_.out.parts[set.part].nodes[0]);
+      rider_.data["side"].push_back(body->side);
+      const std::array<double, 3> r = own == 0 ? std::array<double, 3>{} : body->r[own - 1];
+      rider_.data["arm"].insert(rider_.data["arm"].end(), {r[0], body->side * r[1], r[2]});
+    }
+  }
+
+  bool has_datum(std::string_view name) const {
+    return std::ranges::any_of(type_.data, [&](const auto& datum) { return datum.name == name; });
   }
 
   /// As many names as an element has nodes may be points, on which one element stands.

@@ -18,15 +18,19 @@ constexpr double kPi = 3.14159265358979323846;
 
 Vec3<double> vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-/// A body on a rope that ends at r of its own axes, its mass at the origin; turned at the start.
-Sketch body_on_a_rope(const std::array<double, 3>& r, const std::array<double, 3>& turned) {
+/// A body on a rope that ends at r of its own axes, its mass at the origin; turned at the start. Nodes: top
+/// and end of the rope, the origin, another point `below`.
+Sketch body_on_a_rope(const std::array<double, 3>& r, const std::array<double, 3>& turned,
+                      const std::array<double, 3>& below = {}) {
   Sketch s;
-  const auto top = s.node(0, 0, 0, kAllAxes), eye = s.node(0, 0, 0), origin = s.node(0.1, 0.2, -6);
+  const auto top = s.node(0, 0, 0, kAllAxes), eye = s.node(0, 0, 0), origin = s.node(0.1, 0.2, -6),
+             other = s.node(0.1, 0.2, -6);
   s.part("rope", "rope/bar", {{"rope.EA", 1e6}, {"rope.diameter", 0.01}, {"rope.density", 1025.0}},
          {top, eye})
       .data["rest_length"] = {5};
   s.part("body", "body/solid", {{"body.mass", 800.0}, {"body.volume", 0.1}}, {origin}).data["side"] = {1};
-  s.scene.add_body({.name = "body", .origin = origin, .rotation = turned, .points = {{eye, r}}});
+  s.scene.add_body(
+      {.name = "body", .origin = origin, .rotation = turned, .points = {{eye, r}, {other, below}}});
   return s;
 }
 
@@ -43,6 +47,30 @@ TEST(Body, HangsWithItsMassBelowItsEye) {
     EXPECT_NEAR(solved.position(1)[0], solved.position(2)[0], 1e-7);
     EXPECT_NEAR(solved.reaction(0)[2], tension, 1e-6 * tension);
   }
+}
+
+/// A body of the weight W that hangs from an eye at a above its mass and turns about y alone, pushed with F
+/// at h below its mass; the way by which its mass then hangs beside the eye.
+double aside_by(double a, double h, double F, bool turns_with_it) {
+  Sketch s = body_on_a_rope({0, 0, a}, {0, 0.2, 0}, {0, 0, -h});
+  s.scene.bodies[0].held_rotation = kAxisX | kAxisZ;
+  if (turns_with_it) {
+    Part& push = s.part("push", "force/body", {{"force.x", F}}, {2});
+    push.data["side"] = {1}, push.data["arm"] = {0, 0, -h};
+  } else {
+    s.part("push", "force/constant", {{"force.x", F}}, {3}).data["pieces"] = {1};
+  }
+  const auto solved = solve(s.scene, {.strategy = "auto"});
+  EXPECT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
+  return solved.position(2)[0] - solved.position(1)[0];
+}
+
+/// Moments about the eye: W a sin θ = F (a + h), where the force turns with the body, so that it is always
+/// across its arm; W a tan θ = F (a + h), where it keeps its direction.
+TEST(Body, LeansByAForceInItsOwnAxesOrThoseOfTheWorld) {
+  constexpr double a = 0.5, h = 0.3, F = 900, W = (800 - 0.1 * 1025) * 9.81;
+  EXPECT_NEAR(aside_by(a, h, F, true), F * (a + h) / W, 1e-9);
+  EXPECT_NEAR(aside_by(a, h, F, false), a * std::sin(std::atan(F * (a + h) / (W * a))), 1e-9);
 }
 
 struct Marching {

@@ -87,6 +87,21 @@ class Bodies(InFreshFolder):
         loaded = self.run_scene(more)["gear"]["figures"]["bodies/clump/trim"]
         self.assertGreater(abs(loaded - plain), 1e-3)
 
+    def test_a_force_turns_with_the_body_or_keeps_its_direction(self):
+        """At a point by its name, the same at the start and apart once the body has turned; alike on both sides."""
+        one_axis = changed(LEANING, ("points = {", 'turns = "about x"\npoints = {'))
+        text = one_axis + '[parts.push]\ntype = "force/body"\non = "clump.foot"\nforce = { y = "300 N" }\n'
+        figures = self.run_scene(text)["gear"]["figures"]
+        world = self.run_scene(changed(text, ("force/body", "force/constant")))["gear"]["figures"]
+        plain = self.run_scene(one_axis)["gear"]["figures"]
+        self.assertGreater(abs(figures["bodies/clump/heel"] - plain["bodies/clump/heel"]), 0.01)
+        self.assertGreater(abs(figures["bodies/clump/heel"] - world["bodies/clump/heel"]), 1e-4)
+        at = self.run_scene(changed(text, ('on = "clump.foot"', 'on = "clump"')))["gear"]["figures"]
+        self.assertGreater(abs(figures["bodies/clump/heel"] - at["bodies/clump/heel"]), 1e-3)
+        port = self.run_scene(changed(text, ("points = {", 'side = "port"\npoints = {')))["gear"]["figures"]
+        self.assertAlmostEqual(port["bodies/clump/heel"], figures["bodies/clump/heel"], places=8)
+        self.assertAlmostEqual(port["bodies/clump/y"], -figures["bodies/clump/y"], places=8)
+
     def test_a_triangle_stands_on_three_named_points(self):
         text = LEANING + '[parts.flag]\ntype = "catch/front"\non = ["clump.eye", "clump.foot", "tail.end"]\n' \
                          'catch = { pressure = "100 N/m2", front = -1000, volume = 0 }\n'

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+#include <array>
+
+namespace netloft::forces {
+
+/// A force on a rigid body that turns with it: what a fin or a thruster pushes with, or a measured force that
+/// is given in the axes of a board.
+///   f = R F,   m = r × f                                                (1)
+/// F [N] in the body's own axes, y of which points outward on either side of a gear; R its rotation, r the
+/// lever from its origin to the point where the force acts. It has no energy: carried round, it does work.
+struct OnBody {
+  static constexpr auto stencil = NETLOFT_BODY;
+
+  struct Parameters {
+    double x = 0, y = 0, z = 0;  // F
+  };
+  struct Data {
+    double side = 1;              // -1 to port
+    std::array<double, 3> arm{};  // of the point in the axes of a body to starboard [m]
+  };
+
+  struct Push {
+    template <class T>
+    static Wrench<T> force(const Parameters& p, const Data& d, const Body<T>& b) {
+      Wrench<T> push;
+      push.push(b.to_world(Vec3<double>{p.x, d.side * p.y, p.z}),
+                b.to_world(Vec3<double>{d.arm[0], d.side * d.arm[1], d.arm[2]}));  // (1)
+      return push;
+    }
+  };
+};
+
+}  // namespace netloft::forces
