@@ -90,11 +90,25 @@ std::string spoken(std::string name) {
   return name;
 }
 
-void line(const std::string& name, const NamedScalar& figure, Out out) {
-  fmt::format_to(out, "  {:<24} {:>12.6g} {:<3} {:<9} {}\n", name, figure.value,
-                 figure.unit == "1"    ? ""
-                 : figure.unit == "m2" ? "m²"
-                                       : figure.unit,
+/// A figure in the unit in which its trade speaks of it.
+NamedScalar in_spoken_unit(NamedScalar figure) {
+  static constexpr struct {
+    const char *unit, *spoken;
+    double factor;
+  } units[] = {
+      {"1", "", 1}, {"m2", "m²", 1}, {"W", "kW", 1e-3}, {"kg/s", "kg/h", 3600}, {"kg/m2", "kg/ha", 1e4}};
+  for (const auto& u : units)
+    if (figure.unit == u.unit) {
+      figure.unit = u.spoken;
+      for (double* number : {&figure.value, &figure.solver_error, &figure.mesh_error}) *number *= u.factor;
+      break;
+    }
+  return figure;
+}
+
+void line(const std::string& name, const NamedScalar& si, Out out) {
+  const NamedScalar figure = in_spoken_unit(si);
+  fmt::format_to(out, "  {:<24} {:>12.6g} {:<5} {:<9} {}\n", name, figure.value, figure.unit,
                  error_text(figure), figure.doc);
 }
 
@@ -208,6 +222,7 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
          {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegrees},
          {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegrees}},
         out);
+  table(figures, "power of towing", {{"[kW]", "power/", "", "{:.3f}", false, 1e-3}}, out);
   table(figures, "netting",
         {{"open: least", panel, "/opening_min", "{:.3f}"},
          {"mean", panel, "/opening_mean", "{:.3f}"},

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Of gears from block to cod-end: warps, and what towing costs.
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "io/report/gear_view.hpp"
 
@@ -35,11 +37,51 @@ void add_warp(const GearView& gear, std::uint32_t rope, Vector& pull, std::vecto
   pull += tensions.front() * at_block;
 }
 
+bool has(const std::vector<std::uint32_t>& parts, std::uint32_t part) {
+  return std::ranges::find(parts, part) != parts.end();
+}
+
+/// What is towed through water or over the ground, in the words of a table of power.
+std::string group_of(const GearView& gear, std::uint32_t part) {
+  const GearInScene& g = gear.gear();
+  if (has(g.panels, part)) return "netting";
+  if (const auto warps = g.roles.find("warp"); warps != g.roles.end() && has(warps->second, part))
+    return "warps";
+  if (has(g.ropes, part)) return "ropes";
+  if (has(g.pieces, part)) return "floats";
+  if (std::ranges::any_of(gear.loaded().bodies, [&](const auto& b) { return b.part == part; }))
+    return "bodies";
+  return gear.output(part, "normal_force").empty() ? "others" : "ground";
+}
+
+/// What towing each of them takes: the force on it aft, of water, ground and whatever else acts from outside,
+/// times the speed. What its elements do to each other adds up to nothing.
+void add_power(const GearView& gear, std::vector<Figure>& figures) {
+  static constexpr std::pair<const char*, const char*> groups[] = {
+      {"netting", "towing the netting"},
+      {"ropes", "towing ropes other than warps"},
+      {"floats", "towing floats and weights"},
+      {"bodies", "towing boards and other bodies through the water"},
+      {"warps", "towing the warps"},
+      {"ground", "friction and slope of the ground"},
+      {"others", "towing all else, such as a catch"}};
+  std::map<std::string, double> forces;
+  const auto& parts = gear.loaded().scene.parts;
+  for (std::uint32_t p = 0; p < parts.size(); ++p)
+    if (!parts[p].companion)
+      forces[group_of(gear, p)] += gear.force(parts[p].name, [](const PartForce&) { return true; }).x;
+  for (const auto& [name, doc] : groups)
+    if (const auto at = forces.find(name); at != forces.end())
+      figures.push_back({"power/" + std::string(name), "W", std::string("power that goes into ") + doc,
+                         gear.times() * gear.gear().ship_speed * at->second});
+}
+
 void add_cost(const GearView& gear, const Vector& pull, std::vector<Figure>& figures) {
   const GearInScene& g = gear.gear();
   const double force = gear.times() * pull.x, power = force * g.ship_speed;
   figures.push_back({"towing/pull", "N", "what the ship pulls with, forwards", force});
   figures.push_back({"towing/power", "W", "that pull times the speed over the ground", power});
+  add_power(gear, figures);
   if (!(g.ship_efficiency > 0)) return;
   const double burnt = power / (g.ship_efficiency * kHeatOfDiesel);
   figures.push_back({"towing/fuel", "kg/s", "diesel for that power, at the efficiency of the ship", burnt});

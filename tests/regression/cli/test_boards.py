@@ -175,6 +175,19 @@ class Towed(InFreshFolder):
             self.assertLess(abs(half["bodies/door/" + name] - whole["bodies/port-door/" + name]), 1e-8, name)
         self.assertGreater(half["pairs/door/spread"], 6, "boards spread farther than the blocks")
 
+    def test_power_of_towing_goes_into_the_parts(self):
+        """They add up to pull times speed, but for half the load of the bars at the blocks."""
+        text = changed(SHIP, ('speed = "2 kn"', 'speed = "2 kn"\nefficiency = 0.12')) + SHOE
+        figures = self.figures(text)
+        parts = {name: value for name, value in figures.items() if name.startswith("power/")}
+        self.assertEqual(list(parts), ["power/" + name for name in ("netting", "ropes", "bodies", "warps", "ground")])
+        self.assertAlmostEqual(sum(parts.values()) / figures["towing/power"], 1, delta=3e-3)
+        self.assertAlmostEqual(parts["power/bodies"], figures["drag_by_part/door/x"] * 2 * 1852 / 3600, places=6)
+        self.assertAlmostEqual(parts["power/ground"], figures["ground/friction_x"] * 2 * 1852 / 3600, delta=1e-6 * parts["power/netting"])
+        said = self.netloft("report", "scene.hdf").out
+        self.assertRegex(said, r"power of towing +\[kW\]\n( +\w+ +[\d.]+\n)* +netting +%.3f\n" % (parts["power/netting"] / 1000))
+        self.assertAlmostEqual(float(re.search(r"towing fuel +([\d.]+) kg/h", said)[1]), figures["towing/fuel"] * 3600, places=4)
+
     def test_boards_that_have_crossed_are_a_warning(self):
         start = 'board = "flat-1.0x2.0"\nat = [88.4, -20.4, -39.5]\nturned = { heading = "129 deg", heel = "12 deg", trim = "180 deg" }'
         for scene, crossed in ((SHIP, False), (changed(SHIP, ('board = "flat-1.0x2.0"', start)), True)):

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/report/gear_text.hpp"
 #include "tests/folders.hpp"
 #include "tests/unit/io/report/hand_made.hpp"
 
@@ -232,6 +233,17 @@ TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
   EXPECT_TRUE(collect_gear(plain.loaded(), plain.assembler(),
                            ask_elements(scene, plain.assembler(), plain.assembler().start()))
                   .empty());
+}
+
+TEST(GearText, SpeaksOfPowerAndFuelInTheUnitsOfTheTrade) {
+  const std::string text = gear_text({{"towing/power", "W", "power", 81234, 100, 0},
+                                      {"towing/fuel", "kg/s", "fuel", 0.015},
+                                      {"towing/fuel_per_area", "kg/m2", "fuel", 4e-4},
+                                      {"power/netting", "W", "of it", 40500}},
+                                     false);
+  for (const char* line :
+       {"81.234 kW    ± 1.0e-01", " 54 kg/h", " 4 kg/ha", "[kW]\n    netting                     40.500\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 
 }  // namespace
