@@ -62,6 +62,7 @@ Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
   Reordered model(scenes, done.order);
   done.fit = fit(model, priors, fitted);
   done.cpu_seconds = cpu_seconds() - before;
+  done.is_interrupted = scenes.is_interrupted() && !done.fit.converged;
   done.solves = scenes.solves(), done.unstable = scenes.unstable();
   if (!done.fit.converged) done.trouble = scenes.trouble();
   return done;

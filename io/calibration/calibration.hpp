@@ -11,6 +11,7 @@ struct Calibration {
   std::vector<std::string> units;
   Fit fit;                         // its rows: what took part, then what was held back
   std::vector<std::size_t> order;  // the file's row of each row of `fit`
+  bool is_interrupted = false;     // by the user
   int solves = 0;
   double cpu_seconds = 0;
   std::vector<std::string> unstable;  // scenes whose equilibrium at the end is not stable

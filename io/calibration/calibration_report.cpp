@@ -49,10 +49,13 @@ std::size_t count_fitted(const Calibration& c) {
   return count;
 }
 
+const char* status_of(const Calibration& c) {
+  return c.fit.converged ? "calibrated" : c.is_interrupted ? "interrupted" : "not converged";
+}
+
 void head_text(const Calibration& c, Out out) {
-  fmt::format_to(out, "{}: {}\n  {}\n", c.file.name, c.fit.converged ? "calibrated" : "not converged",
-                 c.fit.reason);
-  if (!c.trouble.empty()) fmt::format_to(out, "  {}\n", c.trouble);
+  fmt::format_to(out, "{}: {}\n  {}\n", c.file.name, status_of(c), c.fit.reason);
+  if (!c.trouble.empty() && !c.is_interrupted) fmt::format_to(out, "  {}\n", c.trouble);
   fmt::format_to(out, "  {} steps, {} solves of {} scenes, {:.3g} s of CPU\n", c.fit.steps, c.solves,
                  c.file.scenes.size(), c.cpu_seconds);
   if (c.fit.parameters.empty()) return;
@@ -192,7 +195,7 @@ std::string calibration_text(const Calibration& c) {
 
 std::string calibration_json(const Calibration& c) {
   const Json json = {{"name", c.file.name},
-                     {"status", c.fit.converged ? "converged" : "not converged"},
+                     {"status", c.fit.converged ? "converged" : status_of(c)},
                      {"reason", c.fit.reason},
                      {"trouble", c.trouble},
                      {"confidence", c.file.confidence},

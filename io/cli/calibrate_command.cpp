@@ -30,8 +30,11 @@ int calibrate_command(const Options& options) {
   };
   const Calibration done = calibrate(std::move(file), checked, folder, registry, watch, on_solve);
   terminal.clear();
-  if (interrupt_flag()) return kInterrupted;
   std::puts(options.json ? calibration_json(done).c_str() : calibration_text(done).c_str());
+  if (done.is_interrupted)
+    return end_interrupted(terminal, done.fit.parameters.empty()
+                                         ? "no step of the search was finished"
+                                         : "these are the best values that were found before");
   return done.fit.converged ? kDone : kNotConverged;
 }
 

@@ -14,8 +14,6 @@ namespace netloft::io {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 double read_tolerance(const std::string& word, const std::string& all) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
@@ -58,18 +56,6 @@ ComparisonTask read_task(const CompareOptions& o) {
   return task;
 }
 
-/// Whether a file may be written there is asked before anything is solved.
-void check_output(const std::string& name, const LoadedScene& loaded) {
-  if (name.empty()) return;
-  std::error_code none;
-  for (const auto& file : loaded.files)
-    if (fs::equivalent(name, file.path, none)) throw UsageError{name + ": the scene is read from it"};
-  if (fs::exists(name, none) && !fs::is_regular_file(name, none)) throw UsageError{name + ": is no file"};
-  const fs::path folder = fs::path(name).parent_path();
-  if (!folder.empty() && !fs::is_directory(folder, none))
-    throw UsageError{name + ": there is no folder " + folder.string()};
-}
-
 void check_kind(const LoadedScene& loaded) {
   if (loaded.analysis.kind == AnalysisKind::dynamics)
     throw UsageError{
@@ -110,8 +96,8 @@ class Inspection {
     const Case::State state = one.open();
     if (state == Case::State::ready) {
       check_kind(one.loaded());
-      check_output(options_.compare.csv, one.loaded());
-      check_output(options_.compare.plot, one.loaded());
+      for (const std::string& file : {options_.compare.csv, options_.compare.plot})
+        require_place(file, paths_of(one.loaded()));
       return kDone;
     }
     return tell_why_not(one.diagnostics(), state, options_, terminal_);
@@ -127,6 +113,14 @@ void write_files(const Comparison& result, const CompareOptions& o) {
   if (o.plot.empty()) return;
   const LinePlot plot = comparison_plot(result);
   write_whole(o.plot, o.plot.ends_with(".html") ? draw_html(plot) : draw_svg(plot));
+}
+
+/// Files that were asked for are made of a whole comparison alone.
+std::string unwritten(const CompareOptions& o) {
+  std::string text;
+  for (const std::string& file : {o.csv, o.plot})
+    if (!file.empty()) text += (text.empty() ? "; not written: " : ", ") + file;
+  return text;
 }
 
 int run(const Options& options) {
@@ -148,10 +142,11 @@ int run(const Options& options) {
                     .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   const Comparison result = compare(source, registry, task, watch);
   terminal.clear();
-  if (interrupt_flag()) return kInterrupted;
-  write_files(result, options.compare);
   std::puts(options.json ? comparison_json(result).c_str() : comparison_text(result).c_str());
-  return result.any_converged() ? kDone : kNotConverged;
+  if (result.is_interrupted)
+    return end_interrupted(terminal, "the table is of what was done before" + unwritten(options.compare));
+  return write_last(terminal, result.any_converged() ? kDone : kNotConverged,
+                    [&] { write_files(result, options.compare); });
 }
 
 }  // namespace

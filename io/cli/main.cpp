@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <span>
 
 namespace netloft::io {
@@ -30,6 +32,17 @@ void add_plugin_options(CLI::App& command, Options& o) {
   command.add_option("--color", o.color, "colour on standard error")
       ->check(CLI::IsMember({"auto", "always", "never"}));
   command.add_flag("--json", o.json, "one JSON object on standard output");
+}
+
+/// CLI::Range lets what is no number at all pass.
+CLI::Validator between(double low, double high) {
+  return CLI::Validator(
+      [low, high](const std::string& text) {
+        double value = 0;
+        const bool is_number = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+        return is_number ? "" : fmt::format("Value {} not in range {} to {}", text, low, high);
+      },
+      "NUMBER");
 }
 
 std::string not_empty(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
@@ -266,11 +279,12 @@ void add_stability_command(CLI::App& app, Options& o) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--case", s.pattern, "only cases whose name contains this")->type_name("TEXT");
-  command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases");
+  command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
   command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
-      ->check(CLI::Range(0.001, 1e6));
+      ->check(between(0.001, 1e6));
   command->add_option("--work", s.work, "for one case, in factorisations of its tangent; else any")
-      ->check(CLI::Range(1.0, 1e9));
+      ->check(between(1.0, 1e9));
   command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
   command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
   command->add_option("--threads", o.threads, "threads of the assembly; else one")
@@ -394,7 +408,7 @@ void add_test_command(CLI::App& app, Options& o) {
       "test", "check the elements, laws and solvers of a plugin: derivatives, balance, lanes, manners");
   test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
   test->add_option("--seconds", o.seconds, "processor time for the checks of one component; else 60")
-      ->check(CLI::Range(0.001, 1e6));
+      ->check(between(0.001, 1e6));
   add_plugin_options(*test, o);
 }
 

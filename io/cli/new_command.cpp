@@ -93,8 +93,10 @@ int new_command(const Options& options) {
   find_plugins({}, registry);
   check_name(options.target, registry);
   const fs::path folder = options.target;
-  if (fs::exists(folder) || !fs::create_directory(folder))
-    throw UsageError{folder.string() + ": there is something of that name"};
+  std::error_code error;
+  if (fs::exists(folder, error)) throw UsageError{folder.string() + ": there is something of that name"};
+  if (!fs::create_directory(folder, error))
+    throw WriteError(folder.string() + " cannot be made: " + error.message());
   try {
     for (const auto& t : kTemplates)
       if (t.kind == options.kind)

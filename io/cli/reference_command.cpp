@@ -115,7 +115,9 @@ int reference_command(const Options& options) {
     throw UsageError{folder.string() + ": is no folder"};
   std::vector<Page> pages = all_pages(registry);
   pages.push_back(index_of(pages));
-  std::filesystem::create_directories(folder);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw WriteError(folder.string() + " cannot be made: " + error.message());
   for (const auto& page : pages) {
     write_whole(folder / (page.file + ".md"), markdown(page));
     write_whole(folder / (page.file + ".html"), html(page));

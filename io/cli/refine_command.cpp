@@ -3,6 +3,8 @@
 #include "io/cli/watchdog.hpp"
 #include "io/compare/refinement.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <stdexcept>
 
@@ -48,9 +50,11 @@ int run(const Options& options) {
       .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   Refinement refinement = refine(source_of(options), session.registry(), levels, watch);
   session.terminal().clear();
-  if (interrupt_flag()) return kInterrupted;
   refinement.scene = session.loaded().scene.name;
   std::puts(options.json ? refinement_json(refinement).c_str() : refinement_text(refinement).c_str());
+  if (refinement.is_interrupted)
+    return end_interrupted(session.terminal(), fmt::format("the table has {} of {} meshes",
+                                                           refinement.meshes.size(), levels.size()));
   return refinement.missing.empty() ? kDone : kNotConverged;
 }
 

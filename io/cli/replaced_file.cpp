@@ -2,11 +2,13 @@
 #include "io/cli/replaced_file.hpp"
 
 #include "io/cli/options.hpp"
+#include "io/cli/terminal.hpp"
 #include "io/files/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 namespace netloft::io {
@@ -45,6 +47,28 @@ void replace_file(const std::string& output, const std::string& content,
       throw UsageError{output + " is what it would be made from; name another file with -o"};
   if (!has_one_of(output, endings)) throw UsageError{output + ": this is written as " + list_of(endings)};
   write_whole(output, content);
+}
+
+void require_place(const std::string& file, const std::vector<std::string>& sources) {
+  if (file.empty()) return;
+  std::error_code none;
+  for (const auto& source : sources)
+    if (fs::equivalent(file, source, none)) throw UsageError{file + ": the scene is read from it"};
+  if (fs::exists(file, none) && !fs::is_regular_file(file, none)) throw UsageError{file + ": is no file"};
+  const fs::path folder = fs::path(file).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, none))
+    throw UsageError{file + ": there is no folder " + folder.string()};
+}
+
+int write_last(Terminal& terminal, int code, const std::function<void()>& write) {
+  std::fflush(stdout);
+  try {
+    write();
+    return code;
+  } catch (const WriteError& e) {
+    terminal.say(std::string("netloft: ") + e.what());
+    return kOther;
+  }
 }
 
 std::string in_json(const std::string& text) {

@@ -286,7 +286,7 @@ int run_command(const Options& options) {
   result.output_file = named_by_outcome(*file, result.solution, session.terminal());
   write_result(*file, session.loaded(), session.assembler(), result, context);
   print_result(options, session, result);
-  return exit_code(result.solution.status);
+  return options.error && interrupt_flag() ? kInterrupted : exit_code(result.solution.status);
 }
 
 int plan_command(const Options& options) {

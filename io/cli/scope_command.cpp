@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/replaced_file.hpp"
 #include "io/cli/session.hpp"
+#include "io/cli/watchdog.hpp"
+#include "io/files/whole_file.hpp"
 #include "io/sweep/scope.hpp"
 
 #include <fmt/format.h>
@@ -77,14 +79,30 @@ std::string number(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
 }
 
-std::string text_of(const std::vector<ScopeRow>& rows) {
+/// How many lengths have no numbers, and why the first has none; empty if all have.
+std::string missing_text(const ScopeRow& row) {
+  const auto lacks = [](const ScopePoint& p) { return !p.why_not.empty(); };
+  const auto first = std::ranges::find_if(row.points, lacks);
+  if (first == row.points.end()) return "";
+  return fmt::format("  depth {} m: {} of {} lengths without a stable equilibrium; {} m: {}\n",
+                     number(row.depth, 1), std::ranges::count_if(row.points, lacks), row.points.size(),
+                     number(first->warp, 1), first->why_not);
+}
+
+bool is_whole(const ScopeRow& row, const ScopeRequest& request) {
+  return row.points.size() == request.scopes.size();
+}
+
+std::string text_of(const std::vector<ScopeRow>& rows, const ScopeRequest& request) {
   std::string text =
       fmt::format("{:>10}{:>11}{:>9}{:>11}{:>9}{:>13}{:>10}{:>13}{:>11}\n", "depth [m]", "from [m]", "to [m]",
                   "warp [m]", "heel [°]", "boards [m]", "wing [m]", "headline [m]", "pull [kN]");
   for (const ScopeRow& row : rows) {
     text += fmt::format("{:>9}", number(row.depth, 1));
     if (!row.chosen) {
-      text += "  no length of these\n";
+      text += is_whole(row, request) ? std::string("  no length of these\n")
+                                     : fmt::format("  interrupted after {} of {} lengths\n",
+                                                   row.points.size(), request.scopes.size());
       continue;
     }
     const ScopePoint& p = row.points[*row.chosen];
@@ -92,17 +110,24 @@ std::string text_of(const std::vector<ScopeRow>& rows) {
                         number(row.warp->high, 1), number(p.warp, 1), number(p.heel, 2), number(p.spread, 2),
                         number(p.wing, 2), number(p.headline, 2), number(1e-3 * p.pull, 2));
   }
-  for (const ScopeRow& row : rows)
+  for (const ScopeRow& row : rows) {
+    text += missing_text(row);
     for (const auto& event : row.events) text += "  " + event + "\n";
+  }
   return text;
 }
 
 Json json_of(const ScopePoint& p) {
-  return {{"warp", p.warp}, {"heel", p.heel},         {"spread", p.spread},
-          {"wing", p.wing}, {"headline", p.headline}, {"pull", p.pull}};
+  return {{"warp", p.warp},
+          {"heel", p.heel},
+          {"spread", p.spread},
+          {"wing", p.wing},
+          {"headline", p.headline},
+          {"pull", p.pull},
+          {"why_not", p.why_not.empty() ? Json() : Json(p.why_not)}};
 }
 
-std::string json_of(const std::vector<ScopeRow>& rows) {
+std::string json_of(const std::vector<ScopeRow>& rows, const char* status) {
   Json all = Json::array();
   for (const ScopeRow& row : rows) {
     Json points = Json::array();
@@ -113,7 +138,8 @@ std::string json_of(const std::vector<ScopeRow>& rows) {
                    {"points", std::move(points)},
                    {"events", row.events}});
   }
-  return Json{{"rows", std::move(all)}}.dump(2, ' ', false, Json::error_handler_t::replace);
+  return Json{{"status", status}, {"rows", std::move(all)}}.dump(2, ' ', false,
+                                                                 Json::error_handler_t::replace);
 }
 
 bool is_page(const std::string& file) { return file.ends_with(".html"); }
@@ -124,20 +150,51 @@ bool has_found_all(const std::vector<ScopeRow>& rows) {
   });
 }
 
+void require_static(const LoadedScene& loaded) {
+  if (loaded.analysis.kind == AnalysisKind::dynamics)
+    throw UsageError{
+        "scope follows equilibria, and this scene goes through time: --set analysis.kind=static"};
+}
+
+void print(const Options& o, const std::vector<ScopeRow>& rows, const char* status,
+           const ScopeRequest& request) {
+  std::fputs((o.json ? json_of(rows, status) + "\n" : text_of(rows, request)).c_str(), stdout);
+}
+
+int end_early(const Options& o, Session& session, const std::vector<ScopeRow>& rows,
+              const ScopeRequest& request) {
+  const auto whole = std::ranges::count_if(rows, [&](const ScopeRow& row) { return is_whole(row, request); });
+  print(o, rows, "interrupted", request);
+  return end_interrupted(session.terminal(),
+                         fmt::format("the table has {} of {} depths{}", whole, request.depths.size(),
+                                     o.output.empty() ? "" : ", and " + o.output + " is not written"));
+}
+
 int run(const Options& o) {
   const ScopeRequest request = request_of(o);
   if (!o.output.empty() && !is_page(o.output) && !o.output.ends_with(".svg"))
     throw UsageError{"-o " + o.output + ": a file .svg or .html is expected"};
   catch_interrupts();
   Session session(o);
+  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the table ends here"));
   if (const int code = session.open(); code != kDone) return code;
-  const Watch watch{&interrupt_flag(), {}, nullptr};
-  const auto rows = find_scope(source_of(o), session.registry(), request, watch);
-  if (interrupt_flag()) return kInterrupted;
-  if (!o.output.empty())
-    replace_file(o.output, draw_scope(session.loaded().scene.name, rows, is_page(o.output)), {o.target});
-  std::fputs((o.json ? json_of(rows) + "\n" : text_of(rows)).c_str(), stdout);
-  return has_found_all(rows) ? kDone : kNotConverged;
+  require_static(session.loaded());
+  require_place(o.output, paths_of(session.loaded()));
+  const Watch watch{.interrupt = &interrupt_flag(),
+                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const auto on_point = [&](std::size_t solved, const ScopeRow& row, const ScopePoint& p) {
+    session.terminal().progress_in_steps("lengths", solved, request.depths.size() * request.scopes.size(),
+                                         fmt::format("{:.4g} m at {:.4g} m", p.warp, row.depth));
+  };
+  const auto rows = find_scope(source_of(o), session.registry(), request, watch, on_point);
+  session.terminal().clear();
+  if (interrupt_flag()) return end_early(o, session, rows, request);
+  const bool is_done = has_found_all(rows);
+  print(o, rows, is_done ? "done" : "not converged", request);
+  return write_last(session.terminal(), is_done ? kDone : kNotConverged, [&] {
+    if (!o.output.empty())
+      write_whole(o.output, draw_scope(session.loaded().scene.name, rows, is_page(o.output)));
+  });
 }
 
 }  // namespace

@@ -11,6 +11,12 @@
 
 namespace netloft::io {
 
+std::vector<std::string> paths_of(const LoadedScene& loaded) {
+  std::vector<std::string> paths;
+  for (const auto& file : loaded.files) paths.push_back(file.path);
+  return paths;
+}
+
 int threads_for(const Options& options) {
   if (options.threads > 0) return options.threads;
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);

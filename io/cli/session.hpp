@@ -35,6 +35,9 @@ class Session {
 CaseSource source_of(const Options& options);
 int threads_for(const Options& options);
 
+/// The files that a scene was read from.
+std::vector<std::string> paths_of(const LoadedScene& loaded);
+
 /// Says on the terminal, or as JSON, what is wrong with a scene that is not ready. Returns the exit code.
 int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Options& options,
                  Terminal& terminal);

@@ -86,9 +86,13 @@ std::vector<StabilityColumn> find_columns(const StabilitySuite& suite, const Opt
   return columns;
 }
 
-void print_matrix(const MatrixTitle& title, const Options& options, const std::vector<Row>& rows) {
-  if (!options.stability.html.empty()) write_whole(options.stability.html, matrix_html(title, rows));
+/// Returns `code`, or kOther where the page cannot be written. There is none of a suite that was interrupted.
+int print_matrix(const MatrixTitle& title, const Options& options, const std::vector<Row>& rows,
+                 Terminal& terminal, int code) {
   std::puts((options.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
+  const std::string& page = options.stability.html;
+  if (page.empty() || code == kInterrupted) return code;
+  return write_last(terminal, code, [&] { write_whole(page, matrix_html(title, rows)); });
 }
 
 /// Whether the first column got all of it right.
@@ -110,8 +114,8 @@ class MatrixSoFar {
   int end(const Overdue& overdue) const {
     terminal_.say("netloft: " + overdue.sentence + "; the suite ends here, after " +
                   std::to_string(rows_.size()) + " of its cases");
-    print_matrix(title_, options_, rows_);
-    return overdue.interrupted ? kInterrupted : kNotConverged;
+    return print_matrix(title_, options_, rows_, terminal_,
+                        overdue.interrupted ? kInterrupted : kNotConverged);
   }
 
  private:
@@ -132,6 +136,12 @@ RunOptions run_options(const Options& options, MatrixSoFar& matrix, Watchdog& wa
   return run;
 }
 
+std::string what_is_left(const StabilityOptions& o, std::size_t cases) {
+  return "the suite ends here, after " + std::to_string(cases) + " of its cases" +
+         (o.update_references ? "; no reference is renewed" : "") +
+         (o.html.empty() ? "" : "; not written: " + o.html);
+}
+
 }  // namespace
 
 int stability_command(const Options& options) {
@@ -141,6 +151,7 @@ int stability_command(const Options& options) {
   find_plugins(options, registry);
   Diagnostics diagnostics;
   require_ending("--html", o.html, {".html", ".htm"});
+  require_place(o.html, {});
   const std::filesystem::path folder = find_suite(o);
   const StabilitySuite suite = read_suite(folder, o.draw, diagnostics);
   if (diagnostics.errors()) {
@@ -159,9 +170,11 @@ int stability_command(const Options& options) {
     throw UsageError{"no case of " + folder.string() + " has these names and sizes"};
   if (o.update_references && !interrupt_flag()) references.save();
 
-  print_matrix(title, options, rows);
-  if (interrupt_flag()) return kInterrupted;
-  return first_is_right(rows) ? kDone : kNotConverged;
+  const int code = first_is_right(rows) ? kDone : kNotConverged;
+  if (interrupt_flag())
+    return print_matrix(title, options, rows, terminal,
+                        end_interrupted(terminal, what_is_left(o, rows.size())));
+  return print_matrix(title, options, rows, terminal, code);
 }
 
 }  // namespace netloft::io

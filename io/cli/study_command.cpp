@@ -213,7 +213,7 @@ class Campaign {
     try {
       const int code = compute(o_, study_, item);
       done_ = code == kDone;
-      return code == kDone ? finish() : code;
+      return code == kNotConverged ? code : finish();
     } catch (const StudyError& e) {
       note_failure(o_.target, item, e.what());
       throw;
@@ -247,8 +247,13 @@ class Campaign {
     print(o_, json,
           fmt::format("{}: {} computed, {} before, {} failed", count_of(asked_, "item"), done_, before,
                       failed_));
-    if (interrupt_flag()) return kInterrupted;
+    if (interrupt_flag()) return end_interrupted(terminal_, what_is_left());
     return failed_ ? kOther : kDone;
+  }
+
+  std::string what_is_left() const {
+    return fmt::format("{} of {} left; `netloft study run {}` goes on", left_.size() - done_ - failed_,
+                       count_of(asked_, "item"), o_.target);
   }
 
   const Options& o_;

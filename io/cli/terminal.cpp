@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/terminal.hpp"
 
+#include "io/cli/options.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -143,6 +145,12 @@ void catch_interrupts() {
     interrupted = true;
     std::signal(number, SIG_DFL);
   });
+}
+
+int end_interrupted(Terminal& terminal, const std::string& what_is_left) {
+  terminal.clear();
+  terminal.say("netloft: interrupted; " + what_is_left);
+  return kInterrupted;
 }
 
 }  // namespace netloft::io

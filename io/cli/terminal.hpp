@@ -50,4 +50,7 @@ void on_interrupts(void (*action)(int));
 const std::atomic<bool>& interrupt_flag();
 void catch_interrupts();
 
+/// Says that the user interrupted, and what is left: "the table has 3 of 7 depths". Returns the exit code.
+int end_interrupted(Terminal& terminal, const std::string& what_is_left);
+
 }  // namespace netloft::io

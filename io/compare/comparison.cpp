@@ -50,13 +50,17 @@ class Comparing {
 
   Comparison run() {
     describe();
-    for (const Method& method : task_.methods) out_.methods.push_back(run_method(method));
-    time_factorisation();
-    if (task_.cells) find_discretisation();
+    for (const Method& method : task_.methods)
+      if (!is_interrupted()) out_.methods.push_back(run_method(method));
+    if (!is_interrupted()) time_factorisation();
+    if (task_.cells && !is_interrupted()) find_discretisation();
+    out_.is_interrupted = is_interrupted();
     return std::move(out_);
   }
 
  private:
+  bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
+
   void describe() {
     out_.scene = own_.loaded().scene.name, out_.mesh = mesh_of(own_.loaded());
     out_.unknowns = own_.plan().unknowns, out_.repeats = task_.repeats;
@@ -64,10 +68,9 @@ class Comparing {
   }
 
   MethodResult run_method(const Method& method) {
-    MethodResult result{method,
-                        run_trials(source_, registry_, method, task_.tolerances, task_.repeats, watch_),
-                        references_.find_for(method),
-                        {}};
+    MethodResult result{
+        method, run_trials(source_, registry_, method, task_.tolerances, task_.repeats, watch_), {}, {}};
+    if (!is_interrupted()) result.reference = references_.find_for(method);
     if (result.reference) result.other = find_other_equilibrium(result);
     if (result.reference && !result.other)
       for (Trial& t : result.trials)

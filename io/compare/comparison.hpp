@@ -38,6 +38,7 @@ struct Comparison {
   double size = 0;  // diagonal of the gear's bounding box [m]
   std::vector<MethodResult> methods;
   std::optional<Discretisation> discretisation;
+  bool is_interrupted = false;  // by the user: methods that had not begun are left out, and what comes after
 
   bool any_converged() const;
 };

@@ -32,8 +32,8 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& 
   result.solution = one.solve(watch);
   const MeshSize mesh = count_mesh(one.loaded());
   if (!is_stationary(result.solution)) {
-    why_not =
-        fmt::format("with {} {} the result was {}", mesh.count, mesh.of, name_of(result.solution.status));
+    why_not = fmt::format("with {} {} the result was {}: {}", mesh.count, mesh.of,
+                          name_of(result.solution.status), result.solution.reason);
     return {};
   }
   collect(one.loaded(), one.assembler(), result);

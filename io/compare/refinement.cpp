@@ -84,11 +84,13 @@ Refinement refine(const CaseSource& source, Registry& registry, const std::vecto
   Refinement refinement;
   for (const auto& level : levels) {
     std::string why_not;
-    if (watch.interrupt && *watch.interrupt) break;
-    if (auto solved = solve_on(level, source, registry, watch, why_not))
+    auto solved = solve_on(level, source, registry, watch, why_not);
+    refinement.is_interrupted = watch.interrupt && *watch.interrupt;
+    if (solved)
       refinement.meshes.push_back(std::move(*solved));
-    else
+    else if (!refinement.is_interrupted)
       refinement.missing.push_back(why_not);
+    if (refinement.is_interrupted) break;
   }
   std::sort(refinement.meshes.begin(), refinement.meshes.end(),
             [](const auto& a, const auto& b) { return a.mesh.width > b.mesh.width; });
@@ -138,7 +140,9 @@ std::string refinement_json(const Refinement& r) {
                     {"order", n.trend.steady ? Json(n.trend.order) : Json(nullptr)},
                     {"diverges", n.diverges()}});
   const Json json = {{"scene", r.scene},
-                     {"status", r.missing.empty() ? "done" : "not converged"},
+                     {"status", r.is_interrupted    ? "interrupted"
+                                : r.missing.empty() ? "done"
+                                                    : "not converged"},
                      {"meshes", meshes},
                      {"quantities", rows},
                      {"missing", r.missing}};

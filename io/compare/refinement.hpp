@@ -9,6 +9,7 @@ struct Refinement {
   std::string scene;
   std::vector<NumbersOnMesh> meshes;  // from the coarsest to the finest
   std::vector<std::string> missing;   // sentences about meshes without an answer
+  bool is_interrupted = false;        // by the user: the mesh at hand and those after it are left out
 };
 
 /// One number on all meshes, and its limit.

@@ -121,10 +121,16 @@ std::string comparison_csv(const Comparison& c) {
 std::string comparison_json(const Comparison& c) {
   Json methods = Json::array();
   for (const auto& m : c.methods) methods.push_back(method_json(c, m));
-  const Json all = {{"scene", c.scene},       {"mesh", c.mesh},
-                    {"unknowns", c.unknowns}, {"repeats", c.repeats},
-                    {"size", c.size},         {"factorisation_seconds", c.factorisation_seconds},
-                    {"methods", methods},     {"discretisation", discretisation_json(c.discretisation)}};
+  const char* status = c.is_interrupted ? "interrupted" : c.any_converged() ? "done" : "not converged";
+  const Json all = {{"status", status},
+                    {"scene", c.scene},
+                    {"mesh", c.mesh},
+                    {"unknowns", c.unknowns},
+                    {"repeats", c.repeats},
+                    {"size", c.size},
+                    {"factorisation_seconds", c.factorisation_seconds},
+                    {"methods", methods},
+                    {"discretisation", discretisation_json(c.discretisation)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -75,10 +75,11 @@ void solvers_text(const Comparison& c, Out out) {
   for (const auto& m : c.methods)
     for (const Trial& t : m.trials)
       if (t.tried) trial_text(c, m, t, width, out);
-  fmt::format_to(out, "in fact.: in units of one numeric factorisation of the same tangent, {:.3g} s\n",
-                 c.factorisation_seconds);
+  if (c.factorisation_seconds > 0)
+    fmt::format_to(out, "in fact.: in units of one numeric factorisation of the same tangent, {:.3g} s\n",
+                   c.factorisation_seconds);
   for (const auto& m : c.methods) {
-    reference_text(m, out);
+    if (m.reference || !c.is_interrupted) reference_text(m, out);
     other_text(m, out);
     failure_text(m, out);
   }

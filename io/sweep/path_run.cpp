@@ -23,13 +23,6 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
-/// The first error of a scene that cannot be read.
-std::string first_fault(const Diagnostics& diagnostics) {
-  for (const Diagnostic& d : diagnostics.sorted())
-    if (d.severity == Severity::error) return diagnostics.where(d.place) + ": " + d.message;
-  return "a plugin is missing";
-}
-
 std::vector<Variable> variables_of_path(const Study& study) {
   std::vector<Variable> variables;
   for (const StudyColumn& column : study.columns)
@@ -133,6 +126,12 @@ CaseSource source_of(const Study& study, const StudyItem& item, const std::vecto
   source.overrides.insert(source.overrides.end(), item.set.begin(), item.set.end());
   source.overrides.insert(source.overrides.end(), set.begin(), set.end());
   return source;
+}
+
+std::string first_fault(const Diagnostics& diagnostics) {
+  for (const Diagnostic& d : diagnostics.sorted())
+    if (d.severity == Severity::error) return diagnostics.where(d.place) + ": " + d.message;
+  return "a plugin is missing";
 }
 
 std::vector<StudyFigure> figures_of(Case& the_case, const Solution& solution) {

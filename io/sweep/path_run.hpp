@@ -26,6 +26,9 @@ std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, co
 CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
                      const PathContext& context);
 
+/// The first error of a scene that cannot be read.
+std::string first_fault(const Diagnostics& diagnostics);
+
 /// All numbers that a case reports at a solution.
 std::vector<StudyFigure> figures_of(Case& the_case, const Solution& solution);
 

@@ -45,8 +45,13 @@ double value_of(const std::vector<StudyFigure>& figures, const std::string& name
   return at == figures.end() ? kNone : at->value;
 }
 
+ScopePoint without_numbers(double warp, std::string why_not) {
+  return {warp, kNone, kNone, kNone, kNone, kNone, std::move(why_not)};
+}
+
 ScopePoint point_of(Case& the_case, const Solution& solution, double warp) {
-  if (solution.status != SolveStatus::converged) return {warp, kNone, kNone, kNone, kNone, kNone};
+  if (solution.status != SolveStatus::converged)
+    return without_numbers(warp, std::string(name_of(solution.status)) + ": " + solution.reason);
   const auto figures = figures_of(the_case, solution);
   const FigureNames names = names_for(the_case.loaded());
   return {warp,
@@ -78,11 +83,13 @@ double end_between(const ScopeRequest& request, const ScopePoint& in, const Scop
 /// up is none of the next depth.
 class ScopeRun {
  public:
-  ScopeRun(const CaseSource& source, Registry& registry, const ScopeRequest& request, const Watch& watch)
+  ScopeRun(const CaseSource& source, Registry& registry, const ScopeRequest& request, const Watch& watch,
+           const OnScopePoint& on_point)
       : source_(source),
         registry_(registry),
         request_(request),
         watch_(watch),
+        on_point_(on_point),
         make_(keep_analyses(make_factorisation)),
         shortest_(
             variables_, [this](const auto& values) { return open(values); }, watch_) {}
@@ -91,41 +98,60 @@ class ScopeRun {
     std::vector<ScopeRow> rows;
     for (std::size_t d = 0; d < request_.depths.size() && !is_interrupted(); ++d) {
       ScopeRow& row = rows.emplace_back();
-      row.depth = request_.depths[d], row.points.resize(request_.scopes.size());
-      solve(row, 0, shortest_);
+      row.depth = request_.depths[d];
+      solve(row, request_.scopes[0], shortest_);
       Branch longer = shortest_;
-      for (std::size_t k = 1; k < row.points.size() && !is_interrupted(); ++k) solve(row, k, longer);
-      find_lengths(request_, row);
+      for (std::size_t k = 1; k < request_.scopes.size() && !is_interrupted(); ++k)
+        solve(row, request_.scopes[k], longer);
+      if (row.points.size() == request_.scopes.size()) find_lengths(request_, row);
     }
+    if (!was_read_ && !rows.empty() && !rows.front().points.empty())
+      throw std::invalid_argument("no length of warp can be read: " + rows.front().points.front().why_not);
     return rows;
   }
 
  private:
   bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
 
-  std::shared_ptr<Case> open(const std::vector<VariableValue>& values) const {
+  std::shared_ptr<Case> make_case(const std::vector<VariableValue>& values) const {
     CaseSource source = source_;
     for (std::size_t v = 0; v < values.size(); ++v)
       for (auto& word : variables_[v].overrides(values[v])) source.overrides.push_back(std::move(word));
-    auto the_case = std::make_shared<Case>(std::move(source), registry_, make_);
+    return std::make_shared<Case>(std::move(source), registry_, make_);
+  }
+
+  /// Null where the scene cannot be read with these values.
+  std::shared_ptr<Case> open(const std::vector<VariableValue>& values) const {
+    auto the_case = make_case(values);
     return the_case->open() == Case::State::ready ? the_case : nullptr;
   }
 
-  void solve(ScopeRow& row, std::size_t k, Branch& branch) {
-    const double warp = request_.scopes[k] * row.depth;
-    const std::vector<VariableValue> values = {variables_[0].value_of(row.depth),
-                                               variables_[1].value_of(warp)};
-    const auto the_case = open(values);
-    if (!the_case) throw std::invalid_argument("the scene cannot be read with a warp of " + values[1].text);
+  void solve(ScopeRow& row, double scope, Branch& branch) {
+    const double warp = scope * row.depth;
+    if (ScopePoint point =
+            solve(row, warp, {variables_[0].value_of(row.depth), variables_[1].value_of(warp)}, branch);
+        !is_interrupted())
+      row.points.push_back(std::move(point)), ++solved_;
+    if (on_point_ && !row.points.empty()) on_point_(solved_, row, row.points.back());
+  }
+
+  ScopePoint solve(ScopeRow& row, double warp, const std::vector<VariableValue>& values, Branch& branch) {
+    const auto the_case = make_case(values);
+    if (the_case->open() != Case::State::ready)
+      return without_numbers(warp, first_fault(the_case->diagnostics()));
+    was_read_ = true;
     Reached reached = branch.reach(the_case, values);
-    row.points[k] = point_of(*the_case, reached.solution, warp);
     std::ranges::move(reached.events, std::back_inserter(row.events));
+    return point_of(*the_case, reached.solution, warp);
   }
 
   const CaseSource& source_;
   Registry& registry_;
   const ScopeRequest& request_;
   const Watch& watch_;
+  const OnScopePoint& on_point_;
+  bool was_read_ = false;
+  std::size_t solved_ = 0;
   MakeFactorisation make_;
   std::vector<Variable> variables_ = {variable_in_metres("depth", "bed.depth"),
                                       variable_in_metres("warp", "ship.warp.length")};
@@ -151,10 +177,10 @@ void find_lengths(const ScopeRequest& request, ScopeRow& row) {
 }
 
 std::vector<ScopeRow> find_scope(const CaseSource& source, Registry& registry, const ScopeRequest& request,
-                                 const Watch& watch) {
+                                 const Watch& watch, const OnScopePoint& on_point) {
   Case first(source, registry);
   if (first.open() == Case::State::ready) names_for(first.loaded());
-  return ScopeRun(source, registry, request, watch).run();
+  return ScopeRun(source, registry, request, watch, on_point).run();
 }
 
 std::string draw_scope(const std::string& scene, const std::vector<ScopeRow>& rows, bool as_page) {

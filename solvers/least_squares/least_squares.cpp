@@ -17,6 +17,8 @@ using Vector = Eigen::VectorXd;
 // Marquardt's: damping falls tenfold after a step that is taken and grows tenfold after one that is not.
 constexpr double kDamping = 1e-3, kRatio = 10, kMostDamping = 1e8;
 
+constexpr const char* kNoStart = "the model has no answer at the means of the priors";
+
 double squared(double x) { return x * x; }
 
 /// A point with all that (1) and (2) need of it.
@@ -34,18 +36,18 @@ class Fitter {
 
   Fit run() {
     auto start = evaluate(means());
-    if (!start) return ended(false, "the model has no answer at the means of the priors");
+    if (!start) return model_.is_interrupted() ? interrupted() : ended(false, kNoStart);
     point_ = std::move(*start);
     while (fit_.steps < options_.iterations) {
-      if (!find_slopes()) return ended(false, why_no_slopes());
+      if (!find_slopes()) return without_slopes();
       const Outcome outcome = descend();
       if (outcome == Outcome::settled)
         return finish(true, "no step lowers the sum of squares by more than it matters");
-      if (model_.is_interrupted()) return ended(false, "interrupted");
+      if (model_.is_interrupted()) return interrupted();
       if (outcome == Outcome::stuck)
         return finish(false, "no step lowers the sum of squares, though its slope says so");
     }
-    return find_slopes() ? finish(false, "the limit of steps was reached") : ended(false, why_no_slopes());
+    return find_slopes() ? finish(false, "the limit of steps was reached") : without_slopes();
   }
 
  private:
@@ -57,9 +59,16 @@ class Fitter {
     return means;
   }
 
-  std::string why_no_slopes() const {
-    return model_.is_interrupted() ? "interrupted"
-                                   : "the model has no answers around the best point, and so no slopes";
+  Fit without_slopes() {
+    if (model_.is_interrupted()) return interrupted();
+    return ended(false, "the model has no answers around the best point, and so no slopes");
+  }
+
+  /// With the last point whose slopes are known.
+  Fit interrupted() {
+    if (slopes_.size() == 0) return ended(false, "interrupted");
+    point_ = std::move(sloped_);
+    return finish(false, "interrupted");
   }
 
   std::optional<Point> evaluate(std::vector<double> parameters) {
@@ -81,6 +90,7 @@ class Fitter {
   bool find_slopes() {
     const auto slopes = model_.slopes(point_.parameters);
     if (!slopes) return false;
+    sloped_ = point_;
     const auto rows = static_cast<Eigen::Index>(slopes->size()),
                columns = static_cast<Eigen::Index>(priors_.size());
     slopes_.resize(rows, columns);
@@ -174,7 +184,7 @@ class Fitter {
   const std::vector<Prior>& priors_;
   const std::vector<Measurement>& measured_;
   const FitOptions& options_;
-  Point point_;
+  Point point_, sloped_;  // the best one, and the last one whose slopes are known
   Matrix slopes_, normal_;
   Vector gradient_;
   double damping_ = kDamping;

@@ -60,7 +60,7 @@ struct Fit {
 
 /// Fits `measured`; the model may predict more, for which there are deviations, too. Nothing is known, and
 /// `parameters` is empty, if the model has no answer at the prior's mean, or around a point that was stepped
-/// to.
+/// to. An interruption leaves the best point whose slopes are known, if there is one.
 Fit fit(Model& model, const std::vector<Prior>& priors, const std::vector<Measurement>& measured,
         const FitOptions& options = {});
 

@@ -106,6 +106,39 @@ TEST(LeastSquares, SaysThatThereAreNoSlopes) {
   EXPECT_TRUE(f.parameters.empty());
 }
 
+/// Is interrupted at some call, of predictions or slopes.
+class InterruptedModel : public FunctionModel {
+ public:
+  InterruptedModel(Function f, int calls) : FunctionModel(std::move(f)), left_(calls) {}
+  std::optional<Numbers> predict(const Numbers& x) override {
+    return left_-- > 0 ? FunctionModel::predict(x) : std::nullopt;
+  }
+  std::optional<std::vector<Numbers>> slopes(const Numbers& x) override {
+    return left_-- > 0 ? FunctionModel::slopes(x) : std::nullopt;
+  }
+  bool is_interrupted() const override { return left_ < 0; }
+
+ private:
+  int left_;
+};
+
+// What is known with its slopes is kept whole wherever the user interrupts.
+TEST(LeastSquares, KeepsTheBestPointWhoseSlopesAreKnownWhenInterrupted) {
+  for (int calls = 0; calls < 12; ++calls) {
+    InterruptedModel model([](const Numbers& x) { return Numbers{x[0] * x[0], x[0] + x[1]}; }, calls);
+    const Fit f = fit(model, {{1, 2}, {1, 2}}, {{9, 0.01}, {2, 0.01}}, {30, 1e-9});
+    if (f.converged) break;
+    EXPECT_EQ(f.reason, "interrupted");
+    ASSERT_EQ(f.parameters.size(), calls < 2 ? 0u : 2u) << calls;
+    if (f.parameters.empty()) continue;
+    EXPECT_EQ(f.predictions[0], f.parameters[0] * f.parameters[0]) << "another point's predictions";
+    // N = I + JᵀJ of (2) at this very point
+    const double a = 2 * f.parameters[0] * 2 / 0.01, b = 2 / 0.01;
+    const double n00 = 1 + a * a + b * b, n01 = b * b, n11 = 1 + b * b;
+    EXPECT_NEAR(f.deviations[1], 2 * std::sqrt(n00 / (n00 * n11 - n01 * n01)), 1e-5);
+  }
+}
+
 TEST(LeastSquares, EndsWhenItsStepsAreUsedUp) {
   FunctionModel model([](const Numbers& x) { return Numbers{10 * (x[1] - x[0] * x[0]), 1 - x[0]}; });
   const Fit f = fit(model, {{-1.2, 1e3}, {1, 1e3}}, {{0, 0.01}, {0, 0.01}}, {3, 1e-6});

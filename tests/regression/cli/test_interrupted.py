@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ctrl-C while a command solves many scenes: it says so, ends with 130, shows what it has and replaces no file."""
+import json
+import signal
+import subprocess
+import unittest
+
+from program import SOURCE, InFreshFolder
+
+PANEL = str(SOURCE / "gear-library/scenes/dead-weight-panel.toml")
+AT_SEA = str(SOURCE / "gear-library/scenes/gov-like-67m.toml")
+NEVER = ["--set", "parts.net.cells=[200,200]", "--set", "analysis.tolerance=1e-16"]
+KEPT = ("kept.csv", "kept.svg", "kept.html")
+VARIABLE = '[variables.density]\nkey = "parts.net.twine.density"\nrange = ["1000 kg/m3", "1300 kg/m3"]\n'
+
+
+class Interrupted(InFreshFolder):
+    def setUp(self):
+        super().setUp()
+        for name in KEPT:
+            self.write(name, "earlier")
+
+    def interrupted(self, *words, is_due=lambda line: b"progress" in line):
+        """Standard output and error of a command that is interrupted when a line of standard error is there."""
+        process = subprocess.Popen(self.command(*words), cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, env=self.environment())
+        self.addCleanup(process.kill)
+        said = b""
+        while line := process.stderr.readline():
+            said += line
+            if is_due(line):
+                break
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 130, said + err)
+        self.assertRegex(said + err, rb"(^|\n)netloft: interrupted; ")
+        for name in KEPT:
+            self.assertEqual((self.folder / name).read_text(), "earlier")
+        return out.decode(), (said + err).decode()
+
+    def test_a_comparison_shows_what_was_tried(self):
+        out, err = self.interrupted("compare", PANEL, *NEVER, "--solver", "newton", "--solver", "ptc", "--tolerance", "1e-16:1e-2",
+                                    "--csv", "kept.csv", "--plot", "kept.svg", "--json")
+        report = json.loads(out)
+        self.assertEqual(report["status"], "interrupted")
+        self.assertEqual(report["methods"][0]["method"], "newton")
+        self.assertIn("; not written: kept.csv, kept.svg", err)
+
+    def test_a_refinement_shows_the_meshes_that_were_solved(self):
+        out, err = self.interrupted("refine", PANEL, "--cells", "2,4,200", "--set", "analysis.tolerance=1e-16", "--json")
+        report = json.loads(out)
+        self.assertEqual((report["status"], len(report["meshes"]), report["missing"]), ("interrupted", 2, []))
+        self.assertIn("the table has 2 of 3 meshes", err)
+
+    def test_a_calibration_says_how_far_it_came(self):
+        self.write("c.toml", f'[scenes.one]\nscene = "{PANEL}"\nset = ["parts.net.cells=[60,60]"]\n{VARIABLE}'
+                   '[[measured]]\nscene = "one"\nfigure = "results/lowest_z"\nvalue = -5\ndeviation = 0.001\n')
+        out, _ = self.interrupted("calibrate", "c.toml", "--json")
+        report = json.loads(out)
+        self.assertEqual((report["status"], report["reason"]), ("interrupted", "interrupted"))
+        self.assertGreaterEqual(report["solves"], 1)
+
+    def test_a_scope_table_shows_the_lengths_that_were_solved(self):
+        out, err = self.interrupted("scope", AT_SEA, "--set", "gear.nodes=600", "--depth", "65:67:9", "--warp", "3.2:3.5:9", "-o",
+                                    "kept.svg", "--json")
+        report = json.loads(out)
+        self.assertEqual(report["status"], "interrupted")
+        points = [p for row in report["rows"] for p in row["points"]]
+        self.assertTrue(1 <= len(points) < 81, points)
+        self.assertEqual([p["why_not"] for p in points], [None] * len(points))
+        self.assertIn("of 9 depths, and kept.svg is not written", err)
+
+    def test_a_suite_shows_the_cases_that_were_solved(self):
+        out, err = self.interrupted("stability", str(SOURCE / "tests/stability"), "--solver", "newton", "--size", "small", "--html", "kept.html",
+                                    is_due=lambda line: line.strip())
+        self.assertRegex(err, r"interrupted; the suite ends here, after [1-9]\d* of its cases")
+        self.assertIn("right", out)
+
+    def test_a_study_says_how_to_go_on(self):
+        self.write("s.toml", f'scene = "{PANEL}"\nset = ["parts.net.cells=[60,60]"]\n{VARIABLE}[design]\ndraws = 50\n')
+        self.assertEqual(self.netloft("study", "plan", "s.toml").code, 0)
+        out, err = self.interrupted("study", "run", "s.study", "--jobs", "1", "--json")
+        done = json.loads(out)["computed"]
+        self.assertIn(f"{50 - done} of 50 items left; `netloft study run s.study` goes on", err)
+
+    def test_an_item_alone_says_so_too(self):
+        self.write("s.toml", f'scene = "{PANEL}"\nset = ["parts.net.cells=[200,200]", "analysis.tolerance=1e-16"]\n{VARIABLE}'
+                   '[design]\ndraws = 2\n')
+        self.assertEqual(self.netloft("study", "plan", "s.toml").code, 0)
+        process = subprocess.Popen(self.command("study", "run", "s.study", "--items", "1"), cwd=self.folder, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=self.environment())
+        self.addCleanup(process.kill)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            process.wait(2)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertIn(b"netloft: interrupted; 1 of 1 item left; `netloft study run s.study` goes on", err)
+
+
+if __name__ == "__main__":
+    unittest.main()
