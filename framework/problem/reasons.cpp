@@ -50,7 +50,7 @@ std::string why_it_stopped(const StaticProblem& problem) {
     case StaticProblem::Stop::iterations:
       return "the limit of " + std::to_string(problem.statistics().iterations) + " iterations was reached";
     case StaticProblem::Stop::time:
-      return "the time limit was reached";
+      return kTimeIsOver;
     case StaticProblem::Stop::work:
       return "its budget of work was used up";
     case StaticProblem::Stop::interrupted:

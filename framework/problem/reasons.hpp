@@ -4,6 +4,8 @@
 
 namespace netloft {
 
+constexpr const char* kTimeIsOver = "the time limit was reached";
+
 /// Why a solver returned, as a sentence: "the limit of 300 iterations was reached".
 std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
                          const Scene& scene);

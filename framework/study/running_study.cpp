@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/reasons.hpp"
 #include "framework/registry/plugin_call.hpp"
 #include "framework/study/study_host.hpp"
 
@@ -173,6 +174,9 @@ Solution RunningStudy::best() const {
   s.does_not_settle = unsettled_ > 0 && !(interface_.traits & NETLOFT_CONSERVATIVE);
   if (s.does_not_settle) s.reason += "; followed in time it did not come to rest";
   if (work_left() == 0 && !host_.is_interrupted()) s.reason += "; the budget of work is used up";
+  // A stage that was under way says so itself.
+  if (host_.is_out_of_time() && s.reason.find(kTimeIsOver) == std::string::npos)
+    s.reason += "; " + std::string(kTimeIsOver);
   return s;
 }
 

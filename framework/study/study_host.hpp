@@ -20,6 +20,7 @@ class StudyHost {
   double spent() const { return spent_; }
   /// By the user, or the user's time is over.
   bool is_interrupted() const;
+  bool is_out_of_time() const { return seconds_left() == 0; }
 
   /// Who solves a stage; throws std::invalid_argument where its parameters are wrong.
   SolverUse solver_of(const netloft_stage& stage) const;

@@ -210,6 +210,19 @@ TEST(AStudy, TellsAStrategyThatTheUserInterrupts) {
   EXPECT_EQ(s.status, SolveStatus::interrupted) << s.reason;
 }
 
+// Without a step of its own no solver meets the limit; the study says it, and once.
+TEST(AStudy, SaysThatItsTimeIsOver) {
+  Limits limits;
+  limits.seconds = 0;
+  const Solution s = study(
+      compressed_bars(), [](Study& of) { of.solve({.name = "too late"}, perturbed(of.start(), 0.2)); }, 1000,
+      limits);
+  EXPECT_EQ(s.status, SolveStatus::not_converged);
+  const std::size_t first = s.reason.find("the time limit was reached");
+  ASSERT_NE(first, std::string::npos) << s.reason;
+  EXPECT_EQ(s.reason.find("the time limit was reached", first + 1), std::string::npos) << s.reason;
+}
+
 TEST(AStudy, HandsAMethodOfTheStrategysOwnTheProblem) {
   const Solution s = study(taut_bars(), [](Study& of) {
     const Displacements u = of.with_problem({.name = "own Newton"}, of.start(), [](Problem& p) {
