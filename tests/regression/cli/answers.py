@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What once lost data, went wrong in silence, crashed or hung, as a command for bash, and the words of its answer.
+
+Commands run in a folder with `gear-library` beside them, after `prepare`; of `says`, "…" stands for what differs from machine to
+machine; `holds` is a command that succeeds if nothing was lost. Functions of PRELUDE stand for faults of the system.
+"""
+from dataclasses import dataclass
+
+PRELUDE = r"""
+set -u
+panel="gear-library/scenes/dead-weight-panel.toml --set parts.net.cells=[8,8]"
+rope="gear-library/scenes/dynamics/released-rope.toml --set analysis.output_interval=0.002"
+flume="gear-library/scenes/83-112-flume-3.0kn.toml"
+plan="gear-library/gears/four-panel.toml"
+sea="gear-library/scenes/83-112-at-sea-66m.toml --set gear.nodes=100"
+suite=tests/stability
+full_disk() { LD_PRELOAD=$FULL_DISK NETLOFT_DISK_BYTES=$1 "${@:2}"; }
+killed() {
+  "$@" >/dev/null 2>&1 &
+  until [[ -e r.hdf.part && $(stat -c %s r.hdf.part) -gt 500000 ]] || ! kill -0 $! 2>/dev/null; do sleep 0.001; done
+  kill -9 $!; wait $! 2>/dev/null
+  size=$(stat -c %s r.hdf.part)
+}
+limited() { (ulimit "$1" "$2"; "${@:3}"); }
+interrupted() { timeout --preserve-status -s INT "$@"; }
+flip() { python3 -c 'import sys; b = bytearray(open(sys.argv[1], "rb").read()); b[len(b) // 3] ^= 4; open(sys.argv[1], "wb").write(b)' "$1"; }
+line() {
+  printf '[parts.line]\ntype = "rope/bar"\nlength = "10 m"\ncells = 4\nsketch = [[%s, 0, 0], [%s, 0, -9]]\n' $1 $(($1 + 1))
+  printf 'rope = { diameter = "20 mm", EA = "%s", density = 1150 }\n[[hold]]\non = "line.start"\n' "$2"
+}
+evil() { line 0 "100 kN"; printf '[parts.evil]\ntype = "hostile/%s"\non = "line.end"\n' "$1"; }
+"""
+
+
+@dataclass
+class Answer:
+    group: str
+    command: str
+    code: int
+    says: str
+    prepare: str = ""
+    holds: str = "true"
+    needs: str = ""  # FULL_DISK, PLUGINS or MEMORY, which builds with sanitizers lack
+
+
+def answers(group, *rows):
+    return [Answer(group, *row[:3], **(row[3] if len(row) > 3 else {})) for row in rows]
+
+
+KILLED = "killed netloft run $rope -o r.hdf"
+GOES_ON = 'test "$(stat -c %s r.hdf.part)" -ge "$size"'
+OLD = {"prepare": "echo old > out.svg", "holds": "grep -qx old out.svg", "needs": "FULL_DISK"}
+
+ALL = [
+    *answers(
+        "1. A disk that is still full when a motion goes on",
+        ("full_disk 100000 netloft run $rope -o r.hdf --resume", 1, "r.hdf.part: No space left on device",
+         {"prepare": KILLED, "holds": GOES_ON, "needs": "FULL_DISK"})),
+    *answers(
+        "2. Files that are in the way, and writers on a full disk",
+        ("netloft run $rope -o r.hdf", 2, "r.hdf.part holds … outputs of a run that did not end; --resume goes on from them; --overwrite "
+         "replaces it, -o writes elsewhere", {"prepare": KILLED, "holds": GOES_ON}),
+        ("netloft run $panel -o p.hdf --overwrite", 1, "p.hdf.part: it is a symbolic link",
+         {"prepare": "echo mine > precious; ln -s precious p.hdf.part", "holds": "grep -qx mine precious"}),
+        ("full_disk 100 netloft draw gear-library/gears/83-112-eastern.toml -o out.svg", 1,
+         "out.svg cannot be written: No space left on device", OLD),
+        ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 --plot out.svg", 1,
+         "out.svg cannot be written: No space left on device", OLD),
+        ("full_disk 100 netloft reference .", 1, "cannot be written: No space left on device",
+         {"prepare": "echo old > index.md", "holds": "grep -qx old index.md", "needs": "FULL_DISK"})),
+    *answers(
+        "3. A method that does not fit, and a result that is worse than the one there",
+        ("netloft run gear-library/scenes/verification/towed-line.toml -o p.hdf --solver lbfgs", 2, "lbfgs",
+         {"prepare": "netloft run $panel -o p.hdf >/dev/null; cp p.hdf good.hdf", "holds": "cmp -s p.hdf good.hdf"}),
+        ("netloft run $panel -o p.hdf --set analysis.max_iterations=3", 3,
+         "p.hdf holds a better result and stays; this one is not converged and goes to p.not-converged.hdf",
+         {"prepare": "netloft run $panel -o p.hdf >/dev/null; cp p.hdf good.hdf", "holds": "cmp -s p.hdf good.hdf"})),
+    *answers(
+        "4. A motion that was killed",
+        ("netloft report r.hdf.part", 3, "running", {"prepare": KILLED, "holds": GOES_ON})),
+    *answers(
+        "5. Half a gear where something tells port from starboard",
+        ("netloft plan $flume --set 'water.current=[\"3 kn\", \"1 kn\", 0]'", 2, "water.current: flows across the plane y = 0"),
+        ("netloft plan $flume --set 'water.current={ z = [0, -50], x = [1, 1], y = [0, 0.5] }'", 2, "flows across the plane y = 0"),
+        ("netloft plan $flume --set parts.bed.seabed.slope_y=0.1", 2, "slope_y"),
+        ("netloft plan gear-library/scenes/four-panel.toml --set 'hold[0].at=[0, -5, -30]'", 2,
+         "upper-bridle and lower-bridle lie up to 5 m beyond the plane of symmetry, y = 0")),
+    *answers(
+        "6. A residual that is round-off as large as the load",
+        ("netloft run line.toml", 3, "line: not converged … rounding of the elements' lengths alone is worth … its stiffness is too high for "
+         "what it carries", {"prepare": 'line 0 "7e11 kN" > line.toml'}),
+        ("netloft run line.toml --solver relaxation", 3, "line: not converged … rounding of the positions alone is worth … its stiffness is too "
+         "high for what it carries", {"prepare": 'line 100000 "1e9 kN" > line.toml'})),
+    *answers(
+        "7. What a plan or a scene can hardly mean, or cannot mean",
+        ("netloft check plan.toml", 0, "plan.toml:14:9: warning: top.sides is neither sewn nor hung: the net is open there",
+         {"prepare": "sed '/top.sides/d' $plan > all; sed '0,/^\\[\\[join\\]\\]$/{/^\\[\\[join\\]\\]$/d}' all > plan.toml"}),
+        ("netloft check $plan --set 'ropes.upper-bridle.between=[\"headline.end\", \"headline.end\"]'", 2,
+         "ropes.upper-bridle.between: both ends of the rope are one point"),
+        ("netloft check $plan --set 'floats.headline-floats.spread=\"400 along headline\"'", 2,
+         "400 floats of 0.2 m side by side are 80 m long, headline is 6 m"),
+        ("netloft check $plan --set 'floats.headline-floats.spread=\"11.5 along headline\"'", 2, "11.5 pieces, which is not a whole number"),
+        ("netloft check $plan --set 'ropes.headline.length=\"60 m\"'", 0,
+         "warning: headline: 60 m long, 6 m of it are given to edges: 54 m hang on no netting"),
+        ("netloft run $panel --set 'catalogue=[\"nowhere\"]'", 2, "there is no folder"),
+        ("netloft run $panel --set 'parts.bed={ type = \"seabed/plane\", on = \"net\", seabed = { depth = -1 } }'", 2,
+         "bed: all of the gear is below it, by 1 m or more"),
+        ("netloft run $panel --set 'parts.bed={ type = \"seabed/plane\", on = \"net\", seabed = { depth = 50 } }' --set 'parts.sand={ type = "
+         "\"seabed/plane\", on = \"net\", seabed = { depth = 60 } }'", 2, "sand: carries what bed at … carries, too: both push at it"),
+        ("netloft run thin.toml", 0, "warning: rope carries … N and breaks at … N (6x19-fc-13mm)",
+         {"prepare": "echo 'include = [\"gear-library/scenes/hanging-rope.toml\"]' > thin.toml; echo 'parts.rope.rope = \"6x19-fc-13mm\"' >> thin.toml; "
+                     "echo 'parts.load = { type = \"float/float\", on = \"rope.node-100\", float = { mass = 2e4, volume = 0 } }' >> thin.toml"}),
+        ("netloft run $panel --set 'parts.net.panel.bar=\"5 mm\"'", 2, "parts.net.twine: diameter = 0.01 m, and bars of 0.005 m: no mesh can open"),
+        ("netloft plan $flume --set gear.size=0.1", 2, "stands beside nodes"),
+        ("netloft run $panel --set 'hold[0].velocity={ t = [0, 1], x = [0, 1] }'", 2, "hold[0].velocity: nothing moves in a static analysis"),
+        ("netloft run $panel --set 'parts.ball={ type = \"float/float\", on = \"net.aft\", float = {} }'", 2,
+         "parts.ball.float: is an empty table, which says nothing")),
+    *answers(
+        "8. Streams and files that say less than they seem to",
+        ("netloft schema > /dev/full", 1, "standard output cannot be written: No space left on device"),
+        ("netloft run $panel --json > /dev/full", 1, "standard output cannot be written: No space left on device"),
+        ("netloft diff a.hdf b.hdf", 2, "cannot read b.hdf: it is damaged: … checksum",
+         {"prepare": "netloft run $panel -o a.hdf > /dev/null; cp a.hdf b.hdf; flip b.hdf"})),
+    *answers(
+        "9. A parameter that no table declares",
+        ("netloft test escaping/undeclared --plugins $PLUGINS", 1, "reads-what-it-declares … which no row of its table declares and the host "
+         "leaves zero", {"needs": "PLUGINS"})),
+    *answers(
+        "11. Plugins that crash, end the program or never come back",
+        ("netloft run evil.toml --plugins $PLUGINS -o e.hdf", 1, "hostile/crashes crashed in term pull (Segmentation fault)",
+         {"prepare": "evil crashes > evil.toml", "holds": "test ! -e e.hdf", "needs": "PLUGINS"}),
+        ("netloft run evil.toml --plugins $PLUGINS -o e.hdf", 1, "hostile/overflows crashed in term pull (Segmentation fault): it used up its stack",
+         {"prepare": "evil overflows > evil.toml", "holds": "test ! -e e.hdf", "needs": "PLUGINS"}),
+        ("netloft run evil.toml --plugins $PLUGINS -o e.hdf", 1, "hostile/exits ended the program (exit) in term pull",
+         {"prepare": "evil exits > evil.toml", "holds": "test ! -e e.hdf", "needs": "PLUGINS"}),
+        ("netloft test hostile/exits --plugins $PLUGINS", 1, "hostile/exits ended the program (exit) in its making or its first evaluation",
+         {"needs": "PLUGINS"}),
+        ("netloft run evil.toml --plugins $PLUGINS -o e.hdf --set analysis.max_seconds=0.2", 3,
+         "hostile/loops, term pull, did not come back for 2 s after its processor time was over (analysis.max_seconds)",
+         {"prepare": "evil loops > evil.toml", "needs": "PLUGINS"}),
+        ("interrupted 3 netloft run line.toml --plugins $PLUGINS -o e.hdf --solver hostile/stalls", 130,
+         "hostile/stalls, solve, did not come back for 2 s after the interruption",
+         {"prepare": 'line 0 "100 kN" > line.toml', "holds": "test -s e.hdf", "needs": "PLUGINS"})),
+    *answers(
+        "12. Limits, signals, pipes and commands that are none",
+        ("limited -v 150000 netloft run $panel -o p.hdf", 1, "not enough memory: solving wants … ulimit -v",
+         {"holds": "test ! -e p.hdf.part", "needs": "MEMORY"}),
+        ("limited -f 50 netloft run $panel -o p.hdf", 1, "cannot write p.hdf.part … File too large", {"holds": "test ! -e p.hdf.part"}),
+        ("netloft run pipe.toml", 2, "pipe.toml is", {"prepare": "mkfifo pipe.toml"}),
+        ("netloft run $panel --solver central-difference --set analysis.max_iterations=3 -o p.hdf", 3,
+         "the limit of 3 iterations was reached"),
+        ("netloft shema", 2, 'there is no command "shema"; did you mean "schema"?'),
+        ("netloft", 0, "Subcommands:")),
+    *answers(
+        "13. Options that cannot be meant, and files that cannot be written",
+        ("netloft scope $sea --depth 60:66:2 --warp 3:4:2 -o nowhere/x.svg", 2, "nowhere/x.svg: there is no folder nowhere"),
+        ("netloft scope $sea --depth 60:66:2 --warp 3:4:2 --set 'analysis.kind=\"dynamic\"' --set analysis.duration=2", 2,
+         "scope follows equilibria, and this scene goes through time"),
+        ("netloft stability $suite --draw -1", 2, "--draw: Value -1 not in range 0 to"),
+        ("netloft stability $suite --seconds-per-case nan", 2, "--seconds-per-case: Value nan not in range 0.001 to 1000000"),
+        ("netloft stability $suite --html nowhere/x.html", 2, "nowhere/x.html: there is no folder nowhere"),
+        ("netloft reference /proc/here", 1, "/proc/here cannot be made: No such file or directory"),
+        ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 --csv t.csv", 1,
+         "newton … converged … t.csv cannot be written: No space left on device", {"needs": "FULL_DISK"})),
+]
