@@ -3,7 +3,7 @@
 
 Commands stand in blocks or between backticks and begin with `netloft` and a subcommand, and say on what. Words in capitals and files
 that a page makes up stand for something of the library. What takes long is run coarsely. The README and the guides have tests of
-their own, and so have the pages that `netloft new` writes.
+their own, and so have the page of answers to what goes wrong and the pages that `netloft new` writes.
 """
 import os
 import re
@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM, SOURCE = Path(os.environ["NETLOFT_PROGRAM"]), Path(os.environ["NETLOFT_SOURCE_DIR"])
-ELSEWHERE = ("README.md", "framework/guides/", "io/cli/templates/", "build/")
+ELSEWHERE = ("README.md", "framework/guides/", "io/cli/templates/", "io/cli/ANSWERS.md", "build/")
 BLOCK = re.compile(r"^```[^\n]*\n(.*?)^```", re.DOTALL | re.MULTILINE)
 FILE = re.compile(r"^```toml (\S+)\n(.*?)^```", re.DOTALL | re.MULTILINE)  # a page's own file, of that name
 STANDS_FOR = (
