@@ -556,7 +556,8 @@ class SceneReader {
                 cure);
     }
     for (std::size_t p = 0; p < draft_.types.size(); ++p) {
-      if (draft_.types[p]->is_on_body()) continue;  // whose y is outward
+      const ElementType* type = draft_.types[p];  // null for one that is not there, which was said
+      if (!type || type->is_on_body()) continue;  // whose y is outward
       const Part& part = out_.scene.parts[p];
       for (const auto& [name, value] : part.parameters)
         if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for whoever reads a scene: each input is a scene file, with the shipped plugins at hand. What is
-// read without an error is planned and assembled, if it is small.
+// Nonsense for whoever reads a scene: each input is a scene file, with the shipped plugins and the gear
+// library at hand. What is read without an error is planned and assembled, if it is small.
 #include "framework/assembler/assembler.hpp"
 #include "framework/scene/plan.hpp"
 #include "io/scene/read_scene.hpp"
@@ -23,12 +23,20 @@ void assemble(const io::LoadedScene& loaded, Registry& registry) {
   }
 }
 
+/// Where an input finds what scenes include: `include = ["scenes/four-panel.toml"]`.
+void link_library() {
+  for (const char* part : {"scenes", "gears"})
+    std::filesystem::create_directory_symlink(std::filesystem::path(NETLOFT_GEAR_LIBRARY) / part,
+                                              fuzz::scratch_folder() / part);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static Registry registry = [] {
     Registry plugins;
     plugins.add_folder(NETLOFT_PLUGIN_DIR);
+    link_library();
     return plugins;
   }();
   io::Diagnostics diagnostics;

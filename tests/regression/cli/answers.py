@@ -102,6 +102,7 @@ ALL = [
         ("netloft check $plan --set 'floats.headline-floats.spread=\"11.5 along headline\"'", 2, "11.5 pieces, which is not a whole number"),
         ("netloft check $plan --set 'ropes.headline.length=\"60 m\"'", 0,
          "warning: headline: 60 m long, 6 m of it are given to edges: 54 m hang on no netting"),
+        ("netloft plan $flume --set parts.bed.type=seabedd/plane", 4, 'there is no plugin "seabedd"; did you mean "seabed"?'),
         ("netloft run $panel --set 'catalogue=[\"nowhere\"]'", 2, "there is no folder"),
         ("netloft run $panel --set 'parts.bed={ type = \"seabed/plane\", on = \"net\", seabed = { depth = -1 } }'", 2,
          "bed: all of the gear is below it, by 1 m or more"),

@@ -30,6 +30,15 @@ class HalfGears(InFreshFolder):
         self.assertEqual(ended.code, 2, ended.out)
         self.assertIn("error: at the start upper-bridle and lower-bridle lie up to 5 m beyond the plane of symmetry, y = 0", ended.err)
 
+    def test_have_elements_that_are_named_wrong(self):
+        ended = self.netloft("plan", str(FLUME), "--set", "parts.bed.type=seabedd/plane")
+        self.assertEqual(ended.code, 4, ended.err)
+        self.assertIn('there is no plugin "seabedd"; did you mean "seabed"?', ended.err)
+        at_sea = str(FLUME.parent / "83-112-at-sea-66m.toml")
+        ended = self.netloft("plan", at_sea, "--set", "bodies.doors.board.lift=1")
+        self.assertEqual(ended.code, 2, ended.err)
+        self.assertIn("bodies.doors.type: is missing: element type", ended.err)
+
     def test_take_what_is_symmetric(self):
         self.assertEqual(self.netloft("plan", str(FLUME), "--set", "parts.bed.seabed.slope_x=0.1").code, 0)
 
