@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/layout.hpp"
 
+#include "io/picture/labels.hpp"
+#include "io/picture/text.hpp"
+
 #include "io/result/dimensions.hpp"
 
 #include <fmt/format.h>
@@ -109,9 +112,11 @@ bool is_inside(const Point3& p, const Frame& frame) {
 
 void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
                     SheetLayout& layout) {
+  constexpr double kWords = 13;  // their size [pixels]
   std::vector<double> points;
   for (const auto& node : shape.nodes) points.insert(points.end(), node.begin(), node.end());
-  double along = 0.5;  // where the words stand: lines that cross have them in different places
+  std::vector<LabelledLine> lines;
+  std::vector<std::string> words;
   for (const auto& dimension : dimensions_of(*shape.result)) {
     const Point3 from = place_of(dimension.from, *shape.result, points, {});
     const Point3 to = place_of(dimension.to, *shape.result, points, from);
@@ -121,11 +126,13 @@ void add_dimensions(const GearShape& shape, const Projection& projection, const 
     if (std::hypot(b[0] - a[0], b[1] - a[1]) < kLeastDimension) continue;
     add_arrow(a, b, layout);
     const double metres = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-    layout.words.push_back({a[0] + along * (b[0] - a[0]) + 6, a[1] + along * (b[1] - a[1]) - 6,
-                            fmt::format("{} {:.3g} m", dimension.name, metres), 13, SheetLayout::Align::left,
-                            true});
-    along = along == 0.5 ? 0.22 : 0.62;
+    words.push_back(fmt::format("{} {:.3g} m", dimension.name, metres));
+    lines.push_back({a, b, text_width(words.back(), kWords)});
   }
+  const auto places = place_labels(lines, kWords, picture);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    layout.words.push_back(
+        {places[i].left, places[i].top + places[i].height, words[i], kWords, SheetLayout::Align::left, true});
 }
 
 }  // namespace netloft::io
