@@ -111,6 +111,12 @@ Catalogue Catalogue::load(const std::vector<std::filesystem::path>& folders, Dia
   return catalogue;
 }
 
+Catalogue Catalogue::load_file(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  Catalogue catalogue;
+  catalogue.read_file(file, 0, diagnostics);
+  return catalogue;
+}
+
 void Catalogue::read_folder(const std::filesystem::path& folder, Diagnostics& diagnostics) {
   folders_.push_back(folder);
   const std::size_t first_of_folder = parts_.size();

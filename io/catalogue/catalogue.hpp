@@ -38,6 +38,9 @@ class Catalogue {
   /// Folders that do not exist are skipped. Errors are put into the diagnostics with their places.
   static Catalogue load(const std::vector<std::filesystem::path>& folders, Diagnostics& diagnostics);
 
+  /// The parts of one file.
+  static Catalogue load_file(const std::filesystem::path& file, Diagnostics& diagnostics);
+
   /// Null if no part of these kinds has the name.
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
   /// In the order in which they were read.

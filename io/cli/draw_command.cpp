@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
+#include "io/cli/draw_polars.hpp"
 #include "io/cli/error_json.hpp"
 #include "io/cli/replaced_file.hpp"
 #include "io/cli/terminal.hpp"
@@ -38,6 +39,25 @@ std::vector<std::string> files_of(const NetPlan& plan) {
   return paths;
 }
 
+/// Says what is wrong with a file; the code to end with where that is an error.
+int say(const Diagnostics& diagnostics, const Options& options, Terminal& terminal) {
+  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
+  if (diagnostics.errors() == 0) return kDone;
+  if (options.json) std::puts(errors_json(diagnostics, kWrongInput).c_str());
+  return kWrongInput;
+}
+
+int draw_polars_command(const Options& options) {
+  Terminal terminal(options.color);
+  Diagnostics diagnostics;
+  const std::string output = output_of(options);
+  const std::string picture = draw_polars(options.target, output.ends_with(".html"), diagnostics);
+  if (const int code = say(diagnostics, options, terminal); code != kDone) return code;
+  replace_file(output, picture, {options.target}, {".svg", ".html"});
+  terminal.say("written to " + output);
+  return kDone;
+}
+
 std::string draw_divided(const NetPlan& plan, std::size_t nodes) {
   const Gear gear = make_gear(plan, Extent::whole);
   Fineness fineness;
@@ -56,19 +76,20 @@ int draw_command(const Options& options) {
     refuse_idle(options, {"--set", "--plugins", "--mesh", "--nodes"}, options.target + " is a result");
     return draw_result_command(options);
   }
-  refuse_idle(
-      options,
-      {"--view", "--field", "--state", "--width", "--fit", "--dark", "--log", "--elements", "--dimensions"},
-      options.target + " is a net plan");
+  const std::vector<std::string> of_results = {"--view", "--field", "--state",    "--width",     "--fit",
+                                               "--dark", "--log",   "--elements", "--dimensions"};
+  if (holds_polars(options.target)) {
+    auto idle = of_results;
+    idle.insert(idle.end(), {"--set", "--plugins", "--mesh", "--nodes"});
+    refuse_idle(options, idle, options.target + " holds polars");
+    return draw_polars_command(options);
+  }
+  refuse_idle(options, of_results, options.target + " is a net plan");
   Terminal terminal(options.color);
   Diagnostics diagnostics;
   NetPlan plan = read_plan(options.target, options.set, diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
-  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
-  if (diagnostics.errors()) {
-    if (options.json) std::puts(errors_json(diagnostics, kWrongInput).c_str());
-    return kWrongInput;
-  }
+  if (const int code = say(diagnostics, options, terminal); code != kDone) return code;
   const std::string output = output_of(options);
   replace_file(output, options.mesh ? draw_divided(plan, options.mesh_nodes) : draw_plan(plan),
                files_of(plan), {".svg"});

@@ -32,6 +32,7 @@ std::vector<double> values_of(const LinePlot& plot, bool of_x) {
   for (const auto& series : plot.series) {
     for (const auto& p : series.points)
       if (std::isfinite(p.x) && std::isfinite(p.y)) values.push_back(of_x ? p.x : p.y);
+    for (const auto& p : series.curve) values.push_back(of_x ? p.x : p.y);
     for (const auto& span : series.band) {
       values.push_back(of_x ? span.x : span.low);
       if (!of_x) values.push_back(span.high);
@@ -129,12 +130,19 @@ class Drawing {
     picture_.area(outline, colour(i), kShade);
   }
 
+  std::vector<PicturePoint> places_of(const std::vector<PlotSeries::Point>& points) const {
+    std::vector<PicturePoint> places;
+    for (const auto& p : points)
+      if (x_->has_place(p.x) && y_->has_place(p.y)) places.push_back({x(p.x), y(p.y)});
+    return places;
+  }
+
   void draw_series(std::size_t i) {
-    std::vector<PicturePoint> path;
-    for (const auto& p : plot_.series[i].points)
-      if (x_->has_place(p.x) && y_->has_place(p.y)) path.push_back({x(p.x), y(p.y)});
-    if (plot_.series[i].is_line) picture_.path(path, colour(i), 1.4);
-    for (const auto& at : path) picture_.marker(at, i, colour(i));
+    const PlotSeries& series = plot_.series[i];
+    const auto points = places_of(series.points);
+    if (series.is_line)
+      picture_.path(series.curve.empty() ? points : places_of(series.curve), colour(i), 1.4);
+    for (const auto& at : points) picture_.marker(at, i, colour(i));
   }
 
   void draw_legend() {

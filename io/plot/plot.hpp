@@ -16,8 +16,9 @@ struct PlotSeries {
   };
   std::string name;
   std::vector<Point> points;
-  std::vector<Span> band = {};  // in the order of x
-  bool is_line = true;          // else markers alone
+  std::vector<Span> band = {};    // in the order of x
+  bool is_line = true;            // else markers alone
+  std::vector<Point> curve = {};  // the line, where it does not lead straight from point to point
 };
 
 /// A dashed vertical line with a label at its top, at a special value of x.
