@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/priour/drag.hpp"
 
+#include "plugins/priour/slowed.hpp"
+
 #include "plugins/common/surface.hpp"
 
 #include <netloft/law.hpp>
@@ -23,8 +25,8 @@ void put(double& to, double number) {
   to = turn == Turn::first ? number : to + number;
 }
 
-/// Fills in W and the diameter, which both kinds of law need.
-void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f) {
+/// Fills in W and the diameter, which both kinds of law need; of slowed water less is left.
+void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, const Slowing* slowed, FlowLanes& f) {
   const double *current = t.current, *v = t.v;
   const std::size_t count = t.count;
   for (int axis = 0; axis < 3; ++axis)  // (1)
@@ -32,6 +34,9 @@ void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, FlowLanes& f) {
     for (std::size_t i = 0; i < count; ++i)
       f.flow[axis][i] = mean_of_corners(current, axis, i) - mean_of_corners(v, axis, i);
   std::copy_n(p.diameter, count, f.diameter);
+  for (int axis = 0; axis < 3 && slowed && current; ++axis)
+    for (std::size_t i = 0; i < count; ++i)
+      f.flow[axis][i] += (slowed->left[i] - 1) * mean_of_corners(current, axis, i);
 }
 
 /// Adds `factor` times the force and the flow derivative of a law.
@@ -109,58 +114,76 @@ void set_screen(const netloft_bound_law& law, const Triangle::Lanes& p, const ne
   if (t.tangent) set_screen_tangent(t, f, out);
 }
 
-void compute(const Family<Triangle>& family, const netloft_tile& t, Force& out) {
+void compute(const Family<Triangle>& family, const netloft_tile& t, const Slowing* slowed, Force& out) {
   const Triangle::Lanes& p = family.lanes(t);
   const netloft_bound_law& law = family.law(0);
   FlowLanes f;
-  fill_flow(p, t, f);
+  fill_flow(p, t, slowed, f);
   if (law.kind == NETLOFT_SCREEN_LAW) return set_screen(law, p, t, f, out);
   add_twines<Turn::first>(law, p, p.a, t, f, out);
   add_twines<Turn::later>(law, p, p.b, t, f, out);
 }
 
-/// Computes ⅓ F_W dc/dz of row r and corner q.
-void find_shear(const Force& F, const netloft_tile& t, int r, int q, double* shear) {
+/// Computes ⅓ F_W ∂c/∂x_q of row r, corner q and column `axis`, where c is the water as it is met.
+void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, int r, int q, int axis,
+                double* shear) {
   std::fill_n(shear, t.count, 0.0);
-  if (!t.current_dz) return;
-  for (int a = 0; a < 3; ++a)
-    for (std::size_t i = 0; i < t.count; ++i)
-      shear[i] += F.flow[3 * r + a][i] * t.current_dz[at(3 * q + a, i)] / 3;
+  for (int a = 0; a < 3; ++a) {
+    const double* flow = F.flow[3 * r + a];
+    if (t.current_dz && axis == 2)
+      for (std::size_t i = 0; i < t.count; ++i)
+        shear[i] += (slowed ? slowed->left[i] : 1) * flow[i] * t.current_dz[at(3 * q + a, i)] / 3;
+    if (slowed && t.current && axis < 2)
+      for (std::size_t i = 0; i < t.count; ++i)
+        shear[i] += flow[i] * mean_of_corners(t.current, a, i) * (axis == 0 ? slowed->x : slowed->y)[i] / 3;
+  }
 }
 
 /// The three rows of corners are equal.
-void add_tangent(const Force& F, netloft_tile& t) {
-  const double third = -1.0 / 3, cu = t.cu, cv = t.cv;
+void add_tangent(const Force& F, const Slowing* slowed, double sign, netloft_tile& t) {
+  const double third = -sign / 3, cu = t.cu, cv = t.cv;
   const std::size_t count = t.count;
-  double shear[kLanes];
+  double shear[kLanes] = {};
   for (int r = 0; r < 3; ++r)
-    for (int q = 0; q < 3; ++q) {
-      find_shear(F, t, r, q, shear);
+    for (int q = 0; q < 3; ++q)
       for (int c = 0; c < 3; ++c) {
-        const double *x = F.x[q][3 * r + c], *flow = F.flow[3 * r + c], along_z = c == 2 ? 1 : 0;
+        const bool is_sheared = c == 2 || slowed;
+        if (is_sheared) find_shear(F, t, slowed, r, q, c, shear);
+        const double *x = F.x[q][3 * r + c], *flow = F.flow[3 * r + c], counts = is_sheared ? 1 : 0;
         double* row[3];
         for (int p = 0; p < 3; ++p) row[p] = t.tangent + at(place(p, r, q, c), 0);
 #pragma GCC ivdep
         for (std::size_t i = 0; i < count; ++i) {
-          const double k = third * (cu * (x[i] + along_z * shear[i]) - cv * flow[i] / 3);
+          const double k = third * (cu * (x[i] + counts * shear[i]) - cv * flow[i] / 3);
           row[0][i] += k, row[1][i] += k, row[2][i] += k;
         }
       }
-    }
+}
+
+/// Adds what the force does, `sign` times.
+void add(const Family<Triangle>& family, const Slowing* slowed, double sign, netloft_tile& t) {
+  Force F;
+  compute(family, t, slowed, F);
+  if (t.force)
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < t.count; ++i) {
+        const double third = sign * F.F[axis][i] / 3;
+        for (int p = 0; p < 3; ++p) t.force[at(3 * p + axis, i)] -= third;
+      }
+  if (t.tangent) add_tangent(F, slowed, sign, t);
 }
 
 }  // namespace
 
 Status Drag::tile(const Family<Triangle>& family, netloft_tile& t) {
-  Force F;
-  compute(family, t, F);
-  if (t.force)
-    for (int axis = 0; axis < 3; ++axis)
-      for (std::size_t i = 0; i < t.count; ++i) {
-        const double third = F.F[axis][i] / 3;
-        for (int p = 0; p < 3; ++p) t.force[at(3 * p + axis, i)] -= third;
-      }
-  if (t.tangent) add_tangent(F, t);
+  add(family, nullptr, 1, t);
+  return Status::ok;
+}
+
+Status SlowedDrag::tile(const Family<Triangle>& family, netloft_tile& t) {
+  const Slowing slowed(family.lanes(t), t, family.law(0).kind);
+  if (!slowed.acts) return Status::ok;
+  add(family, &slowed, 1, t), add(family, nullptr, -1, t);
   return Status::ok;
 }
 
@@ -171,8 +194,9 @@ Status DryDrag::tile(const Family<Triangle>& family, netloft_tile& t) {
 void Drag::output(const Family<Triangle>& family, const netloft_tile& t, double* values) {
   std::fill_n(values, t.count, 0.0);
   if (!family.law(0).evaluate) return;  // still water: the part has no law
+  const Slowing slowed(family.lanes(t), t, family.law(0).kind);
   Force F;
-  compute(family, t, F);
+  compute(family, t, slowed.acts ? &slowed : nullptr, F);
   for (std::size_t i = 0; i < t.count; ++i) values[i] = std::hypot(F.F[0][i], F.F[1][i], F.F[2][i]);
 }
 

@@ -4,6 +4,7 @@
 #include "plugins/priour/knot_contact.hpp"
 #include "plugins/priour/motion.hpp"
 #include "plugins/priour/opening.hpp"
+#include "plugins/priour/slowed.hpp"
 
 using namespace netloft::priour;
 
@@ -39,6 +40,16 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.real("twine.surface", &Triangle::Parameters::surface, "1",
          "how much of its drag is lost above z = 0: 1 all of it, 0 none, in water without a surface",
          {.lo = 0, .hi = 1, .fallback = 0});
+  t.real("slowed.by", &Triangle::Parameters::slowed_by, "1",
+         "fraction of the velocity of the water that a catch takes away at its front",
+         {.lo = 0, .hi = 1, .fallback = 0});
+  t.real("slowed.front", &Triangle::Parameters::slowed_front, "m",
+         "place of that front along the flow; ahead of it the water is slowed less and less",
+         {.lo = -1e6, .hi = 1e6, .fallback = 0});
+  t.real("slowed.radius", &Triangle::Parameters::slowed_radius, "m", "radius of the catch at its front",
+         {.lo = 1e-3, .hi = 1e3, .fallback = 1});
+  t.real("slowed.direction", &Triangle::Parameters::slowed_direction, "rad",
+         "direction to which the water flows, from x towards y", {.lo = -6.3, .hi = 6.3, .fallback = 0});
   t.law("drag", NETLOFT_TWINE_LAW | NETLOFT_SCREEN_LAW, "hydro/morison",
         "force of the water on the netting, twine by twine or as a screen");
   t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
@@ -59,6 +70,9 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
                                 "twine.knot_size");
   t.term<Drag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the netting, by its law, a third per corner", "twine.diameter");
+  t.term<SlowedDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
+                         netloft::from_outside | netloft::is_drag>(
+      "slowed-drag", "drag that is lost in water that a catch slows ahead of it", "slowed.by");
   t.term<DryDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
                       netloft::from_outside | netloft::is_drag>(
       "dry-drag", "drag that is lost above the surface", "twine.surface");

@@ -80,6 +80,10 @@ void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_
   lanes.H_of_EI[lane] = 12 * p.EI / d.bar_length;
   lanes.alpha0[lane] = p.opening_angle;
   lanes.touching[lane] = touching_cosine(p, d);
+  lanes.slowed_by[lane] = p.slowed_by, lanes.slowed_front[lane] = p.slowed_front;
+  lanes.slowed_radius[lane] = p.slowed_radius;
+  lanes.slowed_x[lane] = std::cos(p.slowed_direction), lanes.slowed_y[lane] = std::sin(p.slowed_direction);
+  lanes.slows |= p.slowed_by > 0;
 }
 
 axial::Bar Triangle::stretch(int direction, const Parameters& p, const Data& d, const State<3>& s) {

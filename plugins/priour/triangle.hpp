@@ -29,7 +29,8 @@ struct Triangle {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
     double EI = 0, opening_stiffness = 0, opening_angle = 0, knot_size = 0;
     double damping = 0, added_mass = 0, surface = 0;
-    std::int64_t number = 1;  // N
+    double slowed_by = 0, slowed_front = 0, slowed_radius = 0, slowed_direction = 0;  // slowed.hpp
+    std::int64_t number = 1;                                                          // N
   };
   struct Data {
     std::array<double, 3> u{}, v{};  // twine coordinates of the corners [bars]
@@ -44,6 +45,9 @@ struct Triangle {
     double diameter[kLanes], damping[kLanes], added_mass[kLanes];
     double surface[kLanes];   // σ of surface.hpp
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
+    // Of slowed.hpp: b, ξ, R and e; and whether some lane has any of it.
+    double slowed_by[kLanes], slowed_front[kLanes], slowed_radius[kLanes], slowed_x[kLanes], slowed_y[kLanes];
+    bool slows = false;
   };
 
   /// d of (1), of the first three corners or of the first two and another one.

@@ -5,6 +5,7 @@
 
 #include "plugins/priour/drag.hpp"
 #include "plugins/priour/motion.hpp"
+#include "plugins/priour/slowed.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
 
@@ -94,10 +95,19 @@ struct Corners {
 
 using Residual = Points<D, 3>;
 
+/// What is left of the velocity of the water at a triangle.
+D left_at(const Corners& k, const Triangle::Parameters& p) {
+  const Vec3<D> middle = D(1.0 / 3) * (k.x[0] + k.x[1] + k.x[2]);
+  const D d =
+      p.slowed_front - std::cos(p.slowed_direction) * middle.x - std::sin(p.slowed_direction) * middle.y;
+  const D near = 1.0 + (1 / (p.slowed_radius * p.slowed_radius)) * d * d;
+  return d > D(0) ? 1.0 - p.slowed_by / (near * sqrt(near)) : D(1 - p.slowed_by);
+}
+
 template <class Law>
-Residual drag(const Corners& k, const Triangle::Data& d, const Triangle::Parameters& p) {
+Residual drag_in(const D& left, const Corners& k, const Triangle::Data& d, const Triangle::Parameters& p) {
   Flow<D> f;
-  f.flow = D(1.0 / 3) * (k.c[0] + k.c[1] + k.c[2] - k.v[0] - k.v[1] - k.v[2]);
+  f.flow = D(1.0 / 3) * (left * (k.c[0] + k.c[1] + k.c[2]) - k.v[0] - k.v[1] - k.v[2]);
   f.diameter = p.diameter, f.density = kDensity;
   Vec3<D> F;
   if (Law::kind == NETLOFT_TWINE_LAW) {
@@ -114,6 +124,19 @@ Residual drag(const Corners& k, const Triangle::Data& d, const Triangle::Paramet
   }
   const Vec3<D> third = D(-1.0 / 3) * F;
   return {third, third, third};
+}
+
+template <class Law>
+Residual drag(const Corners& k, const Triangle::Data& d, const Triangle::Parameters& p) {
+  return drag_in<Law>(D(1), k, d, p);
+}
+
+template <class Law>
+Residual lost_drag(const Corners& k, const Triangle::Data& d, const Triangle::Parameters& p) {
+  Residual lost = drag_in<Law>(left_at(k, p), k, d, p);
+  const Residual whole = drag_in<Law>(D(1), k, d, p);
+  for (std::size_t q = 0; q < 3; ++q) lost[q] -= whole[q];
+  return lost;
 }
 
 Residual damping(const Corners& k, const Triangle::Data& d, const Triangle::Parameters& p) {
@@ -138,9 +161,8 @@ Residual inertia(const Corners& k, const Triangle::Data& d, const Triangle::Para
 }
 
 template <class Term, class Oracle>
-void expect_matches(const netloft_bound_law& law, Oracle&& oracle) {
+void expect_matches(const netloft_bound_law& law, Oracle&& oracle, const Triangle::Parameters& p = twine()) {
   Moving m;
-  const auto p = twine();
   auto family = make_family<Triangle>(p, m.data);
   family.laws_ = {law};
   ASSERT_EQ(Term::tile(family, m.t), Status::ok);
@@ -169,6 +191,18 @@ TEST(NettingDrag, MatchesItsOracleTwineByTwine) { expect_matches<Drag>(kTwines, 
 
 TEST(NettingDrag, MatchesItsOracleAsAScreen) { expect_matches<Drag>(kScreens, drag<ScreenLaw>); }
 
+/// Netting ahead of a catch and beside it.
+Triangle::Parameters behind_slowed_water() {
+  auto p = twine();
+  p.slowed_by = 0.7, p.slowed_front = 0.1, p.slowed_radius = 0.3, p.slowed_direction = 0.4;
+  return p;
+}
+
+TEST(SlowedDrag, MatchesItsOracle) {
+  expect_matches<SlowedDrag>(kTwines, lost_drag<TwineLaw>, behind_slowed_water());
+  expect_matches<SlowedDrag>(kScreens, lost_drag<ScreenLaw>, behind_slowed_water());
+}
+
 TEST(NettingDamping, MatchesItsOracle) { expect_matches<Damping>(kTwines, damping); }
 
 TEST(NettingInertia, MatchesItsOracle) { expect_matches<Inertia>(kTwines, inertia); }
@@ -181,12 +215,12 @@ struct AcrossTheFlow : Moving {
     for (int d = 0; d < 9; ++d) x[at(d, 0)] = 0, current[at(d, 0)] = d % 3 == 0 ? 2 : 0;
     x[at(4, 0)] = 0.9, x[at(8, 0)] = 0.9;
   }
-  double total(const netloft_bound_law& law) {
-    const auto p = twine();
+  double total(const netloft_bound_law& law, const Triangle::Parameters& p = twine()) {
     auto family = make_family<Triangle>(p, data);
     family.laws_ = {law};
     std::fill(std::begin(force), std::end(force), 0.0);
     EXPECT_EQ(Drag::tile(family, t), Status::ok);
+    EXPECT_EQ(SlowedDrag::tile(family, t), Status::ok);
     return -force[at(0, 0)] - force[at(3, 0)] - force[at(6, 0)];
   }
 };
@@ -212,6 +246,18 @@ TEST(NettingDrag, IsReportedAsOneNumberAndIsNothingWithoutALaw) {
   family.laws_ = {netloft_bound_law{}};
   Drag::output(family, m.t, values);
   EXPECT_EQ(values[0], 0);
+}
+
+TEST(SlowedDrag, LeavesTheSquareOfWhatIsLeftOfTheVelocity) {
+  AcrossTheFlow net;
+  const double whole = net.total(kTwines);
+  auto p = twine();
+  p.slowed_by = 0.4, p.slowed_front = -1, p.slowed_radius = 2;
+  EXPECT_NEAR(net.total(kTwines, p) / whole, 0.36, 1e-12) << "behind the front";
+  p.slowed_front = 2;  // a radius ahead
+  EXPECT_NEAR(net.total(kTwines, p) / whole, std::pow(1 - 0.4 / std::sqrt(8), 2), 1e-12);
+  p.slowed_front = 200;
+  EXPECT_NEAR(net.total(kTwines, p) / whole, 1, 1e-6) << "far ahead";
 }
 
 }  // namespace
