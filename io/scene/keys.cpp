@@ -45,6 +45,11 @@ std::span<const netloft_parameter> bed_keys() {
            {.lo = -10, .hi = 10, .fallback = 0});
     t.grid("relief", &BedKeys::relief, "height above that plane on a grid, for beds of any shape",
            {{"x", "m"}, {"y", "m"}, {"height", "m"}});
+    t.grid("bottom", &BedKeys::bottom,
+           "what the bed is made of on a grid: its stiffness, friction and resistance to ploughing over "
+           "those of "
+           "the parts that rest on it",
+           {{"x", "m"}, {"y", "m"}, {"stiffness", "1"}, {"friction", "1"}, {"ploughing", "1"}});
     return t;
   }();
   return table.rows();

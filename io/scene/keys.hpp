@@ -40,6 +40,7 @@ inline constexpr const char* kKnots = "knots";
 struct BedKeys {
   double depth = 0, slope_x = 0, slope_y = 0;  // [m]
   netloft_table relief{};                      // x, y, height
+  netloft_table bottom{};                      // x, y, stiffness, friction, ploughing
 };
 
 /// `[gear]`, but for the table `finer`.

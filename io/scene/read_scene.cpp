@@ -83,6 +83,7 @@ class SceneReader {
     out_.analysis = read_analysis(root_.table("analysis", Presence::optional), registry_, refused_);
     if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) check_guides();
     read_results();
+    if (!bottom_.empty() && diagnostics_.errors() == 0) lay_bottom();
     if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry();
     root_.finish();
     out_.files = meshes_.files();
@@ -105,7 +106,7 @@ class SceneReader {
     if (faults.empty()) take_water(*static_cast<const WaterKeys*>(block.data()));
     out_.scene.current = read_current(water);
     if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
-    if (root_.has("bed")) read_bed(root_.table("bed"), out_.scene);
+    if (root_.has("bed")) bottom_ = read_bed(root_.table("bed"), out_.scene);
     read_ship();
   }
 
@@ -528,11 +529,22 @@ class SceneReader {
           "reactions are of what a [[hold]] holds");
   }
 
-  bool bed_is_symmetric() const {
+  /// What the bed is made of, under all parts that rest on it.
+  void lay_bottom() {
+    bool is_felt = false;
+    for (std::size_t p = 0; p < draft_.types.size(); ++p)
+      is_felt |= bottom_.lay_under(*draft_.types[p], out_.scene.parts[p]);
+    if (!is_felt)
+      root_.table("bed").error("bottom", "has no effect: nothing rests on the bed that would feel it",
+                               "a part of the type seabed/bed, or a board that ploughs");
+  }
+
+  /// The key of the bed that tells port from starboard; null: none does.
+  const char* uneven_key() const {
     const SeaBed& bed = out_.scene.bed;
-    if (bed.slope_y != 0) return false;
-    if (bed.relief.empty()) return true;
-    return bed.relief.is_even_in_y();
+    if (bed.slope_y != 0) return "slope_y";
+    if (!bed.relief.empty() && !bed.relief.is_even_in_y()) return "relief";
+    return bottom_.is_symmetric() ? nullptr : "bottom";
   }
 
   /// Half a gear stands for a whole one only if nothing tells port from starboard.
@@ -549,10 +561,9 @@ class SceneReader {
       TableReader tow = root_.table("tow");
       tow.error("leeway", "leads across the plane y = 0, of which half a gear is the mirror image", cure);
     }
-    if (!bed_is_symmetric()) {
+    if (const char* key = uneven_key()) {
       TableReader bed = root_.table("bed");
-      bed.error(bed.has("slope_y") ? "slope_y" : "relief",
-                "tells port from starboard of the plane y = 0, of which half a gear is the mirror image",
+      bed.error(key, "tells port from starboard of the plane y = 0, of which half a gear is the mirror image",
                 cure);
     }
     for (std::size_t p = 0; p < draft_.types.size(); ++p) {
@@ -633,6 +644,7 @@ class SceneReader {
   OneSidedHolds one_sided_;
   std::map<std::string, Place> hold_names_;
   bool says_tow_ = false;
+  SeaBottom bottom_;
   std::optional<Joiner> joiner_;
 };
 

@@ -24,13 +24,14 @@ void read_tow(TableReader tow, Scene& scene) {
   scene.current.tow = scene.ground;
 }
 
-void read_bed(TableReader bed, Scene& scene) {
+SeaBottom read_bed(TableReader bed, Scene& scene) {
   const Values values = read_parameters(bed_keys(), bed);
   std::vector<std::string> faults;
   const ParameterBlock block(bed_keys(), sizeof(BedKeys), values, faults);
-  if (!faults.empty()) return;
+  if (!faults.empty()) return {};
   const auto& keys = *static_cast<const BedKeys*>(block.data());
   scene.bed = {true, keys.depth, keys.slope_x, keys.slope_y, Surface(keys.relief, 2)};
+  return SeaBottom(values, bed);
 }
 
 bool is_rubbed_by_standing_ground(const Scene& scene, const Part& part, const ElementType& type) {

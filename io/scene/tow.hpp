@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/registry/registry.hpp"
 #include "framework/scene/scene.hpp"
+#include "io/scene/bottom.hpp"
 #include "io/toml/table_reader.hpp"
 
 namespace netloft::io {
@@ -9,8 +10,8 @@ namespace netloft::io {
 /// `[tow]`: lets water and ground pass the gear. Without the table both are as they are written elsewhere.
 void read_tow(TableReader tow, Scene& scene);
 
-/// `[bed]`: the bed of the sea.
-void read_bed(TableReader bed, Scene& scene);
+/// `[bed]`: the bed of the sea, and what it is made of.
+SeaBottom read_bed(TableReader bed, Scene& scene);
 
 /// Whether a part is rubbed by a ground of which the scene does not say whether it passes, while water does.
 bool is_rubbed_by_standing_ground(const Scene& scene, const Part& part, const ElementType& type);

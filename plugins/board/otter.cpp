@@ -13,7 +13,8 @@ void Otter::check(const Parameters& p, const Data&) {
 }
 
 void Otter::gather(const Parameters& p, const Data&, Whole& whole) {
-  if (!whole.lift.empty() || !whole.chord.empty()) return;  // of the element before
+  if (!whole.lift.empty() || !whole.chord.empty() || !whole.ploughing.empty())
+    return;  // of the element before
   if (p.polar.rows) {
     const auto attack = Curve::read(p.polar, 0);
     whole.lift = Surface(attack, {0}, Curve::read(p.polar, 1));
@@ -23,6 +24,7 @@ void Otter::gather(const Parameters& p, const Data&, Whole& whole) {
     whole.lift = Surface(p.polar_slip, 2), whole.drag = Surface(p.polar_slip, 3),
     whole.side = Surface(p.polar_slip, 4);
   }
+  if (p.bottom.rows) whole.ploughing = Surface(p.bottom, 2);
   if (p.pressure.rows) whole.chord = Curve(p.pressure, 1), whole.span = Curve(p.pressure, 2);
 }
 

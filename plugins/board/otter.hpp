@@ -26,9 +26,10 @@ namespace netloft::boards {
 ///
 /// A lower edge that sinks into ground which passes is pushed outward by what it ploughs up, at four points
 /// along it of the depth δ in the ground, ĝ being the direction in which the ground passes the point:
-///   F = ¼ chord p (δ/0.1 m)^n (ĝ·y) y                                                                   (5)
-/// with n = 1 in clay, 2 in sand; p is for calibration, and none without it. What carries the board is the
-/// contact of its shoe, seabed/bed on points of it.
+///   F = ¼ chord s p (δ/0.1 m)^n (ĝ·y) y                                                                 (5)
+/// with n = 1 in clay, 2 in sand; s, 1 if nothing is said, is the factor of what the bed is made of there; p
+/// is for calibration, and none without it. What carries the board is the contact of its shoe, seabed/bed on
+/// points of it.
 ///
 /// Source: for (1)-(3) the form of FAO, Otter board design and performance (1974); two angles by the
 /// direction of the flow in the board's axes are all that a body in a uniform flow can feel, and they have no
@@ -40,13 +41,13 @@ struct Otter {
     double lift = 1, drag = 1;        // f_L, f_D
     double parasite = 0;              // C_0
     double ploughing = 0, power = 1;  // p [N/m], n of (5)
-    netloft_table polar{}, polar_slip{}, pressure{};
+    netloft_table polar{}, polar_slip{}, pressure{}, bottom{};
   };
   using Data = solids::Sided;
 
   /// The tables of a part.
   struct Whole {
-    Surface lift, drag, side;
+    Surface lift, drag, side, ploughing;
     Curve chord, span;  // ξ, η
     bool is_of_attack_alone = false;
   };
@@ -60,7 +61,7 @@ struct Otter {
 
   struct Ploughing {
     template <class T>
-    static Wrench<T> force(const Parameters& p, const Data&, const Body<T>& b);
+    static Wrench<T> force(const Parameters& p, const Data&, const Whole& whole, const Body<T>& b);
   };
 
   /// The flow past the origin in the axes of the board, y outward, with its angles (1).
@@ -173,7 +174,7 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
 }
 
 template <class T>
-Wrench<T> Otter::Ploughing::force(const Parameters& p, const Data&, const Body<T>& b) {
+Wrench<T> Otter::Ploughing::force(const Parameters& p, const Data&, const Whole& whole, const Body<T>& b) {
   using std::pow;
   constexpr double kDeep = 0.1;  // [m]
   Wrench<T> push;
@@ -186,7 +187,9 @@ Wrench<T> Otter::Ploughing::force(const Parameters& p, const Data&, const Body<T
     const Vec3<T> g = Vec3<T>{T(b.ground.x), T(b.ground.y), T(b.ground.z)} - b.velocity(r);
     const T speed = norm(g);
     if (!(speed > T(0))) continue;
-    const T size = 0.25 * p.chord * p.ploughing * pow(depth / T(kDeep), p.power) * dot(g, b.axes[1]) / speed;
+    const T bottom = whole.ploughing.empty() ? T(1) : whole.ploughing.at(at.x, at.y);
+    const T size =
+        0.25 * p.chord * p.ploughing * bottom * pow(depth / T(kDeep), p.power) * dot(g, b.axes[1]) / speed;
     push.push(size * b.axes[1], b.to_world(r));
   }
   return push;

@@ -73,9 +73,12 @@ void add_board(Plugin& plugin, const char* name, const char* doc) {
   e.table("board.pressure", &P::pressure,
           "centre of pressure: from the nose over the chord, above the middle over the span",
           {{"attack", "rad"}, {"chord", "1"}, {"span", "1"}});
+  e.grid("board.bottom", &P::bottom,
+         "what the bed is made of: its resistance to ploughing over that here; [bed] bottom gives it",
+         {{"x", "m"}, {"y", "m"}, {"ploughing", "1"}});
   e.term<Otter::Force, reads_velocity | reads_current | reads_bed | needs_flow | is_drag>(
       "water", "force of the flowing water");
-  e.term<Otter::Ploughing, reads_velocity | reads_ground | reads_bed>(
+  e.term<Otter::Ploughing, reads_velocity | reads_ground | reads_bed | from_outside>(
       "ploughing", "force of the ground that the lower edge ploughs up", "board.ploughing");
   add_outputs(e);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <netloft/interpolation.hpp>
+
 #include "plugins/seabed/plane.hpp"
 
 namespace netloft::seabed {
@@ -7,17 +9,30 @@ namespace netloft::seabed {
 /// The bed of the scene, of any shape, under a node that carries L metres of rope or twine and is round with
 /// the radius r: contact, and the friction of a bed that a gear is towed over.
 ///   g = z − z_b(x, y) − r,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured upright              (1)
-///   E = k L f(−g),  r = −k L f' ∇g,  K = k L (f'' ∇g ∇gᵀ + f' ∇∇z_b)       f of plane.hpp (2)       (2)
-///   N = k L f' ‖∇g‖,  n = ∇g/‖∇g‖                              normal force                         (3)
-///   w = (I − n nᵀ)(v − v_b),  r = μ N w h(‖w‖)                 h of plane.hpp (9)                   (4)
-/// v_b is the velocity at which the ground passes; where it stands there is no friction, and a `seabed/plane`
-/// has the one that sticks. r lifts a footrope on bobbins or discs off the bed.
+///   E = k m L f(−g),  r = k L (f ∇m − m f' ∇g)                f of plane.hpp (2)
+///   K = k L (m (f'' ∇g ∇gᵀ + f' ∇∇z_b) − f' (∇g ∇mᵀ + ∇m ∇gᵀ) + f ∇∇m)                              (2)
+///   N = k m L f' ‖∇g‖,  n = ∇g/‖∇g‖                            normal force                         (3)
+///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               h of plane.hpp (9)                   (4)
+/// m and q, 1 if nothing is said, are factors of what the bed is made of at x and y. v_b is the velocity at
+/// which the ground passes; where it stands there is no friction, and a `seabed/plane` has the one that
+/// sticks. r lifts a footrope on bobbins or discs off the bed.
 struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
     double stiffness = 0, softness = 0, friction = 0, radius = 0;
+    netloft_table bottom{};  // x, y, m, q
   };
   using Data = Plane::Data;
+  /// What the bed is made of: m and q over x and y.
+  struct Whole {
+    Surface stiffness, friction;
+  };
+  static void gather(const Parameters& p, const Data&, Whole& whole);
+  /// A factor at a place; 1 where nothing is said.
+  template <class T>
+  static T factor(const Surface& factors, const Vec3<T>& at) {
+    return factors.empty() ? T(1) : factors.at(at.x, at.y);
+  }
   static void check(const Parameters&, const Data& d) { Plane::check({}, d); }
 
   /// k L of (2).
@@ -25,23 +40,27 @@ struct OnBed {
     return p.stiffness * (d.length > 0 ? d.length : d.pieces);
   }
   /// N of (3), where the bed is known.
-  static double normal_force(const Parameters& p, const Data& d, const State<1>& s) {
+  static double normal_force(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s) {
     const Bed& b = s.bed[0];
     const double slope = std::sqrt(1 + b.slope_x * b.slope_x + b.slope_y * b.slope_y);
-    return stiffness_of(p, d) * slope * Plane::press(b.height + p.radius - s.x[0].z, p.softness).f1;
+    return factor(whole.stiffness, s.x[0]) * stiffness_of(p, d) * slope *
+           Plane::press(b.height + p.radius - s.x[0].z, p.softness).f1;
   }
 
   struct Contact {
-    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+    static Status evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s,
+                           Local<1>& out);
   };
   struct Friction {
     template <class T>
-    static Points<T, 1> force(const Parameters& p, const Data& d, const MovingNodes<T, 1>& m);
+    static Points<T, 1> force(const Parameters& p, const Data& d, const Whole& whole,
+                              const MovingNodes<T, 1>& m);
   };
 };
 
 template <class T>
-Points<T, 1> OnBed::Friction::force(const Parameters& p, const Data& d, const MovingNodes<T, 1>& m) {
+Points<T, 1> OnBed::Friction::force(const Parameters& p, const Data& d, const Whole& whole,
+                                    const MovingNodes<T, 1>& m) {
   const double passing = norm(m.ground);
   const Bed& b = m.bed[0];
   const T depth = b.below(m.x[0]) + T(p.radius) - m.x[0].z;
@@ -55,7 +74,8 @@ Points<T, 1> OnBed::Friction::force(const Parameters& p, const Data& d, const Mo
   const T speed = norm(w);
   const double c = Plane::kCreep * passing;
   const T share = speed >= T(c) ? 1.0 / speed : (2.0 - speed / T(c)) / T(c);
-  return {(-p.friction * stiffness_of(p, d)) * pressed * norm(up) * share * w};  // (4)
+  const T bottom = factor(whole.stiffness, m.x[0]) * factor(whole.friction, m.x[0]);
+  return {(-p.friction * stiffness_of(p, d)) * bottom * pressed * norm(up) * share * w};  // (4)
 }
 
 }  // namespace netloft::seabed

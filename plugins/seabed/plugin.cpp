@@ -20,6 +20,9 @@ void add_bed(netloft::Plugin& plugin) {
   e.real("seabed.radius", &P::radius, "m",
          "by which bobbins, discs or the rope's own thickness keep it off the bed",
          {.lo = 0, .hi = 10, .fallback = 0});
+  e.grid("seabed.bottom", &P::bottom,
+         "what the bed is made of: its stiffness and friction over those here; [bed] bottom gives it",
+         {{"x", "m"}, {"y", "m"}, {"stiffness", "1"}, {"friction", "1"}});
   e.data("length", &OnBed::Data::length, "m", "rope or twine that the node carries");
   e.data("pieces", &OnBed::Data::pieces, "1",
          "number of pieces at the node, each counted as a metre if the node carries no length");
@@ -28,8 +31,8 @@ void add_bed(netloft::Plugin& plugin) {
   e.term<OnBed::Friction,
          netloft::reads_bed | netloft::reads_ground | netloft::reads_velocity | netloft::from_outside>(
       "friction", "friction of a bed that passes", "seabed.friction");
-  e.output("normal_force", "N", "force of the bed on the node, along its normal",
-           [](auto& p, auto& d, auto& s) { return OnBed::normal_force(p, d, s); });
+  e.output_of_whole("normal_force", "N", "force of the bed on the node, along its normal",
+                    [](auto& p, auto& d, auto& w, auto& s) { return OnBed::normal_force(p, d, w, s); });
 }
 
 }  // namespace

@@ -83,6 +83,41 @@ class Boards(InFreshFolder):
                         ('heading = "35 deg"', 'heading = "20 deg"'), ("[80, 30, -50]\nt", "[80, 30, 0]\nt"), ("[80, 30, -50]]", "[80, 30, 0]]"))
         np.testing.assert_allclose(angles_of(self.figures(light)), [attack, 0, 0], atol=1e-8)
 
+    def test_a_wire_lies_deeper_where_the_bottom_is_softer(self):
+        """A wire of weight w per metre lies half the softness and w/k deep."""
+        wire = """\
+[parts.wire]
+type = "rope/bar"
+length = "10 m"
+cells = 10
+sketch = [[0, Y, -20], [10, Y, -20]]
+rope = { diameter = "20 mm", EA = "10 MN", density = 7000 }
+
+[bed]
+depth = "20 m"
+bottom = { x = [0, 0], y = [-2, 2], stiffness = [0.25, 2], friction = [1, 1], ploughing = [1, 1] }
+
+[parts.ground]
+type = "seabed/bed"
+on = "wire"
+seabed = { stiffness = "1 kN/m2", softness = "1 mm" }
+
+[[hold]]
+on = "wire"
+axes = "xy"
+[[hold]]
+on = "wire.start"
+
+[results]
+z = { of = "wire.end", take = "min z" }
+"""
+        w = math.pi / 4 * 0.02**2 * (7000 - 1025) * 9.80665
+        for y, factor in ((-5, 0.25), (5, 2), (0, (0.25 + 2) / 2)):
+            ended = self.run_scene(wire.replace("Y", str(y)))
+            self.assertEqual(ended.code, 0, ended.err + ended.out)
+            z = ended.json()["results"]["z"]
+            self.assertAlmostEqual(-z, 20 + 0.0005 + w / (1000 * factor), delta=1e-9)
+
     def test_from_any_attitude_it_finds_an_equilibrium_or_says_that_it_does_not(self):
         """Two attitudes are stable, found by the other program from 150 starts: it sheers out to starboard or to port."""
         stable = [np.radians(a) for a in ((72.064944612, 35.624608949, 30.538656910), (-24.7506, 61.4105, 20.1022))]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Boards, their polars, beds and ships a person gets wrong, as in wrong_case.py. Each is BOARD or SHIP with a change."""
-from program import changed
+from program import GOOD, changed
 from wrong_case import Wrong
 
 # A board on a warp, with a polar over two angles.
@@ -135,6 +135,14 @@ ALL = [
     ship("board of no name", '"flat-1.0x2.0"', '"flat-1x2"', "29:9", "flat-1x2", also=[("scene.toml:25:8", "no body has a point")]),
     ship("two that a warp may lead to", "[ropes.bridle]", '[bodies.other]\ntype = "board/otter"\nboard = "flat-1.0x2.0"\n[ropes.bridle]', "25:8",
          "more than one body has a point"),
+    beside("bottom of nothing", "bottom = { x = [0, 0], y = [-10, 10], stiffness = [0, 0], friction = [1, 1], ploughing = [1, 1] }\n", "38:51", "is outside (0, 1e6]"),
+    beside("bottom that pulls", "bottom = { x = [0, 0], y = [-10, 10], stiffness = [1, 1], friction = [-1, -1], ploughing = [1, 1] }\n", "38:70", "is outside [0, 1e6]"),
+    beside("bottom without friction", "bottom = { x = [0, 0], y = [-10, 10], stiffness = [1, 1], ploughing = [1, 1] }\n", "38:10", 'missing key "friction"'),
+    beside("bottom with a gap", "bottom = { x = [0, 1, 0], y = [0, 0, 1], stiffness = [1, 1, 1], friction = [1, 1, 1], ploughing = [1, 1, 1] }\n", "38:16", "there is no row for x = "),
+    beside("bottom of one side of half a gear", "bottom = { x = [0, 0], y = [-10, 10], stiffness = [1, 2], friction = [1, 1], ploughing = [1, 1] }\n", "38:10",
+           "tells port from starboard"),
+    Wrong("bottom that nothing feels", f"scene.toml:{GOOD.count(chr(10)) + 3}:10", "has no effect", "seabed/bed",
+          content=GOOD + "[bed]\ndepth = 40\nbottom = { x = [0, 0], y = [-10, 10], stiffness = [1, 1], friction = [1, 1], ploughing = [1, 1] }\n"),
     beside("a warp of one's own", '[ropes.warp]\nrope = "6x19-fc-16mm"\nlength = 3\n', "25:8", 'there is something named "warp" already'),
     beside("towed twice", "[tow]\nspeed = 1\n", "24:9", "ship.speed stands beside [tow]"),
     beside("bed across half a gear", "slope_y = 0.1\n", "38:11", "tells port from starboard", 'extent = "whole"'),

@@ -38,14 +38,14 @@ TEST(SeabedBed, PressesAsAPlaneWhereItIsLevel) {
   plane.depth = 0, plane.stiffness = 3e4, plane.softness = kSoft;
   for (const double z : {-0.005, -0.015, -0.1, 0.05}) {
     const State<1> s = node_over({.is_there = true}, z);
-    EXPECT_NEAR(OnBed::normal_force(firm(), {2, 0}, s), Plane::normal_force(plane, {2, 0}, s), 1e-9) << z;
+    EXPECT_NEAR(OnBed::normal_force(firm(), {2, 0}, {}, s), Plane::normal_force(plane, {2, 0}, s), 1e-9) << z;
   }
 }
 
 TEST(SeabedBed, PushesAlongItsNormalAndStiffensWhereItIsHollow) {
   Local<1> out;
   const State<1> s = node_over(hill(-40), -40.1);
-  ASSERT_EQ(OnBed::Contact::evaluate(firm(), {2, 0}, s, out), Status::ok);
+  ASSERT_EQ(OnBed::Contact::evaluate(firm(), {2, 0}, {}, s, out), Status::ok);
   const double push = 2 * 3e4 * (0.1 - kSoft / 2);
   EXPECT_NEAR(out.force[0].z, -push, 1e-9);  // of the residual, hence downwards
   EXPECT_NEAR(out.force[0].x, 0.2 * push, 1e-9);
@@ -57,25 +57,63 @@ TEST(SeabedBed, PushesAlongItsNormalAndStiffensWhereItIsHollow) {
 TEST(SeabedBed, LiesDeeperUnderBobbins) {
   OnBed::Parameters p = firm();
   p.radius = 0.25;
-  EXPECT_EQ(OnBed::normal_force(p, {2, 0}, node_over(hill(-40), -39.74)), 0);
-  EXPECT_GT(OnBed::normal_force(p, {2, 0}, node_over(hill(-40), -39.80)), 0);
+  EXPECT_EQ(OnBed::normal_force(p, {2, 0}, {}, node_over(hill(-40), -39.74)), 0);
+  EXPECT_GT(OnBed::normal_force(p, {2, 0}, {}, node_over(hill(-40), -39.80)), 0);
 }
 
 TEST(SeabedBed, RubsByItsShareOfTheNormalForceAlongTheGroundThatPasses) {
   const State<1> s = node_over(hill(-40), -40.1);
   MovingNodes<double, 1> m;
   m.x[0] = s.x[0], m.bed[0] = s.bed[0], m.ground = {1.5, 0, 0};
-  const Vec3<double> rub = OnBed::Friction::force(firm(), {2, 0}, m)[0];
-  EXPECT_NEAR(norm(rub), 0.6 * OnBed::normal_force(firm(), {2, 0}, s), 1e-9);
+  const Vec3<double> rub = OnBed::Friction::force(firm(), {2, 0}, {}, m)[0];
+  EXPECT_NEAR(norm(rub), 0.6 * OnBed::normal_force(firm(), {2, 0}, {}, s), 1e-9);
   EXPECT_NEAR(dot(rub, {-0.2, 0.1, 1}), 0, 1e-9) << "along the hill";
   EXPECT_GT(rub.x, 0) << "aft, with the ground";
   m.ground = {};
-  EXPECT_EQ(norm(OnBed::Friction::force(firm(), {2, 0}, m)[0]), 0) << "what stands does not rub";
+  EXPECT_EQ(norm(OnBed::Friction::force(firm(), {2, 0}, {}, m)[0]), 0) << "what stands does not rub";
+}
+
+/// Grows from 0.5 ahead of x = 0 to 1.5 behind it; rougher to starboard.
+OnBed::Whole mixed() {
+  return {Surface({-1, 1}, {-1, 1}, {0.5, 0.5, 1.5, 1.5}), Surface({-1, 1}, {-1, 1}, {1, 3, 1, 3})};
+}
+
+TEST(SeabedBed, PressesAndRubsByWhatTheBedIsMadeOf) {
+  State<1> s = node_over(hill(-40), -40.1);
+  s.x[0].x = -2, s.x[0].y = 2;  // beyond the grid: as at its edge
+  const double N = OnBed::normal_force(firm(), {2, 0}, {}, s);
+  EXPECT_NEAR(OnBed::normal_force(firm(), {2, 0}, mixed(), s), 0.5 * N, 1e-9);
+  MovingNodes<double, 1> m;
+  m.x[0] = s.x[0], m.bed[0] = s.bed[0], m.bed[0].x = s.x[0].x, m.bed[0].y = s.x[0].y, m.ground = {1.5, 0, 0};
+  EXPECT_NEAR(norm(OnBed::Friction::force(firm(), {2, 0}, mixed(), m)[0]), 3 * 0.6 * 0.5 * N, 1e-9);
+}
+
+TEST(SeabedBed, HasTheForceAndTheStiffnessOfItsEnergyOnAMixedBottom) {
+  const auto at = [](double x, double y, double z) {
+    Bed b = hill(-40);
+    const double h = b.below(Vec3<double>{x, y, z});  // of the same hill, seen from there
+    b.height = h, b.slope_x += b.xx * x + b.xy * y, b.slope_y += b.xy * x + b.yy * y, b.x = x, b.y = y;
+    State<1> s;
+    s.bed[0] = b, s.x[0] = {x, y, z}, s.cu = 1;
+    Local<1> out;
+    EXPECT_EQ(OnBed::Contact::evaluate(firm(), {2, 0}, mixed(), s, out), Status::ok);
+    return out;
+  };
+  const double x[3] = {0.3, -0.2, -40.1}, h = 1e-5;
+  const Local<1> here = at(x[0], x[1], x[2]);
+  for (int c = 0; c < 3; ++c) {
+    double up[3] = {x[0], x[1], x[2]}, down[3] = {x[0], x[1], x[2]};
+    up[c] += h, down[c] -= h;
+    const Local<1> a = at(up[0], up[1], up[2]), b = at(down[0], down[1], down[2]);
+    EXPECT_NEAR((a.energy - b.energy) / (2 * h), here.force[0][c], 1e-6 * norm(here.force[0]));
+    for (int r = 0; r < 3; ++r)
+      EXPECT_NEAR((a.force[0][r] - b.force[0][r]) / (2 * h), here.tangent[r][c], 1e-6 * here.tangent[2][2]);
+  }
 }
 
 TEST(SeabedBed, IsNothingWhereTheSceneHasNone) {
   Local<1> out;
-  ASSERT_EQ(OnBed::Contact::evaluate(firm(), {2, 0}, node_over({}, -1e4), out), Status::ok);
+  ASSERT_EQ(OnBed::Contact::evaluate(firm(), {2, 0}, {}, node_over({}, -1e4), out), Status::ok);
   EXPECT_EQ(out.energy, 0);
 }
 
