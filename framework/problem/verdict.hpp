@@ -47,6 +47,7 @@ struct Solution : Assessment {
   std::vector<std::string> diagnostics;  // what may be why it did not converge, by whoever knows the parts
   std::vector<StageRecord> stages;       // if there were several; `statistics` is then their sum
   Shapes shapes;
+  std::vector<double> factors;  // of the settings of the scene, at which this is its equilibrium
 };
 
 /// Of positions, while they are looked for: what a double has room for, or also what it rounds off

@@ -113,6 +113,18 @@ struct RigidBody {
   double arm() const;
 };
 
+/// A number of the scene that is not given but found with the equilibrium: the data of a part are multiplied
+/// by a factor, so that a held node bears a given force.
+struct Setting {
+  std::string name;        // "length of warp", for sentences
+  std::string part;        // and its companions, which have its name
+  std::string datum;       // of those of them that have it, "rest_length"
+  std::string unit;        // of the sum of the data over the elements of the part
+  std::uint32_t node = 0;  // of the scene, held along all axes
+  double wanted = 0;       // size of the reaction of its hold [N]
+  double factor = 1;       // by which the data were multiplied since the scene was read
+};
+
 /// The model: parts on nodes in water, with holds, guides and bodies. It is plain data, made by the reader of
 /// a file.
 struct Scene {
@@ -131,6 +143,7 @@ struct Scene {
   std::vector<Guide> guides;      // motions of held nodes in time
   std::vector<NodeLabel> labels;  // per node
   std::vector<Part> parts;
+  std::vector<Setting> settings = {};
 
   /// Whether a node cannot move: it is held along all axes and belongs to no body.
   bool stands_still(std::uint32_t node) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/study/sites.hpp"
 
+#include "framework/study/settings.hpp"
+
 #include <cassert>
 #include <utility>
 
@@ -26,7 +28,19 @@ Sites::Sites(SiteSource source) : source_(std::move(source)) {
 std::shared_ptr<Site> Sites::find_level(unsigned level) {
   if (const auto known = levels_.find(level); known != levels_.end()) return known->second;
   const Scene* scene = source_.levels ? source_.levels->scene(level) : nullptr;
-  return levels_.emplace(level, scene ? make_site(*scene) : nullptr).first->second;
+  return levels_.emplace(level, scene ? make_site_as_set(*scene) : nullptr).first->second;
+}
+
+/// A coarser scene is as it was read; what the source has been set to, it is set to here.
+std::shared_ptr<Site> Sites::make_site_as_set(const Scene& scene) const {
+  if (scene.settings.empty()) return make_site(scene);
+  auto own = std::make_unique<Scene>(scene);
+  std::vector<double> factors;
+  for (const Setting& setting : source_.scene->settings) factors.push_back(setting.factor);
+  set_factors(*own, factors);
+  auto site = make_site(*own);
+  site->own_scene = std::move(own);
+  return site;
 }
 
 std::shared_ptr<Site> Sites::at(const netloft_variant& variant) {

@@ -51,6 +51,7 @@ class Sites {
 
  private:
   std::shared_ptr<Site> make_site(const Scene& scene) const;
+  std::shared_ptr<Site> make_site_as_set(const Scene& scene) const;
 
   SiteSource source_;
   double unit_ = 1;

@@ -2,6 +2,7 @@
 #include "framework/study/study.hpp"
 
 #include "framework/registry/plugin_call.hpp"
+#include "framework/study/settings.hpp"
 #include "framework/study/study_host.hpp"
 
 #include <cassert>
@@ -35,10 +36,9 @@ Solution at_start(StudyHost& host, const netloft_study& study, Solution none) {
   return start;
 }
 
-}  // namespace
-
-Solution find_equilibrium(const SiteSource& source, const StudyOptions& options, const StrategyUse& strategy,
-                          const std::vector<double>& start) {
+/// The equilibrium of a scene that leaves nothing open.
+Solution find_as_set(const SiteSource& source, const StudyOptions& options, const StrategyUse& strategy,
+                     const std::vector<double>& start) {
   StudyHost host(source, options);
   const ParameterBlock parameters = block_of(strategy);
   RunningStudy study(host, as_written(), options.limits.tolerance, options.work,
@@ -46,6 +46,80 @@ Solution find_equilibrium(const SiteSource& source, const StudyOptions& options,
   study.run(*strategy.type, parameters.data());
   Solution best = host.finish(study.best());
   if (!study.has_any()) best = at_start(host, study.interface(), std::move(best));
+  return best;
+}
+
+/// One stage of the scene itself, by the solver of the options.
+Solution solve_near(const SiteSource& source, const StudyOptions& options, std::vector<double> u) {
+  constexpr std::uint32_t kNear = 100;  // iterations, as from a point that a user names
+  StudyHost host(source, options);
+  netloft_stage stage{};
+  stage.size = sizeof stage, stage.variant = as_written(), stage.name = "next setting", stage.u = u.data();
+  stage.tolerance = options.limits.tolerance, stage.work = options.work, stage.iterations = kNear;
+  return host.finish(host.solve(stage, options.solver));
+}
+
+/// The equilibria of a scene with other and other factors of its settings.
+class SetScenes {
+ public:
+  SetScenes(const SiteSource& source, const StudyOptions& options, const StrategyUse& strategy)
+      : source_(source), left_(options), strategy_(strategy), begun_(cpu_seconds()) {}
+
+  SetEquilibrium find(std::span<const double> factors, const std::vector<double>& start) {
+    Scene scene = *source_.scene;
+    set_factors(scene, factors);
+    const Plan plan = make_plan(scene, *source_.registry, source_.tangent);
+    Assembler assembler(scene, plan, source_.threads);
+    assembler.set_memory(source_.assembler->memory());
+    SiteSource source = source_;
+    source.scene = &scene, source.assembler = &assembler;
+    SetEquilibrium found{solve(source, start), {}};
+    if (is_stationary(found.solution))
+      for (const Setting& setting : scene.settings) {
+        const auto force = assembler.reaction(setting.node, found.solution.residual);
+        found.reactions.push_back(std::hypot(force[0], force[1], force[2]));
+      }
+    return found;
+  }
+
+ private:
+  /// From its start as the strategy finds it; from another equilibrium by the solver alone, if that arrives.
+  Solution solve(const SiteSource& source, const std::vector<double>& start) {
+    Solution near;
+    if (has_one_ && !start.empty()) near = spend(solve_near(source, left_, start));
+    if (near.status == SolveStatus::converged || near.status == SolveStatus::interrupted) return near;
+    Solution found = spend(find_as_set(source, left_, strategy_, start));
+    has_one_ |= is_stationary(found);
+    found.stages.insert(found.stages.begin(), near.stages.begin(), near.stages.end());
+    found.statistics.add(near.statistics), found.work += near.work;
+    return found;
+  }
+
+  Solution spend(Solution s) {
+    left_.work = std::max(0.0, left_.work - s.work);
+    const double now = cpu_seconds();
+    left_.limits.seconds = std::max(0.0, left_.limits.seconds - (now - begun_)), begun_ = now;
+    return s;
+  }
+
+  const SiteSource& source_;
+  StudyOptions left_;  // of work and time, what is left
+  const StrategyUse& strategy_;
+  double begun_;
+  bool has_one_ = false;
+};
+
+}  // namespace
+
+Solution find_equilibrium(const SiteSource& source, const StudyOptions& options, const StrategyUse& strategy,
+                          const std::vector<double>& start) {
+  if (!source.scene->settings.empty()) {
+    SetScenes scenes(source, options, strategy);
+    return find_settings(
+        *source.scene, [&](auto factors, const auto& near_to) { return scenes.find(factors, near_to); },
+        start);
+  }
+  Solution best = find_as_set(source, options, strategy, start);
   if (best.status == SolveStatus::converged) source.assembler->remember(best.x);
   return best;
 }

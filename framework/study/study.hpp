@@ -44,6 +44,10 @@ struct StudyOptions {
 /// is no answer the solution is the stage of the scene itself that came closest, and says so. All stages see
 /// the same past; the elements of the source (friction) remember the answer at the end. Throws SceneError or
 /// PluginRefused where a stage asks for what cannot be made.
+///
+/// Of a scene with settings these are found, too (settings.hpp): the answer is then of another scene, with
+/// `Solution::factors`, which the caller makes of his own by set_factors, and whose elements he lets
+/// remember.
 Solution find_equilibrium(const SiteSource& source, const StudyOptions& options, const StrategyUse& strategy,
                           const std::vector<double>& start = {});
 

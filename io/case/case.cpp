@@ -2,6 +2,7 @@
 #include "io/case/case.hpp"
 
 #include "framework/problem/settling.hpp"
+#include "framework/study/settings.hpp"
 #include "io/case/diagnosis.hpp"
 #include "io/case/idle_choices.hpp"
 #include "io/case/meshes.hpp"
@@ -93,6 +94,7 @@ Solution Case::solve(const Watch& watch) {
       loaded_.analysis.settles
           ? settle(watch)
           : netloft::find_equilibrium(sites(), study_options(loaded_.analysis.limits, watch), strategy());
+  adopt(s);
   if (s.status != SolveStatus::converged) s.diagnostics = diagnose(loaded_.scene, *assembler_, s);
   return s;
 }
@@ -103,7 +105,26 @@ Solution Case::continue_from(const std::vector<double>& u, int iterations, const
   Limits limits = loaded_.analysis.limits;
   limits.iterations = std::min(limits.iterations, iterations);
   const StrategyUse alone{&registry_.strategy(kStrategyOfNamedSolver), {}};
-  return netloft::find_equilibrium(sites(), study_options(limits, watch), alone, u);
+  Solution s = netloft::find_equilibrium(sites(), study_options(limits, watch), alone, u);
+  adopt(s);
+  return s;
+}
+
+/// A solution of the scene with other factors is of that scene from now on.
+void Case::adopt(const Solution& s) {
+  if (s.factors.empty()) return;
+  set_factors(loaded_.scene, s.factors);
+  for (const Setting& setting : loaded_.scene.settings) note_length(setting);
+  assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
+  if (s.status == SolveStatus::converged) assembler_->remember(s.x);
+}
+
+/// The bill of materials lists the rope that was found.
+void Case::note_length(const Setting& setting) {
+  if (!loaded_.gear) return;
+  for (BillItem& item : loaded_.gear->bill)
+    if (setting.part == item.name || setting.part == "starboard-" + item.name)
+      item.length = amount_of(loaded_.scene, setting);
 }
 
 Solution Case::solve_from(const std::vector<double>& u, const Watch& watch) {

@@ -52,7 +52,8 @@ class Case {
   State open(const std::function<void(LoadedScene&)>& change = {});
   const Diagnostics& diagnostics() const { return diagnostics_; }
 
-  /// Finds the equilibrium as the scene's analysis says, from its start.
+  /// Finds the equilibrium as the scene's analysis says, from its start. What the scene leaves open
+  /// (Scene::settings) is then as it was found: its numbers change, and with them the assembler.
   Solution solve(const Watch& watch = {});
   /// Seeks the equilibrium near displacements `u` by the solver of the analysis alone, for no more than
   /// so many iterations.
@@ -92,6 +93,8 @@ class Case {
  private:
   State read();
   State assemble();
+  void adopt(const Solution& solution);
+  void note_length(const Setting& setting);
   Solution settle(const Watch& watch);
   SiteSource sites();
   StudyOptions study_options(const Limits& limits, const Watch& watch);

@@ -96,6 +96,10 @@ class Inspection {
     const Case::State state = one.open();
     if (state == Case::State::ready) {
       check_kind(one.loaded());
+      if (!one.loaded().scene.settings.empty())
+        throw UsageError{
+            "compare wants a scene in which nothing is left open, and this one looks for a length of "
+            "warp; ship.warp.length without ship.warp.tension gives it"};
       for (const std::string& file : {options_.compare.csv, options_.compare.plot})
         require_place(file, paths_of(one.loaded()));
       return kDone;

@@ -150,10 +150,13 @@ bool has_found_all(const std::vector<ScopeRow>& rows) {
   });
 }
 
-void require_static(const LoadedScene& loaded) {
+void require_lengths_given(const LoadedScene& loaded) {
   if (loaded.analysis.kind == AnalysisKind::dynamics)
     throw UsageError{
         "scope follows equilibria, and this scene goes through time: --set analysis.kind=static"};
+  if (!loaded.scene.settings.empty())
+    throw UsageError{
+        "scope goes through lengths of warp, and this scene looks for one; leave out ship.warp.tension"};
 }
 
 void print(const Options& o, const std::vector<ScopeRow>& rows, const char* status,
@@ -178,7 +181,7 @@ int run(const Options& o) {
   Session session(o);
   Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the table ends here"));
   if (const int code = session.open(); code != kDone) return code;
-  require_static(session.loaded());
+  require_lengths_given(session.loaded());
   require_place(o.output, paths_of(session.loaded()));
   const Watch watch{.interrupt = &interrupt_flag(),
                     .on_budget = [&](double seconds) { watchdog.allow(seconds); }};

@@ -93,7 +93,9 @@ struct Rope {
   Value rope;                         // a table: diameter, EA, density, …
   double length = 0;                  // unstretched [m]
   std::optional<double> length_port;  // of the one to port, if it is another [m]
-  std::string role;                   // one of rope_roles(); empty: none
+  // At its start, to starboard and to port, if the length is found that has it [N].
+  std::optional<double> tension, tension_port;
+  std::string role;  // one of rope_roles(); empty: none
   Place role_place;
   std::array<std::string, 2> between;  // points at its ends; empty: none
   bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes

@@ -54,6 +54,14 @@ Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogu
   const RealSpec length{.unit = "m", .doc = "from the block", .range = {0, 1e5, true}};
   rope.length = warp.real("length", length);
   if (warp.has("length_port")) rope.length_port = warp.real("length_port", length);
+  const RealSpec tension{.unit = "N", .doc = "at the block, held by the winch", .range = {0, 1e9, true}};
+  if (warp.has("tension")) rope.tension = warp.real("tension", tension);
+  if (warp.has("tension_port")) {
+    rope.tension_port = warp.real("tension_port", tension);
+    if (!warp.has("tension"))
+      warp.error("tension_port", "stands alone; of the warp to starboard nothing is said",
+                 "tension beside it, or tension alone for both");
+  }
   rope.between = {kBlock, end_of_warp(plan, warp)};
   rope.between_place = warp.place(warp.has("to") ? "to" : "length");
   return rope;

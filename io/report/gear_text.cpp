@@ -155,6 +155,15 @@ void bodies(const std::vector<NamedScalar>& figures, Out out) {
         out);
 }
 
+void warps(const std::vector<NamedScalar>& figures, Out out) {
+  table(figures, "warps",
+        {{"length [m]", "warps/", "/length", "{:.4f}"},
+         {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, kDegrees},
+         {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegrees},
+         {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegrees}},
+        out);
+}
+
 }  // namespace
 
 bool are_of_plan(const std::vector<NamedScalar>& figures) {
@@ -217,11 +226,7 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
         {middle, {"starboard [N]", rope, "/tension_starboard"}, largest, mass}, out);
   table(figures, "ropes",
         {{"start [N]", rope, "/tension_start"}, {"end [N]", rope, "/tension_end"}, largest, mass}, out);
-  table(figures, "warps",
-        {{"down, start", "warps/", "/down_at_start", "{:.2f}°", false, kDegrees},
-         {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegrees},
-         {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegrees}},
-        out);
+  warps(figures, out);
   table(figures, "power of towing", {{"[kW]", "power/", "", "{:.3f}", false, 1e-3}}, out);
   table(figures, "netting",
         {{"open: least", panel, "/opening_min", "{:.3f}"},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "io/report/gear_view.hpp"
 
@@ -28,6 +29,9 @@ void add_warp(const GearView& gear, std::uint32_t rope, Vector& pull, std::vecto
   if (tensions.empty()) return;
   const Vector at_block = direction(gear, rope, true), at_end = direction(gear, rope, false);
   const std::string own = "warps/" + gear.name(rope) + "/";
+  const auto lengths = gear.rest_lengths(rope);
+  figures.push_back({own + "length", "m", "unstretched length of the warp",
+                     std::accumulate(lengths.begin(), lengths.end(), 0.0)});
   figures.push_back(
       {own + "down_at_start", "rad", "angle below the horizontal at its start", std::asin(-at_block.z)});
   figures.push_back({own + "out_at_start", "rad",

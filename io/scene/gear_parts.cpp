@@ -133,6 +133,10 @@ void GearParts::check_halves(TableReader& table) const {
     if (rope.length_port.value_or(rope.length) != rope.length)
       table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another length to port",
                   "extent = \"whole\", or leave out length_port");
+  for (const auto& rope : plan_.ropes)
+    if (rope.tension_port.value_or(rope.tension.value_or(0)) != rope.tension.value_or(0))
+      table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another tension to port",
+                  "extent = \"whole\", or leave out tension_port");
 }
 
 /// `finer = { top-codend = 2 }`, by panels and ropes.
@@ -427,8 +431,21 @@ void GearParts::hold_blocks() {
     std::copy(point.at->begin(), point.at->end(), scene.positions.begin() + 3 * std::ptrdiff_t{node});
   }
   draft_.out.holds.push_back(std::move(hold));
+  set_winches();
   draft_.out.gear->ship_speed = plan_.ship->speed;
   draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
+}
+
+/// Of a warp with a tension the length is found. It starts at its block.
+void GearParts::set_winches() {
+  for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
+    const GearRope& rope = gear_.ropes[r];
+    if (!rope.rope->tension) continue;
+    const double wanted =
+        rope.is_mirrored ? rope.rope->tension_port.value_or(*rope.rope->tension) : *rope.rope->tension;
+    draft_.out.scene.settings.push_back({"length of " + rope.name, rope.name, "rest_length", "m",
+                                         scene_node(mesh_.ropes[r].nodes.front()), wanted});
+  }
 }
 
 void GearParts::follow_holds() {

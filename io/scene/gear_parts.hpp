@@ -74,6 +74,7 @@ class GearParts {
   void put_pieces(const GearPieces& pieces);
   std::vector<std::uint32_t> nodes_of(const GearPieces& pieces, std::vector<double>& carried) const;
   void name_lines(GearInScene& gear) const;
+  void set_winches();
   std::string point_name(const std::string& name) const;
   std::uint32_t scene_node(std::uint32_t gear_node) const;
 

@@ -3,6 +3,7 @@
 
 #include "framework/registry/nearest.hpp"
 #include "framework/scene/pairs.hpp"
+#include "framework/study/settings.hpp"
 #include "io/gear/check.hpp"
 #include "io/gear/read_plan.hpp"
 #include "io/scene/analysis.hpp"
@@ -84,6 +85,7 @@ class SceneReader {
     if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) check_guides();
     read_results();
     if (!bottom_.empty() && diagnostics_.errors() == 0) lay_bottom();
+    if (!out_.scene.settings.empty()) check_winches();
     if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry();
     root_.finish();
     out_.files = meshes_.files();
@@ -527,6 +529,35 @@ class SceneReader {
           "take",
           "nothing of " + in_quotes(request.of) + " is held there, so there is no " + request.quantity,
           "reactions are of what a [[hold]] holds");
+  }
+
+  Place place_of_tension() {
+    const auto inner = [](const Value* table, const char* key) -> const Value* {
+      const Member* member = table && table->as<Table>() ? table->as<Table>()->find(key) : nullptr;
+      return member ? &member->value : nullptr;
+    };
+    const Value* tension = inner(inner(root_.raw("ship"), "warp"), "tension");
+    return tension ? tension->place : plan_->ship->place;
+  }
+
+  /// What can look for the length of a rope.
+  void check_winches() {
+    const bool moves = out_.analysis.kind == AnalysisKind::dynamics;
+    const auto error = [&](const std::string& message, const std::string& cure) {
+      diagnostics_.error(place_of_tension(), "ship.warp.tension " + message, cure);
+    };
+    if (moves || out_.analysis.settles)
+      error(moves ? "is found with an equilibrium, and this is a motion"
+                  : "is found by a solver of equilibria, and " + in_quotes(out_.analysis.solver) +
+                        " goes through time",
+            moves ? "the length that `netloft run` finds for the equilibrium, as warp.length"
+                  : "another solver in [analysis]");
+    for (const Setting& setting : out_.scene.settings)
+      if (!(amount_of(out_.scene, setting) > 0)) {
+        error("asks for another length of rope, and elements.ropes.type has none",
+              "an element with a rest length, such as rope/bar");
+        return;
+      }
   }
 
   /// What the bed is made of, under all parts that rest on it.
