@@ -23,22 +23,33 @@ Vector direction(const GearView& gear, std::uint32_t rope, bool from_start) {
   return (1 / norm(way)) * way;
 }
 
+/// The force in a rope at its start: it changes evenly along a warp, and is known in the middles of bars.
+Vector force_at_start(const GearView& gear, std::uint32_t rope, const std::vector<double>& T,
+                      const std::vector<double>& l) {
+  const Vector first = T[0] * direction(gear, rope, true);
+  if (T.size() < 2) return first;
+  const auto& nodes = gear.nodes_of(rope);
+  const Vector way = gear.at(nodes[2]) - gear.at(nodes[1]);
+  return first + (l[0] / (l[0] + l[1])) * (first - (T[1] / norm(way)) * way);
+}
+
 /// Angles of a warp at its ends, and the sum of what its block bears.
 void add_warp(const GearView& gear, std::uint32_t rope, Vector& pull, std::vector<Figure>& figures) {
   const auto tensions = gear.output(rope, "tension");
   if (tensions.empty()) return;
-  const Vector at_block = direction(gear, rope, true), at_end = direction(gear, rope, false);
-  const std::string own = "warps/" + gear.name(rope) + "/";
   const auto lengths = gear.rest_lengths(rope);
+  const Vector at_block = force_at_start(gear, rope, tensions, lengths),
+               at_end = direction(gear, rope, false);
+  const std::string own = "warps/" + gear.name(rope) + "/";
   figures.push_back({own + "length", "m", "unstretched length of the warp",
                      std::accumulate(lengths.begin(), lengths.end(), 0.0)});
-  figures.push_back(
-      {own + "down_at_start", "rad", "angle below the horizontal at its start", std::asin(-at_block.z)});
+  figures.push_back({own + "down_at_start", "rad", "angle below the horizontal at its start",
+                     std::asin(-at_block.z / norm(at_block))});
   figures.push_back({own + "out_at_start", "rad",
                      "angle between it and the tow at its start, seen from above",
                      std::abs(std::atan2(at_block.y, at_block.x))});
   figures.push_back({own + "up_at_end", "rad", "angle above the horizontal at its end", std::asin(at_end.z)});
-  pull += tensions.front() * at_block;
+  pull += at_block;
 }
 
 bool has(const std::vector<std::uint32_t>& parts, std::uint32_t part) {

@@ -211,12 +211,12 @@ class Towed(InFreshFolder):
         self.assertGreater(half["pairs/door/spread"], 6, "boards spread farther than the blocks")
 
     def test_power_of_towing_goes_into_the_parts(self):
-        """They add up to pull times speed, but for half the load of the bars at the blocks."""
+        """They add up to pull times speed."""
         text = changed(SHIP, ('speed = "2 kn"', 'speed = "2 kn"\nefficiency = 0.12')) + SHOE
         figures = self.figures(text)
         parts = {name: value for name, value in figures.items() if name.startswith("power/")}
         self.assertEqual(list(parts), ["power/" + name for name in ("netting", "ropes", "bodies", "warps", "ground")])
-        self.assertAlmostEqual(sum(parts.values()) / figures["towing/power"], 1, delta=3e-3)
+        self.assertAlmostEqual(sum(parts.values()) / figures["towing/power"], 1, delta=2e-5)
         self.assertAlmostEqual(parts["power/bodies"], figures["drag_by_part/door/x"] * 2 * 1852 / 3600, places=6)
         self.assertAlmostEqual(parts["power/ground"], figures["ground/friction_x"] * 2 * 1852 / 3600, delta=1e-6 * parts["power/netting"])
         said = self.netloft("report", "scene.hdf").out
