@@ -127,6 +127,7 @@ void read_start(const std::string& start, TableReader& analysis, Dynamics& d) {
 }  // namespace
 
 Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
+  const int errors_before = analysis.diagnostics().errors();
   const Values values = read_parameters(dynamics_keys(), analysis);
   std::vector<std::string> faults;
   const ParameterBlock block(dynamics_keys(), sizeof(DynamicsKeys), values, faults);
@@ -141,6 +142,7 @@ Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
   d.march.dense = k.dense, d.march.budget = k.energy_budget, d.march.mass_damping = k.mass_damping;
   d.stiffness_damping = k.stiffness_damping;
   const IntegratorType& type = registry.integrator(d.integrator);
+  if (analysis.diagnostics().errors() > errors_before) return d;  // what follows from them helps nobody
   if (!k.adaptive && k.step == 0 && !type.is_explicit())
     analysis.error("step", "is 0 with adaptive = false: say how long all steps are");
   if (k.output_interval > 0 && k.duration / k.output_interval > 1e6)

@@ -20,6 +20,8 @@ KEYS = [
          "a text such as"),
     edit("motion that nobody asked for", "tolerance = 1e-10", "tolerance = 1e-10\nduration = 5", "28:12",
          "analysis.duration: has no effect on an equilibrium", 'kind = "dynamic"'),
+    edit("motion that ends before it begins", "tolerance = 1e-10", 'tolerance = 1e-10\nkind = "dynamic"\nduration = -1', "29:12",
+         "analysis.duration = -1 s is outside [1e-9, 1e9] s"),
     edit("text for integers", "cells = [4, 4]", 'cells = "many"', "8:9", "an array of integers is expected"),
     edit("real for an integer", "cells = 4", "cells = 4.5", "15:9", "parts.rope.cells is the number 4.5; an integer"),
     edit("number for a text", 'type = "rope/bar"', "type = 3", "13:8", "parts.rope.type is the integer 3; a text is expected"),
