@@ -17,6 +17,10 @@ const char* status_of(int exit_code) {
       return "wrong input";
     case kRefused:
       return "plugin refused";
+    case kNotConverged:
+      return "not converged";
+    case kInterrupted:
+      return "interrupted";
     default:
       return "failed";
   }

@@ -18,6 +18,7 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
 
   bool color() const { return color_; }
+  bool json() const { return json_; }
   void say(const std::string& text);
 
   /// A redrawn line on a terminal; in a log a line of key=value a minute, after the first second; for

@@ -2,6 +2,7 @@
 #include "io/cli/watchdog.hpp"
 
 #include "framework/problem/statistics.hpp"
+#include "io/cli/error_json.hpp"
 #include "io/cli/options.hpp"
 #include "io/cli/terminal.hpp"
 
@@ -131,8 +132,11 @@ void Watchdog::end(bool interrupted, const CallFrame& frame, double waited) {
 std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left) {
   return [&terminal, left = std::move(what_is_left)](const Overdue& overdue) {
     terminal.clear();
-    terminal.say("netloft: " + overdue.sentence + "; " + left);
-    return exit_code(overdue.interrupted);
+    const std::string said = overdue.sentence + "; " + left;
+    const int code = exit_code(overdue.interrupted);
+    terminal.say("netloft: " + said);
+    if (terminal.json()) std::puts(error_json(said, code).c_str());
+    return code;
   };
 }
 

@@ -59,7 +59,8 @@ class Watchdog {
   std::thread thread_;
 };
 
-/// A last act that says the sentence and `what_is_left`: "the comparison ends here without a table".
+/// A last act that says the sentence and `what_is_left`: "the comparison ends here without a table". A
+/// program that reads JSON gets it as one object.
 std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left);
 
 }  // namespace netloft::io

@@ -125,6 +125,13 @@ class EndlessLoopsElsewhere(Hostile):
         self.ends(3, "compare", "line.toml", "--solver", "newton", "--solver", "hostile/asks", "--set", self.LIMIT,
                   says="hostile/asks, solve, did not come back for 2 s .*; the comparison ends here without a table")
 
+    def test_in_a_comparison_for_a_program(self):
+        self.scene()
+        run = self.netloft("compare", "line.toml", "--solver", "hostile/stalls", "--set", self.LIMIT, "--plugins", str(PLUGINS), "--json")
+        self.assertEqual(run.code, 3, run.err)
+        self.assertEqual(run.json()["status"], "not converged")
+        self.assertIn("hostile/stalls, solve, did not come back", run.json()["reason"])
+
     def test_in_a_refinement(self):
         self.scene()
         self.ends(3, "refine", "line.toml", "--solver", "hostile/stalls", "--set", self.LIMIT,
