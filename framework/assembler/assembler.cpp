@@ -102,6 +102,7 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
     : scene_nodes_(scene.node_count()),
       water_(scene.water),
       current_(scene.current),
+      waves_(plan.kind == AnalysisKind::dynamics ? scene.waves : nullptr),
       ground_(scene.ground),
       bed_(scene.bed),
       ground_passes_(scene.ground != std::array<double, 3>{}),
@@ -123,20 +124,28 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
     group.first_tile = tiles;
     tiles += group.tiling.tiles;
   }
-  for (std::size_t f = 0; f < families_.size(); ++f)
-    memories_.push_back(make_memory(*families_[f], group_of(f).tiling.tiles, ground_passes_));
+  make_memories(plan.between);
   if (!bodies_.empty())
     for (FamilyGroup& group : groups_) group.carried_tiles = find_carried_tiles(group.tiling, nodes.carried);
   value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
   find_start(nodes);
   for (std::size_t w = 0; w < workers_.size(); ++w)
-    workspaces_.push_back(
-        std::make_unique<Workspace>(widest_element(families_), plan, scene.current.flows()));
+    workspaces_.push_back(std::make_unique<Workspace>(widest_element(families_), plan,
+                                                      current_.flows() || waves_, waves_ != nullptr));
   remember(start_);
 }
 
 Assembler::~Assembler() = default;
+
+void Assembler::make_memories(bool between) {
+  for (std::size_t f = 0; f < families_.size(); ++f) {
+    const std::size_t tiles = group_of(f).tiling.tiles;
+    const netloft_element& element = families_[f]->type().element;
+    memories_.push_back(make_memory(*families_[f], tiles, ground_passes_));
+    stretch_rates_.emplace_back(tiles, between && element.members ? element.member_count : 0);
+  }
+}
 
 void Assembler::find_start(const Scene& nodes) {
   start_.resize(numbering_.dofs());
@@ -258,7 +267,7 @@ bool Assembler::hand_on(std::span<const double> x, const Request& request) {
   if (bodies_.empty()) return true;
   double* residual = request.residual;
   const bool exact = request.values && request.matrix == MatrixKind::exact;
-  Request again{.without = request.without, .motion = request.motion};
+  Request again{.without = request.without, .motion = request.motion, .between = request.between};
   if (!residual && exact) {
     body_forces_.assign(numbering_.dofs(), 0.0);
     again.residual = residual = body_forces_.data();
@@ -366,13 +375,15 @@ bool Assembler::run_group(const FamilyGroup& group, std::span<const double> x, c
 void Assembler::run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x,
                          const Request& request, Workspace& w) {
   gather(group, tile, x, request.motion, w);
+  if (request.between) gather_ends(group, tile, *request.between, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
   for (const std::size_t family : group.families) {
     w.message[0] = 0;
     netloft_tile t = make_tile(family, tile, request.motion, w);
-    if (const int status = call_terms(family, t, request, w); status != NETLOFT_OK)
-      return report(family, t, status, w);
+    int status = call_terms(family, t, request, w);
+    if (status == NETLOFT_OK && request.between) status = add_mean_forces(family, tile, t, request, w);
+    if (status != NETLOFT_OK) return report(family, t, status, w);
   }
   scatter(group, tile, request, w);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/assembler/between.hpp"
 #include "framework/assembler/bodies.hpp"
 #include "framework/assembler/frames.hpp"
 #include "framework/assembler/memory.hpp"
@@ -31,6 +32,7 @@ struct Request {
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
   Kinematics motion = {};
+  const StepEnds* between = nullptr;  // mean forces of this step, whose middle the positions are
 };
 
 /// The element that could not be evaluated, and the reason.
@@ -116,6 +118,9 @@ class Assembler {
   /// The memory of all elements, one after another, so that it can be saved and restored.
   std::vector<double> memory() const;
   void set_memory(std::span<const double> kept);
+  /// Makes members remember how fast they were stretched in an accepted step, (4) of between.hpp. False: an
+  /// element does not tell its members.
+  bool remember_stretch(const StepEnds& ends, double memory, double time);
 
   /// Force of one active term alone, as a residual over all dofs. Returns false on failure: see fault().
   bool evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
@@ -147,6 +152,17 @@ class Assembler {
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
                const Kinematics& motion = {});
 
+  /// Positions of a tile's nodes, [dof][64] [m].
+  struct EndsOfTile {
+    const double *before, *after, *middle;
+  };
+
+  /// A term with an energy in one lane of a step, (2) of between.hpp.
+  struct MeanOfLane {
+    double way[12] = {}, force[12] = {}, later[12] = {}, g[12] = {};  // Δ, ∇E(x), ∇E(x₁), P Δ
+    double work = 0, square = 0, mu = 0;  // ∇E·Δ, g·g, μ; zero: nothing is missing
+  };
+
  private:
   struct Workspace;
   Assembler(const Scene& scene, const Plan& plan, int threads,
@@ -155,6 +171,7 @@ class Assembler {
   Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>>&& families);
   void find_start(const Scene& nodes);
+  void make_memories(bool between);
   bool run_group(const FamilyGroup& group, std::span<const double> x, const Request& request);
   void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
@@ -174,6 +191,21 @@ class Assembler {
   bool find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices);
   void gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const;
   void fill_current(double time, Workspace& w) const;
+  void gather_positions(const Tiling& tiling, std::size_t tile, const double* x, double* to) const;
+  void gather_ends(const FamilyGroup& group, std::size_t tile, const StepEnds& ends, Workspace& w) const;
+  int add_mean_forces(std::size_t family, std::size_t tile, const netloft_tile& t, const Request& request,
+                      Workspace& w);
+  int add_mean_of_members(std::size_t family, std::size_t tile, const netloft_tile& t, const Request& request,
+                          Workspace& w);
+  int add_mean_of_energy(const ElementFamily& f, const netloft_term& term, const netloft_tile& t,
+                         const Request& request, Workspace& w);
+  MeanOfLane read_mean(const ElementFamily& f, const netloft_term& term, std::size_t lane,
+                       const Workspace& w) const;
+  void add_mean_of_lane(const ElementFamily& f, const netloft_term& term, const netloft_tile& t,
+                        const Request& request, bool has_slope, std::size_t lane, Workspace& w);
+  bool remember_stretch(std::size_t family, const FamilyGroup& group, std::size_t tile, const StepEnds& ends,
+                        double memory, double time);
+  void gather_waves(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const;
   void gather_bed(const Tiling& tiling, std::size_t tile, Workspace& w) const;
   template <class Evaluate, class Visit>
   bool visit_tiles(std::span<const double> x, const Kinematics& motion, std::size_t family,
@@ -188,6 +220,7 @@ class Assembler {
   std::size_t scene_nodes_;
   SceneWater water_;
   Current current_;
+  std::shared_ptr<const WaterField> waves_;  // null in statics, too
   std::array<double, 3> ground_;
   SeaBed bed_;
   bool ground_passes_;
@@ -200,7 +233,8 @@ class Assembler {
   std::vector<Guide> guides_;
   SparsePattern pattern_;
   std::vector<FamilyGroup> groups_;
-  std::vector<Memory> memories_;  // per family
+  std::vector<Memory> memories_;       // per family
+  std::vector<Memory> stretch_rates_;  // per family, of members [m/s]; empty but for mean forces of steps
   std::size_t value_slots_ = 0;
   std::vector<double> start_, tile_energy_, body_forces_, damping_values_, mass_values_;
   Workers workers_;

@@ -40,8 +40,16 @@ void Assembler::gather(const FamilyGroup& group, std::size_t tile, std::span<con
   if (tiling.family->type().is_on_body())
     for (auto* rows : {&w.x, &w.v, &w.a})
       if (!rows->empty()) divide_rotations(tiling, tile, rows->data());
-  if (!w.current.empty() && some_read(NETLOFT_READS_CURRENT)) gather_current(tiling, tile, motion.time, w);
+  const bool in_waves = waves_ && (some_read(NETLOFT_READS_CURRENT) || some_read(NETLOFT_READS_WAVES));
+  if (in_waves || (!w.current.empty() && some_read(NETLOFT_READS_CURRENT)))
+    gather_current(tiling, tile, motion.time, w);
+  if (in_waves) gather_waves(tiling, tile, motion.time, w);
   if (bed_.is_there && some_read(NETLOFT_READS_BED)) gather_bed(tiling, tile, w);
+}
+
+void Assembler::gather_positions(const Tiling& tiling, std::size_t tile, const double* x, double* to) const {
+  gather_vector(tiling, tile, x, to);
+  if (tiling.family->type().is_on_body()) divide_rotations(tiling, tile, to);
 }
 
 /// Makes the view of a tile that one family receives.
@@ -62,6 +70,8 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
     t.current = w.current.data(), t.current_dz = w.current_dz.data();
   if (ground_passes_ && f.reads(NETLOFT_READS_GROUND)) t.ground = ground_.data();
   if (bed_.is_there && f.reads(NETLOFT_READS_BED)) t.bed = w.bed.data();
+  if (waves_ && f.reads(NETLOFT_READS_WAVES))
+    t.water_acceleration = w.water_acceleration.data(), t.surface = w.surface.data();
   t.state = memories_[family].kept(tile);
   t.message = w.message, t.message_size = sizeof w.message;
   return t;
@@ -70,7 +80,7 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
 /// Computes the velocity of the water at the nodes of a tile, whose positions have been gathered. A uniform
 /// current is filled in already.
 void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
-  if (current_.is_uniform()) return fill_current(time, w);
+  if (current_.is_uniform() && !waves_) return fill_current(time, w);
   std::array<double, 3> velocity, dz;
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
@@ -79,6 +89,22 @@ void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double ti
         w.current[(3 * node + axis) * kLanes + lane] = velocity[axis];
         w.current_dz[(3 * node + axis) * kLanes + lane] = dz[axis];
       }
+    }
+}
+
+/// Adds the waves to the current at the nodes of a tile, which has been gathered. How waves change from place
+/// to place at the same height is left out of the tangent, as `current_dz` has no room for it: over a step it
+/// is the drag's slope times k a omega h, small against inertia.
+void Assembler::gather_waves(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
+  for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
+    for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
+      const auto at = [&](std::size_t axis) { return (3 * node + axis) * kLanes + lane; };
+      const WaterMotion water = waves_->at({w.x[at(0)], w.x[at(1)], w.x[at(2)]}, time);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        w.current[at(axis)] += water.velocity[axis], w.current_dz[at(axis)] += water.velocity_dz[axis];
+        w.water_acceleration[at(axis)] = water.acceleration[axis];
+      }
+      w.surface[node * kLanes + lane] = water.surface;
     }
 }
 

@@ -139,15 +139,17 @@ bool Assembler::remember_family(std::size_t family, std::span<const double> x, c
 
 std::vector<double> Assembler::memory() const {
   std::vector<double> all;
-  for (const auto& memory : memories_) all.insert(all.end(), memory.all().begin(), memory.all().end());
+  for (const auto* memories : {&memories_, &stretch_rates_})
+    for (const auto& memory : *memories) all.insert(all.end(), memory.all().begin(), memory.all().end());
   return all;
 }
 
 void Assembler::set_memory(std::span<const double> kept) {
-  for (auto& memory : memories_) {
-    std::copy_n(kept.begin(), memory.all().size(), memory.all().begin());
-    kept = kept.subspan(memory.all().size());
-  }
+  for (auto* memories : {&memories_, &stretch_rates_})
+    for (auto& memory : *memories) {
+      std::copy_n(kept.begin(), memory.all().size(), memory.all().begin());
+      kept = kept.subspan(memory.all().size());
+    }
 }
 
 }  // namespace netloft

@@ -14,10 +14,12 @@ inline std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
 
 /// One worker's tile: inputs, sums, and a square for unpacked tangents, in rows of 64 doubles.
 struct Assembler::Workspace {
-  Workspace(std::size_t dofs, const Plan& plan, bool flows)
+  Workspace(std::size_t dofs, const Plan& plan, bool flows, bool swings)
       : current(flows ? dofs * kLanes : 0),
         current_dz(flows ? dofs * kLanes : 0),
         bed(2 * dofs * kLanes),
+        water_acceleration(swings ? dofs * kLanes : 0),
+        surface(water_acceleration.size() / 3),
         x(dofs * kLanes),
         x_low(x.size()),
         v(plan.kind == AnalysisKind::dynamics ? dofs * kLanes : 0),
@@ -26,9 +28,14 @@ struct Assembler::Workspace {
         packed_tangent(packed(dofs)),
         square_tangent(plan.symmetric ? 0 : dofs * dofs),
         scratch(dofs * dofs * kLanes),
-        element(dofs * dofs) {}
-  std::vector<double> current, current_dz;  // empty in still water
-  std::vector<double> bed;                  // six numbers a node
+        element(dofs * dofs),
+        before(plan.between ? dofs * kLanes : 0),
+        after(before.size()),
+        energies(2 * kLanes),
+        forces(2 * before.size()) {}
+  std::vector<double> current, current_dz;          // empty in still water
+  std::vector<double> bed;                          // six numbers a node
+  std::vector<double> water_acceleration, surface;  // empty without waves
   // time of the uniform current that is filled in [s]
   double current_time = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> x, x_low, v, a;  // without rates if everything is at rest
@@ -37,6 +44,8 @@ struct Assembler::Workspace {
     return symmetric ? packed_tangent.open(packed(dofs), lanes) : square_tangent.open(dofs * dofs, lanes);
   }
   std::vector<double> scratch, element;
+  std::vector<double> before, after, energies, forces;  // for mean forces of steps; else empty
+  std::vector<netloft_member> members;
   double energy[kLanes] = {};
   char message[sizeof ElementFault::message] = "";
   ElementFault fault;

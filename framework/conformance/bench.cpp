@@ -107,9 +107,12 @@ States Bench::blank(std::uint32_t first, std::uint32_t count) const {
   const std::vector<double> zero(dofs() * kLanes, 0.0);
   const std::vector<double> nothing(type.element.state_width * kLanes, 0.0);
   States s{first, count, zero, zero, zero, zero, zero, nothing};
-  const bool reads_bed = std::any_of(type.terms.begin(), type.terms.end(),
-                                     [](const auto& t) { return (t.traits & NETLOFT_READS_BED) != 0; });
-  if (reads_bed) s.bed.assign(6 * static_cast<std::size_t>(type.nodes()) * kLanes, 0.0);
+  const auto some_read = [&](std::uint32_t trait) {
+    return std::any_of(type.terms.begin(), type.terms.end(),
+                       [&](const auto& t) { return (t.traits & trait) != 0; });
+  };
+  if (some_read(NETLOFT_READS_WAVES)) s.swing = zero;
+  if (some_read(NETLOFT_READS_BED)) s.bed.assign(6 * static_cast<std::size_t>(type.nodes()) * kLanes, 0.0);
   return s;
 }
 

@@ -331,7 +331,8 @@ constexpr Factors kAllFactors{0.7, 1.3, 0.9};
 Finding missing_inputs_are_zero(Bench& b) {
   Worst worst(1e-12);
   for (const auto& term : b.type.terms) {
-    if (!(term.traits & (NETLOFT_READS_VELOCITY | NETLOFT_READS_ACCELERATION | NETLOFT_READS_CURRENT)))
+    if (!(term.traits & (NETLOFT_READS_VELOCITY | NETLOFT_READS_ACCELERATION | NETLOFT_READS_CURRENT |
+                         NETLOFT_READS_WAVES)))
       continue;
     for (const auto& s : b.tiles) {
       States zero = b.blank(s.first, s.count);
@@ -353,7 +354,7 @@ Finding missing_inputs_are_zero(Bench& b) {
                    [&] { return b.place(term, s, i % kLanes) + ", tangent"; });
     }
   }
-  return judged(worst, "no term reads velocities, accelerations or currents");
+  return judged(worst, "no term reads velocities, accelerations, currents or waves");
 }
 
 }  // namespace netloft::conformance

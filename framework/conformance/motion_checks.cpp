@@ -16,7 +16,7 @@ constexpr const char* kAllFromOutside = "all terms act from outside";
 bool is_internal(const Bench& b, const netloft_term& term) {
   return !b.type.is_on_body() &&
          !(term.traits & (NETLOFT_FROM_OUTSIDE | NETLOFT_NEEDS_GRAVITY | NETLOFT_NEEDS_FLOW |
-                          NETLOFT_READS_CURRENT | NETLOFT_READS_ACCELERATION));
+                          NETLOFT_READS_CURRENT | NETLOFT_READS_ACCELERATION | NETLOFT_NEEDS_WAVES));
 }
 
 /// Of two answers, by the better one; infinite where neither is any.
@@ -48,7 +48,8 @@ void turn(std::vector<double>& field, double angle) {
 }
 
 States turned(States s, double angle) {
-  for (auto field : {&States::x, &States::v, &States::a, &States::current, &States::current_dz})
+  for (auto field :
+       {&States::x, &States::v, &States::a, &States::current, &States::current_dz, &States::swing})
     turn(s.*field, angle);
   turn_ground(s, angle);
   return s;

@@ -26,7 +26,7 @@ double largest(const std::vector<double>& x) {
 
 PracticeMotion::PracticeMotion(const PracticeSwing& like) : like_(like), n_(like.unknowns) {
   for (std::size_t i = 0; i < n_; ++i) start_.push_back(1 / (1 + static_cast<double>(i)));
-  u = start_, v.assign(n_, 0.0), a.assign(n_, 0.0);
+  u = start_, v.assign(n_, 0.0), a.assign(n_, 0.0), rates_.assign(n_, 0.0);
   for (std::size_t i = 0; i < n_; ++i) a[i] = -omega(i) * omega(i) * u[i];
   for (auto* out : {&next_u_, &next_v_, &next_a_, &error_}) out->resize(n_);
   interface_.size = sizeof interface_, interface_.unknowns = like.unknowns, interface_.host = this;
@@ -37,6 +37,8 @@ PracticeMotion::PracticeMotion(const PracticeSwing& like) : like_(like), n_(like
       call<&PracticeMotion::accelerate, int, double, const double*, const double*, double*>;
   interface_.solve =
       call<&PracticeMotion::solve, int, double, const double*, double, const double*, double, double*>;
+  interface_.solve_between = call<&PracticeMotion::solve_between, int, const double*, double, const double*,
+                                  double, double, double, double*>;
   interface_.scratch = call<&PracticeMotion::scratch, double*, std::uint32_t>;
 }
 
@@ -54,6 +56,7 @@ int PracticeMotion::step(const netloft_integrator& scheme, const void* parameter
   std::fill(error_.begin(), error_.end(), 0.0);
   if (clears_scratch) forget_scratch();
   const auto before = std::array{u, v, a};
+  memory_ = 0;
   netloft_motion& m = interface_;
   m.t = t, m.h = h;
   m.u = u.data(), m.v = v.data(), m.a = a.data();
@@ -62,6 +65,7 @@ int PracticeMotion::step(const netloft_integrator& scheme, const void* parameter
   left_alone_ = left_alone_ && before == std::array{u, v, a};
   if (status != NETLOFT_OK) return status;
   note_quarter(h);
+  for (std::size_t i = 0; i < n_; ++i) rates_[i] += memory_ * ((next_u_[i] - u[i]) / h - rates_[i]);  // (4)
   u = next_u_, v = next_v_, a = next_a_;
   estimate = largest(error_), estimated += estimate;
   t += h;
@@ -125,6 +129,22 @@ int PracticeMotion::solve(double time, const double* v0, double cv, const double
   for (std::size_t i = 0; i < n_; ++i) {
     const double w = omega(i), stiffness = kMass * (ca + 2 * like_.damping * w * cv + w * w);
     u_at[i] -= force(i, time, u_at[i], v0[i] + cv * u_at[i], a0[i] + ca * u_at[i]) / stiffness;
+  }
+  return like_.fails;
+}
+
+int PracticeMotion::solve_between(const double* v0, double cv, const double* a0, double ca, double damping,
+                                  double memory, double* u_at) {
+  ++solves;
+  memory_ = memory;
+  const double h = interface_.h;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double w = omega(i), extra = kMass * w * w * damping / 2;
+    const double stiffness = kMass * (ca + 2 * like_.damping * w * cv + w * w / 2) + extra;
+    const double middle = (u[i] + u_at[i]) / 2;
+    const double mean = force(i, t + h / 2, middle, v0[i] + cv * u_at[i], a0[i] + ca * u_at[i]) +
+                        extra * (u_at[i] - u[i] - h * rates_[i]);  // (4)
+    u_at[i] -= mean / stiffness;
   }
   return like_.fails;
 }

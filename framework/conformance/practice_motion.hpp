@@ -23,6 +23,9 @@ struct PracticeSwing {
 ///   u = e^(−ζωt) (A cos ω't + B sin ω't) + f t/ω²,  ω' = ω √(1 − ζ²)                    (2)
 /// Between ends of steps the host draws the cubic through positions and velocities, after a quarter of a step
 ///   u = (27 uₙ + 5 uₙ₊₁)/32 + h (9 vₙ − 3 vₙ₊₁)/64                                         (3)
+/// Mean forces of a step, of netloft_motion::solve_between, are (1) at its middle, for springs are linear,
+/// and
+///   m ω² χ/2 (uₙ₊₁ − uₙ − h r),  r ← r + ν ((uₙ₊₁ − uₙ)/h − r) at the end of the step        (4)
 /// Outputs of a step and scratch hold no numbers before it, so that what is left out or kept is seen.
 class PracticeMotion {
  public:
@@ -58,6 +61,8 @@ class PracticeMotion {
   int residual(double time, const double* u_at, const double* v_at, const double* a_at, double* r);
   int accelerate(double time, const double* u_at, const double* v_at, double* a_at);
   int solve(double time, const double* v0, double cv, const double* a0, double ca, double* u_at);
+  int solve_between(const double* v0, double cv, const double* a0, double ca, double damping, double memory,
+                    double* u_at);
   double* scratch(std::uint32_t index);
 
   template <auto Member, class Result, class... Args>
@@ -69,6 +74,8 @@ class PracticeMotion {
   std::size_t n_;
   netloft_motion interface_{};
   std::vector<double> start_, next_u_, next_v_, next_a_, error_;
+  std::vector<double> rates_;  // r of (4) [m/s]
+  double memory_ = 0;          // ν of the step that is made
   std::deque<std::vector<double>> scratch_;
   bool left_alone_ = true;
   char message_[256] = "";

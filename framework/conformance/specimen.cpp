@@ -88,7 +88,7 @@ netloft_tile Specimen::tile(const States& states, Factors factors) const {
   t.x = pointer(states.x), t.v = pointer(states.v), t.a = pointer(states.a);
   t.x_low = pointer(states.x_low), t.ground = pointer(states.ground);
   t.current = pointer(states.current), t.current_dz = pointer(states.current_dz);
-  t.bed = pointer(states.bed);
+  t.bed = pointer(states.bed), t.water_acceleration = pointer(states.swing);
   t.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
   return t;
 }
@@ -126,6 +126,7 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   if (!(term.traits & NETLOFT_READS_GROUND)) t.ground = nullptr;
   if (t.ground) t.state = nullptr;
   if (!(term.traits & NETLOFT_READS_BED)) t.bed = nullptr;
+  if (!(term.traits & NETLOFT_READS_WAVES)) t.water_acceleration = nullptr;
   t.state_new = remembered(term) ? memory : nullptr;
   t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
   t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;

@@ -31,12 +31,13 @@ struct States {
   std::vector<double> x_low = {};   // digits that x has no room for; empty: not known
   std::vector<double> ground = {};  // [3] velocity of the ground, one for all lanes; empty: it stands
   std::vector<double> bed = {};     // [6 nodes][64] the bed below the nodes of the stencil; empty: none
+  std::vector<double> swing = {};   // [dof][64] acceleration of the water; empty: it has none
 };
 
 /// The fields of States that have lanes, for loops.
 inline constexpr std::vector<double> States::*kFields[] = {
-    &States::x,          &States::v,      &States::a,     &States::current,
-    &States::current_dz, &States::memory, &States::x_low, &States::bed};
+    &States::x,      &States::v,     &States::a,   &States::current, &States::current_dz,
+    &States::memory, &States::x_low, &States::bed, &States::swing};
 
 struct Factors {
   double cu = 1, cv = 0, ca = 0;

@@ -30,7 +30,7 @@ EnergyBudget::EnergyBudget(Assembler& assembler, double mass_damping)
   for (std::size_t f = 0; f < assembler.families().size(); ++f)
     for (std::size_t t = 0; t < assembler.families()[f]->active_terms().size(); ++t) {
       const netloft_term& term = assembler.families()[f]->active_terms()[t];
-      reads_time_ |= (term.traits & NETLOFT_READS_TIME) != 0;
+      reads_time_ |= (term.traits & (NETLOFT_READS_TIME | NETLOFT_READS_WAVES)) != 0;
       Account& to = term.traits & NETLOFT_READS_ACCELERATION ? inertia_
                     : term.traits & NETLOFT_CONSERVATIVE     ? account(stored_, term.name)
                                                              : account(work_, term.name);

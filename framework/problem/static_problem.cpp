@@ -210,6 +210,16 @@ void StaticProblem::place(const double* u) {
   step_.state->set(step_.t, {u, u_.size()}, v_, a_);
   motion_ = step_.state->motion(step_.cv, step_.ca);
   x_ = step_.state->x();
+  if (step_.between) place_end(u);
+}
+
+/// Where a step ends whose middle is u.
+void StaticProblem::place_end(const double* u) {
+  StepProblem::Ends& step = *step_.between;
+  for (std::size_t i = 0; i < u_.size(); ++i) a_[i] = 2 * u[i] - step.u[i];
+  step.x_after = assembler_.start();  // of what is held, too
+  assembler_.place(a_, step.x_after, step.end);
+  step.ends.before = step.x_before.data(), step.ends.after = step.x_after.data();
 }
 
 int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy, double* residual) {
@@ -221,13 +231,20 @@ int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy,
   place(u);
   Request request;
   request.conservative_only = want & NETLOFT_WANT_GRADIENT;
-  request.energy = energy;
+  // Mean forces of a step are the gradient of nothing: solvers are to weigh them like those without energy.
+  if (energy && step_.between) *energy = 0;
+  request.energy = step_.between ? nullptr : energy;
+  if (request.conservative_only && step_.between) {
+    if (residual) std::fill_n(residual, u_.size(), 0.0);
+    return NETLOFT_OK;
+  }
   auto& all = request.conservative_only ? gradient_ : residual_;
   all.resize(x_.size());
   request.residual = residual ? all.data() : nullptr;
   request.matrix = kind;
   request.values = kind == MatrixKind::none ? nullptr : values(kind).data();
   request.motion = motion_;
+  request.between = step_.between ? &step_.between->ends : nullptr;
   if (!assembler_.evaluate(x_, request)) {
     met_error_ = assembler_.fault().status == NETLOFT_ERROR;
     return assembler_.fault().status;

@@ -70,6 +70,14 @@ struct StepProblem {
   std::span<const double> mass;  // of each unknown [kg]: ca times it is a stiffness that rounding meets
   MovingState* state;            // where positions and rates of the moment are kept
   double least_load;             // [N] that tolerances are a part of, at the least
+  /// The step whose mean forces F has (netloft_motion::solve_between): u is then its middle, and `after` is
+  /// kept up with it. Null: forces at u.
+  struct Ends {
+    StepEnds ends;
+    double begin = 0, end = 0;                 // [s]
+    std::vector<double> u, x_before, x_after;  // at the beginning; over all dofs
+  };
+  Ends* between = nullptr;
 };
 
 /// r(u) = 0 of a static scene, or of a step in time: what a solver sees, with the host's statistics behind
@@ -144,6 +152,7 @@ class StaticProblem {
   double rounding_at(std::int32_t unknown, std::span<const double> x) const;
 
   void place(const double* u);
+  void place_end(const double* u);
   std::vector<double>& values(MatrixKind kind);
   void need_metric();
   std::span<const double> shifted(int matrix, double shift);

@@ -178,6 +178,7 @@ class March {
     result_.shortest = state_.steps == 1 ? h : std::min(result_.shortest, h);
     result_.longest = std::max(result_.longest, h);
     if (is_looked_at() && !keep_account()) return fail_at_fault();
+    if (!problem_.accept(state_.u)) return fail_at("an element does not tell its members");
     problem_.state().set(t, state_.u, state_.v, state_.a);
     if (!assembler_.remember(problem_.state().x(), problem_.state().motion())) return fail_at_fault();
     if (settings_.judged && judge_.is_lost(t >= settings_.duration))

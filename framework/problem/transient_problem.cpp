@@ -64,6 +64,8 @@ TransientProblem::TransientProblem(Assembler& assembler, double mass_damping, So
       Callback<double, const double*, const double*, double*>::call<&TransientProblem::accelerate>;
   interface_.solve =
       Callback<double, const double*, double, const double*, double, double*>::call<&TransientProblem::solve>;
+  interface_.solve_between = Callback<const double*, double, const double*, double, double, double,
+                                      double*>::call<&TransientProblem::solve_between>;
   interface_.scratch = [](void* host, std::uint32_t index) {
     auto& self = *static_cast<TransientProblem*>(host);
     while (self.scratch_.size() <= index) self.scratch_.emplace_back(self.size());
@@ -122,8 +124,43 @@ int TransientProblem::accelerate_at(double t, std::span<const double> u, std::sp
 }
 
 int TransientProblem::solve(double t, const double* v0, double cv, const double* a0, double ca, double* u) {
+  is_between_ = false;
+  return solve_step({t, {v0, size()}, {a0, size()}, cv, ca, {}, &state_, least_load_}, u);
+}
+
+/// The unknown is the middle of the step, m: its end is 2 m - u, and rates are counted from there.
+int TransientProblem::solve_between(const double* v0, double cv, const double* a0, double ca, double damping,
+                                    double memory, double* u) {
+  const netloft_motion& m = interface_;
+  ends_.u.assign(m.u, m.u + size());
+  ends_.x_before = assembler_.start(), ends_.begin = m.t, ends_.end = m.t + m.h;
+  assembler_.place(ends_.u, ends_.x_before, m.t);
+  ends_.ends.length = m.h, ends_.ends.damping = damping, memory_ = memory, is_between_ = true;
+  std::vector<double> v(size()), a(size()), middle(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    v[i] = v0[i] - cv * m.u[i], a[i] = a0[i] - ca * m.u[i];
+    middle[i] = 0.5 * (m.u[i] + u[i]);
+  }
+  StepProblem step{m.t + 0.5 * m.h, v, a, 2 * cv, 2 * ca, {}, &state_, least_load_};
+  step.between = &ends_;
+  const int status = solve_step(step, middle.data());
+  for (std::size_t i = 0; i < size() && status == NETLOFT_OK; ++i) u[i] = 2 * middle[i] - m.u[i];
+  return status;
+}
+
+bool TransientProblem::accept(std::span<const double> u) {
+  if (!is_between_) return true;
+  ends_.x_after = assembler_.start();
+  assembler_.place(u, ends_.x_after, ends_.end);
+  ends_.ends.before = ends_.x_before.data(), ends_.ends.after = ends_.x_after.data();
+  return assembler_.remember_stretch(ends_.ends, memory_, ends_.end);
+}
+
+int TransientProblem::solve_step(const StepProblem& asked, double* u) {
   if (mass_.empty() && masses_.update(assembler_.start())) mass_ = masses_.diagonal();
-  algebra_.begin({t, {v0, size()}, {a0, size()}, cv, ca, mass_, &state_, least_load_});
+  StepProblem step = asked;
+  step.mass = mass_;
+  algebra_.begin(step);
   netloft_problem& problem = algebra_.interface();
   std::copy_n(u, size(), problem.u);
   const auto outcome = call_solver(*solver_.type, solver_.parameters, problem);

@@ -45,6 +45,9 @@ class TransientProblem {
   std::string obstacle_to_explicit(const Scene& scene);
   /// Raises what tolerances are a part of to the loads in `residual`, over all dofs [N].
   void note_loads(std::span<const double> residual);
+  /// A step that ends at displacements u is accepted: members remember it if its forces were means. False:
+  /// an element does not tell its members.
+  bool accept(std::span<const double> u);
   double least_load() const { return least_load_; }
   void set_least_load(double load) { least_load_ = load; }
 
@@ -52,6 +55,9 @@ class TransientProblem {
   int residual(double t, const double* u, const double* v, const double* a, double* r);
   int accelerate(double t, const double* u, const double* v, double* a);
   int solve(double t, const double* v0, double cv, const double* a0, double ca, double* u);
+  int solve_between(const double* v0, double cv, const double* a0, double ca, double damping, double memory,
+                    double* u);
+  int solve_step(const StepProblem& step, double* u);
   int accelerate_at(double t, std::span<const double> u, std::span<const double> v, std::span<double> a,
                     bool massless_rest);
   int evaluate();
@@ -60,6 +66,9 @@ class TransientProblem {
   MovingState state_;
   SolverChoice solver_;
   StaticProblem algebra_;
+  StepProblem::Ends ends_;
+  double memory_ = 0;        // of members, asked for with the step that is tried
+  bool is_between_ = false;  // its forces are means
   NodeMasses masses_;
   netloft_motion interface_{};
   Statistics statistics_;

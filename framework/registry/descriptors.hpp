@@ -86,6 +86,7 @@ struct IntegratorType {
   const PluginOrigin* origin = nullptr;
 
   bool is_explicit() const { return integrator.traits & NETLOFT_EXPLICIT; }
+  bool asks_mean_forces() const { return integrator.traits & NETLOFT_BETWEEN; }
 };
 
 /// A strategy as the host knows it.

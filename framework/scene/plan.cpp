@@ -97,6 +97,8 @@ TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene&
     plan.reason = kind == AnalysisKind::statics ? "the scene has no current" : "the scene has no water";
   else if ((term.traits & NETLOFT_NEEDS_MOTION) && kind == AnalysisKind::statics)
     plan.reason = "the analysis is static";
+  else if ((term.traits & NETLOFT_NEEDS_WAVES) && !scene.waves)
+    plan.reason = "the scene has no waves";
   else
     plan.on = true, plan.reason = term.needs ? set + " is set" : "the scene has what it needs";
   return plan;
@@ -152,6 +154,12 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, An
   count_unknowns(plan, scene);
   note_turning(plan, scene);
   return plan;
+}
+
+void ask_mean_forces(Plan& plan, const std::string& integrator) {
+  plan.between = true;
+  if (!plan.symmetric) return;
+  plan.symmetric = false, plan.unsymmetric_because = integrator + ", whose forces are means of a step";
 }
 
 bool Plan::reads_ground() const {
@@ -210,7 +218,9 @@ std::string describe_traits(std::uint32_t traits) {
       {NETLOFT_IS_WEIGHT, "weight"},
       {NETLOFT_IS_DRAG, "drag"},
       {NETLOFT_READS_GROUND, "reads ground"},
-      {NETLOFT_READS_BED, "reads bed"}};
+      {NETLOFT_READS_BED, "reads bed"},
+      {NETLOFT_READS_WAVES, "reads waves"},
+      {NETLOFT_NEEDS_WAVES, "needs waves"}};
   std::string text;
   for (const auto& [bit, name] : kNames)
     if (traits & bit) text += (text.empty() ? "" : ", ") + std::string(name);

@@ -55,6 +55,7 @@ struct Plan {
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
+  bool between = false;               // mean forces of steps are asked for: their matrix is not symmetric
   std::string unsymmetric_because;    // "priour/triangle drag"
   std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
 
@@ -66,6 +67,8 @@ struct Plan {
 /// Opens the plugins the scene names. Throws SceneError for parts that are wrong, PluginRefused for plugins.
 Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent = TangentChoice::exact,
                AnalysisKind kind = AnalysisKind::statics);
+/// The same of a motion whose integrator asks for mean forces of its steps.
+void ask_mean_forces(Plan& plan, const std::string& integrator);
 
 /// Plugins that are available but not used by any part of a plan; a printed plan lists them as not loaded.
 std::vector<std::string> unused_plugins(const Plan& plan, const Registry& registry);

@@ -126,6 +126,25 @@ void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3
   for (const std::size_t i : {0u, 1u, 2u}) velocity[i] += tow[i];
 }
 
+std::array<double, 3> Current::carried(double t) const {
+  std::array<double, 3> way{};
+  const auto add = [&](const std::array<double, 3>& velocity, double time) {
+    for (const std::size_t i : {0u, 1u, 2u}) way[i] += velocity[i] * time;
+  };
+  add(tow, t);
+  if (drifts.empty()) return way;
+  const double sign = t < 0 ? -1 : 1, begin = std::min(t, 0.0), end = std::max(t, 0.0);
+  double from = begin;  // the drift is straight between its own times: its mean is that of both ends
+  const auto straight = [&](double to) {
+    for (const double at : {from, to}) add(drift_at(drifts, at), 0.5 * sign * (to - from));
+    from = to;
+  };
+  for (const Drift& drift : drifts)
+    if (drift.t > begin && drift.t < end) straight(drift.t);
+  straight(end);
+  return way;
+}
+
 std::array<double, 6> SeaBed::at(double x, double y) const {
   using T = Dual<2>;
   const T relieved = relief.at(T::variable(x, 0), T::variable(y, 1));

@@ -2,12 +2,14 @@
 #pragma once
 #include "framework/parameters/parameters.hpp"
 #include "framework/scene/course.hpp"
+#include "framework/scene/water_field.hpp"
 
 #include <netloft/interpolation.hpp>
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -49,6 +51,8 @@ struct Current {
   bool is_uniform() const { return samples.size() <= 1; }
   /// Velocity at height z and its derivative with respect to z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
+  /// How far `tow` and `drift` have carried the water since time zero [m].
+  std::array<double, 3> carried(double t) const;
 };
 
 /// The bed of the sea: z_b = −depth + slope_x x + slope_y y, and a relief over it where there is one.
@@ -131,7 +135,8 @@ struct Scene {
   std::string name;
   SceneWater water;
   Current current;
-  std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
+  std::shared_ptr<const WaterField> waves = {};  // of a scene that moves; null: there are none
+  std::array<double, 3> ground = {};             // velocity at which the ground passes the gear [m/s]
   SeaBed bed = {};
   std::vector<double> positions;   // initial positions, 3 per node [m]
   std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move

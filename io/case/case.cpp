@@ -56,6 +56,8 @@ Case::State Case::assemble() {
       damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
     plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
                       moves ? AnalysisKind::dynamics : AnalysisKind::statics);
+    if (moves && registry_.integrator(analysis.dynamics.integrator).asks_mean_forces())
+      ask_mean_forces(plan_, analysis.dynamics.integrator);
     warn_of_idle_choices(loaded_, plan_, diagnostics_);
     plan_.not_loaded = unused_plugins(plan_, registry_);
     if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);

@@ -62,6 +62,8 @@ enum Trait : std::uint32_t {
   is_drag = NETLOFT_IS_DRAG,
   reads_ground = NETLOFT_READS_GROUND,
   reads_bed = NETLOFT_READS_BED,
+  reads_waves = NETLOFT_READS_WAVES,
+  needs_waves = NETLOFT_NEEDS_WAVES,
 };
 
 /// What an output means to reports that compare parts of different types.

@@ -147,6 +147,8 @@ State<Nodes> gather(const netloft_tile& t, std::size_t lane, std::size_t of_sten
   gather<Nodes>(t.a, lane, s.a);
   gather<Nodes>(t.current, lane, s.current);
   gather<Nodes>(t.current_dz, lane, s.current_dz);
+  gather<Nodes>(t.water_acceleration, lane, s.water_acceleration);
+  for (std::size_t n = 0; n < s.surface.size() && t.surface; ++n) s.surface[n] = t.surface[n * kLanes + lane];
   if (t.ground) s.ground = {t.ground[0], t.ground[1], t.ground[2]};
   s.bed = beds_below<static_cast<std::size_t>(Nodes)>(t, of_stencil, lane);
   s.water = {t.water_density, t.gravity, t.water_viscosity};

@@ -54,6 +54,12 @@ class Motion {
              std::span<double> u) {
     return checked(m_.solve(m_.host, t, v0.data(), cv, a0.data(), ca, u.data()));
   }
+  /// Finds the u at the end of the step for which its mean forces are in balance, with rates v0 + cv u and
+  /// a0 + ca u in the middle; see netloft_motion for what is exact and for the damping of members.
+  Step solve_between(std::span<const double> v0, double cv, std::span<const double> a0, double ca,
+                     double damping, double memory, std::span<double> u) {
+    return checked(m_.solve_between(m_.host, v0.data(), cv, a0.data(), ca, damping, memory, u.data()));
+  }
 
  private:
   static Step checked(int status) {

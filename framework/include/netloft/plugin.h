@@ -25,7 +25,7 @@ extern "C" {
 #endif
 
 #define NETLOFT_ABI_MAJOR 1
-#define NETLOFT_ABI_MINOR 2
+#define NETLOFT_ABI_MINOR 3
 #define NETLOFT_LANES 64 /* elements in a tile */
 
 /* What a function returns. OUTSIDE_DOMAIN: this state has no force, shorten the step. ERROR: stop. */
@@ -138,7 +138,10 @@ enum {
   NETLOFT_IS_DRAG = 1 << 16,      /* reports count it as force of the flowing water */
   NETLOFT_READS_GROUND = 1 << 17, /* wants tile.ground when the ground passes the gear; it may be given no
                                      tile.state then, for what only slides remembers nothing */
-  NETLOFT_READS_BED = 1 << 18     /* wants tile.bed when the scene has a bed */
+  NETLOFT_READS_BED = 1 << 18,    /* wants tile.bed when the scene has a bed */
+  NETLOFT_READS_WAVES = 1 << 19,  /* wants tile.water_acceleration and tile.surface when the water swings; its
+                                     force and energy may change with tile.time then */
+  NETLOFT_NEEDS_WAVES = 1 << 24   /* gives nothing where the water does not swing */
 };
 
 /* What a call of a term must add. At most one of the three matrices is asked for in a call; CONVEX and METRIC
@@ -184,6 +187,10 @@ typedef struct netloft_tile {
   const double* ground; /* [3] velocity at which the ground passes a towed gear [m/s]; null where it stands */
   const double* bed; /* [6 nodes][64] the bed of the scene below each node of the stencil: its height z_b [m],
                         dz_b/dx, dz_b/dy, and its second derivatives xx, xy, yy [1/m]; null: there is none */
+  const double*
+      water_acceleration; /* of the water at the nodes, as it passes them [m/s2]; null: it is none */
+  const double* surface;  /* [nodes][64] height of the surface of the water over the nodes, above z = 0 [m];
+                             null: it is z = 0 everywhere */
 } netloft_tile;
 
 typedef struct netloft_term {
@@ -449,10 +456,25 @@ typedef struct netloft_motion {
 
   char* message; /* room for a sentence of the integrator's */
   uint32_t message_size;
+  uint32_t reserved;
+
+  /* u such that the mean forces of the step from `u` at t to that u at t + h are in balance, where
+   *   v = v0 + cv u and a = a0 + ca u
+   * are the rates in the middle of the step. Means are F at the middle of both ends, but for forces with an
+   * energy: those do exactly the work over the step by which their energy falls, and push and turn nothing
+   * as a whole that they do not push and turn in the middle. Members (netloft_member) resist a change of
+   * length from step to step in addition, with a tension
+   *   T = damping/2 k (Dl - m),  m <- m + memory (Dl - m) once the step is accepted
+   * k their stiffness, Dl the change of their length in the step. Returns as `solve`. */
+  int (*solve_between)(void* host, const double* v0, double cv, const double* a0, double ca, double damping,
+                       double memory, double* u);
 } netloft_motion;
 
 /* Traits of an integrator. */
-enum { NETLOFT_EXPLICIT = 1 }; /* never calls `solve` */
+enum {
+  NETLOFT_EXPLICIT = 1, /* never calls `solve` */
+  NETLOFT_BETWEEN = 2   /* calls `solve_between`, whose matrix is never symmetric */
+};
 
 typedef struct netloft_integrator {
   uint32_t size;

@@ -49,9 +49,11 @@ struct Bed {
 template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
-  Points<double, Nodes> x_low{};  // low-order part of x [m]; zero if it is not known
-  Vec3<double> ground{};          // velocity of the ground [m/s]; zero where it stands
-  std::array<Bed, Nodes> bed{};   // below the nodes
+  Points<double, Nodes> x_low{};               // low-order part of x [m]; zero if it is not known
+  Vec3<double> ground{};                       // velocity of the ground [m/s]; zero where it stands
+  std::array<Bed, Nodes> bed{};                // below the nodes
+  Points<double, Nodes> water_acceleration{};  // [m/s2]
+  std::array<double, Nodes> surface{};         // height of the water's surface over the nodes [m]
   Water water{};
   double time = 0;
   double cu = 1, cv = 0, ca = 0;  // factors of dforce/dx, dforce/dv, dforce/da in the tangent
