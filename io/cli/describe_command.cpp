@@ -14,7 +14,7 @@ namespace {
 
 void print(const Json& json) { std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str()); }
 
-/// "water", "tow", "bed", "analysis" and "gear": tables that belong to no plugin.
+/// "water", "waves", "tow", "bed", "analysis" and "gear": tables that belong to no plugin.
 int describe_keys(const std::string& name, std::span<const netloft_parameter> table, bool json) {
   if (json) {
     print({{"type", name}, {"kind", "table"}, {"parameters", parameter_json(table)}});
@@ -53,6 +53,7 @@ int list_command(const Options& options) {
 
 int describe_command(const Options& options) {
   if (options.target == "water") return describe_keys("water", water_keys(), options.json);
+  if (options.target == "waves") return describe_keys("waves", wave_keys(), options.json);
   if (options.target == "tow") return describe_keys("tow", tow_keys(), options.json);
   if (options.target == "bed") return describe_keys("bed", bed_keys(), options.json);
   if (options.target == "analysis") return describe_keys("analysis", all_analysis_keys(), options.json);

@@ -83,9 +83,9 @@ Page page_of_table(const std::string& name, std::span<const netloft_parameter> k
 }
 
 std::vector<Page> all_pages(Registry& registry) {
-  std::vector<Page> pages = {page_of_table("water", water_keys()), page_of_table("tow", tow_keys()),
-                             page_of_table("bed", bed_keys()), page_of_table("analysis", analysis_keys()),
-                             page_of_table("gear", gear_keys())};
+  std::vector<Page> pages = {page_of_table("water", water_keys()),       page_of_table("waves", wave_keys()),
+                             page_of_table("tow", tow_keys()),           page_of_table("bed", bed_keys()),
+                             page_of_table("analysis", analysis_keys()), page_of_table("gear", gear_keys())};
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& c : components_of(plugin)) pages.push_back(page_of(c, plugin.origin));

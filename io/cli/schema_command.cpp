@@ -475,11 +475,13 @@ void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) 
 
 Json scene_schema(Registry& registry) {
   PartSchema parts, bodies;
-  Json analysis = object(), water = object(), tow = object(), bed = object();
+  Json analysis = object(), water = object(), waves = object(), tow = object(), bed = object();
   put_table(water, water_keys());
   put_table(tow, tow_keys());
   put_table(bed, bed_keys());
   put(water, "current", current_schema(), false);
+  put_table(waves, wave_keys());
+  put(water, "waves", waves, false);
   put_table(analysis, analysis_keys());
   put_table(analysis, dynamics_keys());
   for (const auto& name : registry.available()) {

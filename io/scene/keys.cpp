@@ -22,6 +22,37 @@ std::span<const netloft_parameter> water_keys() {
   return table.rows();
 }
 
+std::span<const netloft_parameter> wave_keys() {
+  static const auto table = [] {
+    ParameterTable<WaveKeys> t;
+    t.choice("spectrum", &WaveKeys::spectrum, "regular: one wave; jonswap: a sea drawn from that spectrum",
+             {"regular", "jonswap"});
+    t.real("height", &WaveKeys::height, "m", "from trough to crest; of a spectrum, the significant height",
+           {.lo = 1e-9, .hi = 40});
+    t.real("period", &WaveKeys::period, "s", "in water that does not flow; of a spectrum, that of its peak",
+           {.lo = 0.1, .hi = 100});
+    t.real("direction", &WaveKeys::direction, "rad", "into which they travel, from x towards y",
+           {.lo = -6.2832, .hi = 6.2832, .fallback = 0});
+    t.real("phase", &WaveKeys::phase, "rad", "of a regular wave; 0: a crest at x = y = 0 at time zero",
+           {.lo = -6.2832, .hi = 6.2832, .fallback = 0});
+    t.real("depth", &WaveKeys::depth, "m", "of the water; 0: that of [bed], or deep water",
+           {.lo = 0, .hi = 2e4, .fallback = 0});
+    t.real("ramp", &WaveKeys::ramp, "s", "time in which they grow from nothing, from time zero on",
+           {.lo = 0, .hi = 1e6, .fallback = 0});
+    t.choice(
+        "stretching", &WaveKeys::stretching,
+        "wheeler: what linear waves have at z = 0 is at the surface; none: at z = 0, and as there above it",
+        {"wheeler", "none"});
+    t.real("peakedness", &WaveKeys::peakedness, "1",
+           "of the spectrum, its gamma; 1 is that of Pierson and Moskowitz",
+           {.lo = 1, .hi = 10, .fallback = 3.3});
+    t.integer("components", &WaveKeys::components, "waves that a spectrum is drawn as", 1, 2000, 100);
+    t.integer("seed", &WaveKeys::seed, "draws another sea of the same spectrum", 0, 4294967295, 1);
+    return t;
+  }();
+  return table.rows();
+}
+
 std::span<const netloft_parameter> tow_keys() {
   static const auto table = [] {
     ParameterTable<TowKeys> t;

@@ -27,6 +27,14 @@ struct WaterKeys : SceneWater {
   double model_scale = 1;  // [1]
 };
 
+/// `water.waves`.
+struct WaveKeys {
+  std::int64_t spectrum = 0, components = 0, seed = 0, stretching = 0;
+  double height = 0, period = 0;               // [m], [s]
+  double direction = 0, phase = 0;             // [rad]
+  double depth = 0, ramp = 0, peakedness = 0;  // [m], [s], [1]
+};
+
 /// `[tow]`.
 struct TowKeys {
   double speed = 0;   // [m/s]
@@ -62,6 +70,7 @@ std::span<const GearElements> gear_elements();
 /// The tables of a scene that belong to no plugin, in the same form as those of plugins: reading, checks,
 /// `describe` and the schema all come from here.
 std::span<const netloft_parameter> water_keys();
+std::span<const netloft_parameter> wave_keys();
 std::span<const netloft_parameter> tow_keys();
 std::span<const netloft_parameter> bed_keys();
 std::span<const netloft_parameter> analysis_keys();

@@ -26,6 +26,7 @@
 #include "io/scene/riders.hpp"
 #include "io/scene/thickness.hpp"
 #include "io/scene/tow.hpp"
+#include "io/scene/waves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,8 @@ class SceneReader {
     if (gear_) gear_->follow_holds();
     place_points(out_.scene);
     out_.analysis = read_analysis(root_.table("analysis", Presence::optional), registry_, refused_);
-    if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) check_guides();
+    if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0)
+      check_guides(), check_waves();
     read_results();
     if (!bottom_.empty() && diagnostics_.errors() == 0) lay_bottom();
     if (!out_.scene.settings.empty()) check_winches();
@@ -110,6 +112,17 @@ class SceneReader {
     if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
     if (root_.has("bed")) bottom_ = read_bed(root_.table("bed"), out_.scene);
     read_ship();
+    out_.scene.waves = read_waves(water, out_.scene);
+  }
+
+  /// Waves act on what moves; a static result would be one of still water.
+  void check_waves() {
+    if (!out_.scene.waves ||
+        diagnostics_.where(root_.table("analysis", Presence::optional).place("kind")).starts_with("--set"))
+      return;
+    TableReader water = root_.table("water");
+    water.error("waves", "act on nothing in a static analysis",
+                "kind = \"dynamic\" in [analysis], or leave them out");
   }
 
   /// A ship tows the gear of a net plan.

@@ -173,4 +173,35 @@ inline Status add_inertia(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
+/// What the acceleration u′ of the water does: inertia (5) of water in place of the bar, the other way round.
+///   r_p = −½ V [ρ_w (1 + C_a) u′ − C_a ρ_w (t·u′) t]                                                 (6)
+/// The first part is the pressure of the waves that the bar displaces (Froude and Krylov), in all directions
+/// like its buoyancy; the second is added mass, across it.
+inline Status add_waves(const Lanes& p, netloft_tile& t) {
+  if (!t.water_acceleration) return Status::ok;
+  const Chords chord(t, p.l0);
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const double half = 0.5 * p.volume[i] * t.water_density, added = half * p.added_mass[i];
+    const double s[3] = {chord.t[0][i], chord.t[1][i], chord.t[2][i]};
+    for (int node = 0; node < 2; ++node) {
+      double a[3], along = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        a[axis] = t.water_acceleration[at(3 * node + axis, i)];
+        along += s[axis] * a[axis];
+      }
+      for (int r = 0; r < 3; ++r) {
+        if (t.force) t.force[at(3 * node + r, i)] -= (half + added) * a[r] - added * along * s[r];  // (6)
+        if (!t.tangent) continue;
+        for (int c = 0; c < 3; ++c) {
+          const double turn = added * chord.inverse[i] *
+                              (s[r] * (a[c] - along * s[c]) + along * ((r == c ? 1 : 0) - s[r] * s[c]));
+          t.tangent[at(place(node, r, 0, c), i)] -= t.cu * turn;
+          t.tangent[at(place(node, r, 1, c), i)] += t.cu * turn;
+        }
+      }
+    }
+  }
+  return Status::ok;
+}
+
 }  // namespace netloft::bars

@@ -9,12 +9,12 @@ namespace netloft::surface {
 
 /// What twines and ropes lose above the surface of the water, z = 0. Each node of an element counts as a cube
 /// of side h, of which the part below the surface is wet:
-///   h³ = V/N,  w = clamp((h/2 − z)/h, 0, 1)                        (1)
+///   h³ = V/N,  w = clamp((h/2 − (z − η))/h, 0, 1)                  (1)
 ///   r_p = −σ (1 − w_p) r_p^drag                                    (2)
 ///   r_p = σ (1 − w_p) (V/N) ρ_w g e_z          of bars             (3)
 /// V [m³] volume of the element's twines or rope, N its nodes, r^drag the residual of its drag, σ how much of
-/// it counts: 1, or 0 in water without a surface. Source: partial immersion of bars and netting in FEMNET
-/// (D. Priour), where netting keeps its weight in water.
+/// it counts: 1, or 0 in water without a surface; η [m] height of the surface over z = 0 in waves. Source:
+/// partial immersion of bars and netting in FEMNET (D. Priour), where netting keeps its weight in water.
 struct Cube {
   double side;  // h [m]
   double dry(double z) const { return side > 0 ? std::clamp(0.5 + z / side, 0.0, 1.0) : 0; }
@@ -29,10 +29,15 @@ struct Cube {
 
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
+/// Height of a node over the surface.
+inline double above_surface(const netloft_tile& t, int node, std::size_t i) {
+  return t.x[at(3 * node + 2, i)] - (t.surface ? t.surface[at(node, i)] : 0);
+}
+
 /// Whether the cube of a node is under water, or no surface counts for it. `Lanes` has volume and surface.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
-  const double z = t.x[at(3 * node + 2, i)];
+  const double z = above_surface(t, node, i);
   return p.surface[i] == 0 || (!(z > 0) && !(8 * -z * z * z < p.volume[i] / N));
 }
 
@@ -81,7 +86,7 @@ Status take_dry_drag(const Lanes& p, netloft_tile& t, UnderWater&& drag_of) {
     for (std::size_t i = 0; i < t.count; ++i) {
       if (is_wet<N>(p, t, node, i)) continue;
       const Cube cube{std::cbrt(p.volume[i] / N)};
-      const double z = t.x[at(3 * node + 2, i)], share = p.surface[i];
+      const double z = above_surface(t, node, i), share = p.surface[i];
       drag.take_from(t, node, i, share * cube.dry(z), share * cube.slope(z));
     }
   return Status::ok;
@@ -96,7 +101,8 @@ Status take_dry_buoyancy(const Lanes& p, netloft_tile& t) {
       if (is_wet<2>(p, t, node, i)) continue;
       const Cube cube{std::cbrt(0.5 * p.volume[i])};
       const int row = 3 * node + 2;
-      const double z = t.x[at(row, i)], lift = 0.5 * p.surface[i] * p.volume[i] * t.water_density * t.gravity;
+      const double z = above_surface(t, node, i),
+                   lift = 0.5 * p.surface[i] * p.volume[i] * t.water_density * t.gravity;
       if (t.energy) t.energy[i] += lift * cube.dry_height(z);
       if (t.force) t.force[at(row, i)] += lift * cube.dry(z);
       if (t.tangent) t.tangent[at(row * (row + 1) / 2 + row, i)] += t.cu * lift * cube.slope(z);

@@ -72,4 +72,10 @@ Status Float::Inertia::evaluate(const Parameters& p, const Data& d, const State<
   return Status::ok;
 }
 
+Status Float::Waves::evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out) {
+  const double mass = d.pieces * (1 + p.added_mass) * s.water.density * p.volume;
+  out.force[0] = -mass * s.water_acceleration[0];  // (6)
+  return Status::ok;
+}
+
 }  // namespace netloft::floats

@@ -13,12 +13,13 @@ namespace netloft::floats {
 ///   r = −s κ C_d |W| W,  κ = ½ ρ A             drag                         (3)
 ///   D = −∂r/∂W = s κ (C_d |W| I + (C_d + Re C_d′) W Wᵀ/|W|),  ∂W/∂x = (dc/dz) e_zᵀ,  ∂W/∂ẋ = −I (4)
 ///   r = s (m + C_a ρ V) ẍ                      inertia, added mass included (5)
+///   r = −s (1 + C_a) ρ V u′                    waves                        (6)
 /// B [N] net upward force of one in water, V [m³] volume, m [kg] mass, A [m²] area across the flow (π D²/4 if
 /// only the diameter D is given), W = c − ẋ [m/s] velocity of the water relative to it, C_d drag and C_a
 /// added-mass coefficient. Source: Morison's equation for a body small against the flow's scale; C_a = ½ is
 /// the sphere in potential flow, C_d = 0.47 the smooth sphere at Reynolds numbers of 1e3 to 2e5 (Hoerner,
-/// Fluid-Dynamic Drag, 1965, chapter III). The acceleration of the water itself is left out: currents here
-/// are steady.
+/// Fluid-Dynamic Drag, 1965, chapter III). u′ [m/s²] acceleration of the water: the pressure of the waves
+/// that the float displaces (Froude and Krylov) and added mass.
 /// The law `sphere` lets C_d follow Re = |W| D/ν, across the drag crisis (plugins/common/sphere.hpp). A float
 /// with lugs or growth is rough and meets the crisis earlier.
 struct Float {
@@ -46,6 +47,9 @@ struct Float {
     static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
   };
   struct Inertia {
+    static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
+  };
+  struct Waves {
     static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);
   };
 };

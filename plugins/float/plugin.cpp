@@ -24,15 +24,18 @@ void add_box(netloft::Plugin& plugin) {
          {.lo = 0, .hi = 1e7, .fallback = 0});
   b.data("pieces", &Box::Data::pieces, "1", "number of boxes at this node");
   b.term<Box::Buoyancy, netloft::conservative | netloft::symmetric | netloft::needs_gravity |
-                            netloft::from_outside | netloft::is_weight>("buoyancy",
-                                                                        "buoyancy of what is immersed");
+                            netloft::from_outside | netloft::is_weight | netloft::reads_waves>(
+      "buoyancy", "buoyancy of what is immersed");
   b.term<Box::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
                           netloft::needs_gravity | netloft::is_weight>("weight", "weight in air", "box.mass");
-  b.term<Box::Drag, netloft::reads_velocity | netloft::reads_current | netloft::needs_flow |
-                        netloft::from_outside | netloft::is_drag>(
+  b.term<Box::Drag, netloft::reads_velocity | netloft::reads_current | netloft::reads_waves |
+                        netloft::needs_flow | netloft::from_outside | netloft::is_drag>(
       "drag", "force of the water on what is immersed", "box.drag_x box.drag_y box.drag_z");
   b.term<Box::Inertia, netloft::symmetric | netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass and added mass");
+  b.term<Box::Waves,
+         netloft::reads_waves | netloft::needs_waves | netloft::needs_motion | netloft::from_outside>(
+      "waves", "pressure of the waves on what is immersed, and added mass of water that swings");
 }
 
 }  // namespace
@@ -67,5 +70,8 @@ NETLOFT_PLUGIN("float", "0.1.0", "Floats and weights at nodes") {
                           netloft::is_drag>("drag", "force of the flowing water", "float.drag_coefficient");
   f.term<Float::Inertia, netloft::symmetric | netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass and added mass");
+  f.term<Float::Waves, netloft::symmetric | netloft::constant | netloft::reads_waves | netloft::needs_waves |
+                           netloft::needs_motion>(
+      "waves", "pressure of the waves it displaces, and added mass of water that swings");
   add_box(plugin);
 }

@@ -72,6 +72,10 @@ struct Net {
     static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_inertia(f.lanes(t), t); }
   };
 
+  struct Waves {
+    static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_waves(f.lanes(t), t); }
+  };
+
   static void drag_of(const Family<Net>& f, const netloft_tile& t, double* values) {
     bars::drag_of(f.lanes(t), f.law(0), t, values);
   }

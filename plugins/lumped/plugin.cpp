@@ -37,16 +37,18 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
   net.term<Net::Drag,
            netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the unstretched twines, by its law, half per node", "twine.diameter");
-  net.term<Net::DryDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
-                             netloft::from_outside | netloft::is_drag>(
+  net.term<Net::DryDrag, netloft::reads_current | netloft::reads_waves | netloft::reads_velocity |
+                             netloft::needs_flow | netloft::from_outside | netloft::is_drag>(
       "dry-drag", "drag that is lost above the surface", "twine.surface");
-  net.term<Net::DryBuoyancy, netloft::conservative | netloft::symmetric | netloft::needs_gravity |
-                                 netloft::from_outside | netloft::is_weight>(
+  net.term<Net::DryBuoyancy, netloft::conservative | netloft::reads_waves | netloft::symmetric |
+                                 netloft::needs_gravity | netloft::from_outside | netloft::is_weight>(
       "dry-buoyancy", "buoyancy that is lost above the surface", "twine.surface");
   net.term<Net::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
   net.term<Net::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the twines, and added mass across them, half per node");
+  net.term<Net::Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(
+      "waves", "pressure of the waves it displaces, and added mass of water that swings across the twines");
   net.output(
       "tension", "N", "tension of one twine",
       [](auto& p, auto& d, auto& s) { return Net::stretch(p, d, s).T; }, netloft::OutputRole::tension);

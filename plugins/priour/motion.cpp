@@ -35,21 +35,30 @@ void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], netloft_tile& 
   }
 }
 
-void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], netloft_tile& t) {
+/// A density that twines accelerate with, and an acceleration of all nodes.
+struct Accelerated {
+  const double* a;
+  double sign, ca;        // of the residual; of its slope in a
+  const double* density;  // null: that of the water
+};
+
+void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Accelerated& by,
+                netloft_tile& t) {
   const Twines twines(t, c, p.l0);
   for (std::size_t i = 0; i < t.count; ++i) {
-    const double third = p.volume[i] / 6, added = third * p.added_mass[i] * t.water_density;
-    const double across = third * p.density[i] + added;
+    const double third = by.sign * p.volume[i] / 6, added = third * p.added_mass[i] * t.water_density;
+    const double across = third * (by.density ? by.density[i] : t.water_density) + added;
     const Vec3<double> s = unit(twines, i);
     for (int m = 0; m < 3; ++m) {
-      const Vec3<double> a{entry(t.a, 3 * m, i), entry(t.a, 3 * m + 1, i), entry(t.a, 3 * m + 2, i)};
+      const Vec3<double> a{entry(by.a, 3 * m, i), entry(by.a, 3 * m + 1, i), entry(by.a, 3 * m + 2, i)};
       const double along = dot(s, a);
       for (int r = 0; r < 3; ++r) {
-        if (t.force) t.force[at(3 * m + r, i)] += across * a[r] - added * along * s[r];  // (3)
+        if (t.force) t.force[at(3 * m + r, i)] += across * a[r] - added * along * s[r];  // (3), (6)
         if (!t.tangent) continue;
         for (int k = 0; k < 3; ++k) {
-          t.tangent[at(place(m, r, m, k), i)] += t.ca * ((r == k ? across : 0) - added * s[r] * s[k]);  // (4)
-          const double turned = -t.cu * added * twines.inverse[i] * turning(s, a, along, r, k);         // (5)
+          t.tangent[at(place(m, r, m, k), i)] +=
+              by.ca * ((r == k ? across : 0) - added * s[r] * s[k]);                             // (4)
+          const double turned = -t.cu * added * twines.inverse[i] * turning(s, a, along, r, k);  // (5)
           for (int q = 0; q < 3; ++q) t.tangent[at(place(m, r, q, k), i)] += c[q][i] * turned;
         }
       }
@@ -68,8 +77,18 @@ Status Damping::tile(const Family<Triangle>& family, netloft_tile& t) {
 
 Status Inertia::tile(const Family<Triangle>& family, netloft_tile& t) {
   const Triangle::Lanes& p = family.lanes(t);
-  accelerate(p, p.a, t);
-  accelerate(p, p.b, t);
+  const Accelerated nodes{t.a, 1, t.ca, p.density};
+  accelerate(p, p.a, nodes, t);
+  accelerate(p, p.b, nodes, t);
+  return Status::ok;
+}
+
+Status Waves::tile(const Family<Triangle>& family, netloft_tile& t) {
+  if (!t.water_acceleration) return Status::ok;
+  const Triangle::Lanes& p = family.lanes(t);
+  const Accelerated water{t.water_acceleration, -1, 0, nullptr};
+  accelerate(p, p.a, water, t);
+  accelerate(p, p.b, water, t);
   return Status::ok;
 }
 

@@ -16,10 +16,16 @@ struct Damping {
 ///   r_p = ⅓ M Σ_t [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t],  t = Û, V̂,  M = n (π/4) D² l₀             (3)
 ///   ∂r_p/∂a_p = ⅓ M Σ_t [(ρ + C_a ρ_w) I − C_a ρ_w t tᵀ]                                             (4)
 ///   ∂r_p/∂U = −⅓ M C_a ρ_w [Û (a_p − (Û·a_p) Û)ᵀ + (Û·a_p)(I − ÛÛᵀ)]/‖U‖                             (5)
-/// D [m] diameter, ρ [kg/m³] of the twines, ρ_w of the water, C_a [1] added over displaced mass. The water's
-/// own acceleration is left out: currents are steady. Source: the trawl-gear paper, section 2.3; Morison et
-/// al. 1950.
+/// D [m] diameter, ρ [kg/m³] of the twines, ρ_w of the water, C_a [1] added over displaced mass. Source: the
+/// trawl-gear paper, section 2.3; Morison et al. 1950.
 struct Inertia {
+  static Status tile(const Family<Triangle>& family, netloft_tile& t);
+};
+
+/// What the acceleration u′ of the water does: inertia (3) of water in place of the twines, the other way
+/// round, as for bars.
+///   r_p = −⅓ M Σ_t [ρ_w (1 + C_a) u′_p − C_a ρ_w (t·u′_p) t]                                         (6)
+struct Waves {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };
 

@@ -73,13 +73,15 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.term<SlowedDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
                          netloft::from_outside | netloft::is_drag>(
       "slowed-drag", "drag that is lost in water that a catch slows ahead of it", "slowed.by");
-  t.term<DryDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
-                      netloft::from_outside | netloft::is_drag>(
+  t.term<DryDrag, netloft::reads_current | netloft::reads_waves | netloft::reads_velocity |
+                      netloft::needs_flow | netloft::from_outside | netloft::is_drag>(
       "dry-drag", "drag that is lost above the surface", "twine.surface");
   t.term<Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
   t.term<Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the twines, and added mass across them, a third per corner");
+  t.term<Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(
+      "waves", "pressure of the waves it displaces, and added mass of water that swings across the twines");
   t.output(
       "tension", "N", "tension of one twine, the larger of both directions",
       [](auto& p, auto& d, auto& s) {

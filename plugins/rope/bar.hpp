@@ -104,6 +104,13 @@ struct Bar {
     }
   };
 
+  struct Waves {
+    static Status tile(const Family<Bar>& f, netloft_tile& t) {
+      Lanes room;
+      return bars::add_waves(now(f.lanes(t), t, room), t);
+    }
+  };
+
   static void drag_of(const Family<Bar>& f, const netloft_tile& t, double* values) {
     Lanes room;
     bars::drag_of(now(f.lanes(t), t, room), f.law(0), t, values);

@@ -93,16 +93,18 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.term<Bar::Drag,
            netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the unstretched rope, by its law, half per node");
-  bar.term<Bar::DryDrag, netloft::reads_current | netloft::reads_velocity | netloft::needs_flow |
-                             netloft::from_outside | netloft::is_drag>(
+  bar.term<Bar::DryDrag, netloft::reads_current | netloft::reads_waves | netloft::reads_velocity |
+                             netloft::needs_flow | netloft::from_outside | netloft::is_drag>(
       "dry-drag", "drag that is lost above the surface", "rope.surface");
-  bar.term<Bar::DryBuoyancy, netloft::conservative | netloft::symmetric | netloft::needs_gravity |
-                                 netloft::from_outside | netloft::is_weight>(
+  bar.term<Bar::DryBuoyancy, netloft::conservative | netloft::reads_waves | netloft::symmetric |
+                                 netloft::needs_gravity | netloft::from_outside | netloft::is_weight>(
       "dry-buoyancy", "buoyancy that is lost above the surface", "rope.surface");
   bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "rope.damping");
   bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the rope, and added mass across it, half per node");
+  bar.term<Bar::Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(
+      "waves", "pressure of the waves it displaces, and added mass of water that swings across the rope");
   bar.output(
       "tension", "N", "tension, positive when the rope pulls",
       [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).T; }, netloft::OutputRole::tension);

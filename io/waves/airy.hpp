@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/scene/scene.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace netloft::io {
+
+/// Wave number k > 0 [1/m] of ω² = g k tanh(k d), to the last digits of double precision.
+double wave_number(double omega, double gravity, double depth);
+
+/// Long-crested waves of small steepness: the sum of linear ones (G. B. Airy, "Tides and waves", 1845; R. G.
+/// Dean and R. A. Dalrymple, Water Wave Mechanics for Engineers and Scientists, 1991, chapter 3).
+///   η = Σ a cos θ,  θ = k s − ω t + ε,  ω² = g k tanh(k d)                                         (1)
+///   u = Σ a ω C cos θ,  w = Σ a ω S sin θ                                                          (2)
+///   u′ = Σ a ω² C sin θ,  w′ = −Σ a ω² S cos θ                                                     (3)
+///   C = cosh k(ζ+d)/sinh kd,  S = sinh k(ζ+d)/sinh kd                                              (4)
+///   ζ = d (z − η)/(d + η)                          Wheeler's stretching; ζ = z without it          (5)
+/// a [m] amplitudes, ω [rad/s], ε [rad]; d [m] depth, infinite in deep water; s [m] along the direction of
+/// travel, of the place relative to water that tow and drift carry past; u along that direction, w upwards.
+/// Above the surface the water moves as at it. (5): J. D. Wheeler, "Method for calculating forces produced by
+/// irregular waves", J. Petroleum Technology 22, 1970: the surface moves as linear theory has it at z = 0.
+/// Its own change with time is left out of (3), as is the water's own advection, both of second order. From
+/// time zero waves grow over `ramp` [s] by r = 3 q² − 2 q³, q = t/ramp, with r′ in (3).
+class AiryWaves : public WaterField {
+ public:
+  struct Component {
+    double amplitude, omega, phase;  // [m], [rad/s], [rad]
+  };
+  struct Sea {
+    std::vector<Component> components;
+    double direction = 0;                                    // of travel, from x towards y [rad]
+    double depth = std::numeric_limits<double>::infinity();  // [m]
+    double ramp = 0;                                         // [s]
+    bool is_stretched = true;
+  };
+
+  /// `current` carries the waves along by its tow and its drift.
+  AiryWaves(Sea sea, double gravity, Current current);
+  WaterMotion at(const std::array<double, 3>& place, double time) const override;
+  double height(const std::array<double, 3>& place, double time) const;
+  const Sea& sea() const { return sea_; }
+
+ private:
+  struct Train {
+    double amplitude, omega, k, phase;
+  };
+  /// Velocity, acceleration along the direction and upwards, and the slopes of the velocities over z.
+  struct Plane {
+    double u = 0, w = 0, u_rate = 0, w_rate = 0, u_dz = 0, w_dz = 0;
+  };
+  double along(const std::array<double, 3>& place, double time) const;
+  double surface(double s, double time) const;
+  Plane plane(double s, double zeta, double slope, double time) const;
+
+  Sea sea_;
+  std::vector<Train> trains_;
+  Current current_;
+  double cosine_, sine_;
+};
+
+}  // namespace netloft::io
