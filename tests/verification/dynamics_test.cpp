@@ -74,6 +74,7 @@ struct Scheme {
 const Scheme kTrapezoid{"Newmark", {"analysis.integrator=newmark"}, 2};
 const Scheme kDamped{"NewmarkOfThePaper", {"analysis.integrator=newmark", "analysis.newmark.chi=-0.3"}, 1};
 const Scheme kAlpha{"GeneralizedAlpha", {"analysis.integrator=generalized-alpha"}, 2};
+const Scheme kMomentum{"EnergyMomentum", {"analysis.integrator=energy-momentum"}, 2};
 
 class Order : public testing::TestWithParam<std::tuple<Motion, Scheme>> {};
 
@@ -92,7 +93,7 @@ TEST_P(Order, IsSeenByHalvingTheStep) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Order,
                          testing::Combine(testing::Values(kPendulum, kRope, kPanel),
-                                          testing::Values(kTrapezoid, kDamped, kAlpha)),
+                                          testing::Values(kTrapezoid, kDamped, kAlpha, kMomentum)),
                          [](const auto& tested) {
                            return std::string(std::get<0>(tested.param).name) +
                                   std::get<1>(tested.param).name;
@@ -108,7 +109,7 @@ std::map<std::string, double> budget_of(const Motion& motion, const std::vector<
     for (std::size_t k = 0; k < names.size(); ++k) last[names[k]] = values[k];
   };
   end_of(motion.scene,
-         joined(joined(motion.overrides, overrides), {"analysis.adaptive=false", "analysis.solver=chord"}),
+         joined({"analysis.adaptive=false", "analysis.solver=chord"}, joined(motion.overrides, overrides)),
          watch);
   return last;
 }
@@ -136,6 +137,38 @@ TEST(EnergyBudget, CountsWhatAWinchDoes) {
   // 5 kg half a metre up, at half a metre a second: 5 (9.81 / 2 + 0.5^2 / 2) = 25.15 J, and the rope.
   EXPECT_NEAR(b.at("work_of_winches"), 25.3, 1.0);
   EXPECT_LT(std::abs(b.at("numerical")), 0.05 * b.at("work_of_winches"));
+}
+
+/// A pendulum whose rope goes slack and snaps taut all the time: EA_compression = 1e-4 EA.
+const Motion kSnapping{"Snapping",
+                       "dynamics/elastic-pendulum.toml",
+                       {"analysis.integrator=energy-momentum", "analysis.duration=10",
+                        "analysis.output_interval=0", "analysis.tolerance=1e-10", step(1e-3)},
+                       1e-3};
+
+double given_to(const std::map<std::string, double>& b) { return b.at("kinetic") + b.at("elastic"); }
+
+TEST(EnergyMomentum, KeepsAllEnergyOverTenThousandStepsOfASnappingRope) {
+  const auto b =
+      budget_of(kSnapping, {"analysis.solver=newton", "analysis.energy-momentum.spectral_radius=1"});
+  EXPECT_LT(std::abs(b.at("numerical")), 1e-9 * 5 * 9.81);  // of what 5 kg have to fall 1 m
+}
+
+TEST(EnergyMomentum, NeverMakesEnergyWhereItDamps) {
+  for (const char* radius : {"0.8", "0.3", "0"}) {
+    double most = 0;
+    MarchWatch watch;
+    watch.on_output = [&](const Snapshot& s) {
+      most = std::min(most, s.budget->values().back());
+      ASSERT_EQ(s.budget->names().back(), "numerical");
+    };
+    end_of(
+        kSnapping.scene,
+        joined(kSnapping.overrides, {"analysis.adaptive=false", step(5e-3), "analysis.output_interval=0.05",
+                                     std::string("analysis.energy-momentum.spectral_radius=") + radius}),
+        watch);
+    EXPECT_GT(most, -1e-3 * 5 * 9.81) << radius;  // what the filter of (2) keeps for a while
+  }
 }
 
 /// The answer of `solver` to the dead-weight panel.
