@@ -5,6 +5,7 @@
 #include "framework/study/settings.hpp"
 #include "io/case/diagnosis.hpp"
 #include "io/case/idle_choices.hpp"
+#include "io/case/material_damping.hpp"
 #include "io/case/meshes.hpp"
 #include "io/case/stretch_damping.hpp"
 #include "io/scene/keys.hpp"
@@ -54,6 +55,7 @@ Case::State Case::assemble() {
     const bool moves = analysis.kind == AnalysisKind::dynamics || analysis.settles;
     if (moves && analysis.dynamics.stiffness_damping > 0)
       damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
+    material_damping_ = choose_material_damping(loaded_.scene, analysis, registry_);
     plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
                       moves ? AnalysisKind::dynamics : AnalysisKind::statics);
     if (moves && registry_.integrator(analysis.dynamics.integrator).asks_mean_forces())

@@ -68,6 +68,8 @@ class Case {
   std::unique_ptr<Assembler> make_another_assembler() const;
   /// Why the solver of the analysis cannot work on this scene (it needs an energy, say); empty: it can.
   std::optional<std::string> why_unfit();
+  /// Which loss factors of materials count in the motion, or why none does; empty: no part has one.
+  const std::string& material_damping() const { return material_damping_; }
   /// What the strategy of the analysis would try in which order and why, a line each.
   std::string explain_strategy();
 
@@ -107,6 +109,7 @@ class Case {
   Diagnostics diagnostics_;
   LoadedScene loaded_;
   Plan plan_;
+  std::string material_damping_;
   std::unique_ptr<Assembler> assembler_;
   std::unique_ptr<Meshes> meshes_;
   MakeFactorisation make_;  // of one pattern in all stages

@@ -20,6 +20,7 @@ std::vector<PartKey> line_numbers(const char* diameter, double thickest, double 
       {"density", "kg/m3", "density of a cylinder of this diameter, with voids filled with sea water", 1,
        3e4},
       {"breaking_load", "N", "tension at which it breaks", 0, 1e9},
+      {"loss_factor", "1", "energy lost in a radian of a swing, over that of the stretch", 0, 1},
   };
 }
 

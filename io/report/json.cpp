@@ -134,6 +134,7 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
                {"conservative", plan.conservative},
                {"solver", extras.solver},
                {"strategy", extras.strategy},
+               {"material_damping", extras.material_damping},
                {"attempts", extras.attempts},
                {"factorisation", extras.factorisation},
                {"threads", {{"given", extras.threads_given}, {"used", extras.threads_used}}}});

@@ -115,6 +115,8 @@ std::string plan_text(const Plan& plan, const PlanExtras& extras) {
       plan.symmetric ? "symmetric" : "unsymmetric because of " + plan.unsymmetric_because,
       plan.conservative ? ", every force has an energy" : "");
   if (plan.reads_ground()) fmt::format_to(out, "ground: {}\n", ground_text(plan));
+  if (!extras.material_damping.empty())
+    fmt::format_to(out, "material damping: {}\n", extras.material_damping);
   if (!extras.strategy.empty()) fmt::format_to(out, "strategy: {}, in this order\n", extras.strategy);
   for (const auto& line : lines_of(extras.attempts)) fmt::format_to(out, "  {}\n", line);
   fmt::format_to(out, "solver: {}\nfactorisation: {}\nthreads: {} given, {} used by the assembly\n",

@@ -10,6 +10,7 @@ struct PlanExtras {
   std::size_t matrix_entries = 0;
   int threads_given = 1, threads_used = 1;
   std::string strategy, attempts;  // how the equilibrium is found; what it tries and why, a line each
+  std::string material_damping;    // loss factors that count in a motion, or why none does
 };
 
 /// The forces that each family of elements evaluates, and why the others are off.

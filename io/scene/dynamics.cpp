@@ -15,7 +15,7 @@ struct DynamicsKeys {
   const char *integrator = nullptr, *start = nullptr;
   double duration = 0, step = 0, longest_step = 0, shortest_step = 0, accuracy = 0, output_interval = 0;
   double mass_damping = 0, stiffness_damping = 0;
-  bool adaptive = false, dense = false, energy_budget = false;
+  bool adaptive = false, dense = false, energy_budget = false, material_damping = false;
 };
 
 ParameterTable<DynamicsKeys> make_table() {
@@ -38,6 +38,8 @@ ParameterTable<DynamicsKeys> make_table() {
          {.lo = 0, .hi = 1e9, .fallback = 0.1});
   t.boolean("dense", &K::dense, "outputs lie between steps; otherwise steps end at them", false);
   t.boolean("energy_budget", &K::energy_budget, "keep account of all energies", true);
+  t.boolean("material_damping", &K::material_damping,
+            "loss factors of twines, ropes and wires count, if the scheme bounds no step", true);
   t.real("mass_damping", &K::mass_damping, "1/s", "artificial damping c of the force -c m v",
          {.lo = 0, .hi = 1e9, .fallback = 0});
   t.real("stiffness_damping", &K::stiffness_damping, "s",
@@ -140,7 +142,7 @@ Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
   d.march.accuracy = k.accuracy, d.march.longest_step = k.longest_step;
   d.march.shortest_step = k.shortest_step, d.march.output_interval = k.output_interval;
   d.march.dense = k.dense, d.march.budget = k.energy_budget, d.march.mass_damping = k.mass_damping;
-  d.stiffness_damping = k.stiffness_damping;
+  d.stiffness_damping = k.stiffness_damping, d.material_damping = k.material_damping;
   const IntegratorType& type = registry.integrator(d.integrator);
   if (analysis.diagnostics().errors() > errors_before) return d;  // what follows from them helps nobody
   if (!k.adaptive && k.step == 0 && !type.is_explicit())

@@ -16,6 +16,7 @@ struct Dynamics {
   std::string integrator = {};
   Values integrator_parameters = {};
   MarchSettings march = {};
+  bool material_damping = true;           // loss factors of parts count
   double stiffness_damping = 0;           // β of Rayleigh's damping β K [s]; α is march.mass_damping
   bool from_equilibrium = false;          // otherwise from the sketch, or from start_file; always at rest
   std::filesystem::path start_file = {};  // a result; beside the scene unless it is absolute

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "plugins/common/chords.hpp"
+#include "plugins/common/loss.hpp"
 
 #include <limits>
 #include <numbers>
@@ -27,11 +28,12 @@ struct Lanes {
   double twine[kLanes];                       // N l₀, all that is in the water [m]
   double volume[kLanes], density[kLanes], diameter[kLanes];
   double damping[kLanes], added_mass[kLanes];  // N η, C_a
+  double loss[kLanes];                         // N times that of loss.hpp
   double surface[kLanes];                      // σ of surface.hpp
 };
 
 /// Fills one lane. The multiplicity N enters here and nowhere else. `P` has EA, EA_compression, diameter,
-/// density, damping, added_mass and surface of one bar.
+/// density, damping, loss_factor and loss_frequency, added_mass and surface of one bar.
 template <class P>
 void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::size_t lane) {
   lanes.l0[lane] = rest_length;
@@ -42,6 +44,7 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.density[lane] = p.density;
   lanes.diameter[lane] = p.diameter;
   lanes.damping[lane] = parallel * p.damping;
+  lanes.loss[lane] = parallel * axial::loss_of(p.EA, p.loss_factor, p.loss_frequency);
   lanes.added_mass[lane] = p.added_mass;
   lanes.surface[lane] = p.surface;
 }

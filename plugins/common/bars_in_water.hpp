@@ -118,29 +118,55 @@ inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
   }
 }
 
-/// With w the chord and w' its rate:
-///  ∂(T_d t)/∂w = N (η/l₀)/l [t (w' − (t·w') t)ᵀ + (t·w')(I − t tᵀ)],  ∂(T_d t)/∂w' = N (η/l₀) t tᵀ
-inline Status add_damping(const Lanes& p, netloft_tile& t) {
-  const Chords chord(t, p.l0);
+/// A tension c (dl/dt − g l) of every lane: dampers whose unstretched lengths grow at the rate g.
+struct Dampers {
+  double c[kLanes] = {}, slope[kLanes] = {};  // c, dc/dl
+  double growth[kLanes] = {};                 // g [1/s]
+};
+
+/// With w the chord, w' its rate and y' = dl/dt − g l:
+///  ∂(T_d t)/∂w = (c/l) [t (w' − (t·w') t)ᵀ + y' (I − t tᵀ)] + (dc/dl y' − c g) t tᵀ,  ∂(T_d t)/∂w' = c t tᵀ
+inline void add_dampers(const Chords& chord, const Dampers& d, netloft_tile& t) {
   for (std::size_t i = 0; i < t.count; ++i) {
-    const double eta = p.damping[i] / p.l0[i], s[3] = {chord.t[0][i], chord.t[1][i], chord.t[2][i]};
-    double w[3], rate = 0;  // dl/dt
+    const double damper = d.c[i], s[3] = {chord.t[0][i], chord.t[1][i], chord.t[2][i]};
+    double w[3], along = 0;  // dl/dt
     for (int axis = 0; axis < 3; ++axis) {
       w[axis] = entry(t.v, axis + 3, i) - entry(t.v, axis, i);
-      rate += s[axis] * w[axis];
+      along += s[axis] * w[axis];
     }
+    const double rate = along - d.growth[i] * chord.l[i];
+    const double direct = t.cu * (d.slope[i] * rate - damper * d.growth[i]) + t.cv * damper;
     for (int r = 0; r < 3; ++r) {
-      const double pull = eta * rate * s[r];  // (4)
+      const double pull = damper * rate * s[r];
       if (t.force) t.force[at(r, i)] -= pull, t.force[at(r + 3, i)] += pull;
       if (!t.tangent) continue;
       for (int c = 0; c < 3; ++c) {
-        const double turn = s[r] * (w[c] - rate * s[c]) + rate * ((r == c ? 1 : 0) - s[r] * s[c]);
-        const double a = eta * (t.cu * chord.inverse[i] * turn + t.cv * s[r] * s[c]);
+        const double turn = s[r] * (w[c] - along * s[c]) + rate * ((r == c ? 1 : 0) - s[r] * s[c]);
+        const double a = damper * t.cu * chord.inverse[i] * turn + direct * s[r] * s[c];
         t.tangent[at(place(0, r, 0, c), i)] += a, t.tangent[at(place(1, r, 1, c), i)] += a;
         t.tangent[at(place(0, r, 1, c), i)] -= a, t.tangent[at(place(1, r, 0, c), i)] -= a;
       }
     }
   }
+}
+
+inline Status add_damping(const Lanes& p, netloft_tile& t) {
+  Dampers d;
+  for (std::size_t i = 0; i < t.count; ++i) d.c[i] = p.damping[i] / p.l0[i];  // (4)
+  add_dampers(Chords(t, p.l0), d, t);
+  return Status::ok;
+}
+
+/// loss.hpp (1), of the rate of strain: rope that runs off a drum as it is stretched loses nothing.
+inline Status add_loss(const Lanes& p, const double* growth, netloft_tile& t) {
+  const Chords chord(t, p.l0);
+  Dampers d;
+  for (std::size_t i = 0; i < t.count; ++i) {
+    const axial::Damper one = axial::damper(p.loss[i], chord.l[i], p.l0[i]);
+    d.c[i] = one.c, d.slope[i] = one.slope;
+    if (growth) d.growth[i] = growth[i];
+  }
+  add_dampers(chord, d, t);
   return Status::ok;
 }
 

@@ -17,7 +17,7 @@ struct Net {
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
-    double damping = 0, added_mass = 0, surface = 0;
+    double damping = 0, added_mass = 0, surface = 0, loss_factor = 0, loss_frequency = 10;
   };
   struct Data {
     double rest_length = 0;  // l₀ [m]
@@ -67,6 +67,11 @@ struct Net {
   };
   struct Damping {
     static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_damping(f.lanes(t), t); }
+  };
+  struct Loss {
+    static Status tile(const Family<Net>& f, netloft_tile& t) {
+      return bars::add_loss(f.lanes(t), nullptr, t);
+    }
   };
   struct Inertia {
     static Status tile(const Family<Net>& f, netloft_tile& t) { return bars::add_inertia(f.lanes(t), t); }

@@ -17,6 +17,12 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
   net.real("twine.damping", &Net::Parameters::damping, "N s",
            "damping of stretch: tension per strain rate, EA times a relaxation time",
            {.lo = 0, .hi = 1e9, .fallback = 0, .role = netloft::Role::damping});
+  net.real("twine.loss_factor", &Net::Parameters::loss_factor, "1",
+           "energy that a taut twine loses in a radian of a swing, over that of its stretch",
+           {.lo = 0, .hi = 1, .fallback = 0});
+  net.real("twine.loss_frequency", &Net::Parameters::loss_frequency, "Hz",
+           "frequency of the swings for which the loss factor is meant",
+           {.lo = 1e-3, .hi = 1e4, .fallback = 10});
   net.real("twine.added_mass", &Net::Parameters::added_mass, "1",
            "added mass across a twine over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
@@ -45,6 +51,8 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
       "dry-buoyancy", "buoyancy that is lost above the surface", "twine.surface");
   net.term<Net::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
+  net.term<Net::Loss, netloft::reads_velocity | netloft::needs_motion>(
+      "loss", "what a taut twine loses as it is stretched, by its material", "twine.loss_factor");
   net.term<Net::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the twines, and added mass across them, half per node");
   net.term<Net::Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(

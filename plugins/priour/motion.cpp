@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/priour/motion.hpp"
 
+#include "plugins/common/loss.hpp"
+
 namespace netloft::priour {
 
 namespace {
@@ -13,10 +15,13 @@ double turning(const Vec3<double>& t, const Vec3<double>& y, double along, int r
   return t[r] * (y[c] - along * t[c]) + along * ((r == c ? 1 : 0) - t[r] * t[c]);
 }
 
-void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], netloft_tile& t) {
+/// `damper`: the one of a twine, of a lane and 1/length.
+template <class DamperOf>
+void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf& damper, netloft_tile& t) {
   const Twines twines(t, c, p.l0);
   for (std::size_t i = 0; i < t.count; ++i) {
-    const double eta = p.bars[i] * p.damping[i] / p.l0[i];
+    const axial::Damper one = damper(i, twines.inverse[i]);
+    const double eta = p.bars[i] * one.c, slope = p.bars[i] * one.slope;
     const Vec3<double> s = unit(twines, i);
     Vec3<double> rate;  // U′
     for (int q = 0; q < 3; ++q)
@@ -28,7 +33,8 @@ void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], netloft_tile& 
     for (int r = 0; r < 3; ++r)
       for (int k = 0; k < 3; ++k) {
         const double turned = twines.inverse[i] * turning(s, rate, along, r, k);
-        const double A = eta * (t.cu * turned + t.cv * s[r] * s[k]);  // (2)
+        const double A =
+            eta * (t.cu * turned + t.cv * s[r] * s[k]) + t.cu * slope * along * s[r] * s[k];  // (2), (7)
         for (int m = 0; m < 3; ++m)
           for (int q = 0; q < 3; ++q) t.tangent[at(place(m, r, q, k), i)] += c[m][i] * c[q][i] * A;
       }
@@ -70,8 +76,19 @@ void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Ac
 
 Status Damping::tile(const Family<Triangle>& family, netloft_tile& t) {
   const Triangle::Lanes& p = family.lanes(t);
-  damp(p, p.a, t);
-  damp(p, p.b, t);
+  const auto damper = [&](std::size_t i, double) { return axial::Damper{p.damping[i] / p.l0[i], 0}; };
+  damp(p, p.a, damper, t);
+  damp(p, p.b, damper, t);
+  return Status::ok;
+}
+
+Status Loss::tile(const Family<Triangle>& family, netloft_tile& t) {
+  const Triangle::Lanes& p = family.lanes(t);
+  const auto damper = [&](std::size_t i, double inverse) {
+    return axial::damper(p.loss[i], 1 / inverse, p.l0[i]);
+  };
+  damp(p, p.a, damper, t);
+  damp(p, p.b, damper, t);
   return Status::ok;
 }
 

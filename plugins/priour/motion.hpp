@@ -12,6 +12,12 @@ struct Damping {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };
 
+/// Damping by the material of taut twines: loss.hpp (1) in place of η/l₀ in (1), and in (2) besides
+///   (dc/d‖U‖) (Û·U′) ÛÛᵀ                                                                          (7)
+struct Loss {
+  static Status tile(const Family<Triangle>& family, netloft_tile& t);
+};
+
 /// Mass of the twines, a third at every corner, and added mass across each of both directions.
 ///   r_p = ⅓ M Σ_t [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t],  t = Û, V̂,  M = n (π/4) D² l₀             (3)
 ///   ∂r_p/∂a_p = ⅓ M Σ_t [(ρ + C_a ρ_w) I − C_a ρ_w t tᵀ]                                             (4)

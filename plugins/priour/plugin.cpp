@@ -32,6 +32,12 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.real("twine.damping", &Triangle::Parameters::damping, "N s",
          "damping of stretch: tension per strain rate, EA times a relaxation time",
          {.lo = 0, .hi = 1e9, .fallback = 0, .role = netloft::Role::damping});
+  t.real("twine.loss_factor", &Triangle::Parameters::loss_factor, "1",
+         "energy that a taut twine loses in a radian of a swing, over that of its stretch",
+         {.lo = 0, .hi = 1, .fallback = 0});
+  t.real("twine.loss_frequency", &Triangle::Parameters::loss_frequency, "Hz",
+         "frequency of the swings for which the loss factor is meant",
+         {.lo = 1e-3, .hi = 1e4, .fallback = 10});
   t.real("twine.added_mass", &Triangle::Parameters::added_mass, "1",
          "added mass across a twine over the mass of the water it displaces",
          {.lo = 0, .hi = 10, .fallback = 1});
@@ -78,6 +84,8 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
       "dry-drag", "drag that is lost above the surface", "twine.surface");
   t.term<Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
+  t.term<Loss, netloft::reads_velocity | netloft::needs_motion>(
+      "loss", "what a taut twine loses as it is stretched, by its material", "twine.loss_factor");
   t.term<Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the twines, and added mass across them, a third per corner");
   t.term<Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/priour/triangle.hpp"
 
+#include "plugins/common/loss.hpp"
 #include "plugins/priour/twines.hpp"
 
 #include <limits>
@@ -75,6 +76,7 @@ void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_
   lanes.density[lane] = p.density;
   lanes.diameter[lane] = p.diameter;
   lanes.damping[lane] = p.damping;
+  lanes.loss[lane] = axial::loss_of(p.EA, p.loss_factor, p.loss_frequency);
   lanes.added_mass[lane] = p.added_mass, lanes.surface[lane] = p.surface;
   lanes.H[lane] = p.opening_stiffness;
   lanes.H_of_EI[lane] = 12 * p.EI / d.bar_length;

@@ -28,7 +28,7 @@ struct Triangle {
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
     double EI = 0, opening_stiffness = 0, opening_angle = 0, knot_size = 0;
-    double damping = 0, added_mass = 0, surface = 0;
+    double damping = 0, added_mass = 0, surface = 0, loss_factor = 0, loss_frequency = 10;
     double slowed_by = 0, slowed_front = 0, slowed_radius = 0, slowed_direction = 0;  // slowed.hpp
     std::int64_t number = 1;                                                          // N
   };
@@ -43,6 +43,7 @@ struct Triangle {
     double volume[kLanes], density[kLanes];
     double H[kLanes], H_of_EI[kLanes], alpha0[kLanes];  // opening (1), (5)
     double diameter[kLanes], damping[kLanes], added_mass[kLanes];
+    double loss[kLanes];      // of one twine, loss.hpp
     double surface[kLanes];   // σ of surface.hpp
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
     // Of slowed.hpp: b, ξ, R and e; and whether some lane has any of it.

@@ -16,7 +16,7 @@ void Bar::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lan
   lanes.constant_tension[lane] = p.constant_tension;
   lanes.length_share[lane] = p.length_share;
   lanes.changes |= p.length_share.rows > 0;
-  if (p.constant_tension > 0) lanes.EA[lane] = lanes.EA_compression[lane] = 0;
+  if (p.constant_tension > 0) lanes.EA[lane] = lanes.EA_compression[lane] = lanes.loss[lane] = 0;
 }
 
 double Bar::share_at(const netloft_table& table, double time) {
@@ -28,6 +28,23 @@ double Bar::share_at(const netloft_table& table, double time) {
   if (after == 0 || after == table.rows) return share(after ? after - 1 : 0);
   return share(after - 1) +
          (share(after) - share(after - 1)) * (time - t(after - 1)) / (t(after) - t(after - 1));
+}
+
+double Bar::growth_at(const netloft_table& table, double time) {
+  for (std::uint32_t i = 1; i < table.rows; ++i) {
+    const double t0 = table.values[2 * i - 2], t1 = table.values[2 * i];
+    if (time > t0 && time <= t1)
+      return (table.values[2 * i + 1] - table.values[2 * i - 1]) / (t1 - t0) / share_at(table, time);
+  }
+  return 0;
+}
+
+Status Bar::Loss::tile(const Family<Bar>& family, netloft_tile& t) {
+  const Lanes& p = family.lanes(t);
+  Lanes room;
+  double growth[kLanes] = {};
+  for (std::size_t i = 0; i < t.count && p.changes; ++i) growth[i] = growth_at(p.length_share[i], t.time);
+  return bars::add_loss(now(p, t, room), growth, t);
 }
 
 const Bar::Lanes& Bar::now(const Lanes& lanes, const netloft_tile& t, Lanes& room) {

@@ -17,7 +17,8 @@ struct Bar {
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
-    double constant_tension = 0, damping = 0, added_mass = 0, sag = 0, surface = 0;
+    double constant_tension = 0, damping = 0, loss_factor = 0, loss_frequency = 10;
+    double added_mass = 0, sag = 0, surface = 0;
     netloft_table length_share{};  // t [s], σ
   };
   struct Data {
@@ -31,6 +32,8 @@ struct Bar {
 
   /// σ of (2).
   static double share_at(const netloft_table& table, double time);
+  /// dσ/dt over σ: of the line before a corner of the table [1/s].
+  static double growth_at(const netloft_table& table, double time);
   /// The lanes at a given time: `lanes` itself, or `room` filled in by (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
 
@@ -96,6 +99,9 @@ struct Bar {
       Lanes room;
       return bars::add_damping(now(f.lanes(t), t, room), t);
     }
+  };
+  struct Loss {
+    static Status tile(const Family<Bar>& f, netloft_tile& t);
   };
   struct Inertia {
     static Status tile(const Family<Bar>& f, netloft_tile& t) {

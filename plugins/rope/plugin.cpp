@@ -64,6 +64,12 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.real("rope.damping", &Bar::Parameters::damping, "N s",
            "damping of stretch: tension per strain rate, EA times a relaxation time",
            {.lo = 0, .hi = 1e15, .fallback = 0, .role = netloft::Role::damping});
+  bar.real("rope.loss_factor", &Bar::Parameters::loss_factor, "1",
+           "energy that a taut rope loses in a radian of a swing, over that of its stretch",
+           {.lo = 0, .hi = 1, .fallback = 0});
+  bar.real("rope.loss_frequency", &Bar::Parameters::loss_frequency, "Hz",
+           "frequency of the swings for which the loss factor is meant",
+           {.lo = 1e-3, .hi = 1e4, .fallback = 10});
   bar.real("rope.added_mass", &Bar::Parameters::added_mass, "1",
            "added mass across the rope over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
@@ -101,6 +107,8 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
       "dry-buoyancy", "buoyancy that is lost above the surface", "rope.surface");
   bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "rope.damping");
+  bar.term<Bar::Loss, netloft::reads_velocity | netloft::needs_motion | netloft::reads_time>(
+      "loss", "what a taut rope loses as it is stretched, by its material", "rope.loss_factor");
   bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the rope, and added mass across it, half per node");
   bar.term<Bar::Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(

@@ -17,7 +17,7 @@ using rope::Bar;
 
 constexpr Water kWater{1025, 9.81, 1.19e-6};
 constexpr double kLength = 1.5, kTwines = 2.5;
-const Net::Parameters kTwine{1e4, 1, 0.01, 2000, 30, 1};
+const Net::Parameters kTwine{1e4, 1, 0.01, 2000, 30, 1, 0, 0.1};
 const Morison::Parameters kLaw{1.2, 0.08, 1};
 const std::vector<Net::Data> kBundles(kLanes, Net::Data{kLength, kTwines});
 
@@ -75,7 +75,7 @@ Family<E> in_water(const typename E::Parameters& p, const std::vector<typename E
 
 Bar::Parameters as_rope(const Net::Parameters& p) {
   Bar::Parameters r{p.EA, p.EA_compression, p.diameter, p.density};
-  r.damping = p.damping, r.added_mass = p.added_mass;
+  r.damping = p.damping, r.loss_factor = p.loss_factor, r.added_mass = p.added_mass;
   return r;
 }
 const Bar::Parameters kRope = as_rope(kTwine);
@@ -96,6 +96,7 @@ void expect_as_many_ropes() {
 
 TEST(LumpedNet, IsDraggedAsManyRopes) { expect_as_many_ropes<Net::Drag, Bar::Drag>(); }
 TEST(LumpedNet, IsDampedAsManyRopes) { expect_as_many_ropes<Net::Damping, Bar::Damping>(); }
+TEST(LumpedNet, LosesAsManyRopes) { expect_as_many_ropes<Net::Loss, Bar::Loss>(); }
 TEST(LumpedNet, IsAsInertAsManyRopes) { expect_as_many_ropes<Net::Inertia, Bar::Inertia>(); }
 
 TEST(LumpedNet, ReportsTheTensionOfOneTwineAndTheDragOfAll) {

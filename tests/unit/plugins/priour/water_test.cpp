@@ -148,6 +148,20 @@ Residual damping(const Corners& k, const Triangle::Data& d, const Triangle::Para
   return r;
 }
 
+/// loss.hpp (1) and (2), written out.
+Residual loss(const Corners& k, const Triangle::Data& d, const Triangle::Parameters& p) {
+  Residual r;
+  for (const int direction : {0, 1}) {
+    const Vec3<D> t = k.unit(direction);
+    const D y = (dot(t, k.along(direction, k.x)) * (1 / d.bar_length) - D(1)) * D(1e4);
+    const D share = y < D(0) ? D(0) : y > D(1) ? D(1) : y * y * (D(3) - D(2) * y);
+    const double c = p.EA * p.loss_factor / (2 * std::numbers::pi * p.loss_frequency) / d.bar_length;
+    const Vec3<D> T = (c * share * dot(t, k.along(direction, k.v))) * t;
+    for (std::size_t q = 0; q < 3; ++q) r[q] += D(k.bars * k.shape[direction][q]) * T;
+  }
+  return r;
+}
+
 Residual inertia(const Corners& k, const Triangle::Data& d, const Triangle::Parameters& p) {
   Residual r;
   const double third = k.bars * std::numbers::pi / 4 * p.diameter * p.diameter * d.bar_length / 3;
@@ -204,6 +218,12 @@ TEST(SlowedDrag, MatchesItsOracle) {
 }
 
 TEST(NettingDamping, MatchesItsOracle) { expect_matches<Damping>(kTwines, damping); }
+
+TEST(NettingLoss, MatchesItsOracle) {
+  auto p = twine();
+  p.loss_factor = 0.3, p.loss_frequency = 7;
+  expect_matches<Loss>(kTwines, loss, p);
+}
 
 TEST(NettingInertia, MatchesItsOracle) { expect_matches<Inertia>(kTwines, inertia); }
 

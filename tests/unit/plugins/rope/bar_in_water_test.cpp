@@ -206,6 +206,81 @@ TEST(RopeDamping, ResistsTheRateOfStretch) {
   EXPECT_NEAR(m.force[2 * kLanes], -300 * 0.1 / kLength, 1e-12);
 }
 
+/// loss.hpp (1) and (2), written out.
+struct LossOracle {
+  static constexpr double kLoss = 1e5 * 0.2 / (2 * std::numbers::pi * 4);  // EA η/(2π f)
+  template <class T>
+  static Ends<T> force(const Sight<T>& s) {
+    const T l = norm(s.x[1] - s.x[0]), y = (l * (1 / kLength) - T(1)) * T(1e4);
+    const T share = y < T(0) ? T(0) : y > T(1) ? T(1) : y * y * (T(3) - T(2) * y);
+    const Vec3<T> t = chord(s), pull = (kLoss / kLength * share * dot(t, s.v[1] - s.v[0])) * t;
+    return {-pull, pull};
+  }
+};
+
+TEST(RopeLoss, MatchesItsFormulaAndItsDerivativesAsItTightens) {
+  Family<Bar> family = family_in_water();
+  Bar::Parameters p = kRope;
+  p.loss_factor = 0.2, p.loss_frequency = 4;
+  for (std::size_t i = 0; i < kLanes; ++i) Bar::pack(p, {kLength}, family.lanes_[0], i);
+  for (const By by : {By::position, By::velocity}) {
+    MovingTile m;
+    for (std::size_t i = 0; i < kLanes; ++i) {  // slack in some lanes, on the way to full loss in most
+      const double l = kLength * (1 + 1e-4 * (-0.1 + 1.3 * double(i) / kLanes));
+      double w[3], now = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        w[k] = m.x[(k + 3) * kLanes + i] - m.x[k * kLanes + i], now += w[k] * w[k];
+      for (std::size_t k = 0; k < 3; ++k)
+        m.x[(k + 3) * kLanes + i] = m.x[k * kLanes + i] + w[k] * l / std::sqrt(now);
+    }
+    m.t.cu = by == By::position, m.t.cv = by == By::velocity, m.t.ca = 0;
+    ASSERT_EQ(Bar::Loss::tile(family, m.t), Status::ok);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const auto expected = LossOracle::force(seen(m, i, by));
+      for (std::size_t d = 0; d < 6; ++d) {
+        const auto& r = expected[d / 3][static_cast<int>(d % 3)];
+        EXPECT_NEAR(m.force[d * kLanes + i], r.value, 1e-9 * LossOracle::kLoss) << i;
+        for (std::size_t c = 0; c < 6; ++c)
+          EXPECT_NEAR(m.tangent[(6 * d + c) * kLanes + i], r.gradient[c], 1e-5 * LossOracle::kLoss) << i;
+      }
+    }
+  }
+}
+
+TEST(RopeLoss, IsThatOfTheDampingWhenTautAndNothingWhenSlack) {
+  Family<Bar> family = family_in_water();
+  Bar::Parameters p = kRope;
+  p.loss_factor = 0.1;
+  Bar::pack(p, {kLength}, family.lanes_[0], 0);
+  Upright m;
+  m.v[5 * kLanes] = 0.1;
+  m.x[5 * kLanes] = 1.001 * kLength;
+  ASSERT_EQ(Bar::Loss::tile(family, m.t), Status::ok);
+  EXPECT_NEAR(m.force[5 * kLanes], 1e5 * 0.1 / (20 * std::numbers::pi) * 0.1 / kLength, 1e-10);
+  m.force[5 * kLanes] = 0, m.x[5 * kLanes] = 0.999 * kLength;
+  ASSERT_EQ(Bar::Loss::tile(family, m.t), Status::ok);
+  EXPECT_EQ(m.force[5 * kLanes], 0);
+}
+
+TEST(RopeLoss, IsNothingWhereRopeRunsOffADrumAsItIsStretched) {
+  static const double table[] = {0, 1, 10, 3};  // a length that grows to three times its own in 10 s
+  Family<Bar> family = family_in_water();
+  Bar::Parameters p = kRope;
+  p.loss_factor = 0.1, p.length_share.rows = 2, p.length_share.values = table;
+  Bar::pack(p, {kLength}, family.lanes_[0], 0);
+  family.lanes_[0].changes = true;
+  Upright m;
+  m.t.time = 5;  // twice as long, at a tenth of that a second
+  m.x[5 * kLanes] = 1.001 * 2 * kLength;
+  m.v[5 * kLanes] = 1.001 * 0.2 * kLength;
+  ASSERT_EQ(Bar::Loss::tile(family, m.t), Status::ok);
+  EXPECT_NEAR(m.force[5 * kLanes], 0, 1e-10);
+  m.v[5 * kLanes] = 0;
+  ASSERT_EQ(Bar::Loss::tile(family, m.t), Status::ok);
+  EXPECT_NEAR(m.force[5 * kLanes], -0.1 * 1.001 * 1e5 * 0.1 / (20 * std::numbers::pi),
+              1e-9);  // held, while it is paid out
+}
+
 Bar::Parameters make_winch() {
   Bar::Parameters p = kRope;
   p.constant_tension = 1500;

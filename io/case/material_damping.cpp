@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/case/material_damping.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <vector>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr const char *kLoss = ".loss_factor", *kFrequency = ".loss_frequency", *kOwn = ".damping";
+constexpr double kUsualFrequency = 10;  // [Hz], where a part says nothing
+
+double number_of(const Part& part, const std::string& name, double fallback) {
+  const auto at = part.parameters.find(name);
+  const double* value = at == part.parameters.end() ? nullptr : std::get_if<double>(&at->second);
+  return value ? *value : fallback;
+}
+
+/// Why no loss factor counts; empty: they do.
+std::string why_off(const Analysis& analysis, Registry& registry) {
+  if (analysis.kind != AnalysisKind::dynamics || analysis.settles) return "the analysis is static";
+  const Dynamics& d = analysis.dynamics;
+  if (!d.material_damping) return "material_damping = false";
+  if (d.stiffness_damping > 0) return "stiffness_damping takes its place";
+  const IntegratorType& type = registry.integrator(d.integrator);
+  std::vector<std::string> faults;
+  const ParameterBlock block(type.parameters, type.integrator.parameter_bytes, d.integrator_parameters,
+                             faults);
+  const bool is_bounded = faults.empty() && type.integrator.stable_step(block.data(), 1) > 0;
+  return is_bounded ? d.integrator + " is stable in short steps only, which it would make shorter" : "";
+}
+
+struct Losses {
+  double factor, frequency;
+  bool operator<(const Losses& o) const {
+    return factor != o.factor ? factor > o.factor : frequency < o.frequency;
+  }
+};
+
+/// "0.1 of net and 3 more, 0.02 of warp, at 10 Hz"
+std::string listed(const std::map<Losses, std::vector<std::string>>& parts) {
+  std::string text;
+  for (const auto& [loss, names] : parts) {
+    text += fmt::format("{}{:.3g} of {}", text.empty() ? "" : "; ", loss.factor, names.front());
+    if (names.size() > 1) text += fmt::format(" and {} more", names.size() - 1);
+    text += fmt::format(" at {:.3g} Hz", loss.frequency);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string choose_material_damping(Scene& scene, const Analysis& analysis, Registry& registry) {
+  std::map<Losses, std::vector<std::string>> losses;
+  std::string off;
+  for (Part& part : scene.parts)
+    for (const char* what : {"rope", "twine"}) {
+      const auto at = part.parameters.find(std::string(what) + kLoss);
+      if (at == part.parameters.end()) continue;
+      const double factor = number_of(part, at->first, 0);
+      if (factor == 0) continue;
+      if (off.empty()) off = why_off(analysis, registry);
+      if (!off.empty() || number_of(part, std::string(what) + kOwn, 0) > 0)
+        part.parameters.erase(at);
+      else
+        losses[{factor, number_of(part, std::string(what) + kFrequency, kUsualFrequency)}].push_back(
+            part.name);
+    }
+  if (!off.empty()) return "off: " + off;
+  return losses.empty() ? "" : "loss factor " + listed(losses);
+}
+
+}  // namespace netloft::io
