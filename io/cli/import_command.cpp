@@ -45,7 +45,7 @@ void print_check(const FolderCheck& check) {
 }
 
 int check_gears(const Options& options) {
-  const FolderCheck check = check_folder(options.folder);
+  const FolderCheck check = check_folder(options.folder, options.moves);
   if (check.gears.empty()) throw UsageError{"--check " + options.folder + ": there is no GEAR.don in it"};
   if (!options.json) {
     print_check(check);
@@ -77,7 +77,8 @@ int import_gear(const Options& options) {
   Terminal terminal(options.color);
   Diagnostics diagnostics;
   const ImportedGear gear = import_of(options.kind)(
-      {options.target, options.mesh_file, to.mesh.filename().string(), options.divides}, diagnostics);
+      {options.target, options.mesh_file, to.mesh.filename().string(), options.divides, options.moves},
+      diagnostics);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   const int code = diagnostics.errors() ? kWrongInput : kDone;
   if (code == kDone) {
@@ -106,8 +107,8 @@ int import_command(const Options& options) {
     return check_gears(options);
   }
   if (options.target.empty()) throw UsageError{"import: GEAR is missing, the file of the gear"};
-  if (options.kind != "femnet" && (!options.mesh_file.empty() || options.divides))
-    throw UsageError{"import: --mesh and --divide are of gears of FEMNET"};
+  if (options.kind != "femnet" && (!options.mesh_file.empty() || options.divides || options.moves))
+    throw UsageError{"import: --mesh, --divide and --motion are of gears of FEMNET"};
   return import_gear(options);
 }
 

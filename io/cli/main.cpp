@@ -380,6 +380,8 @@ void add_import_command(CLI::App& app, Options& o) {
       ->check(CLI::IsMember({"femnet", "table", "moordyn"}));
   auto* gear = command->add_option("GEAR", o.target, "file of the gear");
   command->add_flag("--divide", o.divides, "divide it into elements here, whatever mesh lies beside it");
+  command->add_flag("--motion", o.moves,
+                    "of FEMNET: the scene is the motion that its file describes, with waves and drums");
   command
       ->add_option("--mesh", o.mesh_file,
                    "file of its mesh; else the one of the same name beside it, if it is of this gear")

@@ -53,6 +53,7 @@ struct Options {
   bool html = false, csv = false;  // report
   std::string mesh_file, folder;   // import: --mesh, --check
   bool divides = false;            // import: --divide
+  bool moves = false;              // import: --motion
   PictureOptions picture;          // of view and draw
   CompareOptions compare;          // of that command alone
   ScopeOptions scope;              // of that command alone

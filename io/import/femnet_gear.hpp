@@ -82,13 +82,17 @@ struct Wanted {
 };
 
 struct Environment {
-  double direction = 0, speed = 0, wave_height = 0, depth = 0;  // [degrees], [m/s], [m]
+  double direction = 0, speed = 0, depth = 0;                        // [degrees], [m/s], [m]
+  double wave_period = 0, wave_height = 0, wave_direction = 0;       // [s], [m], [degrees]
+  double time_step = 0, record_step = 0, record_begin = 0, end = 0;  // of motion [s]
   double catch_volume = 0, catch_accuracy = 0, catch_coefficient = 0;
   double bed_friction = 0, bed_stiffness = 0;  // stiffness of every limit [N/m]
   double tolerance = 0;                        // [N]
   double water_density = 1025;
   bool bed_moves = false;
   int drag_type = 1;
+  int wave_model = 1;  // 1 of first order, 2 and 3 of higher
+  Place waves;         // where they are described
 };
 
 /// What the import cannot do as the file says it.
@@ -114,6 +118,7 @@ struct GearFile {
   int plane = 3;             // axis normal to the drawing
   std::vector<TypeBox> type_boxes;
   std::vector<Finding> of_mesher;  // keywords that change nothing where there is a mesh
+  std::vector<Finding> of_motion;  // keywords that change nothing at rest
   std::vector<Finding> findings;
 };
 

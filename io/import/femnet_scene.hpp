@@ -18,9 +18,12 @@ struct Imported {
   std::vector<Finding> findings;  // those of the gear, and what could not be carried over
 };
 
+/// What FEMNET has two solvers for, with one file.
+enum class Sought { rest, motion };
+
 /// Numbers of which the scene would not be accepted are errors at their place.
-Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names,
-                     Diagnostics& diagnostics);
+Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names, Diagnostics& diagnostics,
+                     Sought sought = Sought::rest);
 
 /// The mesh of a gear: a region for each panel and cable that has elements, sets of nodes by type, for the
 /// types that hold or carry something. Corners of triangles are turned round, because FEMNET counts them

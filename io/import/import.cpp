@@ -112,7 +112,8 @@ std::vector<femnet::Finding> convert(const ImportRequest& request, Diagnostics& 
   const auto [mesh, mesh_name] = find_mesh(request, gear, diagnostics);
   if (diagnostics.errors()) return gear.findings;
   const femnet::Names names{request.gear.filename().string(), mesh_name, request.own_mesh};
-  auto imported = femnet::import_gear(gear, mesh, names, diagnostics);
+  auto imported = femnet::import_gear(gear, mesh, names, diagnostics,
+                                      request.moves ? femnet::Sought::motion : femnet::Sought::rest);
   if (diagnostics.errors()) return imported.findings;
   out.scene = std::move(imported.scene);
   out.mesh =
@@ -129,12 +130,12 @@ bool is_gear(const fs::path& path) {
   return ending == ".don";
 }
 
-FolderCheck::Gear check_gear(const fs::path& path, const fs::path& folder, FolderCheck& out) {
+FolderCheck::Gear check_gear(const fs::path& path, const fs::path& folder, bool moves, FolderCheck& out) {
   Diagnostics diagnostics;
   ImportedGear gear;
   FolderCheck::Gear result{fs::relative(path, folder).string(), false, {}};
   std::set<std::string> needs;
-  for (const auto& f : convert({path, {}, "gear.mesh", false}, diagnostics, gear))
+  for (const auto& f : convert({path, {}, "gear.mesh", false, moves}, diagnostics, gear))
     if (f.kind == femnet::Finding::Kind::left_out)
       needs.insert(f.text), result.lines.push_back(f.what + ": " + f.text);
   for (const auto& need : needs) ++out.needs[need];
@@ -191,7 +192,7 @@ ImportedGear import_moordyn(const ImportRequest& request, Diagnostics& diagnosti
   return imported;
 }
 
-FolderCheck check_folder(const fs::path& folder) {
+FolderCheck check_folder(const fs::path& folder, bool moves) {
   FolderCheck out;
   std::vector<fs::path> files;
   for (const auto& entry :
@@ -199,7 +200,7 @@ FolderCheck check_folder(const fs::path& folder) {
     if (entry.is_regular_file() && is_gear(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const auto& file : files) {
-    out.gears.push_back(check_gear(file, folder, out));
+    out.gears.push_back(check_gear(file, folder, moves, out));
     out.whole += out.gears.back().is_read && out.gears.back().lines.empty();
   }
   return out;

@@ -22,6 +22,7 @@ struct ImportRequest {
   std::filesystem::path mesh;  // empty: GEAR.mdg beside it, if there is one and it is of this gear
   std::string own_mesh;        // name of the mesh in the scene
   bool divides = false;        // the gear is divided here, whatever meshes there are
+  bool moves = false;          // of FEMNET: the scene is a motion, with waves and drums
 };
 
 /// Reads a gear of FEMNET with its mesh. Errors, warnings and what is left out go to `diagnostics` with their
@@ -45,6 +46,6 @@ struct FolderCheck {
   std::map<std::string, int> needs;  // of what is left out: in how many gears
   int whole = 0;                     // gears that convert without a line left out
 };
-FolderCheck check_folder(const std::filesystem::path& folder);
+FolderCheck check_folder(const std::filesystem::path& folder, bool moves = false);
 
 }  // namespace netloft::io

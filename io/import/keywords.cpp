@@ -102,13 +102,14 @@ class KeywordReader {
                                       {"EI_flexion", &KeywordReader::bend_twines},
                                       {"foil2", &KeywordReader::foil},
                                       {"cable_tension_constant", &KeywordReader::constant_tension},
+                                      {"wave_model", &KeywordReader::wave_model},
                                       {"link", &KeywordReader::link},
                                       {"type_noeud_XYZ_SUPINF", &KeywordReader::type_box}};
     name_ = name, name_place_ = in_.place_of_word();
     for (const auto& k : known)
       if (name == k.name) return (this->*k.step)();
     if (is_one_of(name, kMissing)) return leave_out("is not modelled here");
-    if (is_one_of(name, kOfMotion)) return note("is of motion; the scene is at rest");
+    if (is_one_of(name, kOfMotion)) return leave_to_motion();
     if (is_one_of(name, kOfMesher)) return leave_to_mesher();
     if (!is_one_of(name, kIdle)) note("is not known, and not read");
   }
@@ -122,6 +123,11 @@ class KeywordReader {
   void leave_to_mesher() {
     gear_.of_mesher.push_back({name_place_, Finding::Kind::left_out, "keyword " + name_.substr(0, 40),
                                "changes the drawing, which is taken as it stands"});
+  }
+
+  void leave_to_motion() {
+    gear_.of_motion.push_back({name_place_, Finding::Kind::left_out, "keyword " + name_.substr(0, 40),
+                               "motion of this kind is not known here"});
   }
 
   double number() { return in_.next_real(("an argument of " + name_).c_str()); }
@@ -142,6 +148,7 @@ class KeywordReader {
 
   void water_density() { gear_.environment.water_density = number(); }
   void moving_bottom() { gear_.environment.bed_moves = true; }
+  void wave_model() { gear_.environment.wave_model = in_.next_integer("an argument of wave_model"); }
   void link() { gear_.link_distance = number(); }
 
   /// 13 x1 x2 y1 y2 z1 z2 type; other codes stand for half-spaces.

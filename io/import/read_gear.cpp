@@ -192,16 +192,18 @@ class GearReader {
     in_.real("the divisor");
     gear_.environment.tolerance = in_.real("the convergence threshold");
     in_.real("the displacement limit"), in_.real("the number of iterations");
-    for (const char* what : {"the time step", "the time step of the record", "the beginning of the record",
-                             "the end of the record"})
-      in_.skip_colon(what), in_.real(what);
+    const auto time = [&](const char* what) { return in_.skip_colon(what), in_.real(what); };
+    Environment& e = gear_.environment;
+    e.time_step = time("the time step"), e.record_step = time("the time step of the record");
+    e.record_begin = time("the beginning of the record"), e.end = time("the end of the record");
   }
 
   void read_environment() {
     Environment& e = gear_.environment;
     e.direction = in_.real("the direction of the current"), e.speed = in_.real("the speed of the current");
-    in_.real("the period of waves"), e.wave_height = in_.real("the height of waves");
-    in_.real("the direction of waves"), e.depth = in_.real("the depth of the water");
+    e.wave_period = in_.real("the period of waves"), e.waves = in_.place();
+    e.wave_height = in_.real("the height of waves");
+    e.wave_direction = in_.real("the direction of waves"), e.depth = in_.real("the depth of the water");
     e.catch_volume = in_.real("the volume of the catch");
     e.catch_accuracy = in_.real("the accuracy of the catch");
     e.catch_coefficient = in_.real("the pressure coefficient of the catch");

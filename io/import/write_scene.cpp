@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/import/femnet_scene.hpp"
+#include "io/import/motion.hpp"
 #include "io/import/scene_text.hpp"
 
 #include <algorithm>
@@ -30,8 +31,9 @@ std::string word_of(const std::string& text) {
 /// Writes one scene; members are tables in the order of the file.
 class SceneWriter {
  public:
-  SceneWriter(const GearFile& gear, const MeshFile& file, const Names& names, Diagnostics& diagnostics)
-      : gear_(gear), file_(file), names_(names), diagnostics_(diagnostics) {
+  SceneWriter(const GearFile& gear, const MeshFile& file, const Names& names, Diagnostics& diagnostics,
+              Sought sought)
+      : gear_(gear), file_(file), names_(names), diagnostics_(diagnostics), moves_(sought == Sought::motion) {
     out_.mesh = make_mesh(gear, file);
     out_.findings = gear.findings;
   }
@@ -45,7 +47,8 @@ class SceneWriter {
     for (std::size_t t = 0; t < gear_.types.size(); ++t) write_hold(t);
     hold_what_is_loose();
     write_results();
-    note_motion();
+    moves_ ? note_differences_of_motion() : note_motion();
+    if (moves_) body_.add(motion_text(environment()));
     out_.scene = header() + water() + body_.text();
     return std::move(out_);
   }
@@ -53,6 +56,12 @@ class SceneWriter {
  private:
   const Environment& environment() const { return gear_.environment; }
   bool has_current() const { return environment().speed != 0; }
+  /// Whether there are waves that the scene can have.
+  bool has_waves() const {
+    return moves_ && environment().wave_height != 0 && fault_of_waves(environment()).empty();
+  }
+  /// Whether water ever passes what is in it.
+  bool has_flow() const { return has_current() || moves_; }
 
   void find(Finding::Kind kind, const Place& place, const std::string& what, const std::string& text) {
     out_.findings.push_back({place, kind, what, text});
@@ -88,6 +97,7 @@ class SceneWriter {
   std::string water() const {
     const Environment& e = environment();
     std::string text = "\n[water]\ndensity = " + spell_number(e.water_density) + "\ngravity = 9.81\n";
+    if (has_waves()) text += waves_text(e) + "\n";
     if (!has_current()) return text;
     if (is_towed())
       return text + "\n[tow]  # the bed passes with the water\nspeed = " + spell_number(std::abs(e.speed)) +
@@ -118,7 +128,7 @@ class SceneWriter {
   void stands_on_mesh() { line("mesh", quoted(names_.own_mesh)); }
 
   void write_drag(double cd, double friction, const Place& place) {
-    if (!has_current()) return;
+    if (!has_flow()) return;
     line("drag",
          InlineTable()
              .add("law", quoted("hydro/morison"))
@@ -278,7 +288,8 @@ class SceneWriter {
     const bool has_mass = t.mass[2] > 0 && t.mass[2] <= kMostMass;
     Triple force = t.force;
     if (!has_mass) force[2] -= t.mass[2] * kGravity;
-    if (has_box)
+    const bool has_added_mass = moves_ && added_mass_of(t) > 0;
+    if (has_box || has_added_mass)
       write_box(number, has_mass);
     else if (has_mass) {
       begin_load("mass", "float/float", number);
@@ -294,6 +305,11 @@ class SceneWriter {
     write_limits(number);
   }
 
+  /// Added mass is the same along all axes here.
+  static double added_mass_of(const NodeType& t) {
+    return (t.added_mass[0] + t.added_mass[1] + t.added_mass[2]) / 3;
+  }
+
   void write_box(std::size_t number, bool has_mass) {
     const NodeType& t = gear_.types[number];
     const auto side = [&](std::size_t axis) {
@@ -305,9 +321,11 @@ class SceneWriter {
     begin_load("box", "float/box", number);
     InlineTable box;
     if (has_mass) box.add("mass", t.mass[2]);
+    if (moves_)
+      box.add_unless_zero("added_mass", within(added_mass_of(t), 0, 1e7, t.place, "the added mass"));
     box.add("length_x", side(0)).add("length_y", side(1)).add("height", side(2));
     if (t.box[2] < 0) box.add("hangs", std::string("true"));
-    if (has_current()) box.add("drag_x", drag(0)).add("drag_y", drag(1)).add("drag_z", drag(2));
+    if (has_flow()) box.add("drag_x", drag(0)).add("drag_y", drag(1)).add("drag_z", drag(2));
     line("box", box.text());
   }
 
@@ -479,7 +497,47 @@ class SceneWriter {
   }
 
   void note_motion() {
-    if (environment().wave_height != 0) note({}, "waves", "are of motion; the scene is at rest");
+    const std::string cure = "of motion, which --motion writes; the scene is at rest";
+    if (environment().wave_height != 0) note(environment().waves, "waves", "are " + cure);
+    for (const auto& f : gear_.of_motion) note(f.place, f.what, "is of motion; the scene is at rest");
+  }
+
+  void note_differences_of_motion() {
+    out_.findings.insert(out_.findings.end(), gear_.of_motion.begin(), gear_.of_motion.end());
+    note_waves();
+    note({}, "the motion",
+         "added mass of ropes is across them alone, FEMNET's along them, too; its steps damp what is fast, "
+         "these hardly");
+    const Environment& e = environment();
+    if (e.record_begin > 0) note({}, "the record", "begins at 0 here");
+    for (std::size_t t = 0; t < gear_.types.size(); ++t)
+      if (has_nodes(t)) note_masses(t);
+  }
+
+  void note_waves() {
+    const Environment& e = environment();
+    if (e.wave_height == 0) return;
+    if (const auto fault = fault_of_waves(e); !fault.empty()) return leave_out(e.waves, "waves", fault);
+    note(e.waves, "waves",
+         "grow over one period as in FEMNET, but smoothly; in deep water (more than half a wave length) they "
+         "are those of this depth");
+    if (e.wave_model != 1)
+      note(e.waves, "waves",
+           "are linear ones here; of a higher order their crests would rise by " +
+               spell_number(std::round(1e4 * rise_of_second_order(e)) / 1e4) + " m more");
+    if (is_towed()) note(e.waves, "waves", "are carried by the water that passes, and FEMNET's are not");
+  }
+
+  void note_masses(std::size_t number) {
+    const NodeType& t = gear_.types[number];
+    const std::string what = "type " + std::to_string(number + 1);
+    const auto differ = [](const Triple& m) { return m[0] != m[2] || m[1] != m[2]; };
+    if (differ(t.mass) || !(t.mass[2] >= 0 && t.mass[2] <= kMostMass))
+      note(t.place, what, "its inertia is that of the mass along z, if that is above zero");
+    if (differ(t.added_mass)) note(t.place, what, "its added mass is the mean of all axes");
+    if (t.sense[2] == 1 && environment().bed_friction != 0 && !is_towed())
+      leave_out(t.place, what,
+                "friction of a bed that stands, on nodes that slide over it, is not carried over");
   }
 
   static constexpr const char* kAxis[] = {"x", "y", "z"};
@@ -488,15 +546,16 @@ class SceneWriter {
   const MeshFile& file_;
   const Names& names_;
   Diagnostics& diagnostics_;
+  bool moves_;
   Imported out_;
   SceneText body_;
 };
 
 }  // namespace
 
-Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names,
-                     Diagnostics& diagnostics) {
-  return SceneWriter(gear, mesh, names, diagnostics).write();
+Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names, Diagnostics& diagnostics,
+                     Sought sought) {
+  return SceneWriter(gear, mesh, names, diagnostics, sought).write();
 }
 
 }  // namespace netloft::io::femnet

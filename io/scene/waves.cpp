@@ -13,14 +13,6 @@ namespace netloft::io {
 
 namespace {
 
-/// Steepness at which regular waves break: H/λ = 0.142 tanh(k d) (R. Miche, "Mouvements ondulatoires de la
-/// mer en profondeur constante ou décroissante", Annales des Ponts et Chaussées, 1944).
-constexpr double kBreaking = 0.142;
-
-/// k d below which waves as long as `kLongest` depths are no linear ones (Dean and Dalrymple 1991, section
-/// 3.5: shallow water is k d < π/10).
-constexpr double kShallow = std::numbers::pi / 10;
-
 std::string in_metres(double length) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g m", length);
@@ -49,8 +41,7 @@ void refuse_idle(const WaveKeys& keys, TableReader& waves) {
 
 /// The height of one wave, or the significant height at the period of the peak.
 void check_height(const WaveKeys& keys, double k, double depth, TableReader& waves) {
-  const double length = 2 * std::numbers::pi / k, relative = std::isfinite(depth) ? std::tanh(k * depth) : 1;
-  const double highest = kBreaking * length * relative;
+  const double length = 2 * std::numbers::pi / k, highest = highest_wave(k, depth);
   if (keys.height >= highest)
     waves.error("height",
                 "= " + in_metres(keys.height) + " breaks: waves of this period are " + in_metres(length) +
@@ -59,7 +50,7 @@ void check_height(const WaveKeys& keys, double k, double depth, TableReader& wav
 }
 
 void check_depth(double k, double depth, bool is_own, TableReader& waves) {
-  if (k * depth >= kShallow) return;
+  if (!is_shallow(k, depth)) return;
   waves.error(is_own ? "depth" : "period",
               "makes waves of " + in_metres(2 * std::numbers::pi / k) + " in " + in_metres(depth) +
                   " of water, longer than 20 depths: linear waves do not describe them",

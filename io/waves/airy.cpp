@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace netloft::io {
 
@@ -19,6 +20,13 @@ double wave_number(double omega, double gravity, double depth) {
   }
   return x / depth;
 }
+
+double highest_wave(double k, double depth) {
+  const double length = 2 * std::numbers::pi / k, relative = std::isfinite(depth) ? std::tanh(k * depth) : 1;
+  return 0.142 * length * relative;
+}
+
+bool is_shallow(double k, double depth) { return k * depth < std::numbers::pi / 10; }
 
 namespace {
 

@@ -10,6 +10,14 @@ namespace netloft::io {
 /// Wave number k > 0 [1/m] of ω² = g k tanh(k d), to the last digits of double precision.
 double wave_number(double omega, double gravity, double depth);
 
+/// Height at which regular waves break: λ 0.142 tanh(k d) [m] (R. Miche, "Mouvements ondulatoires de la mer
+/// en profondeur constante ou décroissante", Annales des Ponts et Chaussées, 1944).
+double highest_wave(double k, double depth);
+
+/// Whether waves are too long for linear ones: k d < π/10 (R. G. Dean and R. A. Dalrymple, Water Wave
+/// Mechanics for Engineers and Scientists, 1991, section 3.5).
+bool is_shallow(double k, double depth);
+
 /// Long-crested waves of small steepness: the sum of linear ones (G. B. Airy, "Tides and waves", 1845; R. G.
 /// Dean and R. A. Dalrymple, Water Wave Mechanics for Engineers and Scientists, 1991, chapter 3).
 ///   η = Σ a cos θ,  θ = k s − ω t + ε,  ω² = g k tanh(k d)                                         (1)

@@ -71,9 +71,12 @@ void try_femnet(const std::string& gear_text, const std::string* mesh_text) {
                                               gear, diagnostics)
                      : femnet::divide_gear(gear, diagnostics, kMostNodes);
   if (diagnostics.errors() == 0) {
-    const auto imported = femnet::import_gear(gear, mesh, {"gear.don", "gear.mdg", "gear.mesh"}, diagnostics);
-    use(imported.scene.size());
-    if (diagnostics.errors() == 0) read_again(imported.mesh);
+    for (const auto sought : {femnet::Sought::rest, femnet::Sought::motion}) {
+      const auto imported =
+          femnet::import_gear(gear, mesh, {"gear.don", "gear.mdg", "gear.mesh"}, diagnostics, sought);
+      use(imported.scene.size());
+      if (diagnostics.errors() == 0) read_again(imported.mesh);
+    }
   }
   use(diagnostics.render(false).size());
 }

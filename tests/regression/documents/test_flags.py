@@ -59,6 +59,7 @@ COMMANDS = (
     ("netloft stability tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
     ("netloft import femnet gears/01_two_bars.don --mesh gears/01_two_bars.mdg --json -o bars.toml; ls bars.toml bars.mesh", "bars.mesh"),
     ("netloft import femnet gears/01_two_bars.don --divide -o divided.toml; ls divided.mesh", "divided.mesh"),
+    ("netloft import femnet gears/09_hauling.don --motion -o moving.toml; grep dynamic moving.toml", "dynamic"),
     ("netloft import --check gears --color never", "01_two_bars"),
     (f"netloft study plan study.toml {COMMON} -o ropes", '"points": 4'),
     (f"netloft study run ropes --items 1-2 --jobs 2 --threads 1 {COMMON}", '"computed": 2'),

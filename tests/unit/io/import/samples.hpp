@@ -40,12 +40,13 @@ struct ReadGear {
 
 /// The same with its mesh, as a scene.
 struct ImportedSample {
-  ImportedSample(const std::string& gear_text, const std::string& mesh_text) : read(gear_text) {
+  ImportedSample(const std::string& gear_text, const std::string& mesh_text, Sought sought = Sought::rest)
+      : read(gear_text) {
     if (read.diagnostics.errors()) return;
     const int file = read.diagnostics.add_source("gear.mdg", mesh_text);
     mesh = read_mesh_file(mesh_text, file, read.gear, read.diagnostics);
     if (read.diagnostics.errors()) return;
-    imported = import_gear(read.gear, mesh, {"gear.don", "gear.mdg", "gear.mesh"}, read.diagnostics);
+    imported = import_gear(read.gear, mesh, {"gear.don", "gear.mdg", "gear.mesh"}, read.diagnostics, sought);
     if (read.diagnostics.errors()) imported = {};
   }
   bool holds(const std::string& words) const { return imported.scene.find(words) != std::string::npos; }
