@@ -74,6 +74,24 @@ struct Clamp {
   double angle = 180;         // [degrees], 180 in line
 };
 
+/// A drum at one end of a cable: it hauls at a speed that is straight between the times, and pays out below
+/// zero.
+struct Drum {
+  Place place;
+  int cable = 0;                      // counted from 0
+  double shortest = 0, longest = 0;   // lengths of bars that it leaves behind [m]
+  std::vector<double> times, speeds;  // [s], [m/s]
+  std::vector<int> ends;              // of the cable, 1 or 2, where it is from each time on
+};
+
+/// Nodes of a type that move at velocities that are straight between the times, and stand still after them.
+struct NodeMotion {
+  Place place;
+  int type = 0;  // counted from 0
+  std::vector<double> times;
+  std::array<std::vector<double>, 3> velocity;
+};
+
 /// A number that the author wanted printed.
 struct Wanted {
   enum class Kind { distance, force, tension, position } kind = Kind::position;
@@ -113,6 +131,8 @@ struct GearFile {
   std::vector<LinkPoint> order;  // of meshing; `corner` is not used
   std::vector<Clamp> clamps;
   std::vector<Wanted> wanted;
+  std::vector<Drum> drums;
+  std::vector<NodeMotion> motions;
   Environment environment;
   double link_distance = 0;  // corners nearer than this in the drawing are one [m]
   int plane = 3;             // axis normal to the drawing

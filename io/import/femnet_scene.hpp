@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/import/femnet_gear.hpp"
+#include "io/import/drums.hpp"
 #include "io/mesh/mesh.hpp"
 
 namespace netloft::io::femnet {
@@ -27,12 +27,14 @@ Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& na
 
 /// The mesh of a gear: a region for each panel and cable that has elements, sets of nodes by type, for the
 /// types that hold or carry something. Corners of triangles are turned round, because FEMNET counts them
-/// clockwise as seen from outside.
-InputMesh make_mesh(const GearFile& gear, const MeshFile& file);
+/// clockwise as seen from outside. Bars that drums haul have regions of their own.
+InputMesh make_mesh(const GearFile& gear, const MeshFile& file, const std::vector<HauledBar>& hauled = {});
 
 /// "panel-3", "cable-12", "type-4", from numbers that begin with 0.
 std::string panel_name(std::size_t panel);
 std::string cable_name(std::size_t cable);
+/// "cable-12-bar-3": one that a drum hauls, by its place along the cable.
+std::string bar_name(std::size_t cable, std::size_t number);
 std::string type_name(std::size_t type);
 /// "plane-y": nodes of cables that bend, in the plane of symmetry across an axis.
 std::string plane_name(std::size_t axis);

@@ -12,6 +12,7 @@ namespace netloft::io::femnet {
 namespace {
 
 constexpr double kGravity = 9.81;
+constexpr int kMostRows = 10000;  // of a table; FEMNET has 1000
 
 /// Keywords that change nothing in the answer sought here; those that end with * are beginnings.
 constexpr const char* kIdle[] = {"Auto_convergence",
@@ -102,6 +103,8 @@ class KeywordReader {
                                       {"EI_flexion", &KeywordReader::bend_twines},
                                       {"foil2", &KeywordReader::foil},
                                       {"cable_tension_constant", &KeywordReader::constant_tension},
+                                      {"hauling_cable4", &KeywordReader::drum},
+                                      {"speed_type_node2", &KeywordReader::node_motion},
                                       {"wave_model", &KeywordReader::wave_model},
                                       {"link", &KeywordReader::link},
                                       {"type_noeud_XYZ_SUPINF", &KeywordReader::type_box}};
@@ -164,6 +167,57 @@ class KeywordReader {
     if (!type) return;
     box.type = static_cast<int>(type - gear_.types.data());
     gear_.type_boxes.push_back(box);
+  }
+
+  /// So many numbers as follow; times among them ascend.
+  std::vector<double> numbers(std::size_t count) {
+    std::vector<double> all;
+    while (all.size() < count && !in_.has_failed()) all.push_back(number());
+    return all;
+  }
+  std::size_t rows_of_table() {
+    const int rows = in_.next_integer(("the number of times of " + name_).c_str());
+    if (!in_.has_failed() && (rows < 1 || rows > kMostRows))
+      in_.fail(name_place_, name_ + ": a table of " + std::to_string(rows) + " times; 1 to " +
+                                std::to_string(kMostRows) + " are expected");
+    return in_.has_failed() ? 0 : static_cast<std::size_t>(rows);
+  }
+  std::vector<double> times(std::size_t rows) {
+    auto all = numbers(rows);
+    if (!in_.has_failed() && std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) != all.end())
+      in_.fail(name_place_, name_ + ": its times do not ascend");
+    return all;
+  }
+
+  /// cable, shortest and longest bar, n, n times, n speeds, n ends.
+  void drum() {
+    const Cable* c = cable();
+    if (!c) return;
+    Drum d{name_place_, static_cast<int>(c - gear_.cables.data())};
+    d.shortest = number(), d.longest = number();
+    const std::size_t rows = rows_of_table();
+    d.times = times(rows), d.speeds = numbers(rows);
+    for (std::size_t i = 0; i < rows && !in_.has_failed(); ++i)
+      d.ends.push_back(in_.next_integer("an end of a cable"));
+    if (in_.has_failed()) return;
+    if (!(d.shortest > 0) || !(d.longest >= d.shortest))
+      return in_.fail(name_place_, name_ +
+                                       ": bars remain at least as long as the first length, which is above "
+                                       "zero, and at most as the second");
+    if (std::any_of(d.ends.begin(), d.ends.end(), [](int end) { return end != 1 && end != 2; }))
+      return in_.fail(name_place_, name_ + ": a drum is at end 1 or 2 of its cable");
+    gear_.drums.push_back(std::move(d));
+  }
+
+  /// type, n, n times, n velocities along x, y and z.
+  void node_motion() {
+    const NodeType* type = one_of(gear_.types, "type");
+    if (!type) return;
+    NodeMotion m{name_place_, static_cast<int>(type - gear_.types.data())};
+    const std::size_t rows = rows_of_table();
+    m.times = times(rows);
+    for (auto& axis : m.velocity) axis = numbers(rows);
+    if (!in_.has_failed()) gear_.motions.push_back(std::move(m));
   }
 
   void drag_type() {

@@ -10,10 +10,11 @@ namespace {
 
 bool is_zero(const Triple& t) { return t == Triple{}; }
 
-void add_bars_of_cable(std::size_t cable, const MeshFile& file, InputMesh& mesh) {
+void add_bars_of_cable(std::size_t cable, const MeshFile& file, const std::vector<bool>& is_hauled,
+                       InputMesh& mesh) {
   std::vector<const MeshFile::Bar*> bars;
-  for (const auto& b : file.bars)
-    if (b.cable == static_cast<int>(cable) + 1) bars.push_back(&b);
+  for (std::size_t b = 0; b < file.bars.size(); ++b)
+    if (file.bars[b].cable == static_cast<int>(cable) + 1 && !is_hauled[b]) bars.push_back(&file.bars[b]);
   if (bars.empty()) return;
   std::stable_sort(bars.begin(), bars.end(), [](auto* a, auto* b) { return a->shares[0] < b->shares[0]; });
   MeshRegion region{RegionKind::bars, cable_name(cable)};
@@ -66,7 +67,9 @@ void add_planes(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
 
 void add_sets(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
   for (std::size_t type = 0; type < gear.types.size(); ++type) {
-    if (!is_special(gear.types[type])) continue;
+    const bool is_moved = std::any_of(gear.motions.begin(), gear.motions.end(),
+                                      [&](const auto& m) { return m.type == static_cast<int>(type); });
+    if (!is_special(gear.types[type]) && !is_moved) continue;
     MeshSet set{type_name(type)};
     for (std::uint32_t n = 0; n < file.nodes.size(); ++n)
       if (file.nodes[n].type == static_cast<int>(type)) set.nodes.push_back(n);
@@ -106,6 +109,9 @@ class Pieces {
 
 std::string panel_name(std::size_t panel) { return "panel-" + std::to_string(panel + 1); }
 std::string cable_name(std::size_t cable) { return "cable-" + std::to_string(cable + 1); }
+std::string bar_name(std::size_t cable, std::size_t number) {
+  return cable_name(cable) + "-bar-" + std::to_string(number + 1);
+}
 std::string type_name(std::size_t type) { return "type-" + std::to_string(type + 1); }
 
 std::string plane_name(std::size_t axis) { return std::string("plane-") + "xyz"[axis]; }
@@ -141,14 +147,23 @@ std::vector<Loose> find_loose(const GearFile& gear, const MeshFile& file) {
   return loose;
 }
 
-InputMesh make_mesh(const GearFile& gear, const MeshFile& file) {
+InputMesh make_mesh(const GearFile& gear, const MeshFile& file, const std::vector<HauledBar>& hauled) {
+  std::vector<bool> is_hauled(file.bars.size());
+  for (const auto& h : hauled) is_hauled[h.bar] = true;
   InputMesh mesh;
   for (const auto& n : file.nodes) mesh.positions.insert(mesh.positions.end(), n.at.begin(), n.at.end());
   for (std::size_t p = 0; p < gear.panels.size(); ++p) {
     add_triangles(p, file, mesh);
     add_twines(p, gear, file, mesh);
   }
-  for (std::size_t c = 0; c < gear.cables.size(); ++c) add_bars_of_cable(c, file, mesh);
+  for (std::size_t c = 0; c < gear.cables.size(); ++c) add_bars_of_cable(c, file, is_hauled, mesh);
+  for (const auto& h : hauled) {
+    const MeshFile::Bar& b = file.bars[h.bar];
+    mesh.regions.push_back({RegionKind::bars,
+                            bar_name(static_cast<std::size_t>(b.cable) - 1, h.number),
+                            {b.nodes[0], b.nodes[1]},
+                            {b.shares[0], b.shares[1]}});
+  }
   add_sets(gear, file, mesh);
   return mesh;
 }

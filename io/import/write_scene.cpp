@@ -34,8 +34,9 @@ class SceneWriter {
   SceneWriter(const GearFile& gear, const MeshFile& file, const Names& names, Diagnostics& diagnostics,
               Sought sought)
       : gear_(gear), file_(file), names_(names), diagnostics_(diagnostics), moves_(sought == Sought::motion) {
-    out_.mesh = make_mesh(gear, file);
     out_.findings = gear.findings;
+    if (moves_) find_hauled();
+    out_.mesh = make_mesh(gear, file, hauled_);
   }
 
   Imported write() {
@@ -210,8 +211,23 @@ class SceneWriter {
   void write_cable(std::size_t number) {
     const Cable& c = gear_.cables[number];
     const std::string what = "cable " + std::to_string(number + 1);
-    if (!out_.mesh.find(cable_name(number))) return note(c.place, what, "has no bars in the mesh");
-    begin_part(cable_name(number), "rope/bar", called(number));
+    bool is_there = out_.mesh.find(cable_name(number));
+    if (is_there) write_bars(c, cable_name(number), called(number), nullptr);
+    for (const auto& h : hauled_) {
+      if (file_.bars[h.bar].cable != static_cast<int>(number) + 1) continue;
+      write_bars(c, bar_name(number, h.number), is_there ? "" : called(number), &h);
+      is_there = true;
+    }
+    if (!is_there) return note(c.place, what, "has no bars in the mesh");
+    if (c.EI > 0) write_mirrors(c, number);
+    if (c.constant_tension > 0)
+      note(c.place, what, "its tension is constant, also where FEMNET lets it fall");
+  }
+
+  /// Bars of a cable: all that nothing hauls, or one that a drum does.
+  void write_bars(const Cable& c, const std::string& name, const std::string& comment,
+                  const HauledBar* hauled) {
+    begin_part(name, "rope/bar", comment);
     stands_on_mesh();
     line("length", within(c.length, 1e-6, 1e6, c.place, "the length of the cable"));
     InlineTable rope;
@@ -223,20 +239,42 @@ class SceneWriter {
       rope.add("EI", within(c.EI, 0, 1e12, c.place, "its bending stiffness"))
           .add("curvature", quoted("nodes"));
     rope.add_unless_zero("constant_tension", within(c.constant_tension, 0, 1e12, c.place, "its tension"));
-    line("rope", rope.add("surface", 1).text());
+    rope.add("surface", 1);
+    if (hauled)
+      rope.add("length_share",
+               InlineTable().add("t", list_of(hauled->times)).add("share", list_of(hauled->shares)).text());
+    line("rope", rope.text());
     write_drag(c.cd, c.friction, c.place);
-    if (c.EI > 0) write_mirrors(c, number);
-    if (c.constant_tension > 0)
-      note(c.place, what, "its tension is constant, also where FEMNET lets it fall");
+  }
+
+  /// "[0, 1.5]", to nine decimals: times are sums of steps.
+  static std::string list_of(const std::vector<double>& numbers) {
+    std::string list;
+    for (const double x : numbers)
+      list += (list.empty() ? "" : ", ") + spell_number(std::round(x * 1e9) / 1e9);
+    return "[" + list + "]";
+  }
+
+  /// Lengths over time of bars that drums haul. They are parts of their own, and bend against no other.
+  void find_hauled() {
+    const auto hauled = haul(gear_, file_);
+    if (hauled) hauled_ = *hauled;
+    for (const Drum& d : gear_.drums) {
+      const std::string what = "the drum of cable " + std::to_string(d.cable + 1);
+      if (!hauled) leave_out(d.place, what, "takes too many steps");
+      if (gear_.cables[static_cast<std::size_t>(d.cable)].EI > 0)
+        leave_out(d.place, what, "the cable bends, but not where the drum shortens it");
+    }
   }
 
   /// Bars that end in a plane of symmetry bend against their mirror images.
   void write_mirrors(const Cable& c, std::size_t number) {
-    const auto& nodes = out_.mesh.find(cable_name(number))->nodes;
+    const MeshRegion* region = out_.mesh.find(cable_name(number));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto plane = std::find_if(out_.mesh.sets.begin(), out_.mesh.sets.end(),
                                       [&](const auto& set) { return set.name == plane_name(axis); });
-      const double side = plane == out_.mesh.sets.end() ? 0 : side_of_bars(nodes, plane->nodes, axis);
+      const double side =
+          plane == out_.mesh.sets.end() || !region ? 0 : side_of_bars(region->nodes, plane->nodes, axis);
       if (side == 0) continue;
       begin_part("mirror-" + std::to_string(number + 1) + kAxis[axis], "rope/mirror");
       line("on", quoted(cable_name(number) + "." + plane_name(axis)));
@@ -425,12 +463,33 @@ class SceneWriter {
     std::string axes;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (t.fixed[axis] != 0 || t.symmetry[axis] != 0) axes += kAxis[axis];
-    if (axes.empty()) return;
-    write_hold(type_name(number), axes);
+    const auto moved = std::find_if(gear_.motions.begin(), gear_.motions.end(),
+                                    [&](const auto& m) { return m.type == static_cast<int>(number); });
+    const bool is_moved = moves_ && moved != gear_.motions.end();
+    if (axes.empty() && !is_moved) return;
+    write_hold(type_name(number), is_moved ? "xyz" : axes);
+    if (is_moved) write_velocity(*moved, axes == "xyz");
     std::string planes;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (t.symmetry[axis] != 0) planes += std::string(planes.empty() ? "" : ", ") + kAxis[axis];
     if (!planes.empty()) body_.comment("on the plane of symmetry across " + planes);
+  }
+
+  /// After its times the nodes stand still, and before them if they are held: a step later and earlier.
+  void write_velocity(const NodeMotion& m, bool is_held) {
+    const double dt = environment().time_step > 0 ? environment().time_step : 0.01;
+    const auto with_rests = [&](std::vector<double> all, double before, double after) {
+      if (m.times.front() > 0) all.insert(all.begin(), before);
+      all.push_back(after);
+      return all;
+    };
+    InlineTable table;
+    table.add("t", list_of(with_rests(m.times, m.times.front() - dt, m.times.back() + dt)));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      table.add(kAxis[axis], list_of(with_rests(m.velocity[axis], 0, 0)));
+    line("velocity", table.text());
+    if (!is_held && m.times.front() > 0)
+      note(m.place, "keyword speed_type_node2", "its nodes are held here before they are moved, too");
   }
 
   void write_hold(const std::string& set, const std::string& axes) { body_.hold("*." + set, set, axes); }
@@ -480,6 +539,14 @@ class SceneWriter {
     if (!lines.empty()) body_.add("\n[results]\n" + lines);
   }
 
+  /// The bars of a cable that nothing hauls, else the first.
+  std::string part_of_cable(std::size_t cable) const {
+    for (const auto& region : out_.mesh.regions)
+      if (region.name == cable_name(cable) || region.name.starts_with(cable_name(cable) + "-bar-"))
+        return region.name;
+    return {};
+  }
+
   std::string result_of(const Wanted& w) const {
     const auto entry = [](const std::string& of, const std::string& take) {
       return "{ of = " + quoted(of) + ", take = " + quoted(take) + " }";
@@ -490,16 +557,16 @@ class SceneWriter {
     if (w.kind == Wanted::Kind::position && !node.empty() && has_axis) return entry(node, axis);
     if (w.kind == Wanted::Kind::force && !node.empty() && is_held(w.first, w.second))
       return entry(node, "reaction " + axis);
-    const bool has_cable = w.first > 0 && out_.mesh.find(cable_name(static_cast<std::size_t>(w.first) - 1));
-    return w.kind == Wanted::Kind::tension && has_cable
-               ? entry(cable_name(static_cast<std::size_t>(w.first) - 1), "max tension")
-               : std::string();
+    const std::string cable = w.first > 0 ? part_of_cable(static_cast<std::size_t>(w.first) - 1) : "";
+    return w.kind == Wanted::Kind::tension && !cable.empty() ? entry(cable, "max tension") : std::string();
   }
 
   void note_motion() {
     const std::string cure = "of motion, which --motion writes; the scene is at rest";
     if (environment().wave_height != 0) note(environment().waves, "waves", "are " + cure);
     for (const auto& f : gear_.of_motion) note(f.place, f.what, "is of motion; the scene is at rest");
+    for (const auto& d : gear_.drums) note(d.place, "keyword hauling_cable4", "is " + cure);
+    for (const auto& m : gear_.motions) note(m.place, "keyword speed_type_node2", "is " + cure);
   }
 
   void note_differences_of_motion() {
@@ -547,6 +614,7 @@ class SceneWriter {
   const Names& names_;
   Diagnostics& diagnostics_;
   bool moves_;
+  std::vector<HauledBar> hauled_;
   Imported out_;
   SceneText body_;
 };

@@ -34,17 +34,18 @@ def twine_sides(rows):
 
 
 class Gear:
-    """`at`: places of the nodes of the mesh instead of those in the file; `more`: lines added to the scene; `codes`: exit codes of a run."""
+    """`at`: places of the nodes of the mesh instead of those in the file; `more`: lines added to the scene; `codes`: exit codes of a run;
+    `how`: words of the import; `sets`: keys that are set for the run."""
 
-    def __init__(self, gear, at=None, more="", codes=(0,)):
+    def __init__(self, gear, at=None, more="", codes=(0,), how=(), sets=()):
         with tempfile.TemporaryDirectory() as folder:
             self.folder = Path(folder)
-            self.said = self.netloft("import", "femnet", gear, "-o", "gear.toml")
+            self.said = self.netloft("import", "femnet", gear, "-o", "gear.toml", *how)
             if at is not None:
                 self.move(at)
             with open(self.folder / "gear.toml", "a") as scene:
                 scene.write(more)
-            self.report = self.netloft("run", "gear.toml", "-o", "gear.hdf", codes=codes)
+            self.report = self.netloft("run", "gear.toml", "-o", "gear.hdf", *(word for key in sets for word in ("--set", key)), codes=codes)
             self.mesh = (self.folder / "gear.mesh").read_text()
             with h5py.File(next(self.folder.glob("gear*.hdf"))) as f:
                 self.read(f)
