@@ -13,6 +13,12 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
+/// What resists a rate and no flow of water; it has no memory, so that any point can be asked.
+bool is_damper(const netloft_term& term) {
+  return (term.traits & NETLOFT_READS_VELOCITY) && (term.traits & NETLOFT_NEEDS_MOTION) &&
+         !(term.traits & (NETLOFT_NEEDS_FLOW | NETLOFT_READS_GROUND));
+}
+
 }  // namespace
 
 EnergyBudget::EnergyBudget(Assembler& assembler, double mass_damping)
@@ -25,7 +31,7 @@ EnergyBudget::EnergyBudget(Assembler& assembler, double mass_damping)
   const auto account = [](std::vector<Account>& all, const std::string& name) -> Account& {
     for (auto& a : all)
       if (a.name == name) return a;
-    return all.emplace_back(Account{name, {}, 0, 0});
+    return all.emplace_back(Account{name, {}});
   };
   for (std::size_t f = 0; f < assembler.families().size(); ++f)
     for (std::size_t t = 0; t < assembler.families()[f]->active_terms().size(); ++t) {
@@ -34,7 +40,7 @@ EnergyBudget::EnergyBudget(Assembler& assembler, double mass_damping)
       Account& to = term.traits & NETLOFT_READS_ACCELERATION ? inertia_
                     : term.traits & NETLOFT_CONSERVATIVE     ? account(stored_, term.name)
                                                              : account(work_, term.name);
-      to.terms.emplace_back(f, t);
+      to.terms.emplace_back(f, t), to.in_the_middle |= is_damper(term);
     }
   for (Moment* m : {&now_, &next_}) m->works.resize(work_.size());
 }
@@ -61,8 +67,7 @@ bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const 
   }
   double energy = 0;
   if (!find_forces(next_) || !find_energies(next_.x, t, energy, true)) return false;
-  for (std::size_t k = 0; k < work_.size(); ++k) work_[k].value += done(now_.works[k], next_.works[k]);
-  if (!find_entrained()) return false;
+  if (!add_works() || !find_entrained()) return false;
   damped_ += done(now_.damping, next_.damping);
   holds_ += done(now_.holds, next_.holds);
   std::swap(now_, next_);
@@ -80,6 +85,25 @@ void EnergyBudget::place(double t, std::span<const double> u, std::span<const do
   put(u, to.q), put(v, to.rates);
   state_.set(t, u, v, a);
   to.t = t, to.x = state_.x(), to.v = state_.v();
+}
+
+/// (5)
+bool EnergyBudget::add_works() {
+  const double h = next_.t - now_.t;
+  middle_.resize(now_.x.size()), secant_.resize(now_.x.size());
+  for (std::size_t i = 0; i < now_.x.size(); ++i)
+    middle_[i] = 0.5 * (now_.x[i] + next_.x[i]), secant_[i] = (next_.x[i] - now_.x[i]) / h;
+  for (std::size_t k = 0; k < work_.size(); ++k) {
+    if (!work_[k].in_the_middle) {
+      work_[k].value += done(now_.works[k], next_.works[k]);
+      continue;
+    }
+    Kinematics motion;
+    motion.time = now_.t + 0.5 * h, motion.v = secant_.data();
+    if (!sum_force(work_[k], middle_, motion, force_)) return false;
+    work_[k].value += done(force_, force_);
+  }
+  return true;
 }
 
 /// (4), with the velocity in the middle of the step: M v there, by the masses of its end and of its start.
@@ -118,7 +142,7 @@ bool EnergyBudget::find_turning(Moment& m) {
 bool EnergyBudget::find_forces(Moment& m) {
   const Kinematics motion = state_.motion();
   for (std::size_t k = 0; k < work_.size(); ++k)
-    if (!sum_force(work_[k], m.x, motion, m.works[k])) return false;
+    if (!work_[k].in_the_middle && !sum_force(work_[k], m.x, motion, m.works[k])) return false;
   Kinematics as_rates = motion;
   as_rates.v = nullptr, as_rates.a = state_.v().data();  // inertia for a = v is M v
   if (!sum_force(inertia_, m.x, as_rates, m.damping)) return false;

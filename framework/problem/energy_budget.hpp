@@ -16,6 +16,8 @@ namespace netloft {
 ///   entrained = ∫ r_M(0, v)·dq − ½ ∫ v·(dM/dt) v dt
 ///                                         what added mass takes from the gear as it turns (4)
 ///   dissipated_k = ∫ r_k·dq               drag, damping, friction; negative: they push   (5)
+///     of dampers r_k in the middle of each step, at the rate Δx/h: what sets in within a step, at the speed
+///     of its end, would else be counted as if it had acted half of the way
 ///   work_of_holds = ∫ reaction·dq         of those that are moved                        (6)
 ///   work_of_winches = ∫ ∂E/∂t dt          lengths that change in time                    (7)
 ///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     what the scheme took: zero if (1) held at all times
@@ -52,6 +54,7 @@ class EnergyBudget {
   struct Account {
     std::string name;
     std::vector<std::pair<std::size_t, std::size_t>> terms;  // (family, term)
+    bool in_the_middle = false;                              // a damper of (5)
     double value = 0, first = 0;
   };
   /// A state, and the forces there over all dofs, as residuals.
@@ -70,6 +73,7 @@ class EnergyBudget {
   bool sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
                  std::vector<double>& force);
   bool find_entrained();
+  bool add_works();
   double numerical() const;
   double done(const std::vector<double>& before, const std::vector<double>& after) const;
 
@@ -81,7 +85,8 @@ class EnergyBudget {
   Account inertia_;
   Moment now_, next_;
   double kinetic_ = 0, first_kinetic_ = 0, entrained_ = 0, damped_ = 0, holds_ = 0, winches_ = 0;
-  std::vector<double> zero_, scratch_, mean_rates_, mean_own_rates_, momentum_, turned_;
+  std::vector<double> zero_, scratch_, mean_rates_, mean_own_rates_, momentum_, turned_, middle_, secant_,
+      force_;
 };
 
 }  // namespace netloft
