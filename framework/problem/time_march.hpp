@@ -10,7 +10,7 @@ struct MarchSettings {
   double duration = 0;  // [s]
   double step = 0;      // first or only one [s]; 0: found
   bool adaptive = true;
-  double accuracy = 1e-3;  // largest error of a node in one step, over the longest element
+  double accuracy = 1e-3;  // of the path: errors of single steps by (2), over the longest element
   double longest_step = std::numeric_limits<double>::infinity();  // [s]
   double shortest_step = 1e-9;                                    // [s]
   double output_interval = 0;                                     // [s]; 0: the beginning and the end
@@ -72,6 +72,16 @@ struct StartBalance {
   std::string node;               // that of the residual; empty: not known, the march went on from a file
 };
 
+/// What control of the error came to, over the longest element, where steps are adaptive.
+struct AchievedAccuracy {
+  double asked = 0;    // accuracy of the path
+  double allowed = 0;  // error of one step by (2)
+  double largest = 0;  // estimated for an accepted step, at time t and of a node
+  double t = 0;        // [s]
+  std::string node;
+  double sum = 0;  // of the largest errors of all steps: that of the path, if no motion enlarges or damps it
+};
+
 struct MarchResult {
   MarchStatus status = MarchStatus::failed;
   std::string reason;  // a sentence
@@ -80,7 +90,8 @@ struct MarchResult {
   std::int64_t steps = 0, rejected = 0;
   double shortest = 0, longest = 0;  // steps that were made [s]
   StartBalance start;
-  double stable_step = 0;  // longest stable one by the tangent of the start [s]; 0: any is
+  double stable_step = 0;  // longest stable one with all members taut [s]; 0: any is
+  AchievedAccuracy accuracy;
   Statistics statistics;
 };
 
@@ -94,6 +105,11 @@ struct MarchWatch {
 /// they are dense) and where a guide or the current has a corner. With error control, a step is rejected if
 /// its estimate exceeds the accuracy, and the next one is
 ///   h ← h · 0.9 (accuracy/error)^(1/order), within [1/5, 2] h                              (1)
+/// Where the error of a step is of order p in h, sums over the steps of a path fall with the power (p − 1)/p
+/// of what is allowed for one. Paths shall be as accurate as is asked, so that below a, 1e-2,
+///   allowed = a (accuracy/a)^(p/(p − 1))                                                   (2)
+/// (tolerance proportionality: M. Calvo, D. J. Higham, J. I. Montijano, L. Rández, "Stepsize selection for
+/// tolerance proportionality in explicit Runge-Kutta codes", Adv. Comput. Math. 7, 1997).
 /// A march whose energy comes out of nothing (energy_judge.hpp) has failed, however smoothly it steps on.
 /// Without an energy budget only every 16th step is looked at where stability makes steps short.
 MarchResult march(const Scene& scene, Assembler& assembler, IntegratorChoice integrator, SolverChoice solver,

@@ -49,6 +49,22 @@ nlohmann::ordered_json loss_json(const std::optional<NumericalLoss>& l) {
           {"node", l->node}};
 }
 
+/// What was asked for and what errors of steps came to; empty: steps were given.
+std::string accuracy_text(const AchievedAccuracy& a) {
+  if (a.asked == 0) return "";
+  std::string text = fmt::format("  accuracy {:.3g} asked, {:.3g} allowed for one step", a.asked, a.allowed);
+  if (!a.node.empty())
+    text += fmt::format("; {:.3g} at most, at t = {:.4g} s at {}, {:.3g} of all steps together", a.largest,
+                        a.t, a.node, a.sum);
+  return text + " (over the longest element)\n";
+}
+
+nlohmann::ordered_json accuracy_json(const AchievedAccuracy& a) {
+  if (a.asked == 0) return nullptr;
+  return {{"asked", a.asked}, {"allowed", a.allowed}, {"largest", a.largest},
+          {"time", a.t},      {"node", a.node},       {"sum", a.sum}};
+}
+
 nlohmann::ordered_json start_json(const StartBalance& s) {
   if (s.node.empty()) return nullptr;
   return {{"out_of_balance", s.residual}, {"largest_load", s.load}, {"node", s.node}};
@@ -66,10 +82,9 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
                  r.march.longest, r.march.rejected, r.outputs);
   fmt::format_to(out, "  {} iterations, {} factorisations, {:.3g} s, {:.3g} CPU s; real-time factor {:.3g}\n",
                  b.iterations, b.factorisations, b.total_seconds, b.total_cpu_seconds, real_time_factor(r));
-  text += start_text(loaded, r.march.start) + loss_text(r.loss);
+  text += start_text(loaded, r.march.start) + accuracy_text(r.march.accuracy) + loss_text(r.loss);
   if (r.march.stable_step > 0)
-    fmt::format_to(out, "  stable for steps up to {:.3g} s, by the tangent at the start\n",
-                   r.march.stable_step);
+    fmt::format_to(out, "  stable for steps up to {:.3g} s, with all members taut\n", r.march.stable_step);
   for (const auto& s : r.scalars)
     fmt::format_to(out, "  {:<24} {:>18.10g} {:<8} {}\n", s.name, s.value, s.unit == "1" ? "" : s.unit,
                    s.doc + ", at the end");
@@ -100,6 +115,7 @@ std::string motion_json(const LoadedScene& loaded, const Plan& plan, const Motio
                      {"shortest_step", r.march.shortest},
                      {"longest_step", r.march.longest},
                      {"stable_step", r.march.stable_step},
+                     {"accuracy", accuracy_json(r.march.accuracy)},
                      {"numerical_loss", loss_json(r.loss)},
                      {"start", start_json(r.march.start)},
                      {"outputs", r.outputs},

@@ -263,6 +263,13 @@ class MotionRun {
     begin_result(tree, name_of(result_.march.status), result_.march.reason);
     write_origins(tree, loaded_, context_, result_.march.statistics);
     tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
+    if (const AchievedAccuracy& a = result_.march.accuracy; a.asked > 0) {
+      tree.write_real("/netloft/accuracy/asked", a.asked, "1",
+                      "accuracy of the path, over the longest element");
+      tree.write_real("/netloft/accuracy/allowed", a.allowed, "1", "error allowed for one step");
+      tree.write_real("/netloft/accuracy/largest", a.largest, "1", "largest error of a step");
+      tree.write_real("/netloft/accuracy/sum", a.sum, "1", "sum of the errors of all steps");
+    }
     tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
     write_gear(tree, loaded_, result_.gear);
     for (const auto& s : result_.scalars)

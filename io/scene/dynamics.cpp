@@ -29,7 +29,8 @@ ParameterTable<DynamicsKeys> make_table() {
   t.boolean("adaptive", &K::adaptive, "steps as long as the accuracy allows; otherwise all alike", true);
   t.real("step", &K::step, "s", "first step, or all of them; 0: found, if adaptive",
          {.lo = 0, .hi = 1e6, .fallback = 0});
-  t.real("accuracy", &K::accuracy, "1", "largest error of a node in one step, over the longest element",
+  t.real("accuracy", &K::accuracy, "1",
+         "error of the path, over the longest element: from 1e-2 on, that of one step",
          {.lo = 1e-12, .hi = 1, .fallback = 1e-2});
   t.real("longest_step", &K::longest_step, "s", "longest step", {.lo = 1e-9, .hi = 1e9, .fallback = 1e9});
   t.real("shortest_step", &K::shortest_step, "s", "step below which it gives up",
