@@ -10,8 +10,7 @@ namespace netloft::tension {
 namespace {
 
 // μ never leaves this range: below, rounding of the matrix; above, steps no longer depend on anything else.
-constexpr double kLeastDamping = 1e-13, kMostDamping = 1;
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kLeastDamping = 1e-13;
 
 double norm_of(std::span<const double> v) {
   double sum = 0;
@@ -46,7 +45,7 @@ MixedNewton::Ending MixedNewton::solve(const Stage& stage, std::span<double> u) 
     if (find_step())
       take(stage, u);
     else
-      set_damping(p_.rise * damping_);
+      set_damping(p_.factor * damping_);
   }
   return Ending::no_forces;
 }
@@ -61,7 +60,7 @@ void MixedNewton::begin(const Stage& stage, std::span<const double> u) {
     T_.resize(members_.size());
     update_geometry(u), follow_positions();
   }
-  damping_ = stage.damping, turn_ = kNever, norm_ = 0;
+  damping_ = stage.damping, took_whole_step_ = false, norm_ = 0;
 }
 
 void MixedNewton::update_geometry(std::span<const double> u) {
@@ -85,9 +84,8 @@ bool MixedNewton::find_rest(std::span<const double> u) {
 
 /// Finds the residual where it is wanted, here or by follow_residual.
 bool MixedNewton::has_converged(const Stage& stage) {
-  const bool has_settled = stage.settled_turn <= 0 || turn_ < stage.settled_turn;
-  if (!has_settled && !stage.is_far) return false;
-  return find_residual() && has_settled && is_balanced(stage.tolerance);
+  if (stage.is_between) return took_whole_step_;
+  return find_residual() && is_balanced(stage.tolerance);
 }
 
 /// (1) with the members' own law; false where it is no number.
@@ -126,7 +124,7 @@ bool MixedNewton::assemble() {
 /// For the matrices after this one.
 void MixedNewton::follow_residual() {
   const double before = std::exchange(norm_, norm_of({residual_.data(), step_.size()}));
-  if (before > 0) set_damping(damping_ * std::clamp(norm_ / before, p_.fall, p_.rise));
+  if (before > 0) set_damping(damping_ * std::clamp(norm_ / before, 1 / p_.factor, p_.factor));
 }
 
 bool MixedNewton::find_step() {
@@ -137,23 +135,22 @@ bool MixedNewton::find_step() {
   return all_finite(step_);
 }
 
-MixedNewton::Turns MixedNewton::largest_turns() const {
-  double of_all = 0, of_taut = 0;  // squares
+/// In the whole step [rad].
+double MixedNewton::largest_turn() const {
+  double square = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];
     const double along = dot(changes_[e], g.t), across = dot(changes_[e], changes_[e]) - along * along,
-                 inverse = std::min(g.inverse_l, laws_[e].inverse_l0), turn = across * inverse * inverse;
-    of_all = std::max(of_all, turn);
-    if (T_[e] > 0) of_taut = std::max(of_taut, turn);
+                 inverse = std::min(g.inverse_l, laws_[e].inverse_l0);
+    square = std::max(square, across * inverse * inverse);
   }
-  return {std::sqrt(of_all), std::sqrt(of_taut)};
+  return std::sqrt(square);
 }
 
 /// (3).
 void MixedNewton::take(const Stage& stage, std::span<double> u) {
-  const Turns turns = largest_turns();
-  const double a = std::min(1.0, stage.farthest_turn / turns.of_all);
-  turn_ = a < 1 ? kNever : turns.of_taut;
+  const double a = std::min(1.0, stage.farthest_turn / largest_turn());
+  took_whole_step_ = a == 1;
   if (!stage.is_far) move_tensions(a);
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += a * step_[i];
   knows_rest_ = false;
@@ -178,7 +175,7 @@ void MixedNewton::move_tensions(double a) {
 }
 
 /// As in Newton's method with damping, solvers/newton, (5).
-void MixedNewton::adapt_damping(double a) { set_damping(a == 1 ? p_.fall * damping_ : damping_ / (2 * a)); }
+void MixedNewton::adapt_damping(double a) { set_damping(a == 1 ? damping_ / p_.factor : damping_ / (2 * a)); }
 
 void MixedNewton::set_damping(double damping) { damping_ = std::clamp(damping, kLeastDamping, kMostDamping); }
 

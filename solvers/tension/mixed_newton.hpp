@@ -23,10 +23,13 @@ namespace netloft::tension {
 ///   (2)).
 class MixedNewton {
  public:
+  /// μ above which steps no longer depend on anything else.
+  static constexpr double kMostDamping = 1;
+
   /// All that steers the method whatever the stage; plugin.cpp says what each is and where it comes from.
   struct Parameters {
     double strain_of_taut = 0;
-    double fall = 0, rise = 0;  // of μ
+    double factor = 0;  // by which μ falls and rises
   };
 
   /// One solve with the stiffness of every part reduced.
@@ -36,8 +39,8 @@ class MixedNewton {
     bool is_far = false;         // T = k ε(u), and μ follows the residual
     double damping = 0;          // first μ
     double farthest_turn = 0;    // of any member in one step [rad]
-    double settled_turn = 0;     // over when no taut member turns more in a whole step; 0: not asked
-    double tolerance = 0;        // and no residual exceeds so much of the largest reaction
+    bool is_between = false;     // over after the first whole step, else
+    double tolerance = 0;        // when no residual exceeds so much of the largest reaction
     std::int64_t iterations = 0;
   };
 
@@ -61,11 +64,6 @@ class MixedNewton {
     Vector t;
     double inverse_l, strain;
   };
-  /// Largest in the whole step, of all members and of taut ones [rad].
-  struct Turns {
-    double of_all, of_taut;
-  };
-
   void begin(const Stage& stage, std::span<const double> u);
   void update_geometry(std::span<const double> u);
   void follow_positions();
@@ -82,7 +80,7 @@ class MixedNewton {
   bool assemble();
   void follow_residual();
   bool find_step();
-  Turns largest_turns() const;
+  double largest_turn() const;
   void take(const Stage& stage, std::span<double> u);
   void move_tensions(double a);
   void adapt_damping(double a);
@@ -97,8 +95,9 @@ class MixedNewton {
   std::vector<double> T_;                               // by member; empty before the first stage
   std::vector<double> rest_, residual_, mixed_, step_;  // r; (1); right-hand side of (2); s
   double damping_ = 0;                                  // μ
-  double turn_ = 0, norm_ = 0;  // of taut members in the last step; of the last residual
-  bool knows_rest_ = false;     // rest_ and its tangent belong to u
+  double norm_ = 0;                                     // of the last residual
+  bool took_whole_step_ = false;
+  bool knows_rest_ = false;  // rest_ and its tangent belong to u
 };
 
 }  // namespace netloft::tension

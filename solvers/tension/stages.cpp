@@ -27,16 +27,16 @@ MixedNewton::Stage Stages::soft_stage() const {
   return {.name = "soft",
           .factor = std::vector<double>(parts_, p_.softest),
           .is_far = true,
-          .damping = p_.soft_damping,
+          .damping = MixedNewton::kMostDamping,
           .farthest_turn = kNoLimit,
-          .tolerance = p_.soft_tolerance,
+          .tolerance = p_.tolerance,
           .iterations = p_.iterations};
 }
 
 /// Leaves no part stiffer than a multiple of its tension.
 MixedNewton::Stage Stages::next_stage(double multiple) const {
   const std::vector<double> tension = newton_.tensions_by_part(), stiffness = newton_.stiffness_by_part();
-  const double least = p_.least_tension * largest_of(tension);
+  const double least = largest_of(tension) / p_.last;
   std::vector<double> factor(parts_, 1.0);
   for (std::size_t p = 0; p < parts_; ++p)
     if (stiffness[p] > 0) factor[p] = std::min(1.0, multiple * std::max(tension[p], least) / stiffness[p]);
@@ -44,8 +44,7 @@ MixedNewton::Stage Stages::next_stage(double multiple) const {
           .factor = std::move(factor),
           .damping = p_.damping,
           .farthest_turn = p_.turn,
-          .settled_turn = p_.settled_turn,
-          .tolerance = kNoLimit,
+          .is_between = true,
           .iterations = p_.iterations};
 }
 
@@ -54,7 +53,7 @@ MixedNewton::Stage Stages::last_stage() const {
           .factor = std::vector<double>(parts_, 1.0),
           .damping = p_.damping,
           .farthest_turn = p_.turn,
-          .tolerance = p_.tolerance,
+          .tolerance = kOnlyAStart,
           .iterations = p_.iterations};
 }
 

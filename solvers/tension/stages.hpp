@@ -12,11 +12,9 @@ class Stages {
  public:
   /// plugin.cpp says what each is and where it comes from.
   struct Parameters : MixedNewton::Parameters {
-    double softest = 0;                           // first factor
-    double ratio = 0, last = 0;                   // multiples of the tension
-    double least_tension = 0;                     // over the largest of a part
-    double soft_damping = 0, soft_tolerance = 0;  // of the first stage
-    double damping = 0, turn = 0, settled_turn = 0, tolerance = 0;
+    double softest = 0;          // first factor
+    double ratio = 0, last = 0;  // multiples of the tension
+    double damping = 0, turn = 0, tolerance = 0;
     std::int64_t iterations = 0;
   };
 

@@ -101,24 +101,17 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
   add("ratio", &P::ratio, "1", 5,
       "stiffness of a part over its tension in the second stage, and by how much that grows from stage to "
       "stage; fitted");
-  add("last", &P::last, "1", 2e4, "stiffness over tension before parts are as stiff as they are; fitted");
-  add("least_tension", &P::least_tension, "1", 1e-4,
-      "tension that every part is taken to have at least, over that of the busiest part");
-  add("soft_damping", &P::soft_damping, "1", 0.2, "first damping of the first stage; fitted");
-  add("soft_tolerance", &P::soft_tolerance, "1", 0.15,
+  add("last", &P::last, "1", 2e4,
+      "stiffness over tension before parts are as stiff as they are; a part is taken to bear at least the "
+      "tension of the busiest part over this");
+  add("tolerance", &P::tolerance, "1", 0.15,
       "largest residual over the largest reaction that ends the first stage; fitted");
   add("damping", &P::damping, "1", 2e-5, "first damping of later stages; fitted");
   add("turn", &P::turn, "rad", 0.25, "most that a member turns in a step of a later stage; fitted");
-  add("settled_turn", &P::settled_turn, "rad", 1,
-      "a stage between ends where no taut member turns more in a whole step; fitted");
-  add("tolerance", &P::tolerance, "1", 1e-9,
-      "largest residual over the largest reaction that ends the last stage");
   add("strain_of_taut", &P::strain_of_taut, "1", 1e-3, "largest strain of a member that a step makes taut");
-  add("fall", &P::fall, "1", 0.1,
-      "factor on the damping after a whole step, and least factor in the first stage, where it follows the "
-      "residual");
-  add("rise", &P::rise, "1", 3,
-      "factor on it where a matrix has no factor, and largest factor in the first stage");
+  add("factor", &P::factor, "1", 10,
+      "by which damping falls after a whole step and rises where a matrix has no factor; in the first stage "
+      "it follows the residual, by no more than this");
 }
 
 void FromSoft::run(const Parameters& parameters, Study& study) {

@@ -51,6 +51,10 @@ struct Variant {
   netloft_variant c() const { return {sizeof(netloft_variant), level, stiffness_cap, compression, current}; }
 };
 
+/// Tolerance of a stage that only gives the next one its start: what is left of it is small against what the
+/// easier problem is off the scene, so that solving it better is of no use.
+inline constexpr double kOnlyAStart = 1e-3;
+
 /// What is asked of one stage: a variant, who solves it, how well, and what it may cost.
 struct Ask {
   const char* name = "";  // what it is for, in a few words, for the report

@@ -11,27 +11,13 @@ namespace {
 
 /// What of a scene decides which attempts suit it.
 struct Kind {
-  bool sticks, has_loaded_members, suits_tension_only, has_meshes;
+  bool sticks, has_loaded_members, has_meshes;
 };
 
-/// By how much the stiffest part would stretch if it carried all that drives the gear.
-double stretch_of_stiffest(const Study& study) {
-  return study.load() / std::max(study.load(), study.stiffness());
-}
-
-/// Whether an equilibrium in which members bear tension only may be near the one that is looked for. Under
-/// dead loads it is, if members hardly stretch: which of them are slack is then what makes the scene hard,
-/// and the question is convex. In a current it is not convex; there have to be more members than unknowns, as
-/// in netting, or none of them need be slack.
-bool suits_tension_only(const Study& study, const Options& options) {
-  return study.flows() ? study.members() > study.size() : stretch_of_stiffest(study) <= options.slack;
-}
-
-Kind kind_of(const Study& study, const Options& options) {
+Kind kind_of(const Study& study) {
   Kind kind{};
   kind.sticks = study.remembers();
   kind.has_loaded_members = study.has_members() && study.load() > 0;
-  kind.suits_tension_only = kind.has_loaded_members && suits_tension_only(study, options);
   kind.has_meshes = study.levels() > 1;
   return kind;
 }
@@ -45,9 +31,6 @@ struct Row {
 const Row kTable[] = {
     {{"relaxed", "relaxed", "", "relaxed", "elements stick and slide, which no tangent foresees"},
      [](const Kind& k) { return k.sticks; }},
-    {{"tension-only", "tension/only", "", "direct",
-      "twines and ropes may be slack: with tension only it is convex"},
-     [](const Kind& k) { return k.suits_tension_only && !k.sticks; }},
     // The coarser mesh by this strategy again, and so on to the coarsest that is worth its price; what the
     // user says of `auto` holds there, too.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0", "direct",
@@ -96,7 +79,7 @@ bool is_left_out(const Options& options, const std::string& part) {
 }
 
 std::vector<Attempt> attempts_for(const Study& study, const Options& options) {
-  const Kind kind = kind_of(study, options);
+  const Kind kind = kind_of(study);
   std::vector<Attempt> attempts;
   for (const Row& row : kTable)
     if (row.suits(kind) && !is_left_out(options, row.attempt.name)) attempts.push_back(row.attempt);

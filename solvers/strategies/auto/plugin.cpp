@@ -26,10 +26,6 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
          {.lo = 1, .hi = 1e9, .fallback = 200});
   s.real("growth", &Options::growth, "1", "work of a slice over that of the slice before",
          {.lo = 1.1, .hi = 100, .fallback = 4});
-  s.real("slack", &Options::slack, "1",
-         "stretch of the stiffest part under all of the load, up to which tension only is tried where "
-         "nothing flows",
-         {.lo = 0, .hi = 1, .fallback = 0.1});
   s.real("perturbation", &Options::perturbation, "1",
          "of an unstable equilibrium that is left, over the size of an element",
          {.lo = 0, .hi = 10, .fallback = 0.02});
@@ -38,5 +34,5 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
   s.real("counts", &Options::counts, "1",
          "largest force borne by compression over the largest load above which there may be other shapes",
          {.lo = 0, .hi = 1, .fallback = 1e-3});
-  s.text("without", &Options::without, "parts to leave out, such as restarts+tension-only", "");
+  s.text("without", &Options::without, "parts to leave out, such as restarts+tension-stages", "");
 }

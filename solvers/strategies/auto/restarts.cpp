@@ -24,8 +24,10 @@ bool may_have_other_shapes(Study& study, const Options& options, const Stage& at
 
 /// Where the gear would be if nothing resisted compression: what is in compression is folded there.
 Displacements without_compression(Study& study, const Stage& best, double work) {
-  const Ask ask{
-      .name = "nothing in compression", .variant = {.compression = 0}, .tolerance = 1e-4, .work = work};
+  const Ask ask{.name = "nothing in compression",
+                .variant = {.compression = 0},
+                .tolerance = kOnlyAStart,
+                .work = work};
   return study.solve(ask, best.u).u;
 }
 

@@ -17,7 +17,7 @@ using namespace netloft;
 struct CoarseToFine {
   struct Parameters {
     const char *by = nullptr, *with = nullptr;
-    double tolerance = 0, smallest = 0;
+    double smallest = 0;
   };
 
   static void run(const Parameters& p, Study& study) {
@@ -26,7 +26,7 @@ struct CoarseToFine {
     std::replace(parameters.begin(), parameters.end(), ';', ',');
     const Stage coarse =
         study.call(p.by, parameters.c_str(),
-                   {.name = "on a coarser mesh", .variant = {.level = 1}, .tolerance = p.tolerance},
+                   {.name = "on a coarser mesh", .variant = {.level = 1}, .tolerance = kOnlyAStart},
                    study.transfer(0, study.start(), 1));
     if (!coarse.has_converged()) return;
     const Stage fine = study.solve({.name = "from a coarser mesh"}, study.transfer(1, coarse.u, 0));
@@ -54,10 +54,6 @@ NETLOFT_PLUGIN("coarse-to-fine", "0.1.0", "Grid sequencing") {
   strategy.text("by", &CoarseToFine::Parameters::by, "strategy that solves the coarser mesh", "direct");
   strategy.text("with", &CoarseToFine::Parameters::with,
                 "its parameters, such as restarts=0; a semicolon between two", "");
-  strategy.real(
-      "tolerance", &CoarseToFine::Parameters::tolerance, "1",
-      "largest residual over the largest load on the coarser mesh, whose own error is larger by far",
-      {.lo = 1e-16, .hi = 1, .fallback = 1e-3});
   strategy.real("smallest", &CoarseToFine::Parameters::smallest, "1",
                 "unknowns below which a coarser mesh costs as much as it saves",
                 {.lo = 1, .hi = 1e9, .fallback = 200});

@@ -9,15 +9,15 @@ using namespace netloft;
 /// and halve where it does not.
 struct LoadSteps {
   struct Parameters {
-    double step = 0, shortest = 0, tolerance = 0;
+    double step = 0, shortest = 0;
   };
 
   static void run(const Parameters& p, Study& study) {
     if (!study.flows()) return;
-    Displacements u = solve_at(p, study, 0, study.start()).u;
+    Displacements u = solve_at(study, 0, study.start()).u;
     double fraction = 0;
     for (double step = p.step; fraction + step < 1 && study.work_left() > 0;) {
-      Stage stage = solve_at(p, study, fraction + step, u);
+      Stage stage = solve_at(study, fraction + step, u);
       if (stage.is_stationary())
         fraction += step, u = std::move(stage.u), step *= 2;
       else if ((step *= 0.5) < p.shortest)
@@ -34,8 +34,8 @@ struct LoadSteps {
   }
 
  private:
-  static Stage solve_at(const Parameters& p, Study& study, double fraction, const Displacements& u) {
-    return study.solve({.name = "slower", .variant = {.current = fraction}, .tolerance = p.tolerance}, u);
+  static Stage solve_at(Study& study, double fraction, const Displacements& u) {
+    return study.solve({.name = "slower", .variant = {.current = fraction}, .tolerance = kOnlyAStart}, u);
   }
 };
 
@@ -48,7 +48,4 @@ NETLOFT_PLUGIN("load-steps", "0.1.0", "From still water to the whole current") {
          {.lo = 1e-6, .hi = 1, .fallback = 0.25});
   s.real("shortest", &P::shortest, "1", "step below which it gives up",
          {.lo = 1e-9, .hi = 1, .fallback = 1.0 / 64});
-  s.real("tolerance", &P::tolerance, "1",
-         "largest residual over the largest load of a stage, which only gives a start",
-         {.lo = 1e-16, .hi = 1, .fallback = 1e-4});
 }

@@ -8,25 +8,23 @@ using namespace netloft;
 /// Where things stick and slide no tangent tells what happens next; a matrix-free solver brings the gear
 /// near, and the solver of the analysis goes on from there. Where that does not converge either, the
 /// matrix-free one goes on to the end.
+/// Without a tangent an iteration costs next to nothing; the budget of work ends them.
+constexpr unsigned kAsManyAsItTakes = 10000000;
+
 struct Relaxed {
   struct Parameters {
     const char* solver = nullptr;
-    double tolerance = 0;
-    std::int64_t iterations = 0;
   };
 
   static void run(const Parameters& p, Study& study) {
-    const Stage near = study.solve({.name = "relaxation",
-                                    .solver = p.solver,
-                                    .tolerance = p.tolerance,
-                                    .iterations = static_cast<unsigned>(p.iterations)},
-                                   study.start());
+    const Stage near = study.solve(
+        {.name = "relaxation", .solver = p.solver, .tolerance = kOnlyAStart, .iterations = kAsManyAsItTakes},
+        study.start());
     if (study.work_left() == 0) return;
     Stage stage = study.solve({.name = "from a relaxed shape"}, near.u);
     if (!stage.is_stationary() && study.work_left() > 0)
-      stage = study.solve(
-          {.name = "by relaxation", .solver = p.solver, .iterations = static_cast<unsigned>(p.iterations)},
-          near.u);
+      stage =
+          study.solve({.name = "by relaxation", .solver = p.solver, .iterations = kAsManyAsItTakes}, near.u);
     if (stage.is_stationary()) study.answer(stage.u);
   }
 
@@ -42,9 +40,4 @@ NETLOFT_PLUGIN("relaxed", "0.1.0", "From a relaxed shape") {
   auto& s = plugin.strategy<Relaxed>("relaxed", "From where a matrix-free solver has brought the gear near");
   using P = Relaxed::Parameters;
   s.text("solver", &P::solver, "solver that needs no tangent", "relaxation");
-  s.real("tolerance", &P::tolerance, "1",
-         "largest residual over the largest load where the other solver takes over: so near that nothing "
-         "slides any more",
-         {.lo = 1e-16, .hi = 1, .fallback = 1e-5});
-  s.integer("iterations", &P::iterations, "iterations at most", 1, 10000000, 100000);
 }

@@ -15,7 +15,7 @@ using namespace netloft;
 /// K. Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6).
 struct StiffnessSteps {
   struct Parameters {
-    double softest = 0, factor = 0, least_factor = 0, tolerance = 0;
+    double softest = 0, factor = 0;
   };
 
   static void run(const Parameters& p, Study& study) {
@@ -42,14 +42,11 @@ struct StiffnessSteps {
   /// Where the caps of (1) lead.
   static Displacements stiffened(const Parameters& p, Study& study, double cap) {
     Displacements u = study.start();
-    double done = 0, factor = p.factor;
-    for (; cap < study.stiffness() && study.work_left() > 0; cap = done * factor) {
+    for (; cap < study.stiffness() && study.work_left() > 0; cap *= p.factor) {
       const Stage stage =
-          study.solve({.name = "softer", .variant = {.stiffness_cap = cap}, .tolerance = p.tolerance}, u);
-      if (stage.is_stationary())
-        u = stage.u, done = cap;
-      else if (done == 0 || (factor = std::sqrt(factor)) < p.least_factor)
-        return stage.u;
+          study.solve({.name = "softer", .variant = {.stiffness_cap = cap}, .tolerance = kOnlyAStart}, u);
+      u = stage.u;
+      if (!stage.is_stationary()) break;
     }
     return u;
   }
@@ -64,11 +61,5 @@ NETLOFT_PLUGIN("stiffness-steps", "0.1.0", "From soft to stiff") {
   s.real("softest", &P::softest, "1",
          "first cap over the largest load on a node: members stretch by a few hundredths",
          {.lo = 1e-3, .hi = 1e6, .fallback = 30});
-  s.real("factor", &P::factor, "1", "by which the cap is raised at first",
-         {.lo = 1.01, .hi = 1e6, .fallback = 10});
-  s.real("least_factor", &P::least_factor, "1", "below which the cap is not raised any more",
-         {.lo = 1.001, .hi = 10, .fallback = 1.3});
-  s.real("tolerance", &P::tolerance, "1",
-         "largest residual over the largest load of a stage, which only gives a start",
-         {.lo = 1e-16, .hi = 1, .fallback = 1e-4});
+  s.real("factor", &P::factor, "1", "by which the cap is raised", {.lo = 1.01, .hi = 1e6, .fallback = 10});
 }

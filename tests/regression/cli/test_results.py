@@ -387,7 +387,7 @@ axes = "y"
 strategy = "auto"
 
 [analysis.auto]
-without = "tension-only+tension-stages"
+without = "tension-stages"
 restarts = 12
 restart_work = 1e6
 

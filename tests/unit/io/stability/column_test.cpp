@@ -34,13 +34,13 @@ TEST(StabilityColumn, SetsTheAnalysisOfAScene) {
 
 TEST(StabilityColumn, PartsAreLeftOutOfAutoAlone) {
   StabilityColumn plain{"", "auto"}, tuned{"", "auto:restarts=2"}, other{"", "direct"}, solver{"newton", ""};
-  for (auto* column : {&plain, &tuned, &other, &solver}) leave_out({"restarts", "tension-only"}, *column);
-  EXPECT_EQ(plain.strategy, "auto:without=restarts+tension-only");
-  EXPECT_EQ(tuned.strategy, "auto:restarts=2,without=restarts+tension-only");
+  for (auto* column : {&plain, &tuned, &other, &solver}) leave_out({"restarts", "tension-stages"}, *column);
+  EXPECT_EQ(plain.strategy, "auto:without=restarts+tension-stages");
+  EXPECT_EQ(tuned.strategy, "auto:restarts=2,without=restarts+tension-stages");
   EXPECT_EQ(other.strategy, "direct");
   EXPECT_EQ(solver.strategy, "");
   EXPECT_EQ(overrides_of(plain),
-            (Words{"analysis.strategy=\"auto\"", "analysis.auto.without=restarts+tension-only"}));
+            (Words{"analysis.strategy=\"auto\"", "analysis.auto.without=restarts+tension-stages"}));
 }
 
 TEST(StabilityColumn, ASpecificationThatIsNotUnderstoodIsRefused) {
