@@ -26,10 +26,11 @@ namespace netloft::boards {
 ///
 /// A lower edge that sinks into ground which passes is pushed outward by what it ploughs up, at four points
 /// along it of the depth δ in the ground, ĝ being the direction in which the ground passes the point:
-///   F = ¼ chord s p (δ/0.1 m)^n (ĝ·y) y                                                                 (5)
+///   F = ¼ chord s p f (ĝ·y) y,   f = (δ/0.1 m)^n, beyond 0.1 m along its tangent                        (5)
 /// with n = 1 in clay, 2 in sand; s, 1 if nothing is said, is the factor of what the bed is made of there; p
-/// is for calibration, and none without it. What carries the board is the contact of its shoe, seabed/bed on
-/// points of it.
+/// is for calibration, and none without it. Sand is not ploughed deeper, but who looks for an equilibrium
+/// from boards metres deep is thrown far off by a square. What carries the board is the contact of its shoe,
+/// seabed/bed on points of it.
 ///
 /// Source: for (1)-(3) the form of FAO, Otter board design and performance (1974); two angles by the
 /// direction of the flow in the board's axes are all that a body in a uniform flow can feel, and they have no
@@ -173,9 +174,19 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
   return push;
 }
 
+namespace detail {
+
+/// f of (5), of δ/0.1 m > 0.
+template <class T>
+T resistance(const T& depth, double power) {
+  using std::pow;
+  return depth < T(1) ? pow(depth, power) : 1.0 + power * (depth - T(1));
+}
+
+}  // namespace detail
+
 template <class T>
 Wrench<T> Otter::Ploughing::force(const Parameters& p, const Data&, const Whole& whole, const Body<T>& b) {
-  using std::pow;
   constexpr double kDeep = 0.1;  // [m]
   Wrench<T> push;
   if (!b.bed.is_there || !(norm(b.ground) > 0)) return push;
@@ -188,8 +199,8 @@ Wrench<T> Otter::Ploughing::force(const Parameters& p, const Data&, const Whole&
     const T speed = norm(g);
     if (!(speed > T(0))) continue;
     const T bottom = whole.ploughing.empty() ? T(1) : whole.ploughing.at(at.x, at.y);
-    const T size =
-        0.25 * p.chord * p.ploughing * bottom * pow(depth / T(kDeep), p.power) * dot(g, b.axes[1]) / speed;
+    const T size = 0.25 * p.chord * p.ploughing * bottom * detail::resistance<T>(depth / T(kDeep), p.power) *
+                   dot(g, b.axes[1]) / speed;
     push.push(size * b.axes[1], b.to_world(r));
   }
   return push;
