@@ -8,6 +8,7 @@
 #include "io/case/material_damping.hpp"
 #include "io/case/meshes.hpp"
 #include "io/case/stretch_damping.hpp"
+#include "io/scene/halves.hpp"
 #include "io/scene/keys.hpp"
 #include "io/scene/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
@@ -90,6 +91,17 @@ class AllowedTime {
   const Watch& watch_;
 };
 
+/// Half a gear that has passed through its mirror image balances as no whole gear does: such an equilibrium
+/// of the scene is none of the gear. What is held beyond the plane was meant to be there.
+void object_to_crossings(const LoadedScene& loaded, const Assembler& assembler, Solution& s) {
+  if (s.status != SolveStatus::converged || !loaded.gear || loaded.gear->times != 2) return;
+  for (const Crossing& crossing : find_crossings(loaded, assembler.node_positions(s.x)))
+    if (!crossing.is_held) {
+      s.status = SolveStatus::not_converged, s.at_fault = loaded.scene.parts[crossing.part].name;
+      s.reason = crossing.sentence + ". No whole gear lies so; start it elsewhere, or solve it as a whole";
+    }
+}
+
 }  // namespace
 
 Solution Case::solve(const Watch& watch) {
@@ -99,6 +111,7 @@ Solution Case::solve(const Watch& watch) {
           ? settle(watch)
           : netloft::find_equilibrium(sites(), study_options(loaded_.analysis.limits, watch), strategy());
   adopt(s);
+  object_to_crossings(loaded_, *assembler_, s);
   if (s.status != SolveStatus::converged) s.diagnostics = diagnose(loaded_.scene, *assembler_, s);
   return s;
 }
@@ -111,6 +124,7 @@ Solution Case::continue_from(const std::vector<double>& u, int iterations, const
   const StrategyUse alone{&registry_.strategy(kStrategyOfNamedSolver), {}};
   Solution s = netloft::find_equilibrium(sites(), study_options(limits, watch), alone, u);
   adopt(s);
+  object_to_crossings(loaded_, *assembler_, s);
   return s;
 }
 
@@ -267,6 +281,7 @@ std::vector<double> Case::find_start(const std::atomic<bool>* interrupt, Solutio
   StudyOptions options = study_options(limits, {interrupt, {}});
   options.solver = {&registry_.solver(kSolver), {}};
   found = netloft::find_equilibrium(source, options, strategy());
+  object_to_crossings(loaded_, assembler, found);
   if (found.status == SolveStatus::converged) remember(found.u);
   return found.u;
 }

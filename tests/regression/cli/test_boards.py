@@ -223,15 +223,20 @@ class Towed(InFreshFolder):
         self.assertRegex(said, r"power of towing +\[kW\]\n( +\w+ +[\d.]+\n)* +netting +%.3f\n" % (parts["power/netting"] / 1000))
         self.assertAlmostEqual(float(re.search(r"towing fuel +([\d.]+) kg/h", said)[1]), figures["towing/fuel"] * 3600, places=4)
 
-    def test_boards_that_have_crossed_are_a_warning(self):
+    def test_half_a_gear_whose_boards_have_crossed_is_no_answer(self):
         start = 'board = "flat-1.0x2.0"\nat = [88.4, -20.4, -39.5]\nturned = { heading = "129 deg", heel = "12 deg", trim = "180 deg" }'
         for scene, crossed in ((SHIP, False), (changed(SHIP, ('board = "flat-1.0x2.0"', start)), True)):
             self.write("scene.toml", scene + SHOE)
-            warnings = self.netloft("run", "scene.toml", "--json", "--overwrite").json()["warnings"]
-            self.assertEqual(any("door" in w and "have crossed" in w for w in warnings), crossed, warnings)
+            ended = self.netloft("run", "scene.toml", "--json", "--overwrite")
+            result = ended.json()
+            self.assertEqual((ended.code, result["status"]), (3, "not converged") if crossed else (0, "converged"))
+            self.assertEqual("have crossed. No whole gear lies so" in result["reason"], crossed, result["reason"])
             self.assertEqual("warning: at the start door, " in self.netloft("plan", "scene.toml").err, crossed)
-        self.write("scene.toml", changed(scene, ('"half"', '"whole"')) + SHOE)
-        warnings = self.netloft("run", "scene.toml", "--json", "--overwrite").json()["warnings"]
+
+    def test_boards_of_a_whole_gear_that_have_crossed_are_a_warning(self):
+        start = 'board = "flat-1.0x2.0"\nat = [88.4, -20.4, -39.5]\nturned = { heading = "129 deg", heel = "12 deg", trim = "180 deg" }'
+        self.write("scene.toml", changed(SHIP, ('board = "flat-1.0x2.0"', start), ('"half"', '"whole"')) + SHOE)
+        warnings = self.netloft("run", "scene.toml", "--json").json()["warnings"]
         self.assertTrue(any(w.startswith("starboard-door is ") and w.endswith(" m to port of port-door: they have crossed") for w in warnings), warnings)
 
 
