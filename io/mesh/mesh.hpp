@@ -3,6 +3,7 @@
 #include "io/toml/diagnostics.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,6 +81,13 @@ std::string vtk_text(const InputMesh& mesh, const std::string& source);
 /// glTF 2.0, binary or with its numbers in itself: triangles with U and V as TEXCOORD_0, lines with shares
 /// there or none; vertices in one place are one node. Errors have no line.
 InputMesh read_gltf(std::string_view bytes, int file, Diagnostics& diagnostics);
+
+/// Whether bytes are those of an HDF5 file.
+bool is_hdf5(std::string_view bytes);
+
+/// VTKHDF: an unstructured grid with the arrays of VTK legacy files, at its last time; or a result of
+/// Netloft, whose parts are the regions. Errors have no line; they name the data set.
+InputMesh read_vtkhdf(const std::filesystem::path& path, int file, Diagnostics& diagnostics);
 
 /// The text that read_mesh() reads as this mesh. `source` is a comment of one or more lines.
 std::string mesh_text(const InputMesh& mesh, const std::string& source);

@@ -3,17 +3,15 @@
 // VTK legacy files (Kitware, "VTK File Formats", simple legacy formats), in ASCII, with an unstructured grid.
 #include "io/mesh/mesh_builder.hpp"
 #include "io/mesh/text_rows.hpp"
+#include "io/mesh/vtk_cells.hpp"
 #include "io/units/in_quotes.hpp"
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 namespace netloft::io {
 
 namespace {
-
-constexpr int kVertex = 1, kPolyVertex = 2, kLine = 3, kPolyLine = 4, kTriangle = 5;  // cell types of VTK
 
 std::string in_capitals(std::string_view text) {
   std::string out(text);
@@ -34,16 +32,11 @@ class VtkReader {
     if (in_capitals(form.text) != "ASCII")
       fail(form.place, "only VTK files in ASCII are read", "save it as ASCII, legacy");
     for (Word word = next(); goes_on() && !word.text.empty(); word = next()) read_block(word);
-    if (goes_on()) add_cells();
+    if (goes_on()) add_vtk_cells(cells_, place_of_cells_, builder_);
     return builder_.finish(rows_.place());
   }
 
  private:
-  struct Array {
-    std::size_t components = 1;
-    std::vector<double> values;
-  };
-
   bool goes_on() const { return !has_failed_ && builder_.goes_on(); }
   void fail(const Place& place, const std::string& message, const std::string& hint = {}) {
     if (!has_failed_) builder_.error(place, message, hint);
@@ -125,9 +118,9 @@ class VtkReader {
     --at_;
     for (std::size_t c = 0; c < first && goes_on(); ++c) {
       const std::size_t length = next_count(second, "nodes of a cell");
-      cells_.emplace_back();
-      places_.push_back(row_.empty() ? rows_.place() : row_[at_ - 1].place);
-      for (std::size_t k = 0; k < length && goes_on(); ++k) cells_.back().push_back(next_node());
+      cells_.nodes.emplace_back();
+      cells_.places.push_back(row_.empty() ? rows_.place() : row_[at_ - 1].place);
+      for (std::size_t k = 0; k < length && goes_on(); ++k) cells_.nodes.back().push_back(next_node());
     }
   }
 
@@ -138,10 +131,11 @@ class VtkReader {
       ends.push_back(next_count(nodes, "nodes before a cell"));
     next(), next();  // CONNECTIVITY, type
     for (std::size_t c = 0; c + 1 < ends.size() && goes_on(); ++c) {
-      cells_.emplace_back();
+      cells_.nodes.emplace_back();
       if (ends[c + 1] < ends[c]) return fail(place_of_cells_, "the offsets of cells do not grow");
-      for (std::size_t k = ends[c]; k < ends[c + 1] && goes_on(); ++k) cells_.back().push_back(next_node());
-      places_.push_back(row_.empty() ? rows_.place() : row_[0].place);
+      for (std::size_t k = ends[c]; k < ends[c + 1] && goes_on(); ++k)
+        cells_.nodes.back().push_back(next_node());
+      cells_.places.push_back(row_.empty() ? rows_.place() : row_[0].place);
     }
   }
 
@@ -157,7 +151,8 @@ class VtkReader {
 
   void read_types() {
     const std::size_t count = next_count(kMostElements, "cells");
-    for (std::size_t c = 0; c < count && goes_on(); ++c) types_.push_back(static_cast<int>(next_number()));
+    for (std::size_t c = 0; c < count && goes_on(); ++c)
+      cells_.types.push_back(static_cast<int>(next_number()));
   }
 
   void read_scalars() {
@@ -170,7 +165,7 @@ class VtkReader {
     if (in_capitals(word.text) != "LOOKUP_TABLE")
       return fail(word.place, "LOOKUP_TABLE is expected behind SCALARS");
     next();  // its name
-    read_values(name, components, is_on_cells_ ? cells_.size() : points_);
+    read_values(name, components, is_on_cells_ ? cells_.nodes.size() : points_);
   }
 
   void read_field() {
@@ -188,19 +183,19 @@ class VtkReader {
         for (std::size_t i = 0; i < components * count && goes_on(); ++i) {
           const Word text = next();
           if (text.text.empty()) return fail(text.place, "the file ends within its texts");
-          if (name == "region_names") names_.emplace_back(text.text);
+          if (name == "region_names") cells_.names.emplace_back(text.text);
         }
     }
   }
 
   void read_values(const std::string& name, std::size_t components, std::size_t count) {
-    Array array{components, {}};
+    VtkCells::Array array{components, {}};
     for (std::size_t i = 0; i < components * count && goes_on(); ++i) {
       const Word word = next();
       if (word.text.empty()) return fail(word.place, "the file ends within the array " + in_quotes(name));
       array.values.push_back(number_in(word.text).value_or(0));  // also nan, where an array says nothing
     }
-    if (is_on_cells_) arrays_[name] = std::move(array);
+    if (is_on_cells_) cells_.arrays[name] = std::move(array);
   }
 
   /// Names of components and the like, up to a blank line.
@@ -210,64 +205,6 @@ class VtkReader {
       line = rows_.next_line();
   }
 
-  void add_cells() {
-    if (types_.size() != cells_.size())
-      return fail(place_of_cells_, "there are " + std::to_string(cells_.size()) + " cells and " +
-                                       std::to_string(types_.size()) + " types of cells");
-    for (std::size_t c = 0; c < cells_.size() && builder_.goes_on(); ++c) add_cell(c);
-  }
-
-  void add_cell(std::size_t c) {
-    const auto& nodes = cells_[c];
-    const bool is_line = types_[c] == kLine || types_[c] == kPolyLine;
-    if (types_[c] == kVertex || types_[c] == kPolyVertex) {
-      auto& set = builder_.set(region_of(c, "nodes"));
-      set.nodes.insert(set.nodes.end(), nodes.begin(), nodes.end());
-    } else if (types_[c] == kTriangle && nodes.size() == 3) {
-      const double* corners = numbers_of("panel_corners", 6, c);
-      if (!corners)
-        return fail(places_[c],
-                    "triangles need the array panel_corners on cells, U V of their corners in meshes");
-      builder_.add_element(builder_.region(region_of(c, "netting"), RegionKind::triangles), nodes.data(),
-                           corners, places_[c]);
-    } else if (is_line && nodes.size() >= 2)
-      add_line(c);
-    else
-      builder_.error(places_[c],
-                     "cells of type " + std::to_string(types_[c]) + " with " + std::to_string(nodes.size()) +
-                         " nodes are not read",
-                     "triangles, lines and vertices are");
-  }
-
-  void add_line(std::size_t c) {
-    const auto& nodes = cells_[c];
-    const double *shares = numbers_of("shares", 2, c), *twines = numbers_of("twines", 2, c);
-    const bool is_netting = twines && twines[1] > 0;
-    if (nodes.size() > 2) shares = nullptr;
-    MeshRegion& region =
-        builder_.region(region_of(c, "rope"), is_netting ? RegionKind::twines : RegionKind::bars);
-    if (!is_netting && region.size() > 0 && region.numbers.empty() != !shares)
-      return builder_.error(places_[c], "some bars of this rope have shares of it, and others have none");
-    for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
-      builder_.add_element(region, &nodes[k], is_netting ? twines : shares, places_[c]);
-  }
-
-  const double* numbers_of(const std::string& array, std::size_t components, std::size_t cell) const {
-    const auto known = arrays_.find(array);
-    if (known == arrays_.end() || known->second.components != components) return nullptr;
-    const auto& values = known->second.values;
-    return components * (cell + 1) <= values.size() ? &values[components * cell] : nullptr;
-  }
-
-  /// "wing", "region-3", or the word that is given.
-  std::string region_of(std::size_t cell, const char* otherwise) const {
-    const double* number = numbers_of("region", 1, cell);
-    if (!number) return otherwise;
-    if (*number >= 0 && *number < static_cast<double>(names_.size()))
-      return names_[static_cast<std::size_t>(*number)];
-    return "region-" + spell_number(*number);
-  }
-
   TextRows rows_;
   MeshBuilder builder_;
   std::vector<Word> row_;
@@ -275,11 +212,7 @@ class VtkReader {
   bool has_failed_ = false, is_on_cells_ = false;
   std::size_t points_ = 0;
   Place place_of_cells_;
-  std::vector<std::vector<std::uint32_t>> cells_;
-  std::vector<Place> places_;
-  std::vector<int> types_;
-  std::map<std::string, Array> arrays_;  // on cells
-  std::vector<std::string> names_;       // of regions
+  VtkCells cells_;
 };
 
 /// Collects the cells of a mesh as texts of the blocks in which they stand.
@@ -323,7 +256,7 @@ class VtkWriter {
     const bool is_netting = region.kind == RegionKind::triangles;
     for (std::size_t e = 0; e < region.size(); ++e) {
       const double* numbers = &region.numbers[e * numbers_in(region.kind)];
-      add_cell(is_netting ? kTriangle : kLine, &region.nodes[e * nodes_in(region.kind)],
+      add_cell(is_netting ? vtk::kTriangle : vtk::kLine, &region.nodes[e * nodes_in(region.kind)],
                nodes_in(region.kind));
       add_numbers(corners_, is_netting ? numbers : nullptr, 6);
       add_numbers(shares_, region.kind == RegionKind::bars ? numbers : nullptr, 2);
@@ -333,7 +266,7 @@ class VtkWriter {
 
   void add_set(const MeshSet& set) {
     begin(set.name);
-    add_cell(kPolyVertex, set.nodes.data(), set.nodes.size());
+    add_cell(vtk::kPolyVertex, set.nodes.data(), set.nodes.size());
     add_numbers(corners_, nullptr, 6), add_numbers(shares_, nullptr, 2), add_numbers(twines_, nullptr, 2);
   }
 

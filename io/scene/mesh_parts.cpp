@@ -167,7 +167,8 @@ const InputMesh* MeshParts::find_mesh(TableReader& table) {
   const int errors_before = diagnostics_.errors();
   const bool is_binary = text->find('\0') != std::string::npos;  // results keep texts
   files_.push_back({name, is_binary ? "" : *text, fnv1a64(*text)});
-  auto mesh = std::make_unique<InputMesh>(read_any_mesh(*text, file, diagnostics_));
+  auto mesh = std::make_unique<InputMesh>(is_hdf5(*text) ? read_vtkhdf(folder_ / name, file, diagnostics_)
+                                                         : read_any_mesh(*text, file, diagnostics_));
   if (diagnostics_.errors() == errors_before) at->second = std::move(mesh);
   return at->second.get();
 }

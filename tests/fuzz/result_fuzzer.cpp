@@ -3,6 +3,7 @@
 // stay whole: each input says how a good result is changed through HDF5: objects and attributes removed,
 // renamed, replaced by others of another type or extent, numbers overwritten. Then it is read, reported and
 // drawn as any other.
+#include "io/mesh/mesh.hpp"
 #include "io/result/materials.hpp"
 #include "io/result/result_report.hpp"
 #include "io/result/tables.hpp"
@@ -151,6 +152,18 @@ void change(hid_t file, fuzz::Choices& source) {
   }
 }
 
+/// A result is the mesh of a scene, too.
+void stand_on(const fs::path& path) {
+  io::Diagnostics diagnostics;
+  const auto mesh = io::read_vtkhdf(path, diagnostics.add_source("r.hdf", ""), diagnostics);
+  fuzz::use(diagnostics.render(false).size());
+  if (diagnostics.errors() > 0 || mesh.node_count() == 0) return;
+  const std::string text = io::mesh_text(mesh, "a result");
+  io::Diagnostics again;
+  io::read_mesh(text, again.add_source("r.mesh", text), again);
+  if (again.errors()) std::abort();
+}
+
 void look_at(const fs::path& path) {
   try {
     const io::StoredResult result(path);
@@ -175,5 +188,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int n = 0; n < 8 && source.left() > 0; ++n) change(file, source);
   H5Fclose(file);
   look_at(path);
+  stand_on(path);
   return 0;
 }

@@ -89,6 +89,20 @@ class Meshes(InFreshFolder):
         self.write("again.toml", scene.replace('"newton"', '"newton"\nmax_iterations = 3'))
         self.assertAlmostEqual(self.figures("again.toml")["lowest_z"], before["lowest_z"], delta=1e-8)
 
+    def test_the_file_of_a_result_is_an_input_too(self):
+        self.write("divided.toml", GOOD)
+        before = self.figures("divided.toml")
+        scene = SCENE.replace("gear.mesh", "divided.hdf").replace('"*.top"', "[" + ", ".join(f'"net.node-{i}"' for i in range(5)) + "]")
+        scene = re.sub(r"middle_z.*\n", "", scene)
+        self.write("again.toml", scene.replace('"newton"', '"newton"\nmax_iterations = 3'))
+        self.assertAlmostEqual(self.figures("again.toml")["lowest_z"], before["lowest_z"], delta=1e-8)
+        cut = (self.folder / "divided.hdf").read_bytes()[:3000]
+        (self.folder / "cut.hdf").write_bytes(cut)
+        self.write("cut.toml", scene.replace("divided.hdf", "cut.hdf"))
+        ended = self.netloft("plan", "cut.toml")
+        self.assertEqual(ended.code, 2)
+        self.assertIn("cut.hdf", ended.err)
+
     def wrong(self, scene, text, where, says):
         self.write("scene.toml", scene)
         self.write("gear.mesh", text)
