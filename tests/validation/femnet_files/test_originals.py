@@ -3,7 +3,7 @@
 NETLOFT_REAL_GEARS that of FEMNET's answers in the format femnet-neutral/1 (else the folder real-gears beside the first).
 
 Where FEMNET has a gear in balance, every node has to be so here, as far as FEMNET's own answer is: what is left there, of up to 8e-6 N, is
-known from an independent evaluation of its formulas. And the default strategy has to find an equilibrium of every gear.
+known from an independent evaluation of its formulas. And the default strategy has to find FEMNET's forces, within 1e-6 N beyond that.
 """
 import json
 import os
@@ -19,6 +19,11 @@ SKIPPED = 77
 FOLDER = os.environ.get("NETLOFT_FEMNET")
 NEWTONS = 1e-6
 GEARS = ("01_ring_flexion", "02_netting_panel", "05_pelagic_t1", "07_bottom_b1", "09_pelagic_s3")
+# The ring: bending by unstretched lengths; FEMNET's ropes have a tension of 4.8e-5 N by bending alone. s3: what is out of balance at the round-off of
+# its places, 2e-6 N in either program, moves its softest meshes by 7e-7 m, which is 1.2e-5 N. [N]
+DIFFERENT = {"01_ring_flexion": 5e-5, "09_pelagic_s3": 2e-5}
+# Gears with several equilibria, and how much tensions in another one differ from FEMNET's. [N]
+SEVERAL = {"09_pelagic_s3": 6}
 NO_STEP = '\n[analysis]\nstrategy = "direct"\nmax_iterations = 0\n'
 
 
@@ -54,15 +59,41 @@ class Originals(unittest.TestCase):
                     if region.startswith("bars"):
                         self.assertEqual((here[region][0][2], here[region][-1][3]), (0, 1))
 
-    def test_the_default_strategy_finds_an_equilibrium(self):
+    def test_the_default_strategy_finds_the_forces_of_femnet(self):
+        """From the flat drawing."""
         for name in GEARS:
+            if name not in SEVERAL:
+                with self.subTest(name):
+                    self.compare(name, Gear(Path(FOLDER) / f"{name}.don"), answer(name)["reference"])
+
+    def test_a_gear_with_several_equilibria_finds_that_of_femnet_from_nearby(self):
+        """From FEMNET's shape, all free nodes moved by 0.1 mm, with Newton's method alone."""
+        for name in SEVERAL:
             with self.subTest(name):
                 there = answer(name)
-                gear = Gear(Path(FOLDER) / f"{name}.don")
-                held = np.sum([r["force_N"] for r in there["reference"]["reactions"]], axis=0)
-                whole = [n for n in there["nodes"] if any(n["symmetry"])] == []
-                if whole:  # FEMNET doubles what acts on a plane of symmetry
-                    np.testing.assert_allclose(gear.reaction.sum(axis=0), held, rtol=0, atol=2e-3 * np.abs(held).max())
+                free = [[not (f or s) for f, s in zip(n["fixed"], n["symmetry"])] for n in there["nodes"]]
+                moved = np.random.default_rng(1).normal(0, 1e-4, (len(free), 3)) * free
+                gear = Gear(Path(FOLDER) / f"{name}.don", at=there["reference"]["positions"] + moved, more='\n[analysis]\nstrategy = "direct"\n')
+                self.compare(name, gear, there["reference"])
+
+    def test_from_the_flat_drawing_every_gear_finds_an_equilibrium(self):
+        for name in SEVERAL:
+            with self.subTest(name):
+                there, gear = answer(name)["reference"], Gear(Path(FOLDER) / f"{name}.don")
+                print(f"{name}: {gear.furthest(there['positions']):.2g} m from FEMNET's equilibrium, in another one")
+                np.testing.assert_allclose(gear.bar_tensions(), np.sort(there["bar_tensions_N"]), rtol=0, atol=SEVERAL[name])
+
+    def compare(self, name, gear, there):
+        bound = DIFFERENT.get(name, NEWTONS + there["independent_max_component_N"])
+        bars = np.abs(gear.bar_tensions() - np.sort(there["bar_tensions_N"])).max()
+        twines = np.abs(gear.twine_tensions() - np.sort(np.ravel(there["twine_tensions_N"]))).max() if there["twine_tensions_N"] else 0
+        print(f"{name}: {gear.furthest(there['positions']):.2g} m, ropes {bars:.2g} N, twines {twines:.2g} N, allowed {bound:.2g} N")
+        self.assertLess(gear.furthest(there["positions"]), 1e-6)
+        self.assertLess(bars, bound)
+        self.assertLess(twines, bound)
+        if not any(any(n["symmetry"]) for n in answer(name)["nodes"]):  # FEMNET doubles what acts on a plane of symmetry
+            held = np.sum([r["force_N"] for r in there["reactions"]], axis=0)
+            np.testing.assert_allclose(gear.reaction.sum(axis=0), held, rtol=0, atol=max(bound, len(gear.points) * there["independent_max_component_N"]))
 
 
 if __name__ == "__main__":
