@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/pattern.hpp"
 
+#include "framework/assembler/matrix_size.hpp"
 #include "framework/assembler/riders.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace netloft {
 
@@ -73,7 +76,14 @@ NodeBlocks make_blocks(std::span<const std::unique_ptr<ElementFamily>> families,
   return blocks;
 }
 
+void require_indices(std::size_t blocks) {
+  if (blocks > kMostValues / 9)
+    throw std::length_error("the matrix has " + std::to_string(blocks) + " pairs of nodes; " +
+                            std::to_string(kMostValues / 9) + " are the most. A coarser mesh has fewer");
+}
+
 SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering, bool symmetric) {
+  require_indices(blocks.count());
   SparsePattern pattern;
   pattern.size = numbering.unknowns();
   pattern.symmetric = symmetric;

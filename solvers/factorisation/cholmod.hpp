@@ -7,6 +7,9 @@
 
 namespace netloft {
 
+/// Of CHOLMOD's indices: 32 bits, and 64 where a factor has 2³¹ entries or more, or always.
+enum class IndexWidth { as_needed, of_64_bits };
+
 /// Supernodal Cholesky factorisation of symmetric positive definite matrices, by CHOLMOD.
 ///   P A Pᵀ = L Lᵀ                                          (1)
 ///   x = Pᵀ L⁻ᵀ L⁻¹ P b                                     (2)
@@ -14,5 +17,7 @@ namespace netloft {
 /// neither `factorise` nor `solve` allocates. A matrix that is not positive definite is found in passing:
 /// `column` is then the first unknown whose pivot in (1) is not positive, which depends on P.
 std::unique_ptr<Factorisation> make_cholmod_factorisation(OrderingMethod method = OrderingMethod::best);
+std::unique_ptr<Factorisation> make_cholmod_factorisation_of(IndexWidth width,
+                                                             OrderingMethod method = OrderingMethod::best);
 
 }  // namespace netloft

@@ -2,6 +2,7 @@
 #include "solvers/factorisation/front_tree.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -54,7 +55,8 @@ Supernodes::Supernodes(NodeGraph& graph, Indices order) {
   common_->supernodal = CHOLMOD_SUPERNODAL;
   merge(*common_.get());
   cholmod_sparse view = view_of(graph);
-  factor_ = cholmod_analyze_p(&view, order.data(), nullptr, 0, common_.get());
+  // "For SPQR" it lays out no numbers, of which there may be more than it has indices.
+  factor_ = cholmod_analyze_p2(CHOLMOD_ANALYZE_FOR_SPQR, &view, order.data(), nullptr, 0, common_.get());
   if (factor_ == nullptr) {
     throw std::runtime_error("cannot analyse a matrix of " + std::to_string(graph.unknown.size()) +
                              " unknowns: CHOLMOD status " + std::to_string(common_->status));
@@ -70,6 +72,13 @@ Indices vertex_order(const NodeGraph& graph, std::span<const std::int32_t> unkno
   for (const std::int32_t u : unknowns)
     if (graph.unknown[graph.unknown_start[vertex[u]]] == u) order.push_back(vertex[u]);
   return order;
+}
+
+/// Places in the panels of one front are counted by 32 bits (FrontEntries::target).
+void require_targets(std::size_t panels) {
+  if (panels > std::numeric_limits<std::uint32_t>::max())
+    throw std::runtime_error("cannot lay out a front of " + std::to_string(panels) +
+                             " numbers, more than 2^32: the matrix is too dense");
 }
 
 class FrontTreeBuilder {
@@ -184,6 +193,7 @@ void FrontTreeBuilder::lay_out() {
     tree_.most_unknowns = std::max(tree_.most_unknowns, front.pivots + front.others);
     tree_.entries += n * (n + 2 * u);
     tree_.flops += flops_of(front);
+    require_targets(tree_.panels - front.panels);
   }
 }
 

@@ -6,15 +6,21 @@
 #include <mutex>
 #include <utility>
 
+#include "solvers/factorisation/foreseen_memory.hpp"
+
 namespace netloft {
 namespace {
 
-constexpr double kLargestKept = 4e6;  // entries of the factor
+constexpr double kLargestKept = 4e6;  // entries of a factor
 
 /// A factorisation with the pattern that it has analysed.
 struct Analysed {
   std::unique_ptr<Factorisation> factorisation;
   SparsePattern pattern = {};
+  bool has_factor = false;
+
+  /// A large factor is given up; an analysis without a factor takes little beside the one to come.
+  bool is_worth_keeping() const { return !has_factor || factorisation->factor_entries() <= kLargestKept; }
 };
 
 /// The factorisations that are not in use.
@@ -28,7 +34,7 @@ class Shelf {
     return std::move(kept);
   }
   void put(MatrixClass kind, std::unique_ptr<Analysed> analysed) {
-    if (analysed->factorisation->factor_entries() > kLargestKept) return;
+    if (!analysed->is_worth_keeping()) return;
     const std::lock_guard lock(mutex_);
     kept_[static_cast<std::size_t>(kind)].swap(analysed);
   }
@@ -38,7 +44,7 @@ class Shelf {
   std::array<std::unique_ptr<Analysed>, 3> kept_;  // one of each class
 };
 
-class LentFactorisation final : public Factorisation {
+class LentFactorisation final : public Factorisation, public ForeseesMemory {
  public:
   LentFactorisation(std::shared_ptr<Shelf> shelf, MatrixClass kind, std::unique_ptr<Factorisation> fresh)
       : shelf_(std::move(shelf)),
@@ -53,7 +59,7 @@ class LentFactorisation final : public Factorisation {
     if (auto kept = shelf_->take(kind_, pattern)) {
       analysed_ = std::move(kept);
     } else {
-      is_analysed_ = false;
+      is_analysed_ = analysed_->has_factor = false;
       analysed_->pattern = pattern;
       inner().analyse(analysed_->pattern);
     }
@@ -61,6 +67,7 @@ class LentFactorisation final : public Factorisation {
   }
   /// A factorisation that has failed is not kept, because it may have grown or have an unknown size.
   FactorResult factorise(std::span<const double> values) override {
+    analysed_->has_factor = true;
     const FactorResult result = inner().factorise(values);
     has_failed_ = result.status != FactorStatus::ok && result.status != FactorStatus::not_positive_definite;
     return result;
@@ -68,6 +75,7 @@ class LentFactorisation final : public Factorisation {
   void solve(std::span<const double> rhs, std::span<double> x) override { inner().solve(rhs, x); }
   double factor_entries() const override { return inner().factor_entries(); }
   double factor_flops() const override { return inner().factor_flops(); }
+  double factor_bytes() const override { return factor_bytes_of(inner()); }
 
  private:
   Factorisation& inner() const { return *analysed_->factorisation; }

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "solvers/factorisation/foreseen_memory.hpp"
+
 namespace netloft {
 namespace {
 
@@ -53,7 +55,7 @@ void WholePattern::count_entries(const SparsePattern& lower) {
   source.resize(start.back());
 }
 
-class LowerTriangleFactorisation final : public Factorisation {
+class LowerTriangleFactorisation final : public Factorisation, public ForeseesMemory {
  public:
   explicit LowerTriangleFactorisation(std::unique_ptr<Factorisation> inner) : inner_(std::move(inner)) {}
 
@@ -71,6 +73,7 @@ class LowerTriangleFactorisation final : public Factorisation {
   void solve(std::span<const double> rhs, std::span<double> x) override { inner_->solve(rhs, x); }
   double factor_entries() const override { return inner_->factor_entries(); }
   double factor_flops() const override { return inner_->factor_flops(); }
+  double factor_bytes() const override { return factor_bytes_of(*inner_); }
 
  private:
   std::unique_ptr<Factorisation> inner_;

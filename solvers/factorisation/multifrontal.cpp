@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "solvers/factorisation/finite_values.hpp"
+#include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/front_kernels.hpp"
 #include "solvers/factorisation/front_schedule.hpp"
 #include "solvers/factorisation/shared_front.hpp"
@@ -46,7 +47,7 @@ class Room {
   double* begin_ = nullptr;
 };
 
-class MultifrontalFactorisation final : public Factorisation {
+class MultifrontalFactorisation final : public Factorisation, public ForeseesMemory {
  public:
   MultifrontalFactorisation(MakeSpare make_spare, OrderingMethod method, int threads)
       : make_spare_(std::move(make_spare)), method_(method), threads_(threads) {}
@@ -57,6 +58,7 @@ class MultifrontalFactorisation final : public Factorisation {
   void solve(std::span<const double> rhs, std::span<double> x) override;
   double factor_entries() const override { return tree_.entries; }
   double factor_flops() const override { return tree_.flops; }
+  double factor_bytes() const override;
 
  private:
   enum class State { none, own, spare };
@@ -134,6 +136,15 @@ void MultifrontalFactorisation::make_room() {
   for (auto* v : {&products_, &sizes_}) v->resize(3 * size);
   of_front_.assign(static_cast<std::size_t>(tree_.most_unknowns) + kTileRows, 0.0);
   panels_.resize(tree_.panels);
+}
+
+/// What make_room() makes.
+double MultifrontalFactorisation::factor_bytes() const {
+  if (!pattern_) return 0;
+  const std::size_t doubles = tree_.panels + schedule_.room[0] + schedule_.room[1] + pattern_->value_slots() +
+                              9 * static_cast<std::size_t>(pattern_->size);
+  return static_cast<double>(doubles * sizeof(double) +
+                             static_cast<std::size_t>(pattern_->size) * sizeof(std::int32_t));
 }
 
 bool MultifrontalFactorisation::has_room() {

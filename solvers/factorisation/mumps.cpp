@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "solvers/factorisation/finite_values.hpp"
+#include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/memory_pool.hpp"
 #include "solvers/factorisation/suitesparse_scope.hpp"
 
@@ -65,7 +66,7 @@ int MumpsInstance::run(Job job) {
   return id_.infog[0];
 }
 
-class MumpsFactorisation final : public Factorisation {
+class MumpsFactorisation final : public Factorisation, public ForeseesMemory {
  public:
   MumpsFactorisation(MatrixClass kind, OrderingMethod method)
       : symmetric_(kind == MatrixClass::symmetric), method_(method) {
@@ -79,6 +80,8 @@ class MumpsFactorisation final : public Factorisation {
   void solve(std::span<const double> rhs, std::span<double> x) override;
   double factor_entries() const override { return entries_; }
   double factor_flops() const override { return flops_; }
+  /// INFOG(17), of the analysis [10⁶ bytes].
+  double factor_bytes() const override { return mumps_ ? 1e6 * mumps_->infog(17) : 0; }
 
  private:
   void forget();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 namespace netloft {
 namespace {
@@ -84,14 +86,25 @@ void store_edges(const std::vector<Edge>& edges, NodeGraph& graph) {
   }
 }
 
+/// The graph as METIS sees it has every edge twice, once from each end.
+void require_indices(std::size_t edges, std::size_t most, std::int32_t nodes) {
+  if (edges <= most) return;
+  throw std::runtime_error("cannot order a matrix of " + std::to_string(nodes) +
+                           " nodes: their graph has more than the " + std::to_string(most) +
+                           " edges that METIS counts; a coarser mesh has fewer");
+}
+
 }  // namespace
 
-NodeGraph make_node_graph(const SparsePattern& pattern) {
+NodeGraph make_node_graph(const SparsePattern& pattern, std::size_t most_edges) {
   assert(pattern.node.size() == static_cast<std::size_t>(pattern.size));
   NodeGraph graph;
   const Indices vertex = number_vertices(pattern, graph.size);
   list_unknowns(vertex, graph);
-  store_edges(collect_edges(pattern, vertex, graph), graph);
+  const std::vector<Edge> edges = collect_edges(pattern, vertex, graph);
+  require_indices(edges.size(), most_edges, graph.size);
+  store_edges(edges, graph);
+  require_indices(2 * graph.row.size(), most_edges, graph.size);
   return graph;
 }
 

@@ -35,14 +35,18 @@ SingleThreadScope::~SingleThreadScope() {
   if (max_active_levels_ >= 0) openmp().set_max_active_levels(max_active_levels_);
 }
 
-CholmodCommon::CholmodCommon() {
-  cholmod_start(&common_);
-  common_.itype = CHOLMOD_INT;
+CholmodCommon::CholmodCommon(int index) {
+  index == CHOLMOD_LONG ? cholmod_l_start(&common_) : cholmod_start(&common_);
+  common_.itype = index;
   common_.print = 0;
   common_.error_handler = nullptr;
 #if SUITESPARSE_MAIN_VERSION >= 6
   common_.nthreads_max = 1;
 #endif
+}
+
+CholmodCommon::~CholmodCommon() {
+  common_.itype == CHOLMOD_LONG ? cholmod_l_finish(&common_) : cholmod_finish(&common_);
 }
 
 }  // namespace netloft

@@ -21,13 +21,14 @@ class SingleThreadScope {
   int max_active_levels_ = -1;
 };
 
-/// CHOLMOD's parameters and workspace: 32-bit indices, silent.
+/// CHOLMOD's parameters and workspace, silent. `index`: CHOLMOD_INT or CHOLMOD_LONG, by which functions of
+/// CHOLMOD it is used.
 class CholmodCommon {
  public:
-  CholmodCommon();
+  explicit CholmodCommon(int index = CHOLMOD_INT);
   CholmodCommon(const CholmodCommon&) = delete;
   CholmodCommon& operator=(const CholmodCommon&) = delete;
-  ~CholmodCommon() { cholmod_finish(&common_); }
+  ~CholmodCommon();
 
   cholmod_common* operator->() { return &common_; }
   const cholmod_common* operator->() const { return &common_; }

@@ -31,8 +31,8 @@ class UmfpackFactorisation final : public Factorisation {
 
  private:
   void analyse_unknowns(const SparsePattern& pattern);
-  void free_numeric() { umfpack_di_free_numeric(&numeric_); }
-  FactorResult failure(int status);
+  void free_numeric() { umfpack_dl_free_numeric(&numeric_); }
+  FactorResult failure(SuiteSparse_long status);
   std::int32_t find_zero_pivot();
 
   OrderingMethod method_;
@@ -41,16 +41,16 @@ class UmfpackFactorisation final : public Factorisation {
   const SparsePattern* pattern_ = nullptr;
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
-  std::vector<double> rhs_;  // a copy, because UMFPACK needs separate rhs and x
-  std::vector<double> workspace_;
-  std::vector<double> gathered_;  // values in the order of the entries  // of umfpack_di_wsolve
-  std::vector<int> index_workspace_;
+  std::vector<double> rhs_;        // a copy, because UMFPACK needs separate rhs and x
+  std::vector<double> workspace_;  // of umfpack_dl_wsolve
+  std::vector<double> gathered_;   // values in the order of the entries
+  std::vector<SuiteSparse_long> column_start_, row_, index_workspace_;
   std::string ordering_;
   double entries_ = 0, flops_ = 0;
 };
 
 UmfpackFactorisation::UmfpackFactorisation(OrderingMethod method) : method_(method) {
-  umfpack_di_defaults(control_);
+  umfpack_dl_defaults(control_);
   control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   control_[UMFPACK_IRSTEP] = 0;
   control_[UMFPACK_PRL] = 0;
@@ -58,7 +58,7 @@ UmfpackFactorisation::UmfpackFactorisation(OrderingMethod method) : method_(meth
 
 UmfpackFactorisation::~UmfpackFactorisation() {
   free_numeric();
-  umfpack_di_free_symbolic(&symbolic_);
+  umfpack_dl_free_symbolic(&symbolic_);
 }
 
 std::string UmfpackFactorisation::description() const {
@@ -71,7 +71,7 @@ void UmfpackFactorisation::analyse(const SparsePattern& pattern) {
   assert(!pattern.symmetric);
   const SingleThreadScope single_thread;
   free_numeric();
-  umfpack_di_free_symbolic(&symbolic_);
+  umfpack_dl_free_symbolic(&symbolic_);
   pool_.clear();
   pattern_ = nullptr;
   ordering_.clear();
@@ -83,9 +83,11 @@ void UmfpackFactorisation::analyse(const SparsePattern& pattern) {
 void UmfpackFactorisation::analyse_unknowns(const SparsePattern& pattern) {
   const NodeOrdering ordering = order_nodes(pattern, method_);
   ordering_ = ordering.method;
-  const int status =
-      umfpack_di_qsymbolic(pattern.size, pattern.size, pattern.column_start.data(), pattern.row.data(),
-                           nullptr, ordering.unknown.data(), &symbolic_, control_, nullptr);
+  const std::vector<SuiteSparse_long> order(ordering.unknown.begin(), ordering.unknown.end());
+  column_start_.assign(pattern.column_start.begin(), pattern.column_start.end());
+  row_.assign(pattern.row.begin(), pattern.row.end());
+  const auto status = umfpack_dl_qsymbolic(pattern.size, pattern.size, column_start_.data(), row_.data(),
+                                           nullptr, order.data(), &symbolic_, control_, nullptr);
   if (status != UMFPACK_OK) {
     throw std::runtime_error("cannot analyse a matrix of " + std::to_string(pattern.size) +
                              " unknowns: UMFPACK status " + std::to_string(status));
@@ -111,15 +113,15 @@ FactorResult UmfpackFactorisation::factorise(std::span<const double> values) {
     values = gathered_;
   }
   double info[UMFPACK_INFO];
-  const int status = umfpack_di_numeric(pattern_->column_start.data(), pattern_->row.data(), values.data(),
-                                        symbolic_, &numeric_, control_, info);  // (1)
+  const auto status = umfpack_dl_numeric(column_start_.data(), row_.data(), values.data(), symbolic_,
+                                         &numeric_, control_, info);  // (1)
   if (status != UMFPACK_OK) return failure(status);
   entries_ = info[UMFPACK_LNZ] + info[UMFPACK_UNZ];
   flops_ = info[UMFPACK_FLOPS];
   return {};
 }
 
-FactorResult UmfpackFactorisation::failure(int status) {
+FactorResult UmfpackFactorisation::failure(SuiteSparse_long status) {
   FactorResult result{FactorStatus::failed};
   if (status == UMFPACK_ERROR_out_of_memory) result.status = FactorStatus::out_of_memory;
   if (status == UMFPACK_WARNING_singular_matrix) result = {FactorStatus::singular, find_zero_pivot()};
@@ -128,14 +130,14 @@ FactorResult UmfpackFactorisation::failure(int status) {
 }
 
 std::int32_t UmfpackFactorisation::find_zero_pivot() {
-  std::vector<int>& column_at = index_workspace_;
+  std::vector<SuiteSparse_long>& column_at = index_workspace_;
   std::vector<double>& pivot = workspace_;
-  int keeps_reciprocals = 0;
-  umfpack_di_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, column_at.data(),
+  SuiteSparse_long keeps_reciprocals = 0;
+  umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, column_at.data(),
                          pivot.data(), &keeps_reciprocals, nullptr, numeric_);
   const auto zero =
       std::find_if(pivot.begin(), pivot.end(), [](double d) { return d == 0 || std::isnan(d); });
-  return zero == pivot.end() ? -1 : column_at[zero - pivot.begin()];
+  return zero == pivot.end() ? -1 : static_cast<std::int32_t>(column_at[zero - pivot.begin()]);
 }
 
 void UmfpackFactorisation::solve(std::span<const double> rhs, std::span<double> x) {
@@ -145,9 +147,9 @@ void UmfpackFactorisation::solve(std::span<const double> rhs, std::span<double> 
   assert(rhs.size() == rhs_.size() && x.size() == rhs_.size());
   const SingleThreadScope single_thread;
   std::copy(rhs.begin(), rhs.end(), rhs_.begin());
-  [[maybe_unused]] const int status =
-      umfpack_di_wsolve(UMFPACK_A, pattern_->column_start.data(), pattern_->row.data(), nullptr, x.data(),
-                        rhs_.data(), numeric_, control_, nullptr, index_workspace_.data(), workspace_.data());
+  [[maybe_unused]] const auto status =
+      umfpack_dl_wsolve(UMFPACK_A, column_start_.data(), row_.data(), nullptr, x.data(), rhs_.data(),
+                        numeric_, control_, nullptr, index_workspace_.data(), workspace_.data());
   assert(status == UMFPACK_OK);
 }
 

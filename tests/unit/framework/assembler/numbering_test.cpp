@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "framework/assembler/matrix_size.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 
 namespace netloft::test {
@@ -102,6 +105,11 @@ TEST(Pattern, HasASlotOfItsOwnForEveryEntry) {
     EXPECT_FALSE(taken[p.slot_of(k)]);
     taken[p.slot_of(k)] = true;
   }
+}
+
+TEST(Pattern, IsRefusedWhereItHasMoreValuesThan32BitsCount) {
+  EXPECT_NO_THROW(require_indices(238'609'294));  // 2³¹ / 9, rounded down
+  EXPECT_THROW(require_indices(238'609'295), std::length_error);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include "solvers/factorisation/foreseen_memory.hpp"
 #include "tests/unit/solvers/factorisation/solving.hpp"
 
 namespace netloft {
@@ -64,6 +65,45 @@ TEST(Cholmod, TellsItsNameAndOrdering) {
   factorisation->analyse(net.pattern);
   EXPECT_EQ(factorisation->description().find("CHOLMOD supernodal LLT "), 0u);
   EXPECT_NE(factorisation->description().find(", METIS on the node graph"), std::string::npos);
+}
+
+TEST(Cholmod, HasTheSameBitsWithIndicesOf64) {
+  const TestMatrix net = make_net_matrix({});
+  const auto narrow = make_cholmod_factorisation(OrderingMethod::metis),
+             wide = make_cholmod_factorisation_of(IndexWidth::of_64_bits, OrderingMethod::metis);
+  EXPECT_EQ(solve(*narrow, net), solve(*wide, net));
+  EXPECT_EQ(narrow->description().find("64 bits"), std::string::npos);
+  EXPECT_NE(wide->description().find("64 bits"), std::string::npos);
+}
+
+TEST(Cholmod, NamesTheUnknownThatIsNotPositiveWithIndicesOf64) {
+  TestMatrix broken = make_net_matrix({.axial = 0, .geometric = 0});
+  broken.value[diagonal(broken, 600)] = -1;
+  const auto wide = make_cholmod_factorisation_of(IndexWidth::of_64_bits, OrderingMethod::amd);
+  wide->analyse(broken.pattern);
+  EXPECT_EQ(wide->factorise(broken.value).column, 600);
+}
+
+// Its factor alone would take 18 GB: it is only analysed.
+TEST(Cholmod, TakesIndicesOf64WhereTheFactorHasMoreEntriesThan32Count) {
+  const SparsePattern lattice = make_lattice(56, 6, true);
+  const auto factorisation = make_cholmod_factorisation(OrderingMethod::metis);
+  factorisation->analyse(lattice);
+  EXPECT_GT(factorisation->factor_entries(), kMostOf32Bits);
+  EXPECT_GT(factor_bytes_of(*factorisation), 8 * kMostOf32Bits);
+  EXPECT_NE(factorisation->description().find("64 bits"), std::string::npos);
+}
+
+// The pool rounds blocks up by a quarter at most; what is rounded up is never touched.
+TEST(Cholmod, ForeseesTheMemoryOfItsFactor) {
+  const TestMatrix net = make_net_matrix({.rings = 100, .nodes_per_ring = 100});
+  const auto factorisation = make_cholmod_factorisation();
+  factorisation->analyse(net.pattern);
+  const double before = allocated_bytes();
+  solve_again(*factorisation, net);
+  const double taken = allocated_bytes() - before;
+  EXPECT_GT(taken, factor_bytes_of(*factorisation));
+  EXPECT_LT(taken, 1.25 * factor_bytes_of(*factorisation));
 }
 
 TEST(Cholmod, LeavesTheThreadsOfTheProgramAsTheyWere) {

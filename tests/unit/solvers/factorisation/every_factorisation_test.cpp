@@ -44,8 +44,13 @@ std::unique_ptr<Factorisation> make_unsymmetric_mumps(OrderingMethod method) {
   return make_mumps_factorisation(MatrixClass::unsymmetric, method);
 }
 
+std::unique_ptr<Factorisation> make_wide_cholmod(OrderingMethod method) {
+  return make_cholmod_factorisation_of(IndexWidth::of_64_bits, method);
+}
+
 std::vector<Tested> all_factorisations() {
   return {{"Cholmod", MatrixClass::positive_definite, make_cholmod_factorisation},
+          {"CholmodOf64Bits", MatrixClass::positive_definite, make_wide_cholmod},
           {"MumpsSymmetric", MatrixClass::symmetric, make_symmetric_mumps, has_mumps()},
           {"MumpsUnsymmetric", MatrixClass::unsymmetric, make_unsymmetric_mumps, has_mumps()},
           {"Multifrontal", MatrixClass::unsymmetric, make_multifrontal_with_umfpack},

@@ -72,9 +72,19 @@ TEST(KeptAnalyses, AreNotTakenFromWhoStillUsesThem) {
 
 TEST(KeptAnalyses, AreGivenUpWhereTheFactorIsLarge) {
   Kept kept(1e9);
-  kept.analyse(6);
-  kept.analyse(6);
+  for (int time = 0; time < 2; ++time) {
+    const auto factorisation = kept.make(MatrixClass::unsymmetric);
+    factorisation->analyse(diagonal(6));
+    factorisation->factorise({});
+  }
   EXPECT_EQ(kept.analyses, 2);
+}
+
+TEST(KeptAnalyses, AreKeptWhereTheFactorWouldBeLargeAndThereIsNone) {
+  Kept kept(1e9);
+  kept.analyse(6);
+  kept.analyse(6);
+  EXPECT_EQ(kept.analyses, 1);
 }
 
 // MUMPS may have asked for more and more room before it failed.

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/umfpack.hpp"
 #include "tests/unit/solvers/factorisation/solving.hpp"
 
@@ -183,6 +184,25 @@ TEST_F(Multifrontal, KnowsTheSizeOfAFactorThatIsDense) {
   factorisation->analyse(matrix.pattern);
   EXPECT_EQ(factorisation->factor_entries(), 9);  // L without its diagonal of ones, and U
   EXPECT_EQ(factorisation->factor_flops(), 18);   // 2/3 n³
+}
+
+// Its factors alone would take more than 20 GB: they are only laid out.
+TEST_F(Multifrontal, LaysOutFactorsOfMoreEntriesThan32BitsCount) {
+  const SparsePattern lattice = make_lattice(70, 3, false);
+  const auto factorisation = make(OrderingMethod::metis);
+  factorisation->analyse(lattice);
+  EXPECT_GT(factorisation->factor_entries(), kMostOf32Bits);
+  EXPECT_GT(factor_bytes_of(*factorisation), 8 * kMostOf32Bits);
+}
+
+TEST_F(Multifrontal, ForeseesTheMemoryOfItsFactors) {
+  const TestMatrix net = make_net_matrix({.rings = 100, .nodes_per_ring = 100, .symmetric = false});
+  const auto factorisation = make();
+  factorisation->analyse(net.pattern);
+  const double before = allocated_bytes();
+  solve_again(*factorisation, net);
+  EXPECT_NEAR(factor_bytes_of(*factorisation), allocated_bytes() - before,
+              0.05 * factor_bytes_of(*factorisation));
 }
 
 }  // namespace

@@ -151,6 +151,26 @@ double TestMatrix::backward_error(std::span<const double> x, std::span<const dou
 
 TestMatrix make_net_matrix(const NetOptions& options) { return NetBuilder(options).build(); }
 
+SparsePattern make_lattice(std::int32_t side, std::int32_t unknowns_per_node, bool symmetric) {
+  const std::int32_t area = side * side, nodes = area * side, m = unknowns_per_node;
+  const auto has = [&](std::int32_t node, std::int32_t step) {
+    const std::int32_t lines = (step < 0 ? -step : step) * side;  // what the step stays within
+    return step == 0 || (node + step >= 0 && node + step < nodes && (node + step) / lines == node / lines);
+  };
+  SparsePattern pattern;
+  pattern.size = m * nodes, pattern.symmetric = symmetric, pattern.column_start = {0};
+  for (std::int32_t column = 0; column < pattern.size; ++column) {
+    const std::int32_t node = column / m;
+    for (const std::int32_t step : {-area, -side, -1, 0, 1, side, area})
+      for (std::int32_t i = 0; has(node, step) && i < m; ++i)
+        if (const std::int32_t row = m * (node + step) + i; !symmetric || row >= column)
+          pattern.row.push_back(row);
+    pattern.column_start.push_back(static_cast<std::int32_t>(pattern.row.size()));
+    pattern.node.push_back(node);
+  }
+  return pattern;
+}
+
 TestMatrix make_dense_matrix(const std::vector<std::vector<double>>& rows, bool symmetric) {
   std::vector<Entry> entries;
   std::vector<std::int32_t> node;

@@ -36,6 +36,10 @@ struct NetOptions {
 
 TestMatrix make_net_matrix(const NetOptions& options);
 
+/// The pattern of a cubic lattice of side³ nodes with so many unknowns each, six neighbours: a factor of few
+/// unknowns with many entries.
+SparsePattern make_lattice(std::int32_t side, std::int32_t unknowns_per_node, bool symmetric);
+
 /// Makes a matrix from full rows, small enough to write down. Every unknown is a node.
 TestMatrix make_dense_matrix(const std::vector<std::vector<double>>& rows, bool symmetric);
 

@@ -54,6 +54,17 @@ TEST(NodeGraph, IsTheSameForTheFullPatternAndTheLowerTriangle) {
   for (int v = 0; v < lower.size; ++v) EXPECT_EQ(sorted_column(lower, v), sorted_column(full, v));
 }
 
+TEST(NodeGraph, IsRefusedWhereItHasMoreEdgesThanMetisCounts) {
+  const SparsePattern pattern = small_pattern();  // 3 nodes, their own entries and two edges
+  EXPECT_EQ(make_node_graph(pattern, 10).size, 3);
+  try {
+    make_node_graph(pattern, 9);
+    FAIL() << "a graph with too many edges was accepted";
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("more than the 9 edges that METIS counts"), std::string::npos);
+  }
+}
+
 TEST(NodeGraph, OfNothingIsEmpty) {
   const NodeGraph graph = make_node_graph({0, {0}, {}, {}, true, {}, 0});
   EXPECT_EQ(graph.size, 0);

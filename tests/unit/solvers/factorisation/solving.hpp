@@ -3,6 +3,7 @@
 // Helpers for tests of factorisations: a right-hand side, and the error of its solution.
 #pragma once
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cmath>
 
@@ -11,6 +12,14 @@
 namespace netloft {
 
 inline constexpr double kRoundOff = 1e-14;  // backward error of a stable factorisation: some tens of eps
+
+inline constexpr double kMostOf32Bits = 2147483647;  // that an index of 32 bits counts
+
+/// What malloc has given out.
+inline double allocated_bytes() {
+  const auto info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
 
 inline std::vector<double> made_up_vector(std::int32_t size) {
   std::vector<double> b(size);
