@@ -107,7 +107,7 @@ struct MarchWatch {
 ///   h ← h · 0.9 (accuracy/error)^(1/order), within [1/5, 2] h                              (1)
 /// Where the error of a step is of order p in h, sums over the steps of a path fall with the power (p − 1)/p
 /// of what is allowed for one. Paths shall be as accurate as is asked, so that below a, 1e-2,
-///   allowed = a (accuracy/a)^(p/(p − 1))                                                   (2)
+///   allowed = a (accuracy/a)^(p/(p − 1)),  p = 2 with members that go slack and taut     (2)
 /// (tolerance proportionality: M. Calvo, D. J. Higham, J. I. Montijano, L. Rández, "Stepsize selection for
 /// tolerance proportionality in explicit Runge-Kutta codes", Adv. Comput. Math. 7, 1997).
 /// A march whose energy comes out of nothing (energy_judge.hpp) has failed, however smoothly it steps on.

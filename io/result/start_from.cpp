@@ -41,39 +41,111 @@ class Carrier {
       : result_(result),
         loaded_(loaded),
         x_(result.points(result.times.empty() ? 0 : result.times.size() - 1)),
-        positions_(loaded.scene.positions) {}
+        images_(x_),
+        positions_(loaded.scene.positions) {
+    for (std::size_t y = 1; y < images_.size(); y += 3) images_[y] *= -1;
+  }
 
   std::vector<double> carry() {
     const auto there = numbers_of(result_), here = numbers_of(loaded_);
     bool has_any = false;
     for (std::size_t p = 0; p < loaded_.scene.parts.size(); ++p) {
-      const auto part = find_part(result_, loaded_.scene.parts[p].name);
-      if (!part || loaded_.scene.parts[p].companion) continue;
+      const Source from = source_of(loaded_.scene.parts[p].name);
+      if (!from.part || loaded_.scene.parts[p].companion) continue;
       has_any = true;
-      if (are_alike(there[*part], here[p]))
-        copy(there[*part], here[p]);
+      const std::vector<double>& x = from.side == Side::port ? images_ : x_;
+      if (from.side == Side::both && is_divided(p))
+        carry_halves(*from.part, p);
+      else if (are_alike(there[*from.part], here[p]) && (from.side == Side::all || !is_divided(p)))
+        copy(there[*from.part], here[p], x);
       else
-        carry_division(*part, p);
+        carry_division(*from.part, p, x);
     }
     if (!has_any) throw FileError(result_.path.string() + " has none of the parts of " + loaded_.scene.name);
     return std::move(positions_);
   }
 
  private:
-  void copy(const Numbers& there, const Numbers& here) {
+  /// Which half of a part the result has: that to starboard of one in the middle, or of a pair the one to
+  /// starboard, of which that to port is the mirror image. Halves and wholes number the nodes of netting and
+  /// ropes in other ways.
+  enum class Side { all, both, starboard, port };
+  struct Source {
+    std::optional<std::uint32_t> part;
+    Side side = Side::all;
+  };
+  Source source_of(const std::string& name) const {
+    const bool from_half = result_.is_half && loaded_.gear && loaded_.gear->times == 1;
+    if (from_half)
+      for (const std::string side : {"starboard-", "port-"})
+        if (name.starts_with(side))
+          if (const auto part = find_part(result_, name.substr(side.size())))
+            return {part, side == "port-" ? Side::port : Side::starboard};
+    return {find_part(result_, name), from_half ? Side::both : Side::all};
+  }
+  bool is_rope(std::size_t part) const {
+    const Part& p = loaded_.scene.parts[part];
+    return p.data.contains("rest_length") && p.nodes.size() >= 2;
+  }
+  bool is_divided(std::size_t part) const { return is_rope(part) || !loaded_.parts[part].panel.empty(); }
+
+  void copy(const Numbers& there, const Numbers& here, const std::vector<double>& x) {
     for (auto from = there.begin(), to = here.begin(); to != here.end(); ++from, ++to)
-      std::copy_n(x_.begin() + 3 * std::ptrdiff_t{from->second}, 3,
+      std::copy_n(x.begin() + 3 * std::ptrdiff_t{from->second}, 3,
                   positions_.begin() + 3 * std::ptrdiff_t{to->second});
   }
 
-  void carry_division(std::uint32_t there, std::size_t here) {
-    const Part& part = loaded_.scene.parts[here];
-    if (part.data.contains("rest_length") && part.nodes.size() >= 2) {
-      if (const Part rope = rope_of(there); !rope.nodes.empty()) carry_rope(rope, x_, part, positions_);
+  void carry_division(std::uint32_t there, std::size_t here, const std::vector<double>& x) {
+    if (is_rope(here)) {
+      if (const Part rope = rope_of(there); !rope.nodes.empty())
+        carry_rope(rope, x, loaded_.scene.parts[here], positions_);
     } else if (!loaded_.parts[here].panel.empty()) {
       if (const Part panel = panel_of(there); !panel.nodes.empty())
-        carry_panel(panel, x_, places_of(loaded_.parts[here]), positions_);
+        carry_panel(panel, x, places_of(loaded_.parts[here]), positions_);
     }
+  }
+
+  /// What is there is to starboard, and here are both halves.
+  void carry_halves(std::uint32_t there, std::size_t here) {
+    if (is_rope(here)) {
+      if (const Part rope = rope_of(there); !rope.nodes.empty())
+        carry_rope(whole_rope(rope), both_halves(), loaded_.scene.parts[here], positions_);
+    } else if (const Part panel = panel_of(there); !panel.nodes.empty()) {
+      carry_panel(whole_panel(panel), both_halves(), places_of(loaded_.parts[here]), positions_);
+    }
+  }
+
+  /// All nodes of the result, and then their mirror images.
+  std::vector<double> both_halves() const {
+    std::vector<double> x = x_;
+    x.insert(x.end(), images_.begin(), images_.end());
+    return x;
+  }
+  std::uint32_t image_of(std::uint32_t node) const {
+    return node + static_cast<std::uint32_t>(x_.size() / 3);
+  }
+
+  /// From port to starboard, of a rope that starts on the plane.
+  Part whole_rope(const Part& half) const {
+    Part whole;
+    for (auto node = half.nodes.rbegin(); node != half.nodes.rend(); ++node)
+      whole.nodes.push_back(image_of(*node));
+    whole.nodes.insert(whole.nodes.end(), half.nodes.begin(), half.nodes.end());
+    const std::vector<double>& lengths = half.data.at("rest_length");
+    std::vector<double>& all = whole.data["rest_length"];
+    all.assign(lengths.rbegin(), lengths.rend());
+    all.insert(all.end(), lengths.begin(), lengths.end());
+    return whole;
+  }
+
+  /// Places to port have a negative U.
+  Part whole_panel(const Part& half) const {
+    Part whole = half;
+    for (const auto node : half.nodes) whole.nodes.push_back(image_of(node));
+    for (const double u : half.data.at("u")) whole.data["u"].push_back(-u);
+    const std::vector<double>& v = half.data.at("v");
+    whole.data["v"].insert(whole.data["v"].end(), v.begin(), v.end());
+    return whole;
   }
 
   /// The bars of a rope in the result, with their lengths there.
@@ -120,7 +192,7 @@ class Carrier {
 
   const StoredResult& result_;
   const LoadedScene& loaded_;
-  std::vector<double> x_, positions_;
+  std::vector<double> x_, images_, positions_;  // images_: across the plane of symmetry, y = 0
 };
 
 }  // namespace

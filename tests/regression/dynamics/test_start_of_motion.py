@@ -103,6 +103,23 @@ class StartOfMotion(unittest.TestCase):
         self.assertLess(distance[8], 1e-8)
         self.assertGreater(distance[16], 1e-3)
 
+    def test_of_a_whole_gear_is_that_of_its_half(self):
+        """As near as their meshes let it be, and statics find from there what they find from the sketch, to its digits."""
+        gear, fine = SCENES / "83-112-flume-3.0kn.toml", ["gear.nodes=250", "analysis.tolerance=1e-9"]
+        of_whole = ["gear.extent=whole", 'hold=[{on="starboard-towing-point"},{on="port-towing-point"}]']
+        self.run_to_the_end(gear, "half.hdf", fine)
+        whole = self.run_to_the_end(gear, "whole.hdf", fine + of_whole)
+        moment = fine + of_whole + ["analysis.kind=dynamic", "analysis.duration=0.001", "analysis.output_interval=0"]
+        self.run_to_the_end(gear, "begun.hdf", moment + [f"analysis.start={self.file('half.hdf')}"])
+        begun, found = self.places("begun.hdf")[0], self.places("whole.hdf")[-1]
+        self.assertLess(np.abs(begun - found).max() / np.max(found.max(axis=0) - found.min(axis=0)), 0.01)
+        words = [NETLOFT, "run", gear, "--json", "--threads", "1", "-o", self.file("again.hdf"), "--start-from", self.file("half.hdf")]
+        for setting in fine + of_whole:
+            words += ["--set", setting]
+        again = json.loads(subprocess.run(words, capture_output=True, text=True, check=True).stdout)
+        for name, value in whole["results"].items():
+            self.assertAlmostEqual(again["results"][name] / value, 1, delta=1e-6)
+
     def test_is_nowhere_else(self):
         for word, says in (("equilibirum", 'did you mean "equilibrium"?'), ("found", "ends in .hdf"), ('""', "is no place to begin"),
                            ("none.hdf", "there is no such file"), ("trawl.toml", "ends in .hdf"), ("3", "a text is expected")):

@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Errors of motions against `accuracy`, and which motions end right, wrong or lost, scheme by scheme.
+
+    motions.py NETLOFT SOURCE_FOLDER [--scenes snap,chain] [--schemes "newmark|arkode"] [--accuracies 1e-1,1e-2,1e-3,1e-4]
+
+Prints two tables as Markdown. Errors are those of the node that is worst at any output, and of one that a person looks at (the
+ball, an end, a corner), over the extent of all paths, against a run of the energy-momentum scheme at a tenth of the finest
+accuracy; `reference` is how far generalized-alpha is from it at the same accuracy. The order is the slope of the second error.
+A motion has ended right if the node that one looks at is within 2 %, wrong if it was called finished and is further off, and
+lost where the program says so. `made` is energy out of nothing over what was given.
+"""
+import argparse
+import json
+import subprocess
+import tempfile
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+SCHEMES = {
+    "generalized-alpha": [], "gen.-alpha, radius 0.8": ["analysis.generalized-alpha.spectral_radius=0.8"],
+    "newmark": [], "central-difference": [], "energy-momentum": [], "arkode": [],
+}
+WATCHED = {"snap": 4, "chain": 16, "heave": 10, "gust": -1, "bars": -1, "panel": -1}  # node
+RIGHT = 0.02   # of the extent of the paths
+SECONDS = 120  # of processor time, after which a run is given up
+
+
+def run(netloft, scene, scheme, accuracy, folder, more=()):
+    """Answer as JSON, or the sentence of a run that did not end, and places of nodes by output."""
+    out = Path(folder) / "out.hdf"
+    name = "generalized-alpha" if scheme.startswith("gen") else scheme
+    words = [netloft, "run", scene, "--json", "--threads", "1", "--overwrite", "-o", out]
+    for setting in [f"analysis.integrator={name}", f"analysis.accuracy={accuracy}", f"analysis.max_seconds={SECONDS}",
+                    *SCHEMES[scheme], *more]:
+        words += ["--set", setting]
+    ended = subprocess.run(words, capture_output=True, text=True, check=False)
+    try:
+        answer = json.loads(ended.stdout)
+    except json.JSONDecodeError:
+        return {"status": "refused", "reason": (ended.stderr.strip() or "no words").splitlines()[0]}, None
+    if "steps" not in answer:
+        return {"status": "refused", "reason": answer["reason"]}, None
+    if answer["status"] != "finished":
+        return answer, None
+    with h5py.File(answer["output"]) as f:
+        points, count = f["VTKHDF/Points"][()], f["VTKHDF/NumberOfPoints"][0]
+        return answer, np.array([points[first:first + count] for first in f["VTKHDF/Steps/PointOffsets"][()]])
+
+
+def extent(paths):
+    return np.linalg.norm(paths.max(axis=0) - paths.min(axis=0), axis=-1).max()
+
+
+def error(paths, reference, node):
+    """Of the node that is worst, and of one that a person looks at."""
+    all_nodes = np.linalg.norm(paths - reference, axis=-1)
+    return all_nodes.max() / extent(reference), all_nodes[:, node].max() / extent(reference)
+
+
+def made(answer):
+    """Energy that came out of nothing, over what moved at the most [1]; none: not known."""
+    loss = answer.get("numerical_loss")
+    return max(0.0, -loss["lost"]) / loss["given"] if loss and loss["given"] else None
+
+
+def row(asked, file, scheme, accuracies, folder, reference, count):
+    """Cells of a scheme in one scene; what became of its motions is added to `count`."""
+    errors, most, cells, cpu = [], 0.0, [], 0.0
+    for accuracy in accuracies:
+        answer, paths = run(asked.netloft, file, scheme, accuracy, folder)
+        cpu = answer.get("cpu_seconds", 0)
+        if answer["status"] == "refused":
+            return "not built |"
+        if paths is None:
+            cells.append("lost")
+            count["lost"] += 1
+            continue
+        worst, watched = error(paths, reference, WATCHED[file.stem])
+        errors.append((float(accuracy), watched))
+        most = max(most, made(answer) or 0)
+        count["right" if watched <= RIGHT else "wrong"] += 1
+        cells.append(f"{worst:.0e}, {watched:.0e}")
+    order = f"{np.polyfit(*np.log10(np.array(errors)).T, 1)[0]:.2f}" if len(errors) > 1 else "-"
+    return " | ".join(cells) + f" | {order} | {most:.0e} | {cpu:.2g} |"
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("netloft")
+    words.add_argument("source", type=Path)
+    words.add_argument("--scenes", default=",".join(WATCHED))
+    words.add_argument("--schemes", default="|".join(SCHEMES))
+    words.add_argument("--accuracies", default="1e-1,1e-2,1e-3,1e-4")
+    asked = words.parse_args()
+    accuracies = asked.accuracies.split(",")
+    schemes = asked.schemes.split("|")
+    counts = {scheme: {"right": 0, "wrong": 0, "lost": 0} for scheme in schemes}
+    print("| scene | scheme | " + " | ".join(accuracies) + " | order | made | CPU s at the finest |")
+    print("|---|---|" + "---|" * (len(accuracies) + 3))
+    with tempfile.TemporaryDirectory() as folder:
+        for scene in asked.scenes.split(","):
+            file = asked.source / "tests" / "bench" / "motions" / (scene + ".toml")
+            finest = f"{0.1 * float(accuracies[-1]):.0e}"
+            answer, reference = run(asked.netloft, file, "energy-momentum", finest, folder)
+            if reference is None:
+                print(f"| {scene} | reference: {answer['reason']} |", flush=True)
+                continue
+            other = run(asked.netloft, file, "generalized-alpha", finest, folder)[1]
+            apart = "lost" if other is None else "{:.0e}, {:.0e}".format(*error(other, reference, WATCHED[scene]))
+            print(f"| {scene} | reference, {answer['steps']} steps | {apart} |", flush=True)
+            for scheme in schemes:
+                print(f"| {scene} | {scheme} | " + row(asked, file, scheme, accuracies, folder, reference, counts[scheme]), flush=True)
+    print("\n| scheme | finished right | finished wrong | said lost |\n|---|---|---|---|")
+    for scheme, count in counts.items():
+        print(f"| {scheme} | {count['right']} | {count['wrong']} | {count['lost']} |")
+
+
+if __name__ == "__main__":
+    main()

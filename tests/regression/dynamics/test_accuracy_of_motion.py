@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Accuracy of a motion: what was asked and what it came to is told, and errors fall with it in spite of snaps.
+
+    test_accuracy_of_motion.py NETLOFT SOURCE_FOLDER
+"""
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+NETLOFT, MOTIONS = sys.argv[1], Path(sys.argv[2]) / "tests" / "bench" / "motions"
+BALL = 4  # node of snap.toml
+# A chain sketched a fifth too short, so that its bars are thrown apart and tighten within a step.
+SHORT_CHAIN = ["parts.chain.sketch=[[0,0,-8],[3,0,-7.2]]", "parts.chain.rope.EA_compression=856", "analysis.duration=0.3"]
+
+
+class AccuracyOfMotion(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.output = Path(self.folder.name) / "out.hdf"
+
+    def ask(self, scene, *settings, text=False):
+        words = [NETLOFT, "run", MOTIONS / (scene + ".toml"), "--threads", "1", "--overwrite", "-o", self.output]
+        for setting in settings:
+            words += ["--set", setting]
+        ended = subprocess.run(words + ([] if text else ["--json"]), capture_output=True, text=True, check=False)
+        self.assertEqual(ended.returncode, 0, ended.stderr + ended.stdout)
+        return ended.stdout if text else json.loads(ended.stdout)
+
+    def path_of_ball(self, accuracy):
+        self.ask("snap", f"analysis.accuracy={accuracy}")
+        with h5py.File(self.output) as f:
+            return np.array([f["VTKHDF/Points"][first + BALL] for first in f["VTKHDF/Steps/PointOffsets"][()]])
+
+    def test_is_told_in_the_report_in_json_and_in_the_result(self):
+        told = self.ask("snap", "analysis.accuracy=1e-3")["accuracy"]
+        self.assertEqual(told["asked"], 1e-3)
+        self.assertAlmostEqual(told["allowed"], 1e-4, delta=1e-16)
+        self.assertLessEqual(told["largest"], told["allowed"])
+        self.assertGreater(told["largest"], 0.5 * told["allowed"])
+        self.assertGreater(told["sum"], told["largest"])
+        self.assertRegex(told["node"], r"rope node \d")
+        with h5py.File(self.output) as f:
+            for name in ("asked", "allowed", "largest", "sum"):
+                self.assertEqual(f["netloft/accuracy/" + name][()], told[name])
+        self.assertRegex(self.ask("snap", "analysis.accuracy=1e-3", text=True),
+                         r"accuracy 0\.001 asked, 0\.0001 allowed for one step; [\d.e-]+ at most, at t = [\d.]+ s at rope node \d")
+
+    def test_of_given_steps_is_not_told(self):
+        self.assertIsNone(self.ask("snap", "analysis.adaptive=false", "analysis.step=1e-3")["accuracy"])
+
+    def test_is_what_errors_after_a_snap_fall_with(self):
+        reference = self.path_of_ball(1e-5)
+        errors = [np.linalg.norm(self.path_of_ball(a) - reference, axis=-1).max() for a in (1e-2, 1e-3, 1e-4)]
+        self.assertLess(errors[1], 0.3 * errors[0])
+        self.assertLess(errors[2], 0.02 * errors[0])
+
+    def test_of_a_damper_that_sets_in_within_a_step_makes_no_energy(self):
+        answer = self.ask("chain", *SHORT_CHAIN, "analysis.integrator=energy-momentum")
+        self.assertGreater(answer["energies"]["loss_work"], 0)
+        self.assertGreater(answer["numerical_loss"]["lost"], -1e-6 * answer["numerical_loss"]["given"])
+
+    def test_of_explicit_steps_keeps_to_what_taut_members_allow(self):
+        for scene in ("snap", "heave"):
+            with self.subTest(scene=scene):
+                answer = self.ask(scene, "analysis.integrator=central-difference")
+                self.assertLess(answer["stable_step"], 0.01)
+                self.assertLessEqual(answer["longest_step"], 0.6 * answer["stable_step"] * (1 + 1e-12))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
