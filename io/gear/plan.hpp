@@ -97,7 +97,9 @@ struct Rope {
   std::optional<double> tension, tension_port;
   std::string role;  // one of rope_roles(); empty: none
   Place role_place;
-  std::array<std::string, 2> between;  // points at its ends; empty: none
+  std::array<std::string, 2> between;        // points at its ends; empty: none
+  std::vector<std::array<double, 2>> winch;  // t [s], and how much more of it is out than at the start [m]
+  Place winch_place;
   bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
   Place place, between_place;
 };
@@ -156,12 +158,20 @@ struct PlanBody {
   Place place;
 };
 
+/// How a ship goes at a time: straight between times, and as at the last one beyond.
+struct ShipMoment {
+  double t;        // [s]
+  double speed;    // over the ground [m/s]
+  double heading;  // from where it went at the start, to starboard [rad]
+};
+
 /// The ship that tows the gear: it makes the points and the ropes `block` and `warp`.
 struct Ship {
   double speed = 0;                        // over the ground [m/s]
   double block_height = 0, block_gap = 0;  // above the water, between those to port and to starboard [m]
   double efficiency = 0;                   // towing power over the heat of the fuel; 0: not known
-  Place place, speed_place;
+  std::vector<ShipMoment> path;            // in a motion; empty: straight on
+  Place place, speed_place, path_place;
 };
 
 inline constexpr const char *kBlock = "block", *kWarp = "warp";

@@ -4,6 +4,9 @@
 #include "io/gear/names.hpp"
 #include "io/gear/plan_reader.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace netloft::io {
 
 namespace {
@@ -45,6 +48,88 @@ std::string end_of_warp(const NetPlan& plan, TableReader& warp) {
   return {};
 }
 
+const Range kTimes{0, 1e9};
+
+/// The column `t` of a table in time: from zero on, each later than the one before.
+std::vector<double> read_times(TableReader& table) {
+  const auto t = table.reals("t", {.unit = "s", .doc = "times", .range = kTimes, .count = {.least = 2}});
+  if (!t.empty() && t[0] != 0) table.error("t", "does not begin at 0, where the gear is towed steadily");
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (!(t[i] > t[i - 1])) {
+      table.error("t", "does not ascend: each time must be later than the one before");
+      break;
+    }
+  return t;
+}
+
+/// A column beside the times; `start` where it is left out, and what it has to begin with.
+std::vector<double> read_column(TableReader& table, const std::string& key, const RealsSpec& spec,
+                                double start, const std::string& why) {
+  if (!table.has(key)) return std::vector<double>(spec.count.least, start);
+  auto column = table.reals(key, spec);
+  if (!column.empty() && std::abs(column[0] - start) > 1e-9 * (1 + std::abs(start)))
+    table.error(key, "begins with another value than " + why);
+  column.resize(spec.count.least, start);
+  return column;
+}
+
+std::vector<ShipMoment> read_path(TableReader& path, double speed) {
+  const auto t = read_times(path);
+  const auto speeds = read_column(
+      path, "speed",
+      {.unit = "m/s", .doc = "over the ground", .range = between(0, 50), .count = exactly(t.size())}, speed,
+      "ship.speed, with which the gear is towed until then");
+  const auto headings = read_column(
+      path, "heading",
+      {.unit = "rad", .doc = "turned to starboard", .range = between(-100, 100), .count = exactly(t.size())},
+      0, "0, the heading of the tow");
+  std::vector<ShipMoment> moments;
+  for (std::size_t i = 0; i < t.size(); ++i) moments.push_back({t[i], speeds[i], headings[i]});
+  return moments;
+}
+
+constexpr int kPartsOfSpeedingUp = 8;  // straight lengths for one change of the speed of a winch
+
+/// Lengths that speeds straight between times pay out.
+void add_paid_out(const std::vector<double>& t, const std::vector<double>& v, Rope& warp) {
+  warp.winch.push_back({0, 0});
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    const int parts = v[i] == v[i - 1] ? 1 : kPartsOfSpeedingUp;
+    const std::array<double, 2> from = warp.winch.back();
+    for (int k = 1; k <= parts; ++k) {
+      const double s = double(k) / parts, h = t[i] - t[i - 1];
+      warp.winch.push_back({t[i - 1] + s * h, from[1] + h * s * (v[i - 1] + 0.5 * s * (v[i] - v[i - 1]))});
+    }
+  }
+}
+
+/// `winch = { t, length }` or `{ t, speed }`, of both warps.
+void read_winch(TableReader& winch, Rope& warp) {
+  const auto t = read_times(winch);
+  warp.winch_place = winch.place();
+  if (winch.has("length") == winch.has("speed"))
+    return winch.error(winch.has("speed") ? "speed" : "length",
+                       "or speed says how the winch runs; give one of them");
+  if (winch.has("speed")) {
+    const RealsSpec spec{.unit = "m/s",
+                         .doc = "paying out; negative: hauling",
+                         .range = between(-50, 50),
+                         .count = exactly(t.size())};
+    const auto v = winch.reals("speed", spec);
+    if (v.size() == t.size()) add_paid_out(t, v, warp);
+  } else {
+    const auto lengths = read_column(
+        winch, "length",
+        {.unit = "m", .doc = "of warp that is out", .range = {0, 1e5, true}, .count = exactly(t.size())},
+        warp.length, "warp.length, which is out at the start");
+    for (std::size_t i = 0; i < t.size(); ++i) warp.winch.push_back({t[i], lengths[i] - warp.length});
+  }
+  const double shortest = std::min(warp.length, warp.length_port.value_or(warp.length));
+  for (const auto& [time, more] : warp.winch)
+    if (!(shortest + more > 0))
+      return winch.error(winch.has("speed") ? "speed" : "length", "hauls more warp than there is");
+}
+
 Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogue) {
   Rope rope;
   rope.name = rope.role = kWarp, rope.place = rope.role_place = warp.place();
@@ -61,6 +146,13 @@ Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogu
     if (!warp.has("tension"))
       warp.error("tension_port", "stands alone; of the warp to starboard nothing is said",
                  "tension beside it, or tension alone for both");
+  }
+  if (warp.has("winch")) {
+    if (warp.has("tension"))
+      warp.error("winch", "stands beside tension, by which the length at the start is found",
+                 "run it with the tension once, and write the length that it found");
+    TableReader winch = warp.table("winch");
+    read_winch(winch, rope);
   }
   rope.between = {kBlock, end_of_warp(plan, warp)};
   rope.between_place = warp.place(warp.has("to") ? "to" : "length");
@@ -86,6 +178,10 @@ void add_ship(NetPlan& plan, TableReader& table, const Catalogue& catalogue) {
   if (table.has("efficiency"))
     ship.efficiency = table.real(
         "efficiency", {.unit = "1", .doc = "towing power over the heat of the fuel", .range = {0, 1, true}});
+  if (table.has("path")) {
+    TableReader path = table.table("path");
+    ship.path = read_path(path, ship.speed), ship.path_place = path.place();
+  }
   TableReader block = table.table(kBlock, Presence::optional), warp = table.table(kWarp);
   ship.block_height = block.real(
       "height",

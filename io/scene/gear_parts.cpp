@@ -9,6 +9,7 @@
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/riding.hpp"
+#include "io/scene/ship_course.hpp"
 #include "io/scene/thickness.hpp"
 #include "io/toml/merge.hpp"
 
@@ -34,6 +35,17 @@ void drop_unknown_numbers(Table& numbers, const ElementType& type, const std::st
 void put(Table& table, const std::string& key, Value value) {
   const Place place = value.place;
   table.members.push_back({key, place, std::move(value)});
+}
+
+/// `length_share` of a warp that is paid out and hauled: lengths over that at the start.
+Value shares_of(const io::Rope& rope, double length) {
+  const Place place = rope.winch_place;
+  Array t, share;
+  for (const auto& [time, more] : rope.winch)
+    t.items.push_back({place, time}), share.items.push_back({place, 1 + more / length});
+  Table table;
+  put(table, "t", {place, std::move(t)}), put(table, "share", {place, std::move(share)});
+  return {place, std::move(table)};
 }
 
 /// Whether `nodes = "knots"`, beside which no other key says how fine the mesh is.
@@ -129,6 +141,13 @@ void GearParts::check_halves(TableReader& table) const {
     if (body.stands != io::Standing::pair)
       table.error("extent", "= \"half\", and " + in_quotes(body.name) + " is a body that stands once",
                   "extent = \"whole\"; half a body is none");
+  if (plan_.ship)
+    for (const auto& moment : plan_.ship->path)
+      if (moment.heading != 0) {
+        table.error("extent", "= \"half\", and the ship turns",
+                    "extent = \"whole\", or leave out ship.path.heading");
+        break;
+      }
   for (const auto& rope : plan_.ropes)
     if (rope.length_port.value_or(rope.length) != rope.length)
       table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another length to port",
@@ -287,7 +306,12 @@ void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
     geometry.elements.insert(geometry.elements.end(), {i, i + 1});
   geometry.data["rest_length"] = mesh.rest_lengths;
   keep_strength(draft_.out, rope.name, rope.rope->rope, 1, rope.rope->part_name);
-  add_part("ropes", rope.name, "ropes." + rope.rope->name, rope.rope->rope, !rope.rope->part_name.empty(),
+  Value numbers = rope.rope->rope;
+  if (!rope.rope->winch.empty() && numbers.as<Table>())
+    put(*numbers.as<Table>(), "length_share",
+        shares_of(*rope.rope,
+                  rope.is_mirrored ? rope.rope->length_port.value_or(rope.rope->length) : rope.rope->length));
+  add_part("ropes", rope.name, "ropes." + rope.rope->name, std::move(numbers), !rope.rope->part_name.empty(),
            std::move(geometry), mesh.nodes);
 }
 
@@ -429,6 +453,8 @@ void GearParts::hold_blocks() {
     hold.nodes.push_back(node), hold.axes.push_back(kAllAxes);
     scene.held[node] = kAllAxes;
     std::copy(point.at->begin(), point.at->end(), scene.positions.begin() + 3 * std::ptrdiff_t{node});
+    if (!plan_.ship->path.empty())
+      scene.guides.push_back({{node}, {kAllAxes}, course_of_block(*plan_.ship, (*point.at)[1])});
   }
   draft_.out.holds.push_back(std::move(hold));
   set_winches();

@@ -486,6 +486,14 @@ class SceneReader {
     for (auto& hold : guides_)
       hold.error(hold.has("velocity") ? "velocity" : "displacement", "nothing moves in a static analysis",
                  "kind = \"dynamic\" in [analysis], or leave it out");
+    if (!plan_) return;
+    const auto refuse = [&](const char* what, Place place) {
+      diagnostics_.error(place, std::string(what) + ": nothing moves in a static analysis",
+                         "kind = \"dynamic\" in [analysis], or leave it out");
+    };
+    if (plan_->ship && !plan_->ship->path.empty()) refuse("ship.path", plan_->ship->path_place);
+    for (const auto& rope : plan_->ropes)
+      if (!rope.winch.empty()) refuse("ship.warp.winch", rope.winch_place);
   }
 
   void check_hold_name(const HoldEntry& entry, TableReader& table) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/scene/course.hpp"
+#include "io/gear/plan.hpp"
+
+namespace netloft::io {
+
+/// The way of a block that is `across` the ship's middle, to starboard [m], as seen by who goes on steadily
+/// as the ship did at the start, to -x with the speed V₀. With V its speed over the ground and ψ its heading,
+/// to starboard,
+///   way = ∫ (V₀ − V cos ψ, V sin ψ, 0) dt + across (sin ψ, cos ψ − 1, 0)                   (1)
+/// V and ψ are straight between the moments of the path.
+Course course_of_block(const Ship& ship, double across);
+
+}  // namespace netloft::io
