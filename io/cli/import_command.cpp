@@ -39,6 +39,8 @@ void print_check(const FolderCheck& check) {
     std::puts(fmt::format("{:<50} {}", gear.name, verdict_of(gear)).c_str());
     for (const auto& line : gear.lines) std::puts(("    " + line).c_str());
   }
+  for (const auto& [feature, gears] : check.features)
+    std::puts(fmt::format("needed in {:>5}: {}", gears, feature).c_str());
   for (const auto& [need, gears] : check.needs)
     std::puts(fmt::format("left out in {:>3}: {}", gears, need).c_str());
   std::puts(fmt::format("{} of {} convert without a line left out", check.whole, check.gears.size()).c_str());
@@ -51,9 +53,16 @@ int check_gears(const Options& options) {
     print_check(check);
     return kDone;
   }
-  Json json = {{"status", "done"}, {"whole", check.whole}, {"needs", check.needs}, {"gears", Json::array()}};
+  Json json = {{"status", "done"},
+               {"whole", check.whole},
+               {"needs", check.needs},
+               {"features", check.features},
+               {"gears", Json::array()}};
   for (const auto& gear : check.gears)
-    json["gears"].push_back({{"name", gear.name}, {"verdict", verdict_of(gear)}, {"lines", gear.lines}});
+    json["gears"].push_back({{"name", gear.name},
+                             {"verdict", verdict_of(gear)},
+                             {"lines", gear.lines},
+                             {"features", gear.features}});
   print(json);
   return kDone;
 }

@@ -164,6 +164,9 @@ struct MeshFile {
   bool is_of_another_gear = false;  // rows speak of what the .don has not: the mesh is older
 };
 
+/// What a gear is made of and asks for, in words, for a table of many gears.
+std::vector<std::string> features_of(const GearFile& gear);
+
 /// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are located in source `file`; after an
 /// error what could be read is returned.
 GearFile read_gear(const std::string& text, int file, Diagnostics& diagnostics);

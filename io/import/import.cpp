@@ -109,6 +109,7 @@ std::vector<femnet::Finding> convert(const ImportRequest& request, Diagnostics& 
   const int file = diagnostics.add_source(request.gear.string(), *text);
   auto gear = femnet::read_gear(*text, file, diagnostics);
   if (diagnostics.errors()) return gear.findings;
+  out.features = femnet::features_of(gear);
   const auto [mesh, mesh_name] = find_mesh(request, gear, diagnostics);
   if (diagnostics.errors()) return gear.findings;
   const femnet::Names names{request.gear.filename().string(), mesh_name, request.own_mesh};
@@ -139,6 +140,8 @@ FolderCheck::Gear check_gear(const fs::path& path, const fs::path& folder, bool 
     if (f.kind == femnet::Finding::Kind::left_out)
       needs.insert(f.text), result.lines.push_back(f.what + ": " + f.text);
   for (const auto& need : needs) ++out.needs[need];
+  for (const auto& feature : gear.features) ++out.features[feature];
+  result.features = gear.features;
   result.is_read = diagnostics.errors() == 0;
   for (const auto& d : diagnostics.sorted())
     if (d.severity == Severity::error) result.lines.push_back(diagnostics.where(d.place) + ": " + d.message);

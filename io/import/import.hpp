@@ -14,6 +14,7 @@ struct ImportedGear {
   std::string scene = {}, mesh = {};
   std::size_t nodes = 0, elements = 0;
   std::vector<std::string> left_out = {};  // a line each: the answer is not that of the file
+  std::vector<std::string> features = {};  // of FEMNET: what the gear needs
 };
 
 /// What is to be imported, and what it is to become.
@@ -41,10 +42,12 @@ struct FolderCheck {
     std::string name;
     bool is_read = false;
     std::vector<std::string> lines;  // errors, or what is left out
+    std::vector<std::string> features = {};
   };
   std::vector<Gear> gears;
-  std::map<std::string, int> needs;  // of what is left out: in how many gears
-  int whole = 0;                     // gears that convert without a line left out
+  std::map<std::string, int> needs;     // of what is left out: in how many gears
+  std::map<std::string, int> features;  // of what is needed: in how many gears
+  int whole = 0;                        // gears that convert without a line left out
 };
 FolderCheck check_folder(const std::filesystem::path& folder, bool moves = false);
 

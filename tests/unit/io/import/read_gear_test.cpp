@@ -121,6 +121,16 @@ TEST(FemnetGear, MayAnnounceWinches) {
                   .says("winches"));
 }
 
+TEST(FemnetGear, TellsWhatItNeeds) {
+  const auto needs = [](const std::string& text) { return features_of(ReadGear(text).gear); };
+  EXPECT_EQ(needs(kBars), (std::vector<std::string>{"ropes", "another density of water"}));
+  EXPECT_EQ(needs(sample("04_moving_bed.don")),
+            (std::vector<std::string>{"ropes", "masses", "forces at nodes", "a bed",
+                                      "a moving bed with friction"}));
+  EXPECT_EQ(needs(sample("09_hauling.don")),
+            (std::vector<std::string>{"ropes", "masses", "boxes", "hauling at a drum"}));
+}
+
 TEST(FemnetKeywords, ActBehindAnythingButAGluedCharacter) {
   EXPECT_EQ(ReadGear(with_tail("#input water_density 5")).gear.environment.water_density, 1000);
   EXPECT_EQ(ReadGear(with_tail("//input water_density 5")).gear.environment.water_density, 1000);
