@@ -55,6 +55,7 @@ void Race::run_from_start() {
     for (Runner& runner : runners_) {
       if (is_decided()) return;
       if (!runner.has_ended) run_slice(runner, slice);
+      if (runner.is_near && !is_decided()) run_slice(runner, options_.growth * slice);
     }
 }
 
@@ -68,6 +69,7 @@ void Race::run_slice(Runner& runner, double slice) {
   // What has solved nothing ends out of work, too, without having spent any: there is nothing in it.
   runner.has_ended = stage.ending != Ending::out_of_work || stage.spent == 0;
   if (!runner.has_ended && stage.has_forces()) runner.cut_off_at = stage.u;
+  runner.is_near = runner.cut_off_at && stage.imbalance() <= kOnlyAStart;
   flutter_count_ += stage.flutters();
   keep_better(with_compensated_positions(off_saddle(std::move(stage), work)));
 }

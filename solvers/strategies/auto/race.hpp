@@ -26,6 +26,7 @@ class Race {
   struct Runner {
     Attempt attempt;
     bool has_ended = false;                        // by itself
+    bool is_near = false;                          // cut off where the scene is nearly in balance
     std::optional<Displacements> cut_off_at = {};  // in the scene itself; else it begins anew
   };
 
