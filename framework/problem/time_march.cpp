@@ -12,8 +12,7 @@ namespace netloft {
 namespace {
 
 /// Of the stable step that the stiffest state allows: what goes slack and taut near that step makes energy. A
-/// chain and a mooring line that do were lost at 0.9, made 0.2 and 0 of what was given at 0.67, and none at
-/// 0.45.
+/// chain and a mooring line that do were lost at 0.9; the chain made energy at 0.67 and none at 0.45.
 constexpr double kBelowLimit = 0.6;
 /// a of (2): the usual accuracy, so that most scenes keep their steps. With p of 3, the order of schemes,
 /// errors of a ball that a rope catches and of a net hit by a gust fell by the powers 0.5 and 0.8 of

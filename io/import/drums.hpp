@@ -22,9 +22,8 @@ struct HauledBar {
 /// `kHauledWithin` of these lengths. Nothing if there are more than `kMostHauls` lengths to go through.
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
-inline constexpr double kMostHauls = 2e7;  // steps times bars: a second
-/// [m] a tenth of what a time step of FEMNET leaves in the length of a rope that is hauled at 0.2 m/s; a
-/// curve of its own steps has 400 times in gear 09 of the tests, this one 70.
+inline constexpr double kMostHauls = 2e7;  // steps times bars: about a second of work
+/// [m] a tenth of what a time step of FEMNET leaves in the length of a rope that is hauled at 0.2 m/s.
 inline constexpr double kHauledWithin = 1e-4;
 
 }  // namespace netloft::io::femnet

@@ -12,7 +12,7 @@ namespace netloft::io::femnet {
 namespace {
 
 constexpr double kGravity = 9.81;
-constexpr int kMostRows = 10000;  // of a table; FEMNET has 1000
+constexpr int kMostRows = 10000;  // of a table: more is not meant
 
 /// Keywords that change nothing in the answer sought here; those that end with * are beginnings.
 constexpr const char* kIdle[] = {"Auto_convergence",
