@@ -21,7 +21,7 @@ std::optional<Direction> Directions::find_short_undamped(Iterate& iterate) {
   Problem& problem = iterate.problem();
   if (problem.factorise(Matrix::exact, 0) != Factor::ok) return {};
   const Direction newton = solve(iterate, 0);
-  const bool is_usable = problem.step_length(s_) <= 1 && iterate.slope(s_) < 0;
+  const bool is_usable = problem.step_length(s_) <= 1 && iterate.slope({s_}) < 0;
   return is_usable ? std::optional(newton) : std::nullopt;
 }
 
@@ -83,7 +83,7 @@ std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double d
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
     if (factor == Factor::ok) {
       const Direction direction = solve(iterate, damping, note);
-      if (iterate.slope(s_) < 0) return direction;
+      if (iterate.slope({s_}) < 0) return direction;
     }
     if (damping >= kLargestDamping || factor == Factor::failed) return {};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "solvers/newton/direction.hpp"
 #include "solvers/newton/globalisation.hpp"
@@ -15,14 +16,19 @@ namespace {
 // Less damping than this no longer matters.
 constexpr double kSmallestDamping = 1e-12;
 
+double lowered(double damping, double factor) {
+  return damping * factor < kSmallestDamping ? 0 : damping * factor;
+}
 double raised(double damping, double factor) { return std::clamp(damping * factor, 1e-6, kLargestDamping); }
 
-/// A whole step means that the model is trusted: μ falls tenfold. After a part t of one μ becomes μ/2t: the
-/// model reaches too far.
+/// A whole step means that the model is trusted; a short one that it reaches too far.
 double adapted(double damping, const Step& step) {
-  if (!step) return damping;
-  if (step.length < 1) return raised(damping, 0.5 / step.length);
-  return damping < 10 * kSmallestDamping ? 0 : 0.1 * damping;
+  const double t = step.length;
+  if (step.rule == Step::Rule::residual) return lowered(damping, 0.1);
+  if (step.rule != Step::Rule::energy) return damping;
+  if (t > 0.9) return lowered(damping, 0.1);
+  if (t > 0.5) return lowered(damping, 0.5);
+  return t < 0.25 ? raised(damping, t < 0.1 ? 4 : 2) : damping;
 }
 
 class Globalised {
@@ -31,8 +37,10 @@ class Globalised {
       : iterate_(problem),
         curvature_(problem),
         directions_(problem, curvature_),
-        globalisation_(parameters),
-        damping_(parameters.damping) {}
+        globalisation_(parameters, problem.size()),
+        damping_(parameters.damping) {
+    step_.reserve(problem.size());
+  }
 
   Outcome run() {
     if (!iterate_.evaluate()) return Outcome::left_domain;
@@ -45,7 +53,7 @@ class Globalised {
       const Step step = globalisation_.take(iterate_, *direction);
       damping_ = adapted(direction->damping, step);
       if (direction->nearly_definite && leave_saddle(direction->damping)) continue;
-      if (step) continue;
+      if (step || (step.is_at_round_off && fall_back())) continue;
       if (damping_ >= kLargestDamping) return Outcome::step_too_short;
       damping_ = raised(damping_, 16);
     }
@@ -63,14 +71,61 @@ class Globalised {
   /// the valley and does not change by much across which direction the valley is a ridge.
   bool leave_saddle(double sigma) {
     const auto v = curvature_.find_direction(iterate_.problem(), sigma);
-    return v && curvature_.leave_along(*v, iterate_);
+    return v && leave_along(*v);
+  }
+
+  bool leave_along(std::span<const double> v) {
+    if (!curvature_.leave_along(v, iterate_)) return false;
+    globalisation_.reset_stall_count();
+    return true;
+  }
+
+  /// At round-off, where damping leads nowhere, once at every point: by Newton's own step; or where K is
+  /// nearly definite, off the saddle; or where nothing curves downwards, either, by a step of K + σ M.
+  bool fall_back() {
+    if (!may_fall_back()) return false;
+    fell_back_at_ = iterate_.count();
+    Problem& problem = iterate_.problem();
+    if (problem.factorise(Matrix::exact, 0) == Factor::ok) return goes_on_with(0, take_undamped());
+    const auto sigma = curvature_.factorise_nearly_definite(problem);
+    if (!sigma) return false;
+    const auto v = curvature_.find_direction(problem, *sigma);
+    return goes_on_with(*sigma, v ? leave_along(*v) : take_shifted());
+  }
+
+  bool may_fall_back() {
+    const bool has_fallen_back_here = fell_back_at_ && *fell_back_at_ == iterate_.count();
+    return damping_ != 0 && !has_fallen_back_here && iterate_.is_conservative() &&
+           iterate_.problem().symmetric();
+  }
+
+  bool goes_on_with(double damping, bool has_moved) {
+    if (has_moved) damping_ = damping;
+    return has_moved;
+  }
+
+  bool take_undamped() {
+    solve_for_step();
+    return static_cast<bool>(globalisation_.take_newton_step(iterate_, step_));
+  }
+
+  bool take_shifted() {
+    solve_for_step();
+    return static_cast<bool>(globalisation_.take_by_slope(iterate_, step_));
+  }
+
+  void solve_for_step() {
+    step_.resize(iterate_.size());
+    iterate_.solve(step_);
   }
 
   Iterate iterate_;
+  std::vector<double> step_;  // of fall_back; reserved
   NegativeCurvature curvature_;
   Directions directions_;
   Globalisation globalisation_;
   double damping_;
+  std::optional<std::size_t> fell_back_at_;  // count of points
 };
 
 }  // namespace

@@ -19,8 +19,8 @@ Iterate::Iterate(Problem& problem)
       r_trial_(problem.size()),
       d_(problem.conservative() ? 0 : problem.size()) {}
 
-double Iterate::round_off(std::span<const double> s) const {
-  return kEnergyRoundOff * (std::abs(energy_) + std::abs(dot(d_, s)));
+double Iterate::round_off(const Path& path) const {
+  return kEnergyRoundOff * (std::abs(energy_) + std::abs(dot(d_, path.s)));
 }
 
 bool Iterate::evaluate(Matrix matrix) {
@@ -40,31 +40,39 @@ void Iterate::solve(std::span<double> s) {
   for (double& v : s) v = -v;
 }
 
-std::optional<Sample> Iterate::merit(std::span<const double> s, double t) {
+std::optional<std::span<const double>> Iterate::residual_at(const Path& path, double t) {
   double energy = 0;
-  move_trial(s, t);
+  move_trial(path, t);
   if (problem_.evaluate(trial_, energy, r_trial_) != Evaluation::ok) return {};
-  const double slope = dot(r_trial_, s);
+  return r_trial_;
+}
+
+std::optional<Sample> Iterate::merit(const Path& path, double t) {
+  double energy = 0;
+  move_trial(path, t);
+  if (problem_.evaluate(trial_, energy, r_trial_) != Evaluation::ok) return {};
+  const double slope = dot(r_trial_, path.s) + (path.a.empty() ? 0 : t * dot(r_trial_, path.a));
   if (d_.empty()) return Sample{t, energy, slope};
   if (problem_.evaluate_gradient(trial_, energy, r_trial_) != Evaluation::ok) return {};
-  const double work = 0.5 * t * (dot(d_, s) + slope - dot(r_trial_, s));
+  const double work = 0.5 * t * (dot(d_, path.s) + slope - dot(r_trial_, path.s));
   return Sample{t, energy + work, slope};
 }
 
-bool Iterate::try_move(std::span<const double> s, double t) {
-  if (evaluate_trial(s, t)) return accept_trial(), true;
+bool Iterate::try_move(const Path& path, double t) {
+  if (evaluate_trial(path, t)) return accept_trial(), true;
   evaluate();  // the tangent kept is that of the trial
   return false;
 }
 
-bool Iterate::try_move_if_residual_falls(std::span<const double> s, double t) {
-  if (evaluate_trial(s, t) && dot(r_trial_, r_trial_) <= dot(r_, r_)) return accept_trial(), true;
+bool Iterate::try_move_if_residual_below(double ratio, const Path& path, double t) {
+  if (evaluate_trial(path, t) && dot(r_trial_, r_trial_) <= ratio * ratio * dot(r_, r_))
+    return accept_trial(), true;
   evaluate();  // the tangent kept is that of the trial
   return false;
 }
 
-bool Iterate::evaluate_trial(std::span<const double> s, double t) {
-  move_trial(s, t);
+bool Iterate::evaluate_trial(const Path& path, double t) {
+  move_trial(path, t);
   return problem_.evaluate(trial_, energy_trial_, r_trial_, Matrix::exact) == Evaluation::ok;
 }
 
@@ -72,10 +80,12 @@ void Iterate::accept_trial() {
   std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
   std::swap(r_, r_trial_);
   energy_ = energy_trial_;
+  ++count_;
 }
 
-void Iterate::move_trial(std::span<const double> s, double t) {
-  for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i] = problem_.u()[i] + t * s[i];
+void Iterate::move_trial(const Path& path, double t) {
+  for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i] = problem_.u()[i] + t * path.s[i];
+  for (std::size_t i = 0; i < path.a.size(); ++i) trial_[i] += 0.5 * t * t * path.a[i];
 }
 
 }  // namespace netloft::newton

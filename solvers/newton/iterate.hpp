@@ -15,8 +15,13 @@ constexpr double kEnergyRoundOff = 1e-13;
 
 double dot(std::span<const double> a, std::span<const double> b);
 
+/// u(t) = u + t s + ½ t² a; straight where `a` is empty.
+struct Path {
+  std::span<const double> s, a = {};
+};
+
 /// The point u from which a step is sought, with residual r, energy E and nonconservative forces d there; and
-/// a trial point u + t s.
+/// a trial point on a path from it.
 class Iterate {
  public:
   explicit Iterate(Problem& problem);
@@ -27,9 +32,11 @@ class Iterate {
   std::span<const double> residual() const { return r_; }
   /// All forces have an energy: there are no d.
   bool is_conservative() const { return d_.empty(); }
-  double slope(std::span<const double> s) const { return dot(r_, s); }
-  /// What rounding may change of the merit along s.
-  double round_off(std::span<const double> s) const;
+  double slope(const Path& path) const { return dot(r_, path.s); }
+  /// What rounding may change of the merit along a path.
+  double round_off(const Path& path) const;
+  /// Points accepted so far.
+  std::size_t count() const { return count_; }
 
   /// Evaluates at u, with the tangent if `matrix` says so.
   bool evaluate(Matrix matrix = Matrix::exact);
@@ -39,21 +46,24 @@ class Iterate {
 
   /// s = −A⁻¹ r with the last factor A.
   void solve(std::span<double> s);
+  /// r at u(t); nothing where there are no forces.
+  std::optional<std::span<const double>> residual_at(const Path& path, double t);
   /// (3) and its derivative.
-  std::optional<Sample> merit(std::span<const double> s, double t);
-  /// Moves u to u + t s and evaluates the tangent there, unless there are no forces. False: u and the tangent
+  std::optional<Sample> merit(const Path& path, double t);
+  /// Moves u to u(t) and evaluates the tangent there, unless there are no forces. False: u and the tangent
   /// are what they were.
-  bool try_move(std::span<const double> s, double t);
-  /// The same, unless ‖r‖ is larger there.
-  bool try_move_if_residual_falls(std::span<const double> s, double t);
+  bool try_move(const Path& path, double t);
+  /// The same, unless ‖r‖ there is more than `ratio` of that here.
+  bool try_move_if_residual_below(double ratio, const Path& path, double t);
 
  private:
-  void move_trial(std::span<const double> s, double t);
-  bool evaluate_trial(std::span<const double> s, double t);
+  void move_trial(const Path& path, double t);
+  bool evaluate_trial(const Path& path, double t);
   void accept_trial();
 
   Problem& problem_;
   double energy_ = 0, energy_trial_ = 0;
+  std::size_t count_ = 0;
   std::vector<double> r_, trial_, r_trial_;
   std::vector<double> d_;  // empty if all forces have an energy
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace netloft::newton {
 
@@ -59,6 +60,40 @@ struct LineSearch {
       return std::clamp(-low.slope / (high.slope - low.slope), least, most);
     const double rise = high.value - low.value - low.slope * length;
     return std::clamp(rise > 0 ? -low.slope * length / (2 * rise) : 0.5, least, 0.5);
+  }
+};
+
+/// A step along a line where rounding hides how m changes, and its slope still has significant digits.
+struct SlopeSearch {
+  double noise = 0;        // by so much m may rise: rounding
+  double flatness = 0.1;   // fraction of the slope at the start that m' may keep
+  double shortest = 1e-9;  // bracket that is not divided any more
+
+  /// The first t in (0, 1] found:
+  ///   m(t) ≤ m(0) + noise, and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) ≤ 0                      (S)
+  /// by secants and halves of a bracket (the approximate Wolfe conditions of W. W. Hager and H. Zhang, SIAM
+  /// J. Optim. 16, 2005). `merit` and `start` as above. Empty: no t will do, or one has no forces.
+  template <class Merit>
+  std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
+    Sample last = start, here = start;
+    for (double low = 0, high = 1, t = 1; high - low > shortest;) {
+      const std::optional<Sample> there = merit(t);
+      if (!there) return {};
+      const bool is_uphill = there->value > start.value + noise, is_done = t == 1 && there->slope <= 0;
+      if (!is_uphill && (is_done || std::abs(there->slope) <= flatness * std::abs(start.slope))) return there;
+      last = std::exchange(here, *there);
+      (is_uphill || here.slope > 0 ? high : low) = t;
+      t = is_uphill ? 0.5 * (low + high) : next(last, here, low, high);
+    }
+    return {};
+  }
+
+ private:
+  /// By a secant through the last two, which behind a kink is exact; else the middle.
+  static double next(const Sample& last, const Sample& here, double low, double high) {
+    const double t = here.t - here.slope * (here.t - last.t) / (here.slope - last.slope),
+                 margin = 0.01 * (high - low);
+    return t > low + margin && t < high - margin ? t : 0.5 * (low + high);
   }
 };
 

@@ -35,12 +35,13 @@ std::optional<std::span<const double>> NegativeCurvature::find_direction(Problem
 
 bool NegativeCurvature::leave_along(std::span<const double> v, Iterate& iterate) {
   downhill_.assign(v.begin(), v.end());
-  const double one_element = (iterate.slope(v) > 0 ? -1 : 1) / iterate.problem().step_length(v);
+  const double one_element = (iterate.slope({v}) > 0 ? -1 : 1) / iterate.problem().step_length(v);
   for (double& x : downhill_) x *= one_element;
-  const auto found = DescentSearch{}([&](double t) { return iterate.merit(downhill_, t); },
-                                     {0, iterate.energy(), iterate.slope(downhill_)},
+  const Path path{downhill_};
+  const auto found = DescentSearch{}([&](double t) { return iterate.merit(path, t); },
+                                     {0, iterate.energy(), iterate.slope(path)},
                                      kEnergyRoundOff * std::abs(iterate.energy()));
-  return found && iterate.try_move(downhill_, found->t);
+  return found && iterate.try_move(path, found->t);
 }
 
 }  // namespace netloft::newton

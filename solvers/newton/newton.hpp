@@ -18,6 +18,8 @@ namespace netloft::newton {
 ///   t by (L) of line_search.hpp: m falls by a fraction of its slope, and is nearly flat   (4)
 ///   t = 1 if m(1) ≤ m(0) − c_up r·s, unless the step before went uphill                   (5)
 ///   u ± t v, K v = λ M v with the least λ < 0, t by (D) of descent_search.hpp             (6)
+///   t by (S) of line_search.hpp: m is nearly flat and not above m(0) but for rounding     (7)
+///   u + t s + ½ t² a, a = −(K + θ (K₊ − K) + μ M)⁻¹ r″(s, s)                              (8)
 /// The second term of (3) is the work of d along the path, by the trapezoidal rule; the slope is that of the
 /// work itself, which differs by ¼ t² s·d″, zero at t = 0. A dead load d(u) in its place would not turn with
 /// the gear.
@@ -30,10 +32,13 @@ namespace netloft::newton {
 ///
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3). (5) lets an iterate
 /// cross the kinks between slack and taut, one step at a time, by a relaxed test as in the watchdog technique
-/// (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point before.
+/// (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point before. (8) is
+/// tried where (4) ends short, all forces have an energy and K is symmetric ("geodesic acceleration":
+/// M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
 ///
 /// At round-off, where the step promises less than the energy can resolve, a step is accepted if it does not
-/// raise ‖r‖.
+/// raise ‖r‖; or where all forces have an energy and μ = 0, by (7), the approximate Wolfe conditions
+/// (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
 ///
 /// Negative curvature. Where all forces have an energy, little damping is left, K is indefinite and K + σ M
 /// with a σ of 1e-7, 1e-6, … 1e-4 is not, K is nearly definite: K + σ M is then the matrix of (2), and (6)
@@ -41,7 +46,7 @@ namespace netloft::newton {
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;
-    double damping = 0, flatness = 0, uphill = 0;
+    double damping = 0, decrease = 0, flatness = 0, uphill = 0, shortest_step = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);
 };

@@ -31,9 +31,8 @@ TEST(Newton, LeavesASaddleThatSymmetryHidesWhileItSolves) {
   }
 }
 
-// A stretched bar between held ends stores so much that no step's gain is seen in the energy: Newton's method
-// says that it found no step, and the default strategy goes round by other unknowns.
-TEST(Newton, DoesNotTakeASaddleForAnAnswerWhereEnergiesCanNoLongerBeToldApart) {
+// A stretched bar between held ends stores so much that no step's gain is seen in the energy.
+TEST(Newton, LeavesASaddleWhereEnergiesCanNoLongerBeToldApart) {
   constexpr double kShort = 1e-5;
   Sketch more;
   more.scene = pressed_line(kShort);
@@ -41,9 +40,9 @@ TEST(Newton, DoesNotTakeASaddleForAnAnswerWhereEnergiesCanNoLongerBeToldApart) {
   const auto from = more.node(0, 5, 0, kAllAxes), to = more.node(1.5, 5, 0, kAllAxes);
   more.rope("stretched", {from, to}, 1, 1e4);
   const Solved s = solve_with("newton", more.scene, {});
+  ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
   EXPECT_GT(s.solution.energy, 1e3);
-  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
-  EXPECT_NE(s.solution.reason.find("no step brings it closer"), std::string::npos) << s.solution.reason;
+  EXPECT_NEAR(away_from_line(s), std::sqrt(kShort), 1e-2 * std::sqrt(kShort));
 }
 
 TEST(Newton, DoesNotFindASlackPanelUndamped) {
