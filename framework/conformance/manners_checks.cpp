@@ -146,8 +146,7 @@ double adding_error(const std::vector<double>& sum, const std::vector<double>& a
 }  // namespace
 
 Finding adds_not_overwrites(Bench& b) {
-  // Parts of an answer that cancel leave their rounding; what overwrites is off by as much as was there.
-  Worst worst(1e-8);
+  Worst worst(1e-10);
   ask_all(b, [&](const netloft_term& term, const States& s, std::uint32_t want) -> std::string {
     const Answer answer = b.specimen->evaluate(term, s, want);
     Answer sum = answer;

@@ -139,16 +139,25 @@ void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, in
   }
 }
 
+/// ∂F/∂x of row r, corner q and column c, weighted as the tile wants it, at every element.
+void find_slope(const Force& F, const Slowing* slowed, const netloft_tile& t, int r, int q, int c,
+                double* slope) {
+  double shear[kLanes] = {};
+  if (c == 2 || slowed) find_shear(F, t, slowed, r, q, c, shear);
+  const double *x = F.x[q][3 * r + c], *flow = F.flow[3 * r + c];
+  for (std::size_t i = 0; i < t.count; ++i) slope[i] = t.cu * (x[i] + shear[i]) - t.cv * flow[i] / 3;
+}
+
 /// The three rows of corners are equal.
-void add_tangent(const Force& F, const Slowing* slowed, double sign, netloft_tile& t) {
-  const double third = -sign / 3, cu = t.cu, cv = t.cv;
+void add_tangent(const Force& F, netloft_tile& t) {
+  const double third = -1.0 / 3, cu = t.cu, cv = t.cv;
   const std::size_t count = t.count;
   double shear[kLanes] = {};
   for (int r = 0; r < 3; ++r)
     for (int q = 0; q < 3; ++q)
       for (int c = 0; c < 3; ++c) {
-        const bool is_sheared = c == 2 || slowed;
-        if (is_sheared) find_shear(F, t, slowed, r, q, c, shear);
+        const bool is_sheared = c == 2;
+        if (is_sheared) find_shear(F, t, nullptr, r, q, c, shear);
         const double *x = F.x[q][3 * r + c], *flow = F.flow[3 * r + c], counts = is_sheared ? 1 : 0;
         double* row[3];
         for (int p = 0; p < 3; ++p) row[p] = t.tangent + at(place(p, r, q, c), 0);
@@ -160,30 +169,51 @@ void add_tangent(const Force& F, const Slowing* slowed, double sign, netloft_til
       }
 }
 
-/// Adds what the force does, `sign` times.
-void add(const Family<Triangle>& family, const Slowing* slowed, double sign, netloft_tile& t) {
+/// Adds by how much the tangent in slowed water differs from that in all of it: their parts would leave the
+/// rounding of the whole.
+void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const Force& in_all,
+                           netloft_tile& t) {
+  double with[kLanes] = {}, without[kLanes] = {};
+  for (int r = 0; r < 3; ++r)
+    for (int q = 0; q < 3; ++q)
+      for (int c = 0; c < 3; ++c) {
+        find_slope(in_slowed, &slowed, t, r, q, c, with), find_slope(in_all, nullptr, t, r, q, c, without);
+        for (int p = 0; p < 3; ++p)
+          for (std::size_t i = 0; i < t.count; ++i)
+            t.tangent[at(place(p, r, q, c), i)] -= (with[i] - without[i]) / 3;
+      }
+}
+
+void add(const Family<Triangle>& family, netloft_tile& t) {
   Force F;
-  compute(family, t, slowed, F);
+  compute(family, t, nullptr, F);
   if (t.force)
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < t.count; ++i) {
-        const double third = sign * F.F[axis][i] / 3;
+        const double third = F.F[axis][i] / 3;
         for (int p = 0; p < 3; ++p) t.force[at(3 * p + axis, i)] -= third;
       }
-  if (t.tangent) add_tangent(F, slowed, sign, t);
+  if (t.tangent) add_tangent(F, t);
 }
 
 }  // namespace
 
 Status Drag::tile(const Family<Triangle>& family, netloft_tile& t) {
-  add(family, nullptr, 1, t);
+  add(family, t);
   return Status::ok;
 }
 
 Status SlowedDrag::tile(const Family<Triangle>& family, netloft_tile& t) {
   const Slowing slowed(family.lanes(t), t, family.law(0).kind);
   if (!slowed.acts) return Status::ok;
-  add(family, &slowed, 1, t), add(family, nullptr, -1, t);
+  Force with, without;
+  compute(family, t, &slowed, with), compute(family, t, nullptr, without);
+  if (t.force)
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < t.count; ++i)
+        for (int p = 0; p < 3; ++p)
+          t.force[at(3 * p + axis, i)] -= (with.F[axis][i] - without.F[axis][i]) / 3;
+  if (t.tangent) add_change_of_tangent(with, slowed, without, t);
   return Status::ok;
 }
 
