@@ -202,14 +202,13 @@ class March {
   }
 
   void note_error(double t, double error) {
-    AchievedAccuracy& all = result_.accuracy;
-    all.sum += error * allowed();
-    if (error * allowed() <= all.largest) return;
-    all.largest = error * allowed(), all.t = t;
+    state_.error_sum += error * allowed();
+    if (error * allowed() <= state_.largest_error) return;
+    state_.largest_error = error * allowed(), state_.largest_at = t;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < error_.size(); ++i)
       if (std::abs(error_[i]) > std::abs(error_[worst])) worst = i;
-    worst_ = assembler_.numbering().node(static_cast<std::int32_t>(worst));
+    state_.largest_of = assembler_.numbering().node(static_cast<std::int32_t>(worst));
   }
 
   /// Steps that one which is looked at stands for: several where stability makes them short and many.
@@ -363,11 +362,17 @@ class March {
     return is_over_ = true;
   }
 
+  AchievedAccuracy achieved() const {
+    AchievedAccuracy a{.asked = settings_.accuracy, .allowed = allowed()};
+    a.largest = state_.largest_error, a.t = state_.largest_at, a.sum = state_.error_sum;
+    if (a.largest > 0) a.node = assembler_.node_name(scene_, static_cast<std::uint32_t>(state_.largest_of));
+    return a;
+  }
+
   MarchResult finish() {
     result_.u = state_.u, result_.t = state_.t;
     result_.steps = state_.steps, result_.rejected = state_.rejected;
-    if (settings_.adaptive) result_.accuracy.asked = settings_.accuracy, result_.accuracy.allowed = allowed();
-    if (result_.accuracy.largest > 0) result_.accuracy.node = assembler_.node_name(scene_, worst_);
+    if (settings_.adaptive) result_.accuracy = achieved();
     result_.statistics = problem_.statistics();
     result_.statistics.total_seconds = wall_seconds() - begun_;
     result_.statistics.total_cpu_seconds = cpu_seconds() - cpu_begun_;
@@ -392,7 +397,6 @@ class March {
   double limit_ = 0, previous_ = 0, last_ = 0;
   double begun_ = wall_seconds(), cpu_begun_ = cpu_seconds();
   bool is_over_ = false;
-  std::uint32_t worst_ = 0;  // node of the largest error
   MarchResult result_;
 };
 

@@ -28,13 +28,16 @@ struct IntegratorChoice {
 
 /// All that the rest of a march follows from, to the bit: what is kept to go on later.
 struct MarchState {
-  double t = 0, h = 0;          // reached, and the step that was wanted next [s]
-  std::vector<double> u, v, a;  // of the unknowns [m], [m/s], [m/s²]
-  std::vector<double> memory;   // of the elements
-  std::vector<double> budget;   // sums of it [J]
-  std::vector<double> judged;   // sums of who judges it [J]
-  double least_load = 0;        // [N]
-  std::size_t outputs = 0;      // written before
+  double t = 0, h = 0;                      // reached, and the step that was wanted next [s]
+  std::vector<double> u, v, a;              // of the unknowns [m], [m/s], [m/s²]
+  std::vector<double> memory;               // of the elements
+  std::vector<double> budget;               // sums of it [J]
+  std::vector<double> judged;               // sums of who judges it [J]
+  double error_sum = 0, largest_error = 0;  // of steps, over the longest element
+  double largest_at = 0;                    // time of the largest [s]
+  std::uint64_t largest_of = 0;             // and its node
+  double least_load = 0;                    // [N]
+  std::size_t outputs = 0;                  // written before
   std::int64_t steps = 0, rejected = 0;
 };
 

@@ -11,6 +11,7 @@ std::string pack_checkpoint(const MarchState& s) {
   to.put(s.t), to.put(s.h);
   for (const auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged}) to.put_array(*values);
   to.put(s.least_load);
+  to.put(s.error_sum), to.put(s.largest_error), to.put(s.largest_at), to.put(s.largest_of);
   to.put(std::uint64_t{s.outputs});
   to.put(static_cast<std::uint64_t>(s.steps)), to.put(static_cast<std::uint64_t>(s.rejected));
   return to.bytes();
@@ -22,6 +23,8 @@ MarchState unpack_checkpoint(const std::string& bytes) {
   s.t = from.real(), s.h = from.real();
   for (auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged}) *values = from.reals();
   s.least_load = from.real();
+  s.error_sum = from.real(), s.largest_error = from.real(), s.largest_at = from.real();
+  s.largest_of = from.integer();
   s.outputs = from.integer();
   s.steps = static_cast<std::int64_t>(from.integer()), s.rejected = static_cast<std::int64_t>(from.integer());
   if (!from.is_at_end()) throw FileError("it is damaged: there is more than a checkpoint");

@@ -43,7 +43,7 @@ def numbers_of(file):
     found = {}
     with h5py.File(file) as f:
         def add(name, item):
-            is_result = name.startswith("VTKHDF") or name.split("/")[1:2] not in (["cost"], ["provenance"], ["convergence"], ["accuracy"])
+            is_result = name.startswith("VTKHDF") or name.split("/")[1:2] not in (["cost"], ["provenance"], ["convergence"])
             if isinstance(item, h5py.Dataset) and item.dtype.kind in "fiu" and is_result:
                 found[name] = item[()].tobytes()
         f.visititems(add)
