@@ -28,9 +28,9 @@ namespace netloft::boards {
 /// along it of the depth δ in the ground, ĝ being the direction in which the ground passes the point:
 ///   F = ¼ chord s p f (ĝ·y) y,   f = (δ/0.1 m)^n, beyond 0.1 m along its tangent                        (5)
 /// with n = 1 in clay, 2 in sand; s, 1 if nothing is said, is the factor of what the bed is made of there; p
-/// is for calibration, and none without it. Sand is not ploughed deeper, but who looks for an equilibrium
-/// from boards metres deep is thrown far off by a square. What carries the board is the contact of its shoe,
-/// seabed/bed on points of it.
+/// is for calibration, and none without it. The tangent keeps a search for an equilibrium that begins with
+/// boards metres deep from being thrown far off by a square. What carries the board is the contact of its
+/// shoe, seabed/bed on points of it.
 ///
 /// Source: for (1)-(3) the form of FAO, Otter board design and performance (1974); two angles by the
 /// direction of the flow in the board's axes are all that a body in a uniform flow can feel, and they have no
