@@ -5,6 +5,7 @@
 #include "io/mesh/mesh.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,8 @@ void write_grid(Tree& tree, bool has_regions = true) {
 /// A file in the tests' folder, written and read.
 struct Written {
   explicit Written(const Change& write, const std::string& name = "grid.vtkhdf") {
-    const fs::path path = fs::path(testing::TempDir()) / name;
+    // Tests run beside one another, each in a process.
+    const fs::path path = fs::path(testing::TempDir()) / (std::to_string(getpid()) + name);
     {
       const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
       Tree tree(file, path.string());

@@ -100,6 +100,7 @@ TEST(Cholmod, ForeseesTheMemoryOfItsFactor) {
   const auto factorisation = make_cholmod_factorisation();
   factorisation->analyse(net.pattern);
   const double before = allocated_bytes();
+  if (before == 0) GTEST_SKIP() << "this build has a malloc that does not tell what it has given out";
   solve_again(*factorisation, net);
   const double taken = allocated_bytes() - before;
   EXPECT_GT(taken, factor_bytes_of(*factorisation));

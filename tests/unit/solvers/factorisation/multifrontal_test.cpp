@@ -200,6 +200,7 @@ TEST_F(Multifrontal, ForeseesTheMemoryOfItsFactors) {
   const auto factorisation = make();
   factorisation->analyse(net.pattern);
   const double before = allocated_bytes();
+  if (before == 0) GTEST_SKIP() << "this build has a malloc that does not tell what it has given out";
   solve_again(*factorisation, net);
   EXPECT_NEAR(factor_bytes_of(*factorisation), allocated_bytes() - before,
               0.05 * factor_bytes_of(*factorisation));
