@@ -322,6 +322,25 @@ void add_show_action(CLI::App& study, Options& o) {
         "FILE.html|FILE.svg");
 }
 
+void add_estimate_action(CLI::App& study, Options& o) {
+  auto* estimate = add_study_action(study, o, "estimate",
+                                    "say figures between the points that were computed, with their errors");
+  add_study_folder(*estimate, o);
+  const auto named = [&](const char* flag, auto& values, const char* doc, const char* type) {
+    return estimate->add_option(flag, values, doc)
+        ->check(CLI::Validator(not_empty, "", "not empty"))
+        ->type_name(type)
+        ->allow_extra_args(false);
+  };
+  named("--at", o.study.at,
+        "the place: every variable; those that are drawn all, or none for medians and bands over the draws; "
+        "may be repeated, or with commas between",
+        "NAME=VALUE")
+      ->required();
+  named("--figure", o.study.figures, "a figure of the table, may be repeated; else all but those of parts",
+        "NAME");
+}
+
 void add_study_command(CLI::App& app, Options& o) {
   auto* study = app.add_subcommand("study", "solve one scene many times, with other values");
   study->require_subcommand(1);
@@ -359,6 +378,7 @@ void add_study_command(CLI::App& app, Options& o) {
       ->type_name("DIR");
   add_study_folder(*add_study_action(*study, o, "collect", "put the results of all items into one table"), o);
   add_show_action(*study, o);
+  add_estimate_action(*study, o);
 }
 
 void add_calibrate_command(CLI::App& app, Options& o) {

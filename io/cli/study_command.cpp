@@ -7,6 +7,7 @@
 #include "io/files/whole_file.hpp"
 #include "io/sweep/check_study.hpp"
 #include "io/sweep/engine_script.hpp"
+#include "io/sweep/estimate.hpp"
 #include "io/sweep/path_run.hpp"
 #include "io/sweep/study_plots.hpp"
 #include "io/sweep/study_table.hpp"
@@ -384,6 +385,25 @@ int show_study(const Options& o) {
   return kDone;
 }
 
+// ---- estimate
+
+int estimate_study(const Options& o) {
+  Terminal terminal(o.color, o.json);
+  const Study study = read_study(o.target);
+  Diagnostics diagnostics;
+  std::optional<StudyEstimate> found;
+  try {
+    found = estimate(collect_table(study, o.target), {o.study.at, o.study.figures}, diagnostics);
+  } catch (const StudyError& e) {
+    throw UsageError{e.what()};
+  }
+  if (!found) return tell_why_not(diagnostics, Case::State::wrong_input, o, terminal);
+  if (const std::string changed = what_changed(study, o.target); !changed.empty())
+    terminal.say("netloft: " + changed + "; estimates are of what was planned");
+  std::puts((o.json ? estimate_json(study.name, *found) : estimate_text(study.name, *found)).c_str());
+  return kDone;
+}
+
 }  // namespace
 
 int study_command(const Options& o) {
@@ -391,6 +411,7 @@ int study_command(const Options& o) {
   if (o.study.action == "run") return run_study(o);
   if (o.study.action == "missing") return list_missing(o);
   if (o.study.action == "show") return show_study(o);
+  if (o.study.action == "estimate") return estimate_study(o);
   if (o.study.action == "submit") return write_script(o);
   return collect_study(o);
 }

@@ -13,7 +13,9 @@
 namespace netloft::io {
 namespace {
 
-constexpr const char* kShape = "write it as --set parts.net.cells=[64,64]";
+std::string shape(const std::string& option) {
+  return "write it as " + option + (option == "--set" ? " parts.net.cells=[64,64]" : " NAME=VALUE");
+}
 
 /// The position of the '=' that ends the path; quoted keys may contain another one.
 std::size_t find_equals(const std::string& text) {
@@ -178,15 +180,18 @@ class Walk {
 
 }  // namespace
 
-void apply_override(Value& root, const std::string& text, Diagnostics& diagnostics) {
+void apply_override(Value& root, const std::string& text, Diagnostics& diagnostics,
+                    const std::string& option) {
   const std::size_t equals = find_equals(text);
   const std::string path = trimmed(text.substr(0, equals));
-  const int file = diagnostics.add_source(path.empty() ? "--set" : "--set " + path, text,
+  const int file = diagnostics.add_source(path.empty() ? option : option + " " + path, text,
                                           Diagnostics::Source::command_line);
   const Place path_place{file, 1, 1, length_of(path)};
-  if (equals == std::string::npos) return diagnostics.error(path_place, "there is no '=' in " + text, kShape);
+  if (equals == std::string::npos)
+    return diagnostics.error(path_place, "there is no '=' in " + text, shape(option));
   const auto steps = parse_path(path);
-  if (!steps) return diagnostics.error(path_place, "\"" + path + "\" is not a path of dotted keys", kShape);
+  if (!steps)
+    return diagnostics.error(path_place, "\"" + path + "\" is not a path of dotted keys", shape(option));
   if (steps->front().key == "include")
     return diagnostics.error(path_place, "include cannot be set: files are read before values are set");
 

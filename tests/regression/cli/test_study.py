@@ -196,6 +196,68 @@ class ShownStudies(Studies):
         self.assertIn("no point that would be drawn", self.study("show", "s.study", code=2).err)
 
 
+class EstimatedStudies(Studies):
+    """Figures between the points of a study, against solves there."""
+
+    def setUp(self):
+        super().setUp()
+        self.whole_study()
+
+    def solved(self, **values):
+        keys = {"water": "water.density", "rope": "parts.rope.rope.density", "twine": "parts.net.twine.EA"}
+        sets = [word for name, value in values.items() for word in ("--set", f"{keys[name]}={value}")]
+        return self.netloft("run", "scene.toml", *sets, "--json", "--overwrite").json()["results"]
+
+    def estimated(self, *at, **how):
+        return self.study("estimate", "s.study", "--json", *(word for one in at for word in ("--at", one)), **how).json()
+
+    def test_solves_lie_within_the_errors_that_are_said(self):
+        ropes = ", ".join(f'"{density} kg/m3"' for density in range(2000, 4001, 500))
+        self.write("s.toml", changed(STUDY, ('"2000 kg/m3", "3000 kg/m3", "4000 kg/m3"', ropes)))
+        self.whole_study()
+        rows, within, all_of_them = self.rows(), 0, 0
+        for water, rope, twine in ((1005, 2250, 9), (1023, 3700, 10.3), (1017, 2100, 11), (1026, 3250, 9.5), (1002, 2800, 11.5), (1012, 3900, 10)):
+            said = self.estimated(f"water={water},rope={rope} kg/m3", f"twine={twine} kN")
+            self.assertFalse(said["extrapolated"])
+            found = self.solved(water=water, rope=f"{rope} kg/m3", twine=f"{twine} kN")
+            for name, unit in (("pull", "N"), ("lowest_z", "m")):
+                figure = said["figures"][f"results/{name}"]
+                within += abs(figure["value"] - found[name]) <= figure["error"]
+                all_of_them += 1
+                self.assertLess(figure["error"], 0.03 * np.ptp([float(row[f"results/{name} [{unit}]"]) for row in rows]), (name, water, rope, twine))
+        self.assertGreaterEqual(within, all_of_them - 1)  # 2 s
+
+    def test_without_what_is_drawn_it_is_over_the_draws(self):
+        said = self.study("estimate", "s.study", "--at", "water=1005,rope=2500 kg/m3", "--figure", "results/lowest_z").out
+        self.assertIn(f"s at water 1005, rope 2500 kg/m3, over {ITEMS} draws", said)
+        self.assertEqual(said.count("±"), 3)
+        at_a_point = self.estimated("water=1010,rope=3000 kg/m3")["figures"]["results/pull"]
+        rows = [float(r["results/pull [N]"]) for r in self.rows() if r["water"] == "1010" and r["rope [kg/m3]"] == "3000"]
+        self.assertAlmostEqual(at_a_point["value"] / np.median(rows), 1, delta=1e-12)
+
+    def test_items_that_are_missing_are_left_out_and_named(self):
+        self.records()[0].unlink()
+        said = self.estimated("water=1005,rope=2500 kg/m3")
+        self.assertEqual(said["draws"], ITEMS - 1)
+        self.assertEqual(len(said["left_out"]), 12)
+        self.assertIn("it has not been computed", said["left_out"][0]["reason"])
+
+    def test_wrong_places_are_answered_all_at_once(self):
+        for words, answers in ((["--at", "watr=1005"], ['--at watr', 'did you mean "water"?', "water is missing", "rope is missing"]),
+                               (["--at", "water=1005,rope=2500 kg"], ["--at rope", "is a mass"]),
+                               (["--at", "water=1500,rope=2500 kg/m3"], ["water = 1500 is outside [1000, 1030]"]),
+                               (["--at", "water"], ["--at NAME=VALUE"]), ([], ["--at"]),
+                               (["--at", "water=1005,rope=2500 kg/m3", "--figure", "results/pul"], ['did you mean "results/pull"?'])):
+            said = self.study("estimate", "s.study", *words, code=2).err
+            for answer in answers:
+                self.assertIn(answer, said)
+        self.assertIn("--at watr", [error["where"] for error in self.study("estimate", "s.study", "--json", "--at", "watr=1005", code=2).json()["errors"]])
+        for record in self.records():
+            record.unlink()
+        self.assertIn("no point of this study has been computed", self.study("estimate", "s.study", "--at", "water=1005", code=2).err)
+        self.assertIn("plan STUDY.toml", self.study("estimate", "nowhere", "--at", "water=1005", code=2).err)
+
+
 class LostStudies(Studies):
     """Kills, full disks, garbage: one command goes on, and the table is the one of an undisturbed study."""
 

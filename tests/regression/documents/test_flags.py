@@ -69,6 +69,7 @@ COMMANDS = (
     (f"netloft study submit ropes --engine parallel --jobs 2 {COMMON}; ls ropes/parallel.sh", "parallel.sh"),
     ("netloft study show ropes --figure results/sag_z --over density --by cells --color never --json -o sag.svg; ls sag.svg", "sag.svg"),
     ("netloft study show ropes --figure results/sag_z --over density --at cells=20 --output sag.html; ls sag.html", "sag.html"),
+    ("netloft study estimate ropes --at density=2000 --at cells=20 --figure results/sag_z --color never --json", '"error"'),
     (f"netloft calibrate calibration.toml {COMMON}", '"variables"'),
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),

@@ -24,6 +24,7 @@ STANDS_FOR = (
     (r"gear-library/scenes/…", "gear-library/scenes/hanging-rope.toml"), (r"GEAR\.don", "gears/01_two_bars.don"),
     (r"GEAR\.csv", "imports/table"), (r"LINES\.txt", "imports/mooring"), (r"\bGEAR\b", "gear-library/gears/four-panel.toml"),
     (r"\bSTUDY\.toml", "ropes.toml"), (r"\bCALIBRATION\.toml", "calibration.toml"), (r"^netloft study submit$", "netloft study submit ropes.study --engine slurm"),
+    (r"^netloft study estimate( FOLDER --at .*)?$", "netloft study estimate ropes.study --at density=2000"),
     (r"^netloft study (\w+)$", r"netloft study \1 ropes.study"), (r"^(netloft study .*)\bFOLDER\b", r"\1ropes.study"), (r"--items \d+", "--items 1"),
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
     (r"\bSIZE\b", "small"), (r"^\./bootstrap ", "netloft "), (r"io/compare/work-precision", "work-precision"))

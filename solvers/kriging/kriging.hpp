@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace netloft {
+
+/// What kriging says of one point.
+struct KrigingValue {
+  double value = 0;      // m of (3)
+  double deviation = 0;  // s of (4)
+};
+
+/// How values at two points go together, by (1) and (2).
+struct KrigingScales {
+  enum class Correlation { matern, gaussian };
+  Correlation correlation = Correlation::matern;
+  std::vector<double> lengths;  // ℓ, a number for each coordinate, over the extent of the points
+  double scatter = 0;           // ν
+};
+
+/// Universal kriging: values y at n points are a plane f β, f = (1, x₁ … x_d), and a stationary normal
+/// process,
+///   cov(y(x), y(x')) = σ² (k(r) + ν [x = x']),   r² = Σ ((x_j − x'_j)/(ℓ_j w_j))²                  (1)
+/// w_j the extent of the points in coordinate j, with one of two correlations, the likelier one:
+///   k = (1 + √5 r + 5/3 r²) e^{−√5 r}   (Matérn's of order 5/2),   k = e^{−r²/2}                    (2)
+/// Instead of a plane there is a constant, f = 1, for less than 2 (d + 1) points and for points in a plane of
+/// their own. With K = k + ν I, F the rows f of all points, κ the correlations with the point asked for:
+///   m = f β + κᵀ K⁻¹ (y − F β),   β = A⁻¹ Fᵀ K⁻¹ y,   A = Fᵀ K⁻¹ F                                  (3)
+///   s² = σ² (1 + ν − κᵀ K⁻¹ κ + uᵀ A⁻¹ u),   u = f − Fᵀ K⁻¹ κ,
+///   σ² = (y − F β)ᵀ K⁻¹ (y − F β)/(n − p),   p the length of f                                      (4)
+/// ℓ and ν minimise what the restricted likelihood leaves,
+///   (n − p) ln σ² + ln |K| + ln |A|                                                                 (5)
+/// over at most 150 of the points, by a search along the axes of ln ℓ_j and ln ν. Values at a group G of
+/// points less what all others say of them:
+///   Q_GG⁻¹ (Q y)_G,   Q = K⁻¹ − K⁻¹ F A⁻¹ Fᵀ K⁻¹                                                    (6)
+/// Sources: T. J. Santner, B. J. Williams, W. I. Notz, The design and analysis of computer experiments, 2nd
+/// ed., 2018, ch. 3; (6): O. Dubrule, Cross validation of kriging in a unique neighborhood, Mathematical
+/// Geology 15, 1983.
+class Kriging {
+ public:
+  /// Two points or more, none of them twice, which differ in every coordinate, with a finite value each.
+  /// Scales that are known are taken instead of the likeliest.
+  Kriging(const std::vector<std::vector<double>>& points, const std::vector<double>& values,
+          const KrigingScales* known = nullptr);
+  ~Kriging();
+  Kriging(const Kriging&) = delete;
+  Kriging& operator=(const Kriging&) = delete;
+
+  KrigingValue at(const std::vector<double>& point) const;
+
+  /// The values at a group of points less what all other points say there, by (6) with ℓ and ν of all. There
+  /// are others.
+  std::vector<double> residuals_without(const std::vector<std::size_t>& group) const;
+
+ private:
+  class Model;
+  std::unique_ptr<Model> model_;  // none: all values are equal
+  double mean_ = 0;
+};
+
+}  // namespace netloft
