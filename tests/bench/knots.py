@@ -49,7 +49,7 @@ def figures_of(said):
         elif isinstance(value, (int, float)) and not isinstance(value, bool):
             figures[name] = value
 
-    for key, value in said.get("gear", {}).items():
+    for key, value in said.get("gear", {}).get("figures", {}).items():
         add(key, value)
     return {name: value for name, value in figures.items() if "by_part" not in name}
 
