@@ -21,28 +21,23 @@ bool needs(const netloft_term& term, const std::string& parameter) {
 }
 
 /// Why all terms that need the parameter are left out; empty if one acts, or none needs it. What drag needs,
-/// such as a diameter, has other uses, too. Where forces have no energy it is asked how a small disturbance
-/// moves.
-std::string why_idle(const FamilyPlan& family, const std::string& parameter, bool motion_is_asked_for) {
+/// such as a diameter, has other uses, too.
+std::string why_idle(const FamilyPlan& family, const std::string& parameter) {
   std::string reason;
   for (std::size_t t = 0; t < family.terms.size(); ++t) {
     if (!needs(family.type->terms[t], parameter)) continue;
-    const TermPlan& term = family.terms[t];
-    if (term.on || (term.traits & NETLOFT_NEEDS_FLOW) || (term.when_it_moves && motion_is_asked_for))
-      return "";
-    reason = term.reason;
+    if (family.terms[t].on || (family.terms[t].traits & NETLOFT_NEEDS_FLOW)) return "";
+    reason = family.terms[t].reason;
   }
   return reason;
 }
 
 class IdleChoices {
  public:
-  explicit IdleChoices(const Plan& plan) : motion_is_asked_for_(!plan.conservative) {}
-
   void look_at(const FamilyPlan& family, const Part& part) {
     for (const auto& [name, value] : part.parameters)
       if (const double* number = std::get_if<double>(&value); number && *number != 0)
-        add(part, name, why_idle(family, name, motion_is_asked_for_));
+        add(part, name, why_idle(family, name));
     const bool uses_laws =
         std::any_of(family.laws.begin(), family.laws.end(), [](const LawPlan& law) { return law.type; });
     for (const auto& [slot, law] : part.laws)
@@ -62,7 +57,6 @@ class IdleChoices {
       choice.parts.push_back(part.name);
   }
 
-  bool motion_is_asked_for_;
   std::vector<IdleChoice> found_;
 };
 
@@ -74,7 +68,7 @@ std::string first_of(const std::vector<std::string>& parts) {
 }  // namespace
 
 void warn_of_idle_choices(const LoadedScene& loaded, const Plan& plan, Diagnostics& diagnostics) {
-  IdleChoices choices(plan);
+  IdleChoices choices;
   for (const FamilyPlan& family : plan.families)
     for (const auto part : family.parts) choices.look_at(family, loaded.scene.parts[part]);
   for (const IdleChoice& c : choices.found())
