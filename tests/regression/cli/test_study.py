@@ -11,7 +11,7 @@ import unittest
 import h5py
 import numpy as np
 
-from program import GOOD, InFreshFolder, changed
+from program import GOOD, SOURCE, InFreshFolder, changed
 
 FULL_DISK = os.environ.get("NETLOFT_FULL_DISK", "")
 SCENE = changed(GOOD, ('lowest_z = { of = "net", take = "min z" }',
@@ -62,6 +62,18 @@ class Studies(InFreshFolder):
         self.study("plan", "s.toml")
         self.study("run", "s.study")
         return self.make_table()
+
+
+class ShippedStudies(Studies):
+    """None is computed here: a path takes a quarter of a minute."""
+
+    def test_studies_of_the_library_can_be_planned(self):
+        found = sorted((SOURCE / "gear-library/studies").glob("*.toml"))
+        self.assertGreater(len(found), 0)
+        for path in found:
+            with self.subTest(path.name):
+                planned = self.study("plan", str(path), "-o", path.stem, "--json").json()
+                self.assertGreater(planned["points"], planned["items"])
 
 
 class WholeStudies(Studies):
