@@ -390,8 +390,16 @@ void Assembler::run_tile(const FamilyGroup& group, std::size_t tile, std::span<c
 
 int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
   const ElementFamily& f = *families_[family];
+  if (const int status = call_each(f, f.active_terms(), t, request, w); status != NETLOFT_OK) return status;
+  const bool by_rates = request.values && request.matrix == MatrixKind::exact &&
+                        (request.motion.cv != 0 || request.motion.ca != 0);
+  return by_rates ? call_each(f, f.terms_of_motion(), t, request, w) : NETLOFT_OK;
+}
+
+int Assembler::call_each(const ElementFamily& f, const std::vector<netloft_term>& terms, netloft_tile& t,
+                         const Request& request, Workspace& w) {
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
-  for (const auto& term : f.active_terms()) {
+  for (const auto& term : terms) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
     if ((request.conservative_only && !conservative) || (term.traits & request.without)) continue;
     // Inertia is never left out, because without it the matrix of a time step would be singular.
@@ -400,7 +408,7 @@ int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& re
     const bool moving = !(term.traits & NETLOFT_CONSTANT) && counts;
     const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
     const bool matrix_here = request.values && moving && request.matrix == MatrixKind::exact &&
-                             (symmetric || tangent_ == TangentChoice::exact);
+                             (symmetric || (tangent_ == TangentChoice::exact && !pattern_.symmetric));
     t.energy = request.energy && conservative ? w.energy : nullptr;
     t.force = request.residual ? w.force.open(dofs, t.count) : nullptr;
     t.tangent = matrix_here ? w.open_tangent(symmetric, dofs, t.count) : nullptr;

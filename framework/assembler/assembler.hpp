@@ -176,6 +176,8 @@ class Assembler {
   void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
   int call_terms(std::size_t family, netloft_tile& tile, const Request& request, Workspace& w);
+  int call_each(const ElementFamily& family, const std::vector<netloft_term>& terms, netloft_tile& tile,
+                const Request& request, Workspace& w);
   int call_matrix_term(const ElementFamily& family, const netloft_term& term, netloft_tile& tile,
                        MatrixKind kind, Workspace& w);
   void scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w);

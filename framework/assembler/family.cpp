@@ -8,7 +8,10 @@ namespace netloft {
 ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node)
     : type_(plan.type), parts_(plan.parts) {
   for (std::size_t i = 0; i < plan.terms.size(); ++i)
-    if (plan.terms[i].on) terms_.push_back(type_->terms[i]);
+    if (plan.terms[i].on)
+      terms_.push_back(type_->terms[i]);
+    else if (plan.terms[i].when_it_moves)
+      terms_of_motion_.push_back(type_->terms[i]);
   gather_parameters(scene);
   gather_laws(scene, plan);
   gather_elements(scene);

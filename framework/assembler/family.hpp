@@ -55,6 +55,8 @@ class ElementFamily {
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
+  /// Terms that a static analysis leaves out, and a matrix by rates has.
+  const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
   /// One per law slot in use.
   const std::vector<std::unique_ptr<LawWatch>>& law_watches() const { return watches_; }
   /// Whether some active term needs this input from the host.
@@ -82,7 +84,7 @@ class ElementFamily {
   std::vector<ParameterBlock> parameters_, law_parameters_;
   std::vector<netloft_bound_law> laws_;
   std::vector<std::unique_ptr<LawWatch>> watches_;
-  std::vector<netloft_term> terms_;
+  std::vector<netloft_term> terms_, terms_of_motion_;
   std::vector<double> global_starts_;  // [part][global]
   std::vector<GlobalNode> global_nodes_;
   void* self_ = nullptr;

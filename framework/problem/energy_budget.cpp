@@ -56,21 +56,59 @@ bool EnergyBudget::begin(double t, std::span<const double> u, std::span<const do
 }
 
 bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const double> v,
-                           std::span<const double> a) {
+                           std::span<const double> a, const MeanStep* mean) {
   place(t, u, v, a, next_);
-  if (reads_time_) {  // (7), half of it at the old place and half at the new one
-    double early[2], late[2];
-    if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, t, late[0], false) ||
-        !find_energies(next_.x, now_.t, early[1], false) || !find_energies(next_.x, t, late[1], false))
-      return false;
-    winches_ += 0.5 * (late[0] - early[0] + late[1] - early[1]);
-  }
+  if (reads_time_ && !add_winches(mean ? mean->t : t)) return false;
+  const double kinetic_before = kinetic_;
   double energy = 0;
   if (!find_forces(next_) || !find_energies(next_.x, t, energy, true)) return false;
+  if (!(mean ? add_means(*mean, kinetic_before) : add_ends())) return false;
+  state_.set(t, u, v, a);
+  std::swap(now_, next_);
+  return true;
+}
+
+/// (7): half of it at the old place and half at the new one, or up to the middle of a step at the old place
+/// and from there at the new one.
+bool EnergyBudget::add_winches(double reached) {
+  const bool in_halves = reached == next_.t;
+  double early[2], late[2];
+  if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, reached, late[0], false) ||
+      !find_energies(next_.x, in_halves ? now_.t : reached, early[1], false) ||
+      !find_energies(next_.x, next_.t, late[1], false))
+    return false;
+  winches_ += (in_halves ? 0.5 : 1.0) * (late[0] - early[0] + late[1] - early[1]);
+  return true;
+}
+
+bool EnergyBudget::add_ends() {
   if (!add_works() || !find_entrained()) return false;
   damped_ += done(now_.damping, next_.damping);
   holds_ += done(now_.holds, next_.holds);
-  std::swap(now_, next_);
+  return true;
+}
+
+/// (8); the rates of what is guided are those of its way, for which nothing is missing between them and it.
+bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
+  state_.set(mean.t, mean.u, mean.v, mean.a);
+  middle_ = state_.x();
+  const Kinematics motion = state_.motion();
+  for (Account& work : work_) {
+    if (!sum_force(work, middle_, motion, force_)) return false;
+    work.value += done(force_, force_);
+  }
+  if (!sum_force(inertia_, middle_, motion, force_)) return false;
+  find_mean_rates();
+  const double h = next_.t - now_.t;
+  for (std::size_t i = zero_.size(); i < mean_own_rates_.size(); ++i)
+    mean_own_rates_[i] = (next_.q[i] - now_.q[i]) / h;
+  entrained_ += h * dot(force_, mean_own_rates_) - (kinetic_ - kinetic_before);
+  if (is_guided_) holds_ += done(mean.reactions, mean.reactions, zero_.size());
+  if (mass_damping_ == 0) return true;
+  Kinematics as_rates = motion;
+  as_rates.v = nullptr, as_rates.a = state_.v().data();
+  if (!sum_force(inertia_, middle_, as_rates, force_)) return false;
+  damped_ += mass_damping_ * done(force_, force_);
   return true;
 }
 
@@ -106,13 +144,17 @@ bool EnergyBudget::add_works() {
   return true;
 }
 
-/// (4), with the velocity in the middle of the step: M v there, by the masses of its end and of its start.
-bool EnergyBudget::find_entrained() {
+void EnergyBudget::find_mean_rates() {
   mean_rates_.resize(now_.v.size()), mean_own_rates_.resize(now_.v.size());
   for (std::size_t i = 0; i < now_.v.size(); ++i) {
     mean_rates_[i] = 0.5 * (now_.v[i] + next_.v[i]);
     mean_own_rates_[i] = 0.5 * (now_.rates[i] + next_.rates[i]);
   }
+}
+
+/// (4), with the velocity in the middle of the step: M v there, by the masses of its end and of its start.
+bool EnergyBudget::find_entrained() {
+  find_mean_rates();
   Kinematics as_rates;
   as_rates.a = mean_rates_.data();
   if (!sum_force(inertia_, now_.x, as_rates, momentum_) || !sum_force(inertia_, next_.x, as_rates, turned_))
@@ -182,10 +224,11 @@ bool EnergyBudget::sum_force(const Account& account, const std::vector<double>& 
   return true;
 }
 
-/// Work between now_ and next_, by the trapezoidal rule.
-double EnergyBudget::done(const std::vector<double>& before, const std::vector<double>& after) const {
+/// Work between now_ and next_, by the trapezoidal rule, of the degrees of freedom after the first `from`.
+double EnergyBudget::done(const std::vector<double>& before, const std::vector<double>& after,
+                          std::size_t from) const {
   double sum = 0;
-  for (std::size_t i = 0; i < after.size(); ++i)
+  for (std::size_t i = from; i < after.size(); ++i)
     sum += 0.5 * (before[i] + after[i]) * (next_.q[i] - now_.q[i]);
   return sum;
 }

@@ -23,14 +23,21 @@ namespace netloft {
 ///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     what the scheme took: zero if (1) held at all times
 /// r_M(0, v) is what inertia gives without acceleration: of rigid bodies that turn, whose (4) is then zero.
 /// For the trapezoidal rule on a linear system (1) holds exactly, and so does the budget.
+///
+/// Of a scheme whose mean forces do the work of a step (MeanStep), sums are over those and not by the
+/// trapezoidal rule: of each step with ends 0 and 1, f in its middle and h its length,
+///   (5) f_k·Δq,   (6) reaction·Δq,   (7) the change of E(x₁) and E(x₀) from their own times to the middle's
+///   (4) h f_M·½(v₀ + v₁) − Δ(3),  f_M the force of inertia                               (8)
+/// so that (1) holds to the tolerance of the solver, and `numerical` is what the damping of the scheme took.
 class EnergyBudget {
  public:
   EnergyBudget(Assembler& assembler, double mass_damping);
 
   /// Takes a state as the beginning. False: see the assembler's fault().
   bool begin(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
-  /// A step has led to a new state.
-  bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
+  /// A step has led to a new state, by the mean forces of `mean` if that is not null.
+  bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
+               const MeanStep* mean = nullptr);
   /// Finds the forces of the last state anew, once elements remember it.
   bool refresh() { return find_forces(now_); }
   /// The last state again, whose rotations are counted in another way now.
@@ -72,10 +79,15 @@ class EnergyBudget {
   bool find_energies(const std::vector<double>& x, double t, double& sum, bool keep);
   bool sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
                  std::vector<double>& force);
+  bool add_ends();
+  bool add_means(const MeanStep& mean, double kinetic_before);
   bool find_entrained();
+  void find_mean_rates();
   bool add_works();
+  bool add_winches(double reached);
   double numerical() const;
-  double done(const std::vector<double>& before, const std::vector<double>& after) const;
+  double done(const std::vector<double>& before, const std::vector<double>& after,
+              std::size_t from = 0) const;
 
   Assembler& assembler_;
   MovingState state_;

@@ -4,90 +4,86 @@
 #include "framework/assembler/pattern.hpp"
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace netloft {
 
 namespace {
 
-// σ of (3): the least, the most, from one to the next; and by how much another is tried where −σ is an
-// eigenvalue.
-constexpr double kLeastSigma = 1e-10, kMostSigma = 1e16, kStep = 100, kAside = 1.3;
+// σ of (4): the least, the most, from one to the next; and by how much another is tried where it is an
+// eigenvalue. Growth is seen from two decades off: slower than 1e-5/s, tenfold in three days, nothing is.
+constexpr double kLeastSigma = 1e-3, kMostSigma = 1e9, kStep = 100, kAside = 1.3;
 // Steps of Arnoldi's, and how many there may be if these do not tell.
 constexpr int kSteps = 24, kMostSteps = 48;
-// How far beyond the unit circle a Ritz value is looked at: with σ ten times off |λ|, the band (5) ends at a
+// How far beyond the unit circle a Ritz value is looked at: with σ ten times off |s|, the band (6) ends at a
 // fifth of what it is at its best, 0.002.
 constexpr double kBeyond = 1e-3;
-// By (4) and (6).
+// By (5) and (7).
 constexpr double kKnown = 0.1, kRoundingOfK = 10 * std::numeric_limits<double>::epsilon();
 // Powers before growth is measured, and over which it is measured.
 constexpr int kPowers = 40, kMeasured = 20;
 // Growth that still falls by this from one measure to the next may be passing: so often it is measured again.
 constexpr double kFalls = 1e-3;
 constexpr int kMeasures = 16;
-// ε of (2), by which flow damps where it does not; what is equal but for rounding, of the largest entry.
-constexpr double kLittle = 0.01, kRounding = 1e-9;
+// What is equal but for rounding, of the largest entry.
+constexpr double kRounding = 1e-9;
+// τ of (2) [s]
+constexpr double kFollows = 1e-3;
+// Of the metric in the norm (8), for what nothing else keeps; what is left of a rest but rounding.
+constexpr double kLittle = 1e-6, kExhausted = 16 * std::numeric_limits<double>::epsilon();
+constexpr int kMatrices = 5;
 
-/// y = A x, of a matrix that may be stored as its lower triangle.
-void multiply(const SparsePattern& p, std::span<const double> values, std::span<const double> x,
-              std::vector<double>& y) {
-  y.assign(x.size(), 0.0);
-  for (std::size_t c = 0; c < x.size(); ++c)
-    for (auto k = static_cast<std::size_t>(p.column_start[c]);
-         k < static_cast<std::size_t>(p.column_start[c + 1]); ++k) {
-      const auto r = static_cast<std::size_t>(p.row[k]);
-      y[r] += values[p.slot_of(k)] * x[c];
-      if (p.symmetric && r != c) y[c] += values[p.slot_of(k)] * x[r];
+using Vector = Eigen::VectorXd;
+using Complex = std::complex<double>;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Calls visit(row, column, value) for every entry, those above the diagonal of a symmetric one included.
+template <class Visit>
+void for_entries(const SparsePattern& p, std::span<const double> values, Visit&& visit) {
+  for (std::int32_t c = 0; c < p.size; ++c)
+    for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
+         k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k) {
+      const std::int32_t r = p.row[k];
+      visit(r, c, values[p.slot_of(k)]);
+      if (p.symmetric && r != c) visit(c, r, values[p.slot_of(k)]);
     }
 }
 
-double dot(std::span<const double> v, std::span<const double> w) {
-  return std::inner_product(v.begin(), v.end(), w.begin(), 0.0);
+/// Without the zeros of the pattern.
+Sparse make_sparse(const SparsePattern& p, std::span<const double> values) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for_entries(p, values, [&](std::int32_t r, std::int32_t c, double value) {
+    if (value != 0) entries.emplace_back(r, c, value);
+  });
+  Sparse A(p.size, p.size);
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
 }
-
-double norm(std::span<const double> v) { return std::sqrt(dot(v, v)); }
 
 /// A vector with a share in every direction, the same on every machine: fractions of multiples of the golden
 /// ratio.
-std::vector<double> scattered(std::size_t size) {
+Vector scattered(Eigen::Index size) {
   constexpr double kGolden = 0.61803398874989485;
-  std::vector<double> v(size);
-  for (std::size_t i = 0; i < size; ++i) {
+  Vector v(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
     const double multiple = kGolden * static_cast<double>(i + 1);
     v[i] = 2 * (multiple - std::floor(multiple)) - 1;
   }
   return v;
 }
 
-/// Calls visit(row, column, place of the value) for every entry.
-template <class Visit>
-void for_entries(const SparsePattern& p, Visit&& visit) {
-  for (std::int32_t c = 0; c < p.size; ++c)
-    for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
-         k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k)
-      visit(p.row[k], c, p.slot_of(k));
-}
-
-double trace(const SparsePattern& p, std::span<const double> A) {
-  double sum = 0;
-  for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) { sum += r == c ? A[at] : 0; });
-  return sum;
-}
-
-bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
-  if (p.symmetric) return true;
-  double largest = 0, apart = 0;
-  for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) {
-    largest = std::max(largest, std::abs(A[at]));
-    if (r > c) apart = std::max(apart, std::abs(A[at] - A[find_slot(p, c, r)]));
-  });
-  return apart <= kRounding * largest;
+bool is_symmetric(const Sparse& A) {
+  const Sparse apart = A - Sparse(A.transpose());
+  double largest = 0, most = 0;
+  for (Eigen::Index k = 0; k < A.nonZeros(); ++k) largest = std::max(largest, std::abs(A.valuePtr()[k]));
+  for (Eigen::Index k = 0; k < apart.nonZeros(); ++k) most = std::max(most, std::abs(apart.valuePtr()[k]));
+  return most <= kRounding * largest;
 }
 
 /// Whether ½ (A + Aᵀ) has positive eigenvalues only. The pattern of A is symmetric.
@@ -112,48 +108,67 @@ bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> 
   return factorisation->factorise(values).status == FactorStatus::ok;
 }
 
-using Vector = Eigen::VectorXd;
-using Complex = std::complex<double>;
+std::span<double> span_of(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
-std::span<const double> span_of(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-
-/// A of (3).
+/// A of (4), on vectors (y, v) whose length is that of (8).
 class Cayley {
  public:
-  Cayley(const SparsePattern& p, std::span<const double> K, std::span<const double> M, Factorisation& plus,
-         Statistics& cost)
-      : p_(p), K_(K), M_(M), plus_(plus), cost_(cost), minus_(K.size()) {}
+  Cayley(const SparsePattern& p, const LinearMotion& m, Factorisation& factor, Statistics& cost)
+      : motion_(m),
+        K_(make_sparse(p, m.K)),
+        C_(make_sparse(p, m.C)),
+        M_(make_sparse(p, m.M)),
+        convex_(make_sparse(p, m.convex)),
+        factor_(factor),
+        cost_(cost),
+        rhs_(p.size),
+        d_(p.size) {}
 
-  /// False: K + σM has no factor.
+  /// False: K + σC + σ²M has no factor.
   bool set(double sigma) {
     sigma_ = sigma;
-    std::vector<double> sum(K_.size());
-    for (std::size_t i = 0; i < K_.size(); ++i)
-      sum[i] = K_[i] + sigma * M_[i], minus_[i] = sigma * M_[i] - K_[i];
+    std::vector<double> sum(motion_.K.size());
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] = motion_.K[i] + sigma * (motion_.C[i] + sigma * motion_.M[i]);
+    N_ = convex_ + sigma * sigma * M_;
     ++cost_.factorisations;
-    return plus_.factorise(sum).status == FactorStatus::ok;
+    return factor_.factorise(sum).status == FactorStatus::ok;
   }
-  Vector operator*(const Vector& v) {
-    Vector to(v.size());
-    multiply(p_, minus_, span_of(v), z_);
-    plus_.solve(z_, {to.data(), z_.size()});
+  Eigen::Index unknowns() const { return K_.rows(); }
+  Vector operator*(const Vector& z) {
+    const auto y = z.head(unknowns()), v = z.tail(unknowns());
+    rhs_ = 2 * (sigma_ * (M_ * v) - K_ * y);
+    factor_.solve(span_of(rhs_), span_of(d_));
     ++cost_.solves;
+    Vector to(z.size());
+    to << y + d_, sigma_ * d_ - v;
     return to;
   }
-  /// λ of an eigenvalue μ.
-  Complex lambda(Complex mu) const { return sigma_ * (1.0 - mu) / (1.0 + mu); }
-  Vector start() const {
-    const std::vector<double> v = scattered(static_cast<std::size_t>(p_.size));
-    return Eigen::Map<const Vector>(v.data(), p_.size).normalized();
+  /// B z of the inner product zᵀ B z.
+  Vector weighed(const Vector& z) const {
+    Vector to(z.size());
+    to << N_ * z.head(unknowns()), M_ * z.tail(unknowns());
+    return to;
+  }
+  bool is_damped() const { return motion_.is_damped; }
+  /// s of an eigenvalue μ.
+  Complex rate(Complex mu) const { return sigma_ * (mu - 1.0) / (mu + 1.0); }
+  Vector start() const { return scattered(2 * unknowns()); }
+
+  /// By (7): whether a change of K as small as it is known would undo what grows by s along y.
+  bool is_in_doubt(Complex s, const Eigen::VectorXcd& y, double doubt) const {
+    const Eigen::VectorXd size = y.cwiseAbs();
+    const Eigen::VectorXd noise = kRoundingOfK * (K_.cwiseAbs() * size) + doubt * size;
+    return (s * (C_ * y) + s * s * (M_ * y)).norm() <= noise.norm();
   }
 
  private:
-  const SparsePattern& p_;
-  std::span<const double> K_, M_;
-  Factorisation& plus_;
+  const LinearMotion& motion_;
+  Sparse K_, C_, M_, convex_, N_;
+  Factorisation& factor_;
   Statistics& cost_;
   double sigma_ = 0;
-  std::vector<double> minus_, z_;
+  Vector rhs_, d_;
 };
 
 /// An eigenvalue of A with a vector, as a Krylov space has them.
@@ -166,13 +181,16 @@ struct RitzPair {
   bool is_known() const { return error <= kKnown * beyond(); }
 };
 
-/// An orthonormal basis of v, Av, A²v, … with A = Q H Qᵀ on it.
+/// An orthonormal basis Q of z, Az, A²z, … in the inner product (8), with A Q = Q H on it.
 class Arnoldi {
  public:
-  Arnoldi(Cayley& A, const Vector& v) : A_(A), Q_(v), H_(Eigen::MatrixXd::Zero(1, 0)) {}
+  Arnoldi(Cayley& A, const Vector& z) : A_(A), Q_(z), BQ_(A.weighed(z)) {
+    const double length = std::sqrt(Q_.col(0).dot(BQ_.col(0)));
+    Q_ /= length, BQ_ /= length;
+  }
 
   void extend(int steps) {
-    Q_.conservativeResize(Eigen::NoChange, steps + 1);
+    Q_.conservativeResize(Eigen::NoChange, steps + 1), BQ_.conservativeResize(Eigen::NoChange, steps + 1);
     const Eigen::Index before = H_.cols();
     H_.conservativeResizeLike(Eigen::MatrixXd::Zero(steps + 1, steps));
     for (Eigen::Index k = before; k < steps && !is_exhausted_; ++k) step(k);
@@ -201,17 +219,19 @@ class Arnoldi {
   /// Orthogonalised twice, which is enough.
   void step(Eigen::Index k) {
     Vector next = A_ * Vector(Q_.col(k));
-    const double length = next.norm();
+    double along_all = 0;
     for (int i = 0; i < 2; ++i) {
-      const Vector along = Q_.leftCols(k + 1).transpose() * next;
+      const Vector along = BQ_.leftCols(k + 1).transpose() * next;
       H_.col(k).head(k + 1) += along;
       next -= Q_.leftCols(k + 1) * along;
+      along_all += along.norm();
     }
-    const double rest = next.norm();
+    const Vector weighed = A_.weighed(next);
+    const double rest = std::sqrt(std::max(0.0, next.dot(weighed)));
     size_ = k + 1;
-    is_exhausted_ = !(rest > 16 * std::numeric_limits<double>::epsilon() * length) || size_ == Q_.rows();
+    is_exhausted_ = !(rest > kExhausted * std::hypot(along_all, rest)) || size_ == Q_.rows();
     H_(k + 1, k) = is_exhausted_ ? 0 : rest;
-    if (!is_exhausted_) Q_.col(k + 1) = next / rest;
+    if (!is_exhausted_) Q_.col(k + 1) = next / rest, BQ_.col(k + 1) = weighed / rest;
   }
 
   static bool is_better(const RitzPair& a, const RitzPair& b) {
@@ -220,7 +240,7 @@ class Arnoldi {
   }
 
   Cayley& A_;
-  Eigen::MatrixXd Q_, H_;
+  Eigen::MatrixXd Q_, BQ_, H_ = Eigen::MatrixXd::Zero(1, 0);
   Eigen::Index size_ = 0;
   bool is_exhausted_ = false;
 };
@@ -228,18 +248,18 @@ class Arnoldi {
 /// A vector under powers of A, kept at length 1.
 class Powers {
  public:
-  Powers(Cayley& A) : A_(A), y_(A.start()) {}
+  Powers(Cayley& A) : A_(A), z_(A.start()) {}
 
   /// Growth per power, averaged over so many.
   double grow(int powers) {
     double logarithm = 0;
     for (int k = 0; k < powers; ++k) {
-      y_ = A_ * y_;
-      const double length = y_.norm();
+      z_ = A_ * z_;
+      const double length = std::sqrt(z_.dot(A_.weighed(z_)));
       if (!std::isfinite(length)) return std::numeric_limits<double>::infinity();
       if (length == 0) return 0;
       logarithm += std::log(length);
-      y_ /= length;
+      z_ /= length;
     }
     return std::exp(logarithm / powers);
   }
@@ -253,160 +273,166 @@ class Powers {
     }
     return growth > kGrows ? GrowthVerdict::marginal : GrowthVerdict::none;
   }
-  const Vector& vector() const { return y_; }
+  const Vector& vector() const { return z_; }
 
  private:
   Cayley& A_;
-  Vector y_;
+  Vector z_;
 };
 
-/// Of length 1, the largest entry of v having no imaginary part.
-std::vector<double> real_mode(const Eigen::VectorXcd& v) {
+/// Of length 1, the largest entry of y having no imaginary part.
+std::vector<double> real_mode(const Eigen::VectorXcd& y) {
   Eigen::Index largest = 0;
-  v.cwiseAbs2().maxCoeff(&largest);
-  const Vector mode = (v / v[largest]).real().normalized();
+  y.cwiseAbs2().maxCoeff(&largest);
+  const Vector mode = (y / y[largest]).real().normalized();
   return {mode.begin(), mode.end()};
 }
 
-/// By (6).
-bool is_in_doubt(Complex lambda, const std::vector<double>& v, const SparsePattern& p,
-                 std::span<const double> K, std::span<const double> M, double doubt) {
-  std::vector<double> Mv, noise(v.size()), all_K(K.begin(), K.end()), all_v(v);
-  for (double& k : all_K) k = std::abs(k);
-  for (double& vi : all_v) vi = std::abs(vi);
-  multiply(p, M, v, Mv);
-  multiply(p, all_K, all_v, noise);
-  for (std::size_t i = 0; i < v.size(); ++i) noise[i] = kRoundingOfK * noise[i] + doubt * all_v[i];
-  return std::abs(lambda) * norm(Mv) <= norm(noise);
-}
-
-Growth growth_of(const RitzPair& pair, const Cayley& A) {
-  const Complex lambda = A.lambda(pair.theta);
-  Growth g{.verdict = GrowthVerdict::grows, .mode = real_mode(pair.vector)};
-  const double c = std::min(1.0, -lambda.real() / std::abs(lambda));
-  g.per_power = std::sqrt((1 + c) / (1 - c));  // (5)
-  g.rate = -lambda.real(), g.frequency = std::abs(lambda.imag());
+Growth growth_of(const RitzPair& pair, const Cayley& A, double doubt) {
+  const Complex s = A.rate(pair.theta);
+  const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
+  Growth g{.verdict = GrowthVerdict::grows, .mode = real_mode(y)};
+  const double c = std::min(1.0, s.real() / std::abs(s));
+  g.per_power = std::sqrt((1 + c) / (1 - c));  // (6)
+  g.rate = s.real(), g.frequency = std::abs(s.imag());
+  const bool is_for_damping_to_tell = !A.is_damped() && g.frequency > g.rate;
+  if (g.per_power <= kGrows || is_for_damping_to_tell || A.is_in_doubt(s, y, doubt))
+    g.verdict = GrowthVerdict::marginal, g.per_power = std::min(g.per_power, kGrows);
   return g;
 }
 
 /// Where the largest Ritz value is not known.
-Growth growth_by_powers(Cayley& A) {
+Growth growth_by_powers(Cayley& A, double doubt) {
   Powers powers(A);
   const GrowthVerdict verdict = powers.judge();
   if (verdict != GrowthVerdict::grows) return {.verdict = verdict};
   Arnoldi arnoldi(A, powers.vector());
   arnoldi.extend(kSteps);
-  return growth_of(arnoldi.outermost(), A);
+  return growth_of(arnoldi.outermost(), A, doubt);
 }
 
 /// For the σ that A has.
-Growth growth_by(Cayley& A) {
+Growth growth_by(Cayley& A, double doubt) {
   Arnoldi arnoldi(A, A.start());
   for (const int steps : {kSteps, kMostSteps}) {
     arnoldi.extend(steps);
     const RitzPair pair = arnoldi.outermost();
     if (pair.beyond() <= kBeyond) return {};
-    if (pair.is_known()) return growth_of(pair, A);
+    if (pair.is_known()) return growth_of(pair, A, doubt);
   }
-  return growth_by_powers(A);
+  return growth_by_powers(A, doubt);
 }
 
-/// A power of ten that no entry of the diagonal of K is above, over that of M, but for rounding; from 1 to
-/// kMostSigma. A member in compression that is next to nothing long pushes aside much more stiffly than its
-/// linear stiffness.
-double largest_sigma(const SparsePattern& p, std::span<const double> K, std::span<const double> M) {
-  double largest = 1;
-  for_entries(p, [&](std::int32_t r, std::int32_t c, std::size_t at) {
-    if (r == c && M[at] > 0 && std::isfinite(K[at])) largest = std::max(largest, std::abs(K[at]) / M[at]);
+/// The largest entry of each column.
+Vector largest_by_column(const SparsePattern& p, std::span<const double> A) {
+  Vector largest = Vector::Zero(p.size);
+  for_entries(p, A, [&](std::int32_t, std::int32_t c, double value) {
+    if (std::isfinite(value)) largest[c] = std::max(largest[c], std::abs(value));
   });
-  return std::min(kMostSigma, std::pow(10, std::ceil(std::log10(largest) - kRounding)));
+  return largest;
 }
 
-/// Adds to a block of a matrix what makes its symmetric part positive semidefinite.
-void make_block_positive(const SparsePattern& p, const std::vector<std::int32_t>& unknowns,
-                         std::span<double> A) {
-  if (unknowns.empty()) return;
-  const auto n = static_cast<Eigen::Index>(unknowns.size());
-  const auto slot = [&](Eigen::Index r, Eigen::Index c) {
-    const std::int32_t i = unknowns[static_cast<std::size_t>(r)], j = unknowns[static_cast<std::size_t>(c)];
-    return p.symmetric ? find_slot(p, std::max(i, j), std::min(i, j)) : find_slot(p, i, j);
+/// The greatest σ: so that none is ten times slower than the fastest that an unknown makes by itself.
+double largest_sigma(const SparsePattern& p, const LinearMotion& m) {
+  const Vector K = largest_by_column(p, m.K), C = largest_by_column(p, m.C);
+  double fastest = kLeastSigma;
+  for (std::int32_t c = 0; c < p.size; ++c) {
+    const double mass = m.M[find_slot(p, c, c)];
+    const double rate = mass > 0 ? std::max(std::sqrt(K[c] / mass), C[c] / mass) : C[c] > 0 ? K[c] / C[c] : 0;
+    fastest = std::max(fastest, rate);
+  }
+  double sigma = kLeastSigma;
+  while (sigma * std::sqrt(kStep) < fastest && sigma < kMostSigma) sigma *= kStep;
+  return sigma;
+}
+
+/// By (9).
+bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, const MakeFactorisation& make,
+                         Statistics& cost) {
+  const auto is_positive = [&](std::span<const double> A) {
+    std::vector<double> sum(p.value_slots());
+    double largest = 0, largest_of_convex = 0;
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      largest = std::max(largest, std::abs(A[i])),
+      largest_of_convex = std::max(largest_of_convex, std::abs(m.convex[i]));
+    if (largest == 0) return true;
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] = A[i] + kRounding * largest / largest_of_convex * m.convex[i];
+    return is_symmetric_part_positive(p, sum, make, cost);
   };
-  Eigen::MatrixXd block(n, n);
-  for (Eigen::Index r = 0; r < n; ++r)
-    for (Eigen::Index c = 0; c < n; ++c) block(r, c) = A[slot(r, c)];
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of(0.5 * (block + block.transpose()));
-  if (!(of.eigenvalues()[0] < 0)) return;
-  const Eigen::VectorXd lacking = (-of.eigenvalues()).cwiseMax(0.0);
-  const Eigen::MatrixXd more = of.eigenvectors() * lacking.asDiagonal() * of.eigenvectors().transpose();
-  for (Eigen::Index r = 0; r < n; ++r)
-    for (Eigen::Index c = p.symmetric ? r : 0; c < n; ++c) A[slot(r, c)] += more(r, c);
+  return is_symmetric(make_sparse(p, m.K)) && is_symmetric(make_sparse(p, m.M)) && is_positive(m.M) &&
+         is_positive(m.C) && is_symmetric_part_positive(p, m.K, make, cost);
 }
 
-/// Leaves of C what damps.
-void leave_what_damps(const Assembler& assembler, std::span<double> C) {
-  const Numbering& numbering = assembler.numbering();
-  std::vector<std::vector<std::int32_t>> blocks(numbering.dofs() / 3);
-  std::vector<std::size_t> block_of(blocks.size());
-  std::iota(block_of.begin(), block_of.end(), std::size_t{0});
-  for (const auto& body : assembler.body_nodes()) block_of[body[1]] = body[0];
-  for (std::int32_t i = 0; i < numbering.unknowns(); ++i) blocks[block_of[numbering.node(i)]].push_back(i);
-  for (const auto& block : blocks) make_block_positive(assembler.pattern(), block, C);
+/// (2)
+void let_follow(const SparsePattern& p, std::span<const double> metric, LinearMotion& m) {
+  std::vector<bool> follows(static_cast<std::size_t>(p.size), true);
+  const auto each = [&](auto&& visit) {
+    for (std::int32_t c = 0; c < p.size; ++c)
+      for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
+           k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k)
+        visit(static_cast<std::size_t>(p.row[k]), static_cast<std::size_t>(c), p.slot_of(k));
+  };
+  each([&](std::size_t r, std::size_t c, std::size_t at) {
+    if (m.M[at] != 0 || m.C[at] != 0) follows[r] = follows[c] = false;
+  });
+  each([&](std::size_t r, std::size_t c, std::size_t at) {
+    if (follows[r] && follows[c]) m.C[at] += kFollows * metric[at];
+  });
 }
 
-/// Makes the linear stiffness M the matrix of (2). 1/τ; zero where the trace of C is not positive.
-double add_damping(const SparsePattern& p, std::span<const double> C, std::span<double> M) {
-  if (!(trace(p, C) > 0)) return 0;
-  const double share = trace(p, M) / (kLittle * trace(p, C));
-  for (std::size_t i = 0; i < p.value_slots(); ++i) M[i] += share * C[i];
-  return share;
+/// The matrices of (1) and (8) at x. False: see the assembler's fault.
+bool linearise(Assembler& assembler, std::span<const double> x, std::span<const double> x_low,
+               LinearMotion& m) {
+  const double* low = x_low.empty() ? nullptr : x_low.data();
+  const std::size_t slots = assembler.value_slots();  // more than the pattern has
+  std::vector<double> metric(slots);
+  for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->assign(slots, 0.0);
+  const auto evaluate = [&](std::vector<double>& A, MatrixKind kind, double cu, double cv, double ca) {
+    const Kinematics motion{.cu = cu, .cv = cv, .ca = ca, .x_low = low};
+    return assembler.evaluate(x, {.matrix = kind, .values = A.data(), .motion = motion});
+  };
+  if (!evaluate(m.K, MatrixKind::exact, 1, 0, 0) || !evaluate(m.C, MatrixKind::exact, 0, 1, 0) ||
+      !evaluate(m.M, MatrixKind::exact, 0, 0, 1) || !evaluate(m.convex, MatrixKind::convex, 1, 0, 0) ||
+      !evaluate(metric, MatrixKind::metric, 1, 0, 0))
+    return false;
+  m.is_damped = std::any_of(m.C.begin(), m.C.end(), [](double c) { return c != 0; });
+  let_follow(assembler.pattern(), metric, m);
+  for (std::size_t i = 0; i < slots; ++i) m.convex[i] += kLittle * metric[i];
+  for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->resize(assembler.pattern().value_slots());
+  return true;
 }
 
 }  // namespace
 
-Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make,
-                   std::span<const double> x_low, double doubt) {
-  const double* low = x_low.empty() ? nullptr : x_low.data();
-  // An assembler has more values than its pattern.
-  std::vector<double> K(assembler.value_slots()), C = K, M = K;
-  if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = K.data(), .motion = {.x_low = low}}) ||
-      !assembler.evaluate(
-          x, {.matrix = MatrixKind::exact, .values = C.data(), .motion = {.cu = 0, .cv = 1, .x_low = low}}) ||
-      !assembler.evaluate(x, {.matrix = MatrixKind::metric, .values = M.data()}))
-    return {.verdict = GrowthVerdict::unknown};
-  const SparsePattern& pattern = assembler.pattern();
-  const std::size_t entries = pattern.value_slots();
-  leave_what_damps(assembler, C);
-  const double per_second = add_damping(pattern, C, M);
-  Growth growth = find_growth(pattern, std::span(K).first(entries), std::span(M).first(entries), make, doubt);
-  growth.rate *= per_second, growth.frequency *= per_second;
-  growth.cost.matrices += 3;
-  return growth;
-}
-
-Growth find_growth(const SparsePattern& pattern, std::span<const double> K, std::span<const double> M,
-                   const MakeFactorisation& make, double doubt) {
+Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make,
+                   double doubt) {
   Growth most;
   Statistics cost;
-  if (is_symmetric(pattern, M) && is_symmetric_part_positive(pattern, M, make, cost) &&
-      is_symmetric_part_positive(pattern, K, make, cost))
-    return {.cost = cost};  // (7)
+  if (is_stable_by_energy(pattern, motion, make, cost)) return {.cost = cost};
   const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
-  Cayley A(pattern, K, M, *factorisation, cost);
-  for (double sigma = largest_sigma(pattern, K, M); sigma > kLeastSigma / 2 && !most.grows();
+  Cayley A(pattern, motion, *factorisation, cost);
+  for (double sigma = largest_sigma(pattern, motion); sigma > kLeastSigma / 2 && !most.grows();
        sigma /= kStep) {
     if (!A.set(sigma) && !A.set(kAside * sigma)) {
       most = {.verdict = GrowthVerdict::unknown};
       break;
     }
-    Growth growth = growth_by(A);
-    if (growth.grows() && (growth.per_power <= kGrows ||
-                           is_in_doubt({growth.rate, growth.frequency}, growth.mode, pattern, K, M, doubt)))
-      growth.verdict = GrowthVerdict::marginal, growth.per_power = std::min(growth.per_power, kGrows);
+    Growth growth = growth_by(A, doubt);
     if (growth.verdict > most.verdict) most = std::move(growth);
   }
   most.cost = cost;
   return most;
+}
+
+Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make,
+                   std::span<const double> x_low, double doubt) {
+  LinearMotion m;
+  if (!linearise(assembler, x, x_low, m)) return {.verdict = GrowthVerdict::unknown};
+  Growth growth = find_growth(assembler.pattern(), m, make, doubt);
+  growth.cost.matrices += kMatrices;
+  return growth;
 }
 
 }  // namespace netloft

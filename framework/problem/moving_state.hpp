@@ -37,4 +37,11 @@ class MovingState {
   std::vector<double> x_, v_, a_;
 };
 
+/// The middle of a step whose mean forces did its work (netloft_motion::solve_between).
+struct MeanStep {
+  double t = 0;                   // [s]
+  std::vector<double> u, v, a;    // of the unknowns, as the scheme took them there [m], [m/s], [m/s²]
+  std::vector<double> reactions;  // mean forces of the holds, over all dofs [N]; empty: nothing is guided
+};
+
 }  // namespace netloft

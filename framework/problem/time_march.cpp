@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 namespace netloft {
 
@@ -26,6 +27,9 @@ std::string seconds(double t) {
   return text;
 }
 
+/// Steps of the march that another one is compared with, over its own: longer where they may be.
+constexpr double kLonger = 2, kShorter = 0.5;
+
 /// One march; members are steps in the order they happen.
 class March {
  public:
@@ -38,9 +42,12 @@ class March {
         limits_(limits),
         settings_(settings),
         watch_(watch),
+        make_(make),
+        solver_(solver),
         problem_(assembler, settings.mass_damping, solver, make, limits),
         budget_(assembler, settings.mass_damping),
         state_(from ? *from : state_at_rest(assembler)),
+        other_start_(state_),
         next_(state_),
         shown_(assembler, settings.mass_damping),
         error_(state_.u.size()),
@@ -48,13 +55,24 @@ class March {
         corners_(find_corners()) {}
 
   MarchResult run() {
-    if (begin())
+    if (begin() && begin_other())
       while (state_.t < settings_.duration && !has_ended()) {
         if (!shorten_rotations() || !make_step()) break;
         write_outputs();
         tell_of_step();
       }
     return finish();
+  }
+
+  /// Goes on to a time or beyond it, without outputs; false: it has failed, or was interrupted.
+  bool reach(double t) {
+    assembler_.set_memory(state_.memory);
+    bool moves = true;
+    while (moves && state_.t < t && !has_ended()) moves = shorten_rotations() && make_step();
+    if (state_.t < t) return false;
+    keep();
+    if (settings_.dense) state_.t_before = previous_, state_.u_before = next_.u, state_.v_before = next_.v;
+    return true;
   }
 
  private:
@@ -81,8 +99,69 @@ class March {
     find_limit();
     if (state_.h == 0) state_.h = first_step();
     last_ = previous_ = state_.t;
+    if (!state_.u_before.empty())
+      previous_ = state_.t_before, next_.u = state_.u_before, next_.v = state_.v_before;
+    if (state_.memory.empty()) state_.memory = assembler_.memory();
+    if (state_.outputs == 0 && !settings_.check) write_checkpoint(state_.t);
+    return true;
+  }
+
+  /// The march that this one is compared with goes on from where it was; its first step comes later.
+  bool begin_other() {
+    if (!settings_.check) return true;
+    MarchSettings& s = other_settings_ = settings_;
+    s.check = s.budget = s.judged = false;
+    s.pace = stable_step(1) == 0 ? kLonger : kShorter;
+    if (s.step > 0) s.step *= s.pace;
+    s.longest_step *= s.pace, s.output_interval *= s.pace;
+    const std::vector<double> own = assembler_.memory();
+    if (state_.outputs == 0) state_.other = {other_start_};
+    if (!state_.other.empty()) {
+      other_ = std::make_unique<March>(scene_, assembler_, integrator_, solver_, make_, limits_,
+                                       other_settings_, nobody_, &state_.other[0]);
+      if (!other_->begin()) lose_other();
+      assembler_.set_memory(own);
+    }
     if (state_.outputs == 0) write_checkpoint(state_.t);
     return true;
+  }
+  void lose_other() {
+    other_lost_ = other_->result_.reason;
+    state_.path_error = std::numeric_limits<double>::infinity(), state_.path_at = other_->state_.t;
+    other_.reset(), state_.other.clear();
+  }
+
+  /// (3) at an output; false: interrupted.
+  bool compare_paths(double t) {
+    if (!other_ || !other_->has_output_at(t)) return true;
+    const std::vector<double> own = assembler_.memory();
+    const bool is_there = other_->reach(t);
+    assembler_.set_memory(own);
+    if (!is_there && other_->result_.status == MarchStatus::interrupted) return !has_ended();
+    if (!is_there) return lose_other(), true;
+    show(t), other_->show(t);
+    note_difference(t);
+    state_.other = {other_->state_};
+    return true;
+  }
+  void note_difference(double t) {
+    const std::vector<double> here = assembler_.node_positions(shown_.x()),
+                              there = assembler_.node_positions(other_->shown_.x());
+    const double longer = static_cast<double>(state_.steps) /
+                          static_cast<double>(std::max<std::int64_t>(1, other_->state_.steps));
+    for (std::size_t i = 0; i < here.size(); i += 3) {
+      const double apart =
+          std::hypot(here[i] - there[i], here[i + 1] - there[i + 1], here[i + 2] - there[i + 2]);
+      const double error = apart == 0 ? 0 : apart / std::min(1.0, std::abs(longer - 1));
+      if (!(error <= state_.path_error))
+        state_.path_error = error, state_.path_at = t, state_.path_of = i / 3;
+    }
+  }
+  /// Of one that is compared, which makes its outputs at other times.
+  bool has_output_at(double t) const {
+    if (settings_.dense || settings_.output_interval <= 0 || t >= settings_.duration) return true;
+    const double outputs = t / settings_.output_interval;
+    return std::abs(outputs - std::round(outputs)) < 1e-9;
   }
 
   void note_start() {
@@ -104,8 +183,10 @@ class March {
     if (result_.stable_step == 0) result_.stable_step = stable_step(problem_.highest_frequency());
     const double now = stable_step(problem_.highest_frequency_at(state_.u));
     if (settings_.adaptive || settings_.step == 0)
-      limit_ = std::min({limit_, kBelowLimit * result_.stable_step, kBelowLimit * now});
+      limit_ = std::min({limit_, bound() * result_.stable_step, bound() * now});
   }
+
+  double bound() const { return kBelowLimit * settings_.pace; }
 
   /// As given; else the time in which the start's acceleration leads as far as a step's error may be.
   double first_step() const {
@@ -118,8 +199,9 @@ class March {
 
   /// (2)
   double allowed() const {
-    const double asked = settings_.accuracy;
-    return asked >= kProportional ? asked : asked * asked / kProportional;
+    const double asked = settings_.accuracy,
+                 order = integrator_.type->integrator.order(integrator_.parameters);
+    return (asked >= kProportional ? asked : asked * asked / kProportional) * std::pow(settings_.pace, order);
   }
   double tolerated() const { return allowed() * element_size(); }
   double element_size() const { return const_cast<TransientProblem&>(problem_).algebra().element_size(); }
@@ -224,7 +306,9 @@ class March {
   bool keep_account() {
     if (!settings_.budget && !budget_.begin(previous_, next_.u, next_.v, next_.a)) return false;
     const EnergyBudget::Totals before = budget_.totals();
-    if (!budget_.advance(state_.t, state_.u, state_.v, state_.a)) return false;
+    const MeanStep* mean = problem_.mean_step(state_.u);
+    if (problem_.is_between() && !mean) return false;
+    if (!budget_.advance(state_.t, state_.u, state_.v, state_.a, mean)) return false;
     judge_.note(before, budget_.totals(), look_every());
     return true;
   }
@@ -273,6 +357,7 @@ class March {
     while (state_.outputs < output_count() && output_time(state_.outputs) <= state_.t) {
       const double t = output_time(state_.outputs);
       const bool is_last = state_.outputs + 1 >= output_count() || output_time(state_.outputs + 1) > state_.t;
+      if (!compare_paths(t)) return;
       if (is_last)
         write_checkpoint(t);
       else
@@ -281,28 +366,32 @@ class March {
   }
 
   /// From here on nothing depends on how the march has come here but through what is kept.
-  void write_checkpoint(double t) {
+  void keep() {
     problem_.algebra().forget_factor();
     if (settings_.budget) budget_.refresh();
     state_.memory = assembler_.memory();
     if (settings_.budget) state_.budget = budget_.sums();
     state_.judged = judge_.sums();
-    place_at(t);
+    find_forces();
     problem_.note_loads(residual_);
     state_.least_load = problem_.least_load();
     ++state_.outputs;
     if (stable_step(1) > 0) find_limit();
+  }
+  void write_checkpoint(double t) {
+    show(t);
+    keep();
     tell(t, &state_);
   }
   void write_between(double t) {
-    place_at(t);
+    show(t);
+    find_forces();
     ++state_.outputs;
     tell(t, nullptr);
   }
 
-  /// Where it is at a time within the last step, and the forces at its end.
-  void place_at(double t) {
-    show(t);
+  /// At the end of the last step.
+  void find_forces() {
     problem_.state().set(state_.t, state_.u, state_.v, state_.a);
     assembler_.evaluate(problem_.state().x(),
                         {.residual = residual_.data(), .motion = problem_.state().motion()});
@@ -363,17 +452,22 @@ class March {
   }
 
   AchievedAccuracy achieved() const {
-    AchievedAccuracy a{.asked = settings_.accuracy, .allowed = allowed()};
+    AchievedAccuracy a{.asked = settings_.accuracy, .element = element_size(), .allowed = allowed()};
     a.largest = state_.largest_error, a.t = state_.largest_at, a.sum = state_.error_sum;
     if (a.largest > 0) a.node = assembler_.node_name(scene_, static_cast<std::uint32_t>(state_.largest_of));
+    if (!settings_.check) return a;
+    a.is_checked = true, a.path = state_.path_error / element_size(), a.path_at = state_.path_at;
+    a.path_of =
+        std::isfinite(a.path) ? scene_.node_name(static_cast<std::uint32_t>(state_.path_of)) : other_lost_;
     return a;
   }
 
   MarchResult finish() {
     result_.u = state_.u, result_.t = state_.t;
     result_.steps = state_.steps, result_.rejected = state_.rejected;
-    if (settings_.adaptive) result_.accuracy = achieved();
+    if (settings_.adaptive || settings_.check) result_.accuracy = achieved();
     result_.statistics = problem_.statistics();
+    if (other_) result_.statistics.add(other_->problem_.statistics());
     result_.statistics.total_seconds = wall_seconds() - begun_;
     result_.statistics.total_cpu_seconds = cpu_seconds() - cpu_begun_;
     if (result_.status == MarchStatus::finished)
@@ -388,6 +482,8 @@ class March {
   const Limits& limits_;
   const MarchSettings& settings_;
   const MarchWatch& watch_;
+  const MakeFactorisation& make_;
+  SolverChoice solver_;
   TransientProblem problem_;
   EnergyBudget budget_;
   EnergyJudge judge_;
@@ -398,6 +494,11 @@ class March {
   double begun_ = wall_seconds(), cpu_begun_ = cpu_seconds();
   bool is_over_ = false;
   MarchResult result_;
+  MarchSettings other_settings_;
+  MarchWatch nobody_;
+  MarchState other_start_;  // of the march that this one is compared with, if both are at the beginning
+  std::unique_ptr<March> other_;
+  std::string other_lost_;  // why
 };
 
 }  // namespace

@@ -17,6 +17,8 @@ struct MarchSettings {
   bool dense = false;       // outputs between steps; otherwise steps end at them
   bool budget = true;       // keep the energy budget
   bool judged = true;       // fail once there is energy that nobody gave
+  bool check = false;       // compare with another march, in steps `pace` times as long
+  double pace = 1;          // factor on all lengths of steps
   double mass_damping = 0;  // c of the force −c M v [1/s]
 };
 
@@ -39,6 +41,11 @@ struct MarchState {
   double least_load = 0;                    // [N]
   std::size_t outputs = 0;                  // written before
   std::int64_t steps = 0, rejected = 0;
+  double t_before = 0;  // begin of the last step, of a march that is compared between steps [s]
+  std::vector<double> u_before, v_before;  // there [m], [m/s]
+  std::vector<MarchState> other;           // the march that this one is compared with, if it is
+  double path_error = 0, path_at = 0;      // largest so far by (3) [m], its time [s]
+  std::uint64_t path_of = 0;               // and its node
 };
 
 /// Where forces are asked for, at the end of a step: positions between two ends are smooth but in balance
@@ -78,11 +85,18 @@ struct StartBalance {
 /// What control of the error came to, over the longest element, where steps are adaptive.
 struct AchievedAccuracy {
   double asked = 0;    // accuracy of the path
+  double element = 0;  // the longest, along one axis [m]
   double allowed = 0;  // error of one step by (2)
   double largest = 0;  // estimated for an accepted step, at time t and of a node
   double t = 0;        // [s]
   std::string node;
   double sum = 0;  // of the largest errors of all steps: that of the path, if no motion enlarges or damps it
+  bool is_checked = false;  // against another march: what follows is known
+  double path = 0;          // error of the path by (3), at a time and of a node; infinite: the other was lost
+  double path_at = 0;       // [s]
+  std::string path_of;
+  /// The path is not known as well as was asked for.
+  bool is_missed() const { return is_checked && !(path <= asked); }
 };
 
 struct MarchResult {
@@ -113,6 +127,13 @@ struct MarchWatch {
 ///   allowed = a (accuracy/a)^(p/(p − 1)),  p = 2 with members that go slack and taut     (2)
 /// (tolerance proportionality: M. Calvo, D. J. Higham, J. I. Montijano, L. Rández, "Stepsize selection for
 /// tolerance proportionality in explicit Runge-Kutta codes", Adv. Comput. Math. 7, 1997).
+/// What a scheme estimates of single steps says nothing of a motion that enlarges errors, of a snap that the
+/// estimate does not see, or of steps that are given. With `check` the host goes through time a second time,
+/// in steps r times as long (2, or ½ where stability bounds them), and takes for the error of the path
+///   the largest distance of a node between both at an output / min(1, |r − 1|)                  (3)
+/// r as steps were made. It is not below the error where that falls with the step by the power 1 or more; in
+/// a motion that errors have taken over, both are off alike, and so is their difference. Costs half as much
+/// again for r = 2.
 /// A march whose energy comes out of nothing (energy_judge.hpp) has failed, however smoothly it steps on.
 /// Without an energy budget only every 16th step is looked at where stability makes steps short.
 MarchResult march(const Scene& scene, Assembler& assembler, IntegratorChoice integrator, SolverChoice solver,

@@ -144,15 +144,34 @@ int TransientProblem::solve_between(const double* v0, double cv, const double* a
   StepProblem step{m.t + 0.5 * m.h, v, a, 2 * cv, 2 * ca, {}, &state_, least_load_};
   step.between = &ends_;
   const int status = solve_step(step, middle.data());
+  mean_.t = step.t, mean_.u = middle, mean_.v.resize(size()), mean_.a.resize(size());
+  for (std::size_t i = 0; i < size(); ++i)
+    mean_.v[i] = v[i] + step.cv * middle[i], mean_.a[i] = a[i] + step.ca * middle[i];
   for (std::size_t i = 0; i < size() && status == NETLOFT_OK; ++i) u[i] = 2 * middle[i] - m.u[i];
   return status;
 }
 
-bool TransientProblem::accept(std::span<const double> u) {
-  if (!is_between_) return true;
+void TransientProblem::place_end(std::span<const double> u) {
   ends_.x_after = assembler_.start();
   assembler_.place(u, ends_.x_after, ends_.end);
   ends_.ends.before = ends_.x_before.data(), ends_.ends.after = ends_.x_after.data();
+}
+
+const MeanStep* TransientProblem::mean_step(std::span<const double> u) {
+  if (!is_between_) return nullptr;
+  mean_.reactions.clear();
+  if (!assembler_.is_guided()) return &mean_;
+  place_end(u);
+  mean_.reactions.resize(residual_.size());
+  state_.set(mean_.t, mean_.u, mean_.v, mean_.a);
+  const bool has_forces = assembler_.evaluate(
+      state_.x(), {.residual = mean_.reactions.data(), .motion = state_.motion(), .between = &ends_.ends});
+  return has_forces ? &mean_ : nullptr;
+}
+
+bool TransientProblem::accept(std::span<const double> u) {
+  if (!is_between_) return true;
+  place_end(u);
   return assembler_.remember_stretch(ends_.ends, memory_, ends_.end);
 }
 

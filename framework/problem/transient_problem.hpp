@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/problem/moving_state.hpp"
 #include "framework/problem/node_masses.hpp"
 #include "framework/problem/static_problem.hpp"
 #include "framework/registry/descriptors.hpp"
@@ -45,6 +46,11 @@ class TransientProblem {
   std::string obstacle_to_explicit(const Scene& scene);
   /// Raises what tolerances are a part of to the loads in `residual`, over all dofs [N].
   void note_loads(std::span<const double> residual);
+  /// Of the step that ends at displacements u, before it is accepted, if its forces were means; null if not,
+  /// and if there are no forces: see the assembler's fault().
+  const MeanStep* mean_step(std::span<const double> u);
+  /// Whether the forces of the last step were means.
+  bool is_between() const { return is_between_; }
   /// A step that ends at displacements u is accepted: members remember it if its forces were means. False:
   /// an element does not tell its members.
   bool accept(std::span<const double> u);
@@ -58,6 +64,7 @@ class TransientProblem {
   int solve_between(const double* v0, double cv, const double* a0, double ca, double damping, double memory,
                     double* u);
   int solve_step(const StepProblem& step, double* u);
+  void place_end(std::span<const double> u);
   int accelerate_at(double t, std::span<const double> u, std::span<const double> v, std::span<double> a,
                     bool massless_rest);
   int evaluate();
@@ -69,6 +76,7 @@ class TransientProblem {
   StepProblem::Ends ends_;
   double memory_ = 0;        // of members, asked for with the step that is tried
   bool is_between_ = false;  // its forces are means
+  MeanStep mean_;
   NodeMasses masses_;
   netloft_motion interface_{};
   Statistics statistics_;

@@ -96,7 +96,7 @@ TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene&
   else if ((term.traits & NETLOFT_NEEDS_FLOW) && !meets_flow(scene, kind))
     plan.reason = kind == AnalysisKind::statics ? "the scene has no current" : "the scene has no water";
   else if ((term.traits & NETLOFT_NEEDS_MOTION) && kind == AnalysisKind::statics)
-    plan.reason = "the analysis is static";
+    plan.reason = "the analysis is static", plan.when_it_moves = !(term.traits & NETLOFT_NEEDS_WAVES);
   else if ((term.traits & NETLOFT_NEEDS_WAVES) && !scene.waves)
     plan.reason = "the scene has no waves";
   else

@@ -14,6 +14,7 @@ struct TermPlan {
   std::uint32_t traits = 0;
   bool on = false;
   std::string reason;
+  bool when_it_moves = false;  // of a static analysis: off, but part of how a small disturbance moves
 };
 
 /// The law in one slot of a family.

@@ -59,6 +59,7 @@ Case::State Case::assemble() {
     material_damping_ = choose_material_damping(loaded_.scene, analysis, registry_);
     plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
                       moves ? AnalysisKind::dynamics : AnalysisKind::statics);
+    if (!moves && plan_.conservative) take_out_losses(loaded_.scene);
     if (moves && registry_.integrator(analysis.dynamics.integrator).asks_mean_forces())
       ask_mean_forces(plan_, analysis.dynamics.integrator);
     warn_of_idle_choices(loaded_, plan_, diagnostics_);
@@ -254,18 +255,23 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
   limits.interrupt = interrupt;
   assert(from || a.dynamics.start_file.empty());  // who marches reads the result
   std::optional<MarchState> at_rest;
+  std::string remark;
   if (!from && a.dynamics.from_equilibrium) {
     Solution s;
     const std::vector<double> u = find_start(interrupt, s);
-    if (s.status != SolveStatus::converged) {
+    if (s.status == SolveStatus::unstable)
+      remark = "; it began at an equilibrium that is not stable: " + s.reason;
+    else if (s.status != SolveStatus::converged) {
       MarchResult none;
       none.reason = "there is no equilibrium to start from: " + s.reason, none.u = u;
       return none;
     }
     from = &at_rest.emplace(state_at_rest(*assembler_, u));
   }
-  return netloft::march(loaded_.scene, *assembler_, {&integrator, scheme.data()}, {&solver, steps.data()},
-                        make_, limits, a.dynamics.march, watch, from);
+  MarchResult result = netloft::march(loaded_.scene, *assembler_, {&integrator, scheme.data()},
+                                      {&solver, steps.data()}, make_, limits, a.dynamics.march, watch, from);
+  result.reason += remark;
+  return result;
 }
 
 /// As a static analysis of the same scene: forces, tangent, tolerance, solver. A motion may leave out parts
@@ -282,7 +288,7 @@ std::vector<double> Case::find_start(const std::atomic<bool>* interrupt, Solutio
   options.solver = {&registry_.solver(kSolver), {}};
   found = netloft::find_equilibrium(source, options, strategy());
   object_to_crossings(loaded_, assembler, found);
-  if (found.status == SolveStatus::converged) remember(found.u);
+  if (found.status == SolveStatus::converged || found.status == SolveStatus::unstable) remember(found.u);
   return found.u;
 }
 

@@ -21,23 +21,28 @@ bool needs(const netloft_term& term, const std::string& parameter) {
 }
 
 /// Why all terms that need the parameter are left out; empty if one acts, or none needs it. What drag needs,
-/// such as a diameter, has other uses, too.
-std::string why_idle(const FamilyPlan& family, const std::string& parameter) {
+/// such as a diameter, has other uses, too. Where forces have no energy it is asked how a small disturbance
+/// moves.
+std::string why_idle(const FamilyPlan& family, const std::string& parameter, bool motion_is_asked_for) {
   std::string reason;
   for (std::size_t t = 0; t < family.terms.size(); ++t) {
     if (!needs(family.type->terms[t], parameter)) continue;
-    if (family.terms[t].on || (family.terms[t].traits & NETLOFT_NEEDS_FLOW)) return "";
-    reason = family.terms[t].reason;
+    const TermPlan& term = family.terms[t];
+    if (term.on || (term.traits & NETLOFT_NEEDS_FLOW) || (term.when_it_moves && motion_is_asked_for))
+      return "";
+    reason = term.reason;
   }
   return reason;
 }
 
 class IdleChoices {
  public:
+  explicit IdleChoices(const Plan& plan) : motion_is_asked_for_(!plan.conservative) {}
+
   void look_at(const FamilyPlan& family, const Part& part) {
     for (const auto& [name, value] : part.parameters)
       if (const double* number = std::get_if<double>(&value); number && *number != 0)
-        add(part, name, why_idle(family, name));
+        add(part, name, why_idle(family, name, motion_is_asked_for_));
     const bool uses_laws =
         std::any_of(family.laws.begin(), family.laws.end(), [](const LawPlan& law) { return law.type; });
     for (const auto& [slot, law] : part.laws)
@@ -57,6 +62,7 @@ class IdleChoices {
       choice.parts.push_back(part.name);
   }
 
+  bool motion_is_asked_for_;
   std::vector<IdleChoice> found_;
 };
 
@@ -68,7 +74,7 @@ std::string first_of(const std::vector<std::string>& parts) {
 }  // namespace
 
 void warn_of_idle_choices(const LoadedScene& loaded, const Plan& plan, Diagnostics& diagnostics) {
-  IdleChoices choices;
+  IdleChoices choices(plan);
   for (const FamilyPlan& family : plan.families)
     for (const auto part : family.parts) choices.look_at(family, loaded.scene.parts[part]);
   for (const IdleChoice& c : choices.found())

@@ -21,9 +21,10 @@ double number_of(const Part& part, const std::string& name, double fallback) {
 
 /// Why no loss factor counts; empty: they do.
 std::string why_off(const Analysis& analysis, Registry& registry) {
-  if (analysis.kind != AnalysisKind::dynamics || analysis.settles) return "the analysis is static";
+  if (analysis.settles) return "the analysis is static";
   const Dynamics& d = analysis.dynamics;
   if (!d.material_damping) return "material_damping = false";
+  if (analysis.kind == AnalysisKind::statics) return "";
   if (d.stiffness_damping > 0) return "stiffness_damping takes its place";
   const IntegratorType& type = registry.integrator(d.integrator);
   std::vector<std::string> faults;
@@ -71,6 +72,11 @@ std::string choose_material_damping(Scene& scene, const Analysis& analysis, Regi
     }
   if (!off.empty()) return "off: " + off;
   return losses.empty() ? "" : "loss factor " + listed(losses);
+}
+
+void take_out_losses(Scene& scene) {
+  for (Part& part : scene.parts)
+    for (const char* what : {"rope", "twine"}) part.parameters.erase(std::string(what) + kLoss);
 }
 
 }  // namespace netloft::io

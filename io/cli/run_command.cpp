@@ -113,10 +113,10 @@ std::string identity_of(const Options& options, const LoadedScene& loaded) {
   return identity;
 }
 
-int exit_code(MarchStatus status) {
-  return status == MarchStatus::finished      ? kDone
-         : status == MarchStatus::interrupted ? kInterrupted
-                                              : kNotConverged;
+/// A path that is not known as well as was asked for is no answer.
+int exit_code(const MarchResult& march) {
+  if (march.status == MarchStatus::interrupted) return kInterrupted;
+  return march.status == MarchStatus::finished && !march.accuracy.is_missed() ? kDone : kNotConverged;
 }
 
 /// Displacements that bring the gear to where the result in `file` has it, of which `key` speaks.
@@ -153,7 +153,7 @@ int run_in_time(const Options& options, Session& session, const RunContext& cont
   session.terminal().clear();
   std::puts(options.json ? motion_json(session.loaded(), session.plan(), result).c_str()
                          : motion_text(session.loaded(), session.plan(), result).c_str());
-  return exit_code(result.march.status);
+  return exit_code(result.march);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <iterator>
 
 namespace netloft::io {
@@ -49,20 +50,48 @@ nlohmann::ordered_json loss_json(const std::optional<NumericalLoss>& l) {
           {"node", l->node}};
 }
 
+/// The error of the path, and whether that is what was asked for.
+std::string path_text(const AchievedAccuracy& a) {
+  if (!a.is_checked) return "";
+  if (!std::isfinite(a.path))
+    return fmt::format(
+        "  warning: the path is not known: the march in other steps that it is compared with "
+        "was lost at t = {:.4g} s ({})\n",
+        a.path_at, a.path_of);
+  if (a.path == 0) return "  error of the path: none against a march in other steps\n";
+  return fmt::format(
+      "  {}error of the path {:.3g}, at t = {:.4g} s at {}, against a march in other steps{}\n",
+      a.is_missed() ? "warning: " : "", a.path, a.path_at, a.path_of,
+      a.is_missed() ? ": more than was asked for" : "");
+}
+
 /// What was asked for and what errors of steps came to; empty: steps were given.
 std::string accuracy_text(const AchievedAccuracy& a) {
   if (a.asked == 0) return "";
-  std::string text = fmt::format("  accuracy {:.3g} asked, {:.3g} allowed for one step", a.asked, a.allowed);
+  std::string text = fmt::format("  accuracy {:.3g} asked", a.asked);
   if (!a.node.empty())
-    text += fmt::format("; {:.3g} at most, at t = {:.4g} s at {}, {:.3g} of all steps together", a.largest,
-                        a.t, a.node, a.sum);
-  return text + " (over the longest element)\n";
+    text += fmt::format(
+        ", {:.3g} allowed for one step; {:.3g} at most, at t = {:.4g} s at {}, {:.3g} of all steps together",
+        a.allowed, a.largest, a.t, a.node, a.sum);
+  return text + fmt::format(" (over the longest element, {:.3g} m)\n", a.element) + path_text(a);
+}
+
+nlohmann::ordered_json path_json(const AchievedAccuracy& a) {
+  if (!a.is_checked) return nullptr;
+  const bool is_known = std::isfinite(a.path);
+  using Json = nlohmann::ordered_json;
+  return {{"error", is_known ? Json(a.path) : Json(nullptr)},
+          {"time", a.path_at},
+          {"node", is_known ? Json(a.path_of) : Json(nullptr)},
+          {"reached", !a.is_missed()}};
 }
 
 nlohmann::ordered_json accuracy_json(const AchievedAccuracy& a) {
   if (a.asked == 0) return nullptr;
-  return {{"asked", a.asked}, {"allowed", a.allowed}, {"largest", a.largest},
-          {"time", a.t},      {"node", a.node},       {"sum", a.sum}};
+  return {{"asked", a.asked},     {"longest_element", a.element},
+          {"allowed", a.allowed}, {"largest", a.largest},
+          {"time", a.t},          {"node", a.node},
+          {"sum", a.sum},         {"path", path_json(a)}};
 }
 
 nlohmann::ordered_json start_json(const StartBalance& s) {

@@ -269,6 +269,9 @@ class MotionRun {
       tree.write_real("/netloft/accuracy/allowed", a.allowed, "1", "error allowed for one step");
       tree.write_real("/netloft/accuracy/largest", a.largest, "1", "largest error of a step");
       tree.write_real("/netloft/accuracy/sum", a.sum, "1", "sum of the errors of all steps");
+      if (a.is_checked)
+        tree.write_real("/netloft/accuracy/path", a.path, "1",
+                        "error of the path against a march in other steps");
     }
     tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
     write_gear(tree, loaded_, result_.gear);

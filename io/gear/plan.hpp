@@ -171,6 +171,7 @@ struct Ship {
   double block_height = 0, block_gap = 0;  // above the water, between those to port and to starboard [m]
   double efficiency = 0;                   // towing power over the heat of the fuel; 0: not known
   std::vector<ShipMoment> path;            // in a motion; empty: straight on
+  std::vector<ShipMoment> path_port;       // of a second ship that tows to port; empty: there is one ship
   Place place, speed_place, path_place;
 };
 

@@ -182,6 +182,13 @@ void add_ship(NetPlan& plan, TableReader& table, const Catalogue& catalogue) {
     TableReader path = table.table("path");
     ship.path = read_path(path, ship.speed), ship.path_place = path.place();
   }
+  if (table.has("path_port")) {
+    TableReader path = table.table("path_port");
+    ship.path_port = read_path(path, ship.speed);
+    if (ship.path.empty())
+      table.error("path_port", "stands alone; of the ship to starboard nothing is said",
+                  "path beside it, of the ship to starboard");
+  }
   TableReader block = table.table(kBlock, Presence::optional), warp = table.table(kWarp);
   ship.block_height = block.real(
       "height",

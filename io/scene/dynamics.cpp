@@ -15,7 +15,7 @@ struct DynamicsKeys {
   const char *integrator = nullptr, *start = nullptr;
   double duration = 0, step = 0, longest_step = 0, shortest_step = 0, accuracy = 0, output_interval = 0;
   double mass_damping = 0, stiffness_damping = 0;
-  bool adaptive = false, dense = false, energy_budget = false, material_damping = false;
+  bool adaptive = false, dense = false, energy_budget = false, material_damping = false, check = false;
 };
 
 ParameterTable<DynamicsKeys> make_table() {
@@ -32,6 +32,11 @@ ParameterTable<DynamicsKeys> make_table() {
   t.real("accuracy", &K::accuracy, "1",
          "error of the path, over the longest element: from 1e-2 on, that of one step",
          {.lo = 1e-12, .hi = 1, .fallback = 1e-2});
+  t.boolean(
+      "check", &K::check,
+      "compare with the same motion in steps twice as long, for the error of the path: exit code 3 if it is "
+      "above the accuracy",
+      false);
   t.real("longest_step", &K::longest_step, "s", "longest step", {.lo = 1e-9, .hi = 1e9, .fallback = 1e9});
   t.real("shortest_step", &K::shortest_step, "s", "step below which it gives up",
          {.lo = 1e-15, .hi = 1, .fallback = 1e-9});
@@ -142,6 +147,7 @@ Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
   d.march.duration = k.duration, d.march.step = k.step, d.march.adaptive = k.adaptive;
   d.march.accuracy = k.accuracy, d.march.longest_step = k.longest_step;
   d.march.shortest_step = k.shortest_step, d.march.output_interval = k.output_interval;
+  d.march.check = k.check;
   d.march.dense = k.dense, d.march.budget = k.energy_budget, d.march.mass_damping = k.mass_damping;
   d.stiffness_damping = k.stiffness_damping, d.material_damping = k.material_damping;
   const IntegratorType& type = registry.integrator(d.integrator);

@@ -148,6 +148,9 @@ void GearParts::check_halves(TableReader& table) const {
                     "extent = \"whole\", or leave out ship.path.heading");
         break;
       }
+  if (plan_.ship && !plan_.ship->path_port.empty())
+    table.error("extent", "= \"half\", and two ships go ways of their own",
+                "extent = \"whole\", or leave out ship.path_port");
   for (const auto& rope : plan_.ropes)
     if (rope.length_port.value_or(rope.length) != rope.length)
       table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another length to port",

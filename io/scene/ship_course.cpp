@@ -51,8 +51,10 @@ Row divide(const std::vector<ShipMoment>& path) {
 
 }  // namespace
 
-Course course_of_block(const Ship& ship, double across) {
-  const Row row = divide(ship.path);
+Course course_of_block(const Ship& ship, double from_the_middle) {
+  const bool are_two = !ship.path_port.empty();
+  const double across = are_two ? 0 : from_the_middle;
+  const Row row = divide(are_two && from_the_middle < 0 ? ship.path_port : ship.path);
   Course course;
   Course::Point way{};
   for (std::size_t i = 0; i < row.moments.size(); ++i) {

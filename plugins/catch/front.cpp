@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/catch/front.hpp"
 
+#include "plugins/catch/growth.hpp"
+
 #include <cmath>
 
 namespace netloft::catches {
@@ -51,6 +53,7 @@ void Front::check(const Parameters& p, const Data&) {
     throw std::invalid_argument(
         "the catch exerts no pressure: give catch.pressure, or catch.speed (and a catch.drag_coefficient "
         "that is not zero)");
+  check_growth(p.growth, p.volume);
 }
 
 double Front::full(const Parameters& p, const Water& w) {
@@ -75,7 +78,9 @@ Status Front::Push::evaluate(const Parameters& p, const Data&, const Whole& whol
       put((-0.5 * pressure) * (slice.behind.w[static_cast<std::size_t>(i)] * slice.n[axis]), 3 * i + axis, s,
           out);  // (5)
   if (p.volume > 0)
-    put((pressure / std::cbrt(p.volume)) * (p.volume / whole.triangles - slice.volume), 9, s, out);  // (7)
+    put((pressure / std::cbrt(p.volume)) *
+            (in_time::share_at(p.growth, s.time) * p.volume / whole.triangles - slice.volume),
+        9, s, out);  // (7)
   return Status::ok;
 }
 

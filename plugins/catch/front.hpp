@@ -13,22 +13,24 @@ namespace netloft::catches {
 ///   I(s) = ∫ max(s, 0) over the triangle, over its area,  w_i = ∂I/∂s_i                           (4)
 ///   r_i = −(w_i p/2) n                         residual on each corner                           (5)
 ///   v = I n·e/2                                what the triangle adds to the volume behind ξ     (6)
-///   r_ξ = k (V₀ − Σ v) = 0,  k = p/∛V₀,  which grows with ξ                                     (7)
+///   r_ξ = k (σ V₀ − Σ v) = 0,  k = p/∛V₀,  which grows with ξ                                   (7)
 /// With one corner a behind, t_b = s_a/(s_a − s_b), t_c alike:
 ///   I = s_a t_b t_c/3,  w_a = t_b t_c (1 − (t_b+t_c)/3),  w_b = t_b² t_c/3,  w_c = t_b t_c²/3     (8)
 /// with one ahead, I = s̄ + I(−s) and w_i = ⅓ − w_i(−s), s̄ the mean; with three behind, I = s̄, w_i = ⅓.
 /// p₀ [Pa] a pressure that is given, V [m/s] speed of the water, C_d drag coefficient of the catch; ψ
 /// direction to which the water flows, ξ [m] place of the plane along it, V₀ [m³] the volume of the catch, of
-/// half of it in half a gear. ξ is the same for all triangles of a part: given, or an unknown with (7), which
-/// by the theorem of Gauss is the volume between the plane and the netting where that is closed behind the
-/// plane. Corners counter-clockwise seen from outside. Source: the catch of FEMNET (D. Priour), where ξ is
-/// found by bisection and its tangent left out.
+/// half of it in half a gear; σ [1] what there is of it at a time, as fish come in, straight between the
+/// times of a table, 1 without one. ξ is the same for all triangles of a part: given, or an unknown with (7),
+/// which by the theorem of Gauss is the volume between the plane and the netting where that is closed behind
+/// the plane. Corners counter-clockwise seen from outside. Source: the catch of FEMNET (D. Priour), where ξ
+/// is found by bisection and its tangent left out.
 struct Front {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // ξ
 
   struct Parameters {
     double pressure = 0, speed = 0, drag_coefficient = 0, volume = 0, front = 0, direction = 0;
+    netloft_table growth{};  // t [s], σ
   };
   struct Data {};
   struct Whole {

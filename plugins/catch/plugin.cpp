@@ -12,6 +12,9 @@ void add_front(netloft::Plugin& plugin) {
   f.real("catch.volume", &Front::Parameters::volume, "m3",
          "volume of the catch, for which the plane is found; 0: it is given",
          {.lo = 0, .hi = 1e5, .fallback = 0});
+  f.table("catch.growth", &Front::Parameters::growth,
+          "how much of the volume there is at a time, as fish come in: straight between the times",
+          {{"t", "s"}, {"share", "1"}});
   f.real("catch.front", &Front::Parameters::front, "m",
          "place of the plane along the flow; of a volume, where it is first looked for",
          {.lo = -1e6, .hi = 1e6, .fallback = 0});
@@ -25,8 +28,8 @@ void add_front(netloft::Plugin& plugin) {
   f.real("catch.drag_coefficient", &Front::Parameters::drag_coefficient, "1",
          "pressure divided by the dynamic pressure of that speed", {.lo = 0, .hi = 1e3, .fallback = 1.4});
   f.global("front", "m", "place of the plane along the flow", "catch.volume", Front::first_front);
-  f.term<Front::Push, netloft::from_outside | netloft::is_drag>("pressure",
-                                                                "outward force of the catch on the netting");
+  f.term<Front::Push, netloft::from_outside | netloft::is_drag | netloft::reads_time>(
+      "pressure", "outward force of the catch on the netting");
   f.output("pressure", "Pa", "pressure on the netting, reduced for triangles that the plane cuts",
            [](auto& p, auto& d, auto& s) { return Front::on(p, d, s); });
   f.output("volume", "m3", "contribution of the triangle to the volume of the catch",
@@ -45,6 +48,9 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
   c.real("catch.volume", &Pressure::Parameters::volume, "m3",
          "volume of the catch, instead of meshes; its front is then computed",
          {.lo = 0, .hi = 1e5, .fallback = 0});
+  c.table("catch.growth", &Pressure::Parameters::growth,
+          "how much of the volume there is at a time, as fish come in: straight between the times",
+          {{"t", "s"}, {"share", "1"}});
   c.choice("catch.across", &Pressure::Parameters::across,
            "axis across the cod-end, which is the same on both sides", {"y", "x", "z"});
   c.real("catch.middle", &Pressure::Parameters::middle, "m",
@@ -59,7 +65,7 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
   c.global("front", "1", "meshes along the panel that the catch fills, from its aft edge", "catch.volume",
            Pressure::first_front);
   c.data("to_aft", &Pressure::Data::to_aft, "1", "meshes from each corner to the aft edge of its panel");
-  c.term<Pressure::Push, netloft::from_outside | netloft::is_drag>(
+  c.term<Pressure::Push, netloft::from_outside | netloft::is_drag | netloft::reads_time>(
       "pressure", "outward force of the catch on the netting");
   c.output("pressure", "Pa", "pressure on the netting, reduced for triangles that the catch front cuts",
            [](auto& p, auto& d, auto& s) { return Pressure::on(p, d, s); });

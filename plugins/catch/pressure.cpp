@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/catch/pressure.hpp"
 
+#include "plugins/catch/growth.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -76,7 +78,8 @@ void balance_volume(const Pressure::Parameters& p, double pressure, double trian
                     const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
   const Slice slice(p, s);
   const double k = pressure / std::cbrt(p.volume);
-  out.force[3].x = k * (fraction.value() * slice.volume() - p.volume / triangles);  // (7)
+  out.force[3].x = k * (fraction.value() * slice.volume() -
+                        in_time::share_at(p.growth, s.time) * p.volume / triangles);  // (7)
   if (!s.wants_tangent) return;
   out.tangent[kFront][kFront] = s.cu * k * fraction.slope() * slice.volume();  // (8)
   for (int j = 0; j < 3; ++j) {
@@ -106,6 +109,7 @@ void Pressure::check(const Parameters& p, const Data&) {
   if (p.meshes != 0 && p.volume != 0)
     throw std::invalid_argument(
         "the front of the catch is given twice: give either catch.meshes or catch.volume");
+  check_growth(p.growth, p.volume);
 }
 
 void Pressure::check_whole(const Parameters& p, const Whole& whole) {

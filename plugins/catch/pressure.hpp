@@ -27,10 +27,11 @@ namespace netloft::catches {
 /// The front m is a number that all triangles of a part have in common. It is the given number of `meshes`,
 /// or an unknown with the equation that the catch has the given volume:
 ///   v = (ȳ − y₀) n_y/2,  ȳ = (y₁ + y₂ + y₃)/3         ∮ (y − y₀) dA_y over the triangle      (6)
-///   r_m = k (Σ φ v − V₀) = 0,  k = p/∛V₀                                                  (7)
+///   r_m = k (Σ φ v − σ V₀) = 0,  k = p/∛V₀                                                (7)
 ///   ∂r_i/∂m = −φ_i′ (p/2) n,   ∂r_m/∂m = k φ′ v                                           (8)
 ///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
-/// V₀ [m³] the volume; y across the cod-end, y₀ its middle. By the theorem of Gauss Σ φ v is the volume
+/// V₀ [m³] the volume; σ [1] what there is of it at a time, as fish come in, straight between the times of a
+/// table, 1 without one; y across the cod-end, y₀ its middle. By the theorem of Gauss Σ φ v is the volume
 /// behind the front and any surface across it to which y is tangent: one of straight lines from side to side.
 /// That is exact for every cod-end that is the same on both sides of the plane y = y₀, however it hangs, sags
 /// or pitches, wherever it is, and for the half of one that ends in that plane. Were the cod-end turned by ψ
@@ -44,6 +45,7 @@ struct Pressure {
   struct Parameters {
     double pressure = 0, speed = 0, drag_coefficient = 0, meshes = 0, volume = 0, middle = 0;
     std::int64_t across = 0;
+    netloft_table growth{};  // t [s], σ
   };
   struct Data {
     std::array<double, 3> to_aft{};  // s [meshes]
@@ -59,8 +61,8 @@ struct Pressure {
     double slope() const { return slope_at[0] + slope_at[1] + slope_at[2]; }
   };
 
-  /// Throws std::invalid_argument if there is neither pressure nor speed, or if the front is given by both or
-  /// none of its parameters.
+  /// Throws std::invalid_argument if there is neither pressure nor speed, if the front is given by both or
+  /// none of its parameters, or if something grows that is no volume.
   static void check(const Parameters& p, const Data& d);
   /// Throws std::invalid_argument if more meshes are filled than there are along the longest panel.
   static void check_whole(const Parameters& p, const Whole& whole);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/bar.hpp"
 
+#include "plugins/common/in_time.hpp"
+
 namespace netloft::rope {
 
 void Bar::check(const Parameters& p, const Data& d) {
-  for (std::uint32_t i = 0; i < p.length_share.rows; ++i)
-    if (!(p.length_share.values[2 * i + 1] > 0))
-      throw std::invalid_argument(
-          "the length of a rope must remain above zero: length_share must be positive");
+  if (!in_time::is_positive(p.length_share))
+    throw std::invalid_argument("the length of a rope must remain above zero: length_share must be positive");
   if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no stiffness");
 }
 
@@ -19,16 +19,7 @@ void Bar::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lan
   if (p.constant_tension > 0) lanes.EA[lane] = lanes.EA_compression[lane] = lanes.loss[lane] = 0;
 }
 
-double Bar::share_at(const netloft_table& table, double time) {
-  if (table.rows == 0) return 1;
-  const auto t = [&](std::uint32_t i) { return table.values[2 * i]; };
-  const auto share = [&](std::uint32_t i) { return table.values[2 * i + 1]; };
-  std::uint32_t after = 0;
-  while (after < table.rows && t(after) < time) ++after;
-  if (after == 0 || after == table.rows) return share(after ? after - 1 : 0);
-  return share(after - 1) +
-         (share(after) - share(after - 1)) * (time - t(after - 1)) / (t(after) - t(after - 1));
-}
+double Bar::share_at(const netloft_table& table, double time) { return in_time::share_at(table, time); }
 
 double Bar::growth_at(const netloft_table& table, double time) {
   for (std::uint32_t i = 1; i < table.rows; ++i) {

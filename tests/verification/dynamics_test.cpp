@@ -172,6 +172,50 @@ TEST(EnergyMomentum, NeverMakesEnergyWhereItDamps) {
 }
 
 /// The answer of `solver` to the dead-weight panel.
+/// Hard motions, in steps that are given: drag, added mass, contact and friction, a guide that pulls slack
+/// and taut, damping by the material, a gust, a winch. Without damping of the scheme work and energies must
+/// agree to the tolerance of the solver, and at any length of the step.
+struct Hard {
+  const char *name, *file;
+  double h;
+  std::vector<std::string> overrides = {};
+};
+
+class Balance : public testing::TestWithParam<Hard> {};
+
+TEST_P(Balance, OfWorkAndEnergyClosesWhateverTheStep) {
+  const std::string bench = "../../tests/bench/motions/";
+  for (const double h : {GetParam().h, GetParam().h / 2}) {
+    double given = 0, numerical = 0;
+    MarchWatch watch;
+    watch.on_output = [&](const Snapshot& s) {
+      const EnergyBudget::Totals totals = s.budget->totals();
+      numerical = std::max(numerical, std::abs(totals.numerical));
+      given = std::max(given, totals.kinetic);
+    };
+    end_of(bench + GetParam().file,
+           joined({"analysis.adaptive=false", "analysis.solver=newton", "analysis.tolerance=1e-11",
+                   "analysis.integrator=energy-momentum", "analysis.energy-momentum.spectral_radius=1",
+                   "analysis.duration=0.6", "analysis.output_interval=0.05", step(h)},
+                  GetParam().overrides),
+           watch);
+    EXPECT_GT(given, 1e-3);
+    EXPECT_LT(numerical, 1e-7 * given) << h;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Balance,
+    testing::Values(
+        Hard{"ASnap", "snap.toml", 5e-3}, Hard{"AChainOnABed", "chain.toml", 2e-3},
+        Hard{"ALineThatHeaves", "heave.toml", 1e-2},
+        Hard{"ANetInAGust", "gust.toml", 1e-2, {"parts.net.cells=[3,3]", "parts.weights.number=4"}},
+        Hard{"AWinch",
+             "snap.toml",
+             5e-3,
+             {"analysis.duration=0.5", "parts.rope.rope.length_share={t=[0,1],share=[1,0.7]}"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
 Solution equilibrium_by(const std::string& solver, const std::vector<std::string>& overrides) {
   io::Case c({kScenes + "dead-weight-panel.toml",
               joined({"analysis.solver=\"" + solver + "\"", "parts.net.cells=[4,4]"}, overrides), 1},

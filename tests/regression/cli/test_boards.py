@@ -65,8 +65,11 @@ class Boards(InFreshFolder):
         return ended.json()["gear"]["figures"]
 
     def test_a_board_on_a_warp_stands_where_another_program_has_it(self):
-        for eye in (EYE, (-0.49, -0.5, 0.29), (-0.2, -0.5, 0)):
-            mine = self.figures(changed(ONE, ("[-0.3, -0.8, 0.05]", str(list(eye)))))
+        """The third is in balance, but sways on its warp, more and more: past its breakdown the plate drives what it ought to damp."""
+        for eye, status in ((EYE, "converged"), ((-0.49, -0.5, 0.29), "converged"), ((-0.2, -0.5, 0), "unstable")):
+            report = self.run_scene(changed(ONE, ("[-0.3, -0.8, 0.05]", str(list(eye))))).json()
+            self.assertEqual(report["status"], status, report["reason"])
+            mine = report["gear"]["figures"]
             found, force = attitude(BOARD, eye, FLOW, angles_of(mine))
             np.testing.assert_allclose(angles_of(mine), found, atol=1e-8)
             eye_at = np.array([mine[f"bodies/door/{axis}"] for axis in "xyz"]) + axes(*found) @ np.array(eye)
@@ -119,7 +122,8 @@ z = { of = "wire.end", take = "min z" }
             self.assertAlmostEqual(-z, 20 + 0.0005 + w / (1000 * factor), delta=1e-9)
 
     def test_from_any_attitude_it_finds_an_equilibrium_or_says_that_it_does_not(self):
-        """Two attitudes are stable, found by the other program from 150 starts: it sheers out to starboard or to port."""
+        """Two attitudes are stable, found by the other program from 150 starts: it sheers out to starboard or to port. In others it
+        is in balance, too, but swings, and a run that has met two of these says so and ends."""
         stable = [np.radians(a) for a in ((72.064944612, 35.624608949, 30.538656910), (-24.7506, 61.4105, 20.1022))]
         stable = [attitude(BOARD, EYE, FLOW, a)[0] for a in stable]
         chance, found = random.Random(23), [0, 0]
@@ -134,22 +138,19 @@ z = { of = "wire.end", take = "min z" }
             which = [k for k, a in enumerate(stable) if is_same(angles, a)]
             self.assertEqual(len(which), 1, f"{start} -> {angles}")
             found[which[0]] += 1
-        self.assertGreaterEqual(sum(found), 45)
+        self.assertGreaterEqual(sum(found), 35)
         self.assertGreater(min(found), 0)
 
-    def test_restarts_find_both_stable_attitudes_of_a_cambered_board(self):
-        """From 40 attitudes by chance: two stable ones, and each is where it was when it starts there."""
-        chance, stable = random.Random(23), []
-        for _ in range(40):
+    def test_a_cambered_board_on_one_warp_rests_in_no_attitude(self):
+        """From 20 attitudes by chance: wherever one warp has it in balance it turns over or swings, and without masses two seemed stable."""
+        chance, found = random.Random(23), []
+        for _ in range(20):
             report = self.run_scene(turned(NAMED, [chance.uniform(-most, most) for most in (3.1, 1.2, 1.2)])).json()
-            angles = report["stability"] == "stable" and angles_of(report["gear"]["figures"])
-            if angles is not False and not any(is_same(angles, other) for other in stable):
-                stable.append(angles)
-        self.assertEqual(len(stable), 2, np.degrees(stable))
-        for angles in stable:
-            again = self.run_scene(turned(NAMED, angles)).json()
-            self.assertEqual(again["stability"], "stable")
-            self.assertTrue(is_same(angles_of(again["gear"]["figures"]), angles))
+            self.assertNotEqual(report["status"], "converged", report["reason"])
+            if report["status"] == "unstable":
+                self.assertIn("a small disturbance grows tenfold in", report["reason"])
+                found.append(angles_of(report["gear"]["figures"]))
+        self.assertGreater(len(found), 10)
 
     def test_boards_of_the_catalogue_have_the_forces_that_their_sources_give(self):
         """"0.80 and 0.65 at 40 deg" is what the law of the plate gives there with the factors of the board, to the digits that are given."""

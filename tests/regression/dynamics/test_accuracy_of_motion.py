@@ -26,12 +26,12 @@ class AccuracyOfMotion(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.output = Path(self.folder.name) / "out.hdf"
 
-    def ask(self, scene, *settings, text=False):
+    def ask(self, scene, *settings, text=False, exit_code=0):
         words = [NETLOFT, "run", MOTIONS / (scene + ".toml"), "--threads", "1", "--overwrite", "-o", self.output]
         for setting in settings:
             words += ["--set", setting]
         ended = subprocess.run(words + ([] if text else ["--json"]), capture_output=True, text=True, check=False)
-        self.assertEqual(ended.returncode, 0, ended.stderr + ended.stdout)
+        self.assertEqual(ended.returncode, exit_code, ended.stderr + ended.stdout)
         return ended.stdout if text else json.loads(ended.stdout)
 
     def path_of_ball(self, accuracy):
@@ -61,6 +61,32 @@ class AccuracyOfMotion(unittest.TestCase):
         errors = [np.linalg.norm(self.path_of_ball(a) - reference, axis=-1).max() for a in (1e-2, 1e-3, 1e-4)]
         self.assertLess(errors[1], 0.3 * errors[0])
         self.assertLess(errors[2], 0.02 * errors[0])
+
+    def test_of_a_path_that_was_not_reached_is_said_with_exit_code_3(self):
+        coarse = "analysis.check=true", "analysis.accuracy=1e-2"
+        path = self.ask("snap", *coarse, exit_code=3)["accuracy"]["path"]
+        self.assertFalse(path["reached"])
+        self.assertGreater(path["error"], 1e-2)
+        with h5py.File(self.output) as f:
+            self.assertEqual(f["netloft/accuracy/path"][()], path["error"])
+        self.assertRegex(self.ask("snap", *coarse, text=True, exit_code=3), r"warning: error of the path [\d.]+, at t = [\d.]+ s at rope node \d")
+
+    def test_of_a_path_that_was_reached_bounds_the_error(self):
+        """Before the snap, where the ball falls freely beside its slack rope."""
+        free = ["analysis.integrator=energy-momentum", "analysis.duration=0.2"]
+        self.ask("snap", *free, "analysis.accuracy=1e-5")
+        with h5py.File(self.output) as f:
+            reference = f["VTKHDF/Points"][()].reshape(-1, 5, 3)
+        told = self.ask("snap", *free, "analysis.accuracy=1e-2", "analysis.check=true")["accuracy"]
+        with h5py.File(self.output) as f:
+            error = np.linalg.norm(f["VTKHDF/Points"][()].reshape(-1, 5, 3) - reference, axis=-1).max()
+        self.assertTrue(told["path"]["reached"])
+        self.assertLessEqual(error, told["path"]["error"] * told["longest_element"])
+
+    def test_of_a_path_is_known_for_steps_that_are_given(self):
+        given = ["analysis.check=true", "analysis.adaptive=false", "analysis.duration=0.1", "analysis.integrator=central-difference"]
+        errors = [self.ask("snap", *given, f"analysis.step={h}")["accuracy"]["path"]["error"] for h in (2e-4, 5e-5)]
+        self.assertLess(errors[1], 0.5 * errors[0])
 
     def test_of_a_damper_that_sets_in_within_a_step_makes_no_energy(self):
         answer = self.ask("chain", *SHORT_CHAIN, "analysis.integrator=energy-momentum")

@@ -6,11 +6,14 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "framework/assembler/pattern.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
+#include "tests/unit/framework/problem/oscillator.hpp"
+#include "tests/unit/solvers/known_answers.hpp"
 
 namespace netloft::test {
 namespace {
@@ -32,8 +35,21 @@ struct ThreeDiagonals {
   std::vector<double> values;
 };
 
-double growth_of(const ThreeDiagonals& K, const ThreeDiagonals& M) {
-  return find_growth(K.pattern, K.values, M.values, make_factorisation).per_power;
+/// M ÿ + C ẏ + K y = 0.
+Growth growth_with(const ThreeDiagonals& K, const std::vector<double>& C, const std::vector<double>& M,
+                   double doubt = 0) {
+  LinearMotion m{K.values, C, M, std::vector<double>(K.values.size())};
+  for (std::int32_t i = 0; i < K.pattern.size; ++i) m.convex[find_slot(K.pattern, i, i)] = 1;
+  return find_growth(K.pattern, m, make_factorisation, doubt);
+}
+
+/// C ẏ + K y = 0: with growth e^(−λt) of K v = λ C v.
+Growth growth_without_mass(const ThreeDiagonals& K, const ThreeDiagonals& C, double doubt = 0) {
+  return growth_with(K, C.values, std::vector<double>(C.values.size()), doubt);
+}
+
+double growth_of(const ThreeDiagonals& K, const ThreeDiagonals& C) {
+  return growth_without_mass(K, C).per_power;
 }
 
 double growth_of(const ThreeDiagonals& K) { return growth_of(K, {K.pattern.size, 0, 1, 0}); }
@@ -68,20 +84,20 @@ ThreeDiagonals random_matrix(int size, double shift, unsigned seed) {
 
 // Against all eigenvalues of the full problem, over six decades of time scales in one matrix.
 TEST(GrowthOfMatrices, IsFoundWhereverSomeEigenvalueGrows) {
-  constexpr int kSize = 80;
+  constexpr int kSize = 60;
   int grow = 0, decay = 0, marginal = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
-    ThreeDiagonals K = random_matrix(kSize, 2 + 0.1 * seed, seed), M = K;
-    std::fill(M.values.begin(), M.values.end(), 0.0);
+    ThreeDiagonals K = random_matrix(kSize, 2 + 0.1 * seed, seed), C = K;
+    std::fill(C.values.begin(), C.values.end(), 0.0);
     for (int i = 0; i < kSize; ++i) {
-      const double scale = std::pow(10, -6.0 * i / kSize);
-      M.values[static_cast<std::size_t>(i * kSize + i)] = 1;
+      const double scale = std::pow(10, 3 - 6.0 * i / kSize);
+      C.values[static_cast<std::size_t>(i * kSize + i)] = 1;
       for (int c = 0; c < kSize; ++c) K.values[static_cast<std::size_t>(c * kSize + i)] *= scale;
     }
     const Eigen::MatrixXd full = Eigen::Map<const Eigen::MatrixXd>(K.values.data(), kSize, kSize);
-    double c = -1;  // (5) of what grows most
+    double c = -1;  // (6) of what grows most
     for (const auto& lambda : full.eigenvalues()) c = std::max(c, -lambda.real() / std::abs(lambda));
-    const Growth growth = find_growth(K.pattern, K.values, M.values, make_factorisation);
+    const Growth growth = growth_without_mass(K, C);
     if (c > 0.011) {
       EXPECT_TRUE(growth.grows()) << seed << ": " << c;
     } else if (c <= 0) {
@@ -93,36 +109,32 @@ TEST(GrowthOfMatrices, IsFoundWhereverSomeEigenvalueGrows) {
   EXPECT_GT(decay, 10);
 }
 
-// λ = -0.005 ± i and 0.005 ± i: in the band (5), and where it decays.
+// s = 0.05 ± 10i and -0.05 ± 10i: in the band (6), and where it decays.
 TEST(GrowthOfMatrices, IsMarginalWhereAPairHardlyGrows) {
-  const ThreeDiagonals M(2, 0, 1, 0), grows(2, -1, -0.005, 1), decays(2, -1, 0.005, 1);
-  EXPECT_EQ(find_growth(grows.pattern, grows.values, M.values, make_factorisation).verdict,
-            GrowthVerdict::marginal);
-  EXPECT_EQ(find_growth(decays.pattern, decays.values, M.values, make_factorisation).verdict,
-            GrowthVerdict::none);
+  const ThreeDiagonals C(2, 0, 1, 0), grows(2, -10, -0.05, 10), decays(2, -10, 0.05, 10);
+  EXPECT_EQ(growth_without_mass(grows, C).verdict, GrowthVerdict::marginal);
+  EXPECT_EQ(growth_without_mass(decays, C).verdict, GrowthVerdict::none);
 }
 
 // λ = -1e-3 of a stiffness that is known to 1e-2, or exactly.
 TEST(GrowthOfMatrices, IsMarginalWhereTheStiffnessIsNotKnownThatWell) {
   ThreeDiagonals K(2, 0, 1, 0);
   K.values.front() = -1e-3;
-  const ThreeDiagonals M(2, 0, 1, 0);
-  const auto verdict = [&](double doubt) {
-    return find_growth(K.pattern, K.values, M.values, make_factorisation, doubt).verdict;
-  };
+  const ThreeDiagonals C(2, 0, 1, 0);
+  const auto verdict = [&](double doubt) { return growth_without_mass(K, C, doubt).verdict; };
   EXPECT_EQ(verdict(0), GrowthVerdict::grows);
   EXPECT_EQ(verdict(1e-2), GrowthVerdict::marginal);
 }
 
-// 2 factorisations by (7), one for each of six σ from 1 to 1e-10 and 24 solutions with it.
+// One factorisation for each σ and 24 solutions with it.
 TEST(GrowthOfMatrices, CountsWhatItTakes) {
-  const ThreeDiagonals K(200, -3, 2, 3.5), M(200, 0, 1, 0);
+  const ThreeDiagonals K(200, -3, 2, 3.5), C(200, 0, 1, 0);
   ThreeDiagonals indefinite = K;
   indefinite.values.front() = -1e-20;
-  const Growth growth = find_growth(indefinite.pattern, indefinite.values, M.values, make_factorisation);
+  const Growth growth = growth_without_mass(indefinite, C);
   ASSERT_EQ(growth.verdict, GrowthVerdict::none);
-  EXPECT_EQ(growth.cost.factorisations, 2 + 6);
-  EXPECT_EQ(growth.cost.solves, 6 * 24);
+  EXPECT_EQ(growth.cost.factorisations, 3);
+  EXPECT_EQ(growth.cost.solves, 3 * 24);
 }
 
 TEST(GrowthOfMatrices, HasTheSameBitsEachTime) {
@@ -130,8 +142,7 @@ TEST(GrowthOfMatrices, HasTheSameBitsEachTime) {
   ThreeDiagonals unit = random_matrix(50, 3, 7);
   std::fill(unit.values.begin(), unit.values.end(), 0.0);
   for (std::size_t i = 0; i < 50; ++i) unit.values[51 * i] = 1;
-  const Growth a = find_growth(K.pattern, K.values, unit.values, make_factorisation),
-               b = find_growth(K.pattern, K.values, unit.values, make_factorisation);
+  const Growth a = growth_without_mass(K, unit), b = growth_without_mass(K, unit);
   EXPECT_EQ(a.verdict, b.verdict);
   EXPECT_EQ(a.rate, b.rate);
   EXPECT_EQ(a.mode, b.mode);
@@ -139,8 +150,8 @@ TEST(GrowthOfMatrices, HasTheSameBitsEachTime) {
 
 // λ = 2 − √(3 × 3.1) along (√3.1, −√3).
 TEST(GrowthOfMatrices, TellsWhatGrows) {
-  const ThreeDiagonals K(2, 3, 2, 3.1), M(2, 0, 1, 0);
-  const Growth growth = find_growth(K.pattern, K.values, M.values, make_factorisation);
+  const ThreeDiagonals K(2, 3, 2, 3.1), C(2, 0, 1, 0);
+  const Growth growth = growth_without_mass(K, C);
   ASSERT_TRUE(growth.grows());
   EXPECT_NEAR(growth.mode[0] / growth.mode[1], -std::sqrt(3.1 / 3), 1e-6);
 }
@@ -155,76 +166,293 @@ TEST(GrowthOfMatrices, SeesWhatGrowsMuchFasterThanTheRest) {
   EXPECT_LE(growth_of(K), kGrows);
 }
 
-// λ² − (K₁₁/M₁₁ + K₂₂/M₂₂) λ + det K/det M = 0: its sum of roots changes its sign with M, that of its product
+// λ² − (K₁₁/C₁₁ + K₂₂/C₂₂) λ + det K/det C = 0: its sum of roots changes its sign with C, that of its product
 // cannot.
 TEST(GrowthOfMatrices, DependsOnTheDampingWhereItIsFlutterAlone) {
-  ThreeDiagonals flutter(2, -3, 2, 3), divergence(2, -1, 2, 1), M(2, 0, 1, 0);
+  ThreeDiagonals flutter(2, -3, 2, 3), divergence(2, -1, 2, 1), C(2, 0, 1, 0);
   flutter.values.back() = divergence.values.back() = -1;
   for (const double first : {1.0, 4.0}) {
-    M.values.front() = first;
-    EXPECT_EQ(growth_of(flutter, M) > kGrows, 2 / first - 1 < 0) << first;
-    EXPECT_GT(growth_of(divergence, M), kGrows) << first;
+    C.values.front() = first;
+    EXPECT_EQ(growth_of(flutter, C) > kGrows, 2 / first - 1 < 0) << first;
+    EXPECT_GT(growth_of(divergence, C), kGrows) << first;
   }
 }
 
 // λ² − (K₁₁ + K₂₂) λ + det K = 0.
 TEST(GrowthOfMatrices, TellsHowFastItGrowsAndSwings) {
-  const ThreeDiagonals M(2, 0, 1, 0), flutter(2, -3, -0.5, 3), divergence(2, 3, 2, 3.1);
-  const Growth swings = find_growth(flutter.pattern, flutter.values, M.values, make_factorisation);
+  const ThreeDiagonals C(2, 0, 1, 0), flutter(2, -3, -0.5, 3), divergence(2, 3, 2, 3.1);
+  const Growth swings = growth_without_mass(flutter, C);
   EXPECT_NEAR(swings.rate, 0.5, 1e-6);
   EXPECT_NEAR(swings.frequency, 3, 1e-6);
-  const Growth topples = find_growth(divergence.pattern, divergence.values, M.values, make_factorisation);
+  const Growth topples = growth_without_mass(divergence, C);
   EXPECT_NEAR(topples.rate, std::sqrt(9.3) - 2, 1e-6);
   EXPECT_EQ(topples.frequency, 0);
 }
 
-/// A float at the head of a pressed spring along x, which something pushes sideways as it turns; it may move
-/// in x and y. Of the spring, with l² = 0.55 l₀²:
-///   K₁₁ = k (3 l² − l₀²)/2l₀² = 0.325 k,   K₂₂ = k (l² − l₀²)/2l₀² = −0.225 k,   K₁₂ = −K₂₁ = 3 push
-Growth find_growth_of_float(double push, double along_x, double along_y) {
-  Sketch s;
-  s.scene.water.gravity = 0;
-  s.scene.current.samples = {{0, {along_x, along_y, 0}}};
-  const auto foot = s.node(0, 0, 0, kAllAxes), head = s.node(std::sqrt(0.55), 0, 0, 1 << 2);
-  s.part("spring", "test/spring", {{"k", 1000.0}}, {foot, head}).data["rest_length"] = {1};
-  s.part("push", "test/follower", {{"k", push}}, {foot, head}).data["rest_length"] = {1};
-  s.part("float", "float/float", {{"float.buoyancy", 10.0}, {"float.diameter", 0.2}}, {head})
-      .data["pieces"] = {1};
-  Assembled a(s.scene);
-  return find_growth(a.assembler, a.assembler.start(), make_factorisation);
+/// A single body: m, c, k.
+Growth growth_of_one(double m, double c, double k) { return growth_with({1, 0, k, 0}, {c}, {m}); }
+
+// s = −c/2m ± (c²/4m² − k/m)^½
+TEST(GrowthWithMass, IsThatOfAPendulum) {
+  EXPECT_EQ(growth_of_one(2, 0.3, 50).verdict, GrowthVerdict::none) << "hangs";
+  const Growth topples = growth_of_one(2, 0.3, -50);
+  ASSERT_TRUE(topples.grows());
+  EXPECT_NEAR(topples.rate, -0.075 + std::sqrt(25 + 0.075 * 0.075), 1e-8);
+  EXPECT_EQ(topples.frequency, 0);
+  const Growth swings = growth_of_one(2, -0.3, 50);
+  ASSERT_TRUE(swings.grows());
+  EXPECT_NEAR(swings.rate, 0.075, 1e-8);
+  EXPECT_NEAR(swings.frequency, std::sqrt(25 - 0.075 * 0.075), 1e-8);
 }
 
-double growth_of_float(double push, double along_x, double along_y) {
-  return find_growth_of_float(push, along_x, along_y).per_power;
+// What drives one body damps the other more: without masses s = 0.5 and more would grow at once.
+TEST(GrowthWithMass, SwingsNotWhereANeighbourDampsWhatDrivesIt) {
+  const ThreeDiagonals K(2, -1, 2, -1);
+  const std::vector<double> C{-0.1, 0, 0, 1}, unit{1, 0, 0, 1};
+  EXPECT_EQ(growth_with(K, C, unit).verdict, GrowthVerdict::none);
+  EXPECT_EQ(growth_with(K, C, {0, 0, 0, 0}).verdict, GrowthVerdict::grows);
 }
 
-// A float's drag damps twice as much along the flow as across it: K₁₁/2 + K₂₂ < 0 < K₁₁ + K₂₂/2.
-TEST(Growth, IsFlutterByTheDampingOfTheFlow) {
-  EXPECT_GT(growth_of_float(200, 1, 0), kGrows);
-  EXPECT_LE(growth_of_float(200, 0, 1), kGrows);
+/// Ziegler's column: two rods of length 1 in a row, masses 2 and 1 at their ends, springs of 1 and dampers of
+/// `damping` in both hinges, and a force P that follows the second rod. H. Ziegler, Die Stabilitätskriterien
+/// der Elastomechanik, Ingenieur-Archiv 20 (1952).
+Growth growth_of_column(double P, double damping) {
+  ThreeDiagonals K(2, 0, 0, 0);
+  K.values = {2 - P, -1, P - 1, 1};  // column by column
+  return growth_with(K, {2 * damping, -damping, -damping, damping}, {3, 1, 1, 1});
 }
 
-// M = c diag(2, 1), c = ½ ρ C_d (π/4) D² |W|, but for the little of the linear stiffness:
-//   Re λ = ½ (K₁₁/2 + K₂₂)/c,   |λ|² = det K/2c²
-TEST(Growth, IsToldInSeconds) {
-  const double c = 0.5 * 1025 * 0.47 * 0.25 * std::numbers::pi * 0.04,
-               rate = 0.5 * (0.225 - 0.325 / 2) * 1000 / c;
-  const Growth growth = find_growth_of_float(200, 1, 0);
-  EXPECT_NEAR(growth.rate, rate, 0.03 * rate);
-  const double squared = (9 * 200.0 * 200 - 0.325 * 0.225 * 1e6) / (2 * c * c) - rate * rate;
-  EXPECT_NEAR(growth.frequency, std::sqrt(squared), 0.03 * std::sqrt(squared));
+// 2 s⁴ + (7 − 2P) s² + 1 = 0 has pairs off the imaginary axis for P > 7/2 − √2. Just beyond, with
+// d = 2P − 7 and s² = (d ± i (8 − d²)^½)/4, the rate is the real part of s.
+TEST(GrowthWithMass, FluttersByZieglersLoadWithoutDamping) {
+  const double least = 3.5 - std::sqrt(2.0);
+  EXPECT_NE(growth_of_column(0.99 * least, 0).verdict, GrowthVerdict::grows);
+  const Growth g = growth_of_column(1.01 * least, 0);
+  ASSERT_TRUE(g.grows());
+  const double d = 2 * 1.01 * least - 7;
+  const std::complex<double> s = std::sqrt(std::complex<double>(d / 4, std::sqrt(8 - d * d) / 4));
+  EXPECT_NEAR(g.rate, s.real(), 1e-3 * s.real());
+  EXPECT_NEAR(g.frequency, s.imag(), 1e-3 * s.imag());
 }
+
+// Routh: 2s⁴ + 7γ s³ + (7 − 2P + γ²) s² + 2γ s + 1 = 0 has no root to the right for P < 41/28 + γ²/2: a
+// little damping takes away a third of the load (G. Herrmann and I.-C. Jong, On the destabilizing effect of
+// damping in nonconservative elastic systems, J. Appl. Mech. 32, 1965).
+TEST(GrowthWithMass, FluttersSoonerWithALittleDamping) {
+  for (const double gamma : {0.1, 0.5, 1.0}) {
+    const double least = 41.0 / 28 + gamma * gamma / 2;
+    EXPECT_NE(growth_of_column(0.99 * least, gamma).verdict, GrowthVerdict::grows) << gamma;
+    EXPECT_GT(growth_of_column(1.05 * least, gamma).rate, 0) << gamma;
+  }
+  EXPECT_TRUE(growth_of_column(1.8, 0.1).grows()) << "which stands without damping";
+}
+
+// (x + iy)¨ = −(1 − ib)(x + iy): the symmetric part of K is positive, and a first-order motion would decay.
+TEST(GrowthWithMass, IsNotRuledOutByAPositiveSymmetricPart) {
+  const ThreeDiagonals K(2, -0.3, 1, 0.3);
+  const Growth g = growth_with(K, {0, 0, 0, 0}, {1, 0, 0, 1});
+  ASSERT_TRUE(g.grows());
+  EXPECT_NEAR(g.rate, std::sqrt(std::complex<double>(-1, 0.3)).real(), 1e-6);
+  EXPECT_EQ(growth_without_mass(K, {2, 0, 1, 0}).verdict, GrowthVerdict::none);
+}
+
+// Three springs in a row with a mass behind a node that has neither mass nor damping: what it sees is
+// k₁ + k₂k₃/(k₂ + k₃).
+TEST(GrowthWithMass, FollowsThroughNodesWithoutMass) {
+  const auto growth_for = [](double k1, double k2, double k3) {
+    ThreeDiagonals K(2, -k2, 0, -k2);
+    K.values = {k1 + k2, -k2, -k2, k2 + k3};
+    return growth_with(K, {0, 0, 0, 0}, {2, 0, 0, 0});
+  };
+  EXPECT_EQ(growth_for(-3, 10, 10).verdict, GrowthVerdict::none);
+  const Growth g = growth_for(-7, 10, 10);
+  ASSERT_TRUE(g.grows());
+  EXPECT_NEAR(g.rate, 1, 1e-6);
+  EXPECT_NEAR(g.mode[1] / g.mode[0], 0.5, 1e-6);
+}
+
+// By (9): Cholesky factors of M, C and K alone.
+TEST(GrowthWithMass, AsksNoMotionWhereItsEnergyFalls) {
+  const ThreeDiagonals K(200, -1, 2.5, -1), unit(200, 0, 1, 0);
+  const Growth g = growth_with(K, unit.values, unit.values);
+  EXPECT_EQ(g.verdict, GrowthVerdict::none);
+  EXPECT_EQ(g.cost.factorisations, 3);
+  EXPECT_EQ(g.cost.solves, 0);
+}
+
+// Against all eigenvalues of the full problem.
+TEST(GrowthWithMass, IsFoundWhereverSomeEigenvalueGrows) {
+  constexpr int kSize = 30;
+  int grow = 0, decay = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const ThreeDiagonals K = random_matrix(kSize, 6, seed), C = random_matrix(kSize, 0.15 * seed, seed + 100);
+    std::vector<double> M(C.values.size());
+    Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(2 * kSize, 2 * kSize);
+    for (int i = 0; i < kSize; ++i) {
+      const double mass = M[static_cast<std::size_t>(i * kSize + i)] = std::pow(10, 4.0 * i / kSize - 2);
+      motion(i, kSize + i) = 1;
+      for (int c = 0; c < kSize; ++c) {
+        motion(kSize + i, c) = -K.values[static_cast<std::size_t>(c * kSize + i)] / mass;
+        motion(kSize + i, kSize + c) = -C.values[static_cast<std::size_t>(c * kSize + i)] / mass;
+      }
+    }
+    double most = -1;  // c of (6)
+    for (const auto& s : motion.eigenvalues()) most = std::max(most, s.real() / std::abs(s));
+    const Growth g = growth_with(K, C.values, M);
+    if (most > 0.1) {
+      EXPECT_TRUE(g.grows()) << seed << ": " << most;
+    } else if (most > 0.02) {
+      EXPECT_NE(g.verdict, GrowthVerdict::none) << seed << ": " << most;
+    } else if (most <= 0) {
+      EXPECT_EQ(g.verdict, GrowthVerdict::none) << seed << ": " << most;
+    }
+    ++(most > 0.1 ? grow : decay);
+  }
+  EXPECT_GT(grow, 10);
+  EXPECT_GT(decay, 10);
+}
+
+/// A float of 5 kg at the head of a spring along x, which something pushes sideways as it turns; it may move
+/// in x and y. Of the spring, of length l and rest length 1:
+///   K₁₁ = k (3 l² − 1)/2,   K₂₂ = k (l² − 1)/2,   K₁₂ = −K₂₁ = 3 push,   k = 1000 N/m
+struct FloatOnSpring {
+  double squared = 0.55, push = 0, speed = 0;  // l² [m²], [N], [m/s] along x
+  static constexpr double kMass = 5;           // [kg]
+
+  Growth growth() const {
+    Sketch s;
+    s.scene.water.gravity = 0;
+    s.scene.current.samples = {{0, {speed, 0, 0}}};
+    const auto foot = s.node(0, 0, 0, kAllAxes), head = s.node(std::sqrt(squared), 0, 0, 1 << 2);
+    s.part("spring", "test/spring", {{"k", 1000.0}}, {foot, head}).data["rest_length"] = {1};
+    s.part("push", "test/follower", {{"k", push}}, {foot, head}).data["rest_length"] = {1};
+    s.part("float", "float/float", {{"float.buoyancy", 10.0}, {"float.diameter", 0.2}, {"float.mass", kMass}},
+           {head})
+        .data["pieces"] = {1};
+    Assembled a(s.scene);
+    return find_growth(a.assembler, a.assembler.start(), make_factorisation);
+  }
+
+  /// The rightmost s of the four: drag damps twice as much along the flow as across it.
+  std::complex<double> expected() const {
+    const double k1 = 500 * (3 * squared - 1), k2 = 500 * (squared - 1), c = damping();
+    Eigen::Matrix4d motion = Eigen::Matrix4d::Zero();
+    motion.topRightCorner<2, 2>().setIdentity();
+    motion.bottomLeftCorner<2, 2>() << -k1, -3 * push, 3 * push, -k2;
+    motion.bottomRightCorner<2, 2>() << -2 * c, 0, 0, -c;
+    motion.bottomRows<2>() /= kMass;
+    std::complex<double> most = -1e9;
+    for (const auto& s : motion.eigenvalues())
+      if (s.real() > most.real()) most = s;
+    return most;
+  }
+  /// ½ ρ C_d (π/4) D² |W| [N s/m]
+  double damping() const { return 0.5 * 1025 * 0.47 * 0.25 * std::numbers::pi * 0.04 * speed; }
+};
 
 // det K = −0.325 x 0.225 k² + 9 push² < 0.
 TEST(Growth, IsDivergenceWhateverTheFlow) {
-  EXPECT_GT(growth_of_float(30, 1, 0), kGrows);
-  EXPECT_GT(growth_of_float(30, 0, 1), kGrows);
+  for (const double speed : {0.0, 1.0, 5.0}) {
+    const FloatOnSpring f{.push = 30, .speed = speed};
+    const Growth g = f.growth();
+    ASSERT_TRUE(g.grows());
+    EXPECT_EQ(g.frequency, 0);
+    EXPECT_NEAR(g.rate, f.expected().real(), 1e-3 * g.rate);
+  }
 }
 
-// K₁₁ + K₂₂ > 0: by the linear stiffness alone, it rests.
-TEST(Growth, IsJudgedByTheLinearStiffnessInStillWater) {
-  EXPECT_LE(growth_of_float(200, 0, 0), kGrows);
-  EXPECT_GT(growth_of_float(30, 0, 0), kGrows);
+TEST(Growth, IsToldInSeconds) {
+  const FloatOnSpring f{.push = 200, .speed = 1};
+  const Growth g = f.growth();
+  ASSERT_TRUE(g.grows());
+  EXPECT_NEAR(g.rate, f.expected().real(), 1e-3 * g.rate);
+  EXPECT_NEAR(g.frequency, std::abs(f.expected().imag()), 1e-3 * g.frequency);
+}
+
+// The same in still water: what turns the force drives the swing, but how far, damping tells that is not
+// there.
+TEST(Growth, IsMarginalWhereWhatSwingsIsNotDamped) {
+  const FloatOnSpring f{.push = 200};
+  EXPECT_GT(f.expected().real(), 1);
+  EXPECT_EQ(f.growth().verdict, GrowthVerdict::marginal);
+}
+
+// Of a taut spring, K₁₁ and K₂₂ are positive: what turns its force drives a swing, which water calms that
+// flows fast enough.
+TEST(Growth, IsFlutterThatFastWaterCalms) {
+  FloatOnSpring f{.squared = 1.2, .push = 250};
+  double calm = 0;
+  while (f.expected().real() > 0) f.speed = calm += 0.01;
+  for (const double of : {0.5, 0.9, 1.1, 2.0}) {
+    f.speed = of * calm;
+    EXPECT_EQ(f.growth().grows(), of < 1) << of << " of " << calm << " m/s";
+  }
+}
+
+/// A float of 5 kg that a rod of 2 m holds, above its foot or below, in a current.
+Scene float_on_rod(double z, std::array<double, 3> current, const std::string& drag_law) {
+  Sketch s;
+  s.scene.current.samples = {{0, current}};
+  const auto foot = s.node(0, 0, 0, kAllAxes), head = s.node(0.05, 0.02, z);
+  Part& rod = s.rope("rod", {foot, head}, 2, 1e5);
+  rod.parameters["rope.EA_compression"] = 1e5, rod.parameters["rope.diameter"] = 0.001;
+  s.part("float", "float/float",
+         {{"float.buoyancy", 100.0},
+          {"float.diameter", 0.2},
+          {"float.mass", 5.0},
+          {"float.drag_law", drag_law}},
+         {head})
+      .data["pieces"] = {1};
+  return s.scene;
+}
+
+/// How fast the logarithm of the largest displacement along `mode` grows in a motion that begins with 0.1 mm
+/// of it, from the first third of `duration` to the last.
+double rate_of_motion(const Scene& scene, const std::vector<double>& u, const std::vector<double>& mode,
+                      double duration) {
+  Moving m(scene, "newton");
+  MarchState from = state_at_rest(m.assembler, u);
+  for (std::size_t i = 0; i < u.size(); ++i) from.u[i] += 1e-4 * mode[i];
+  double first = 0, last = 0;
+  m.watch.on_step = [&](const StepRecord& step, std::span<const double> at) {
+    double along = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) along += mode[i] * (at[i] - u[i]);
+    double& largest = step.t < duration / 3 ? first : last;
+    if (step.t < duration / 3 || step.t > 2 * duration / 3) largest = std::max(largest, std::abs(along));
+    return false;
+  };
+  MarchSettings settings;
+  settings.duration = duration, settings.step = duration / 1500, settings.adaptive = false;
+  const MarchResult r = m.run("newmark", {{"chi", 0.0}}, settings, &from);
+  EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
+  return std::log(last / first) / (2 * duration / 3);
+}
+
+// Its frequency makes thirds of the time whole swings.
+TEST(Growth, IsThatOfTheMotionOfAFloatInItsDragCrisis) {
+  const Scene scene = float_on_rod(2, {1.7, 0, 0}, "sphere");
+  const Solved s = solve_with("newton", scene);
+  ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
+  EXPECT_TRUE(flutters(s.solution));
+  const double swings = 6 * std::numbers::pi / s.solution.growth_frequency;
+  EXPECT_NEAR(rate_of_motion(scene, s.solution.u, s.solution.growing, swings), s.solution.growth_rate,
+              0.1 * s.solution.growth_rate);
+}
+
+TEST(Growth, IsThatOfTheMotionOfAFloatThatTopples) {
+  const Scene scene = float_on_rod(-2, {0, 0, 0.2}, "constant");
+  const Solved s = solve_with("newton", scene, {{"method", std::string("classic")}});
+  ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
+  EXPECT_FALSE(flutters(s.solution));
+  const double duration = 3 / s.solution.growth_rate;
+  EXPECT_NEAR(rate_of_motion(scene, s.solution.u, s.solution.growing, duration), s.solution.growth_rate,
+              0.1 * s.solution.growth_rate);
+}
+
+TEST(Growth, IsNoneOfAFloatThatStandsUp) {
+  const Solved s = solve_with("newton", float_on_rod(2, {0, 0, 0.2}, "constant"));
+  EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
+  EXPECT_EQ(s.solution.stability, Stability::stable);
 }
 
 }  // namespace

@@ -48,11 +48,19 @@ struct Chosen {
   ParameterBlock block;
 };
 
+/// A plan of a scene that moves, for the mean forces of a scheme if that is named.
+inline Plan plan_in_motion(const Scene& scene, const std::string& by_means) {
+  Plan plan = make_plan(scene, shipped_plugins(), TangentChoice::symmetric, AnalysisKind::dynamics);
+  if (!by_means.empty()) ask_mean_forces(plan, by_means);
+  return plan;
+}
+
 /// A scene that moves, with the solver of its steps.
 struct Moving {
-  explicit Moving(Scene given, const std::string& solver = "chord", int threads = 1)
+  explicit Moving(Scene given, const std::string& solver = "chord", int threads = 1,
+                  const std::string& by_means = "")
       : scene(std::move(given)),
-        plan(make_plan(scene, shipped_plugins(), TangentChoice::symmetric, AnalysisKind::dynamics)),
+        plan(plan_in_motion(scene, by_means)),
         assembler(scene, plan, threads),
         solver_type(shipped_plugins().solver(solver)),
         solver_block(solver_type.parameters, solver_type.solver.parameter_bytes, {}, faults) {

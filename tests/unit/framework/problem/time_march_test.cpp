@@ -406,6 +406,94 @@ TEST(March, GoesOnFromAnyOutputToTheSameBits) {
   }
 }
 
+MarchSettings checked(double duration, double accuracy, double interval) {
+  MarchSettings s;
+  s.duration = duration, s.accuracy = accuracy, s.output_interval = interval, s.check = true;
+  return s;
+}
+
+/// Largest error at outputs by the closed form, over the length of the only element.
+double error_of_path(const Oscillator& o, const std::vector<double>& u, double interval) {
+  double most = 0;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    most = std::max(most, std::abs(u[i] - exact(o, static_cast<double>(i) * interval, 0.1)) / o.length);
+  return most;
+}
+
+class PathError : public testing::TestWithParam<const char*> {};
+
+/// Once errors of single steps, once steps that are given; the closed form is what both are held against.
+TEST_P(PathError, IsNeverBelowThatOfTheClosedFormAndAtMostTenTimesIt) {
+  const Oscillator o;
+  const double interval = 0.4 / o.omega();
+  for (const bool adaptive : {true, false}) {
+    Moving m(o.scene());
+    MarchSettings s = checked(20 / o.omega(), 1e-3, interval);
+    s.adaptive = adaptive, s.step = adaptive ? 0 : 0.1 / o.omega();
+    std::vector<double> u;
+    m.watch.on_output = [&](const Snapshot& at) { u.push_back(at.u[0]); };
+    const MarchState from = pulled(m, 0.1);
+    const MarchResult r = m.run(GetParam(), {}, s, &from);
+    ASSERT_EQ(r.status, MarchStatus::finished) << r.reason;
+    const double error = error_of_path(o, u, interval);
+    EXPECT_GE(r.accuracy.path, error) << adaptive;
+    EXPECT_LE(r.accuracy.path, 10 * error) << adaptive;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, PathError,
+                         testing::Values("generalized-alpha", "newmark", "central-difference"),
+                         [](const auto& scheme) {
+                           std::string name = scheme.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(PathError, IsMissedWhereStepsThatAreGivenAreTooLong) {
+  const Oscillator o;
+  for (const auto& [h, is_missed] : {std::pair{0.3, true}, {0.003, false}}) {
+    Moving m(o.scene());
+    MarchSettings s = checked(20 / o.omega(), 1e-3, 2 / o.omega());
+    s.adaptive = false, s.step = h / o.omega();
+    const MarchState from = pulled(m, 0.1);
+    EXPECT_EQ(m.run("generalized-alpha", {}, s, &from).accuracy.is_missed(), is_missed);
+  }
+}
+
+TEST(PathError, LeavesTheMotionAsItIs) {
+  const Oscillator o;
+  std::vector<double> u[2];
+  for (const bool is_checked : {false, true}) {
+    Moving m(o.scene());
+    MarchSettings s = checked(10 / o.omega(), 1e-4, 0.37 / o.omega());
+    s.check = is_checked;
+    u[is_checked] = path(m, "generalized-alpha", {}, s, pulled(m, 0.1));
+  }
+  EXPECT_EQ(u[0], u[1]);
+}
+
+TEST(PathError, GoesOnFromAnyOutputToTheSameBits) {
+  const Oscillator o;
+  for (const bool dense : {false, true}) {
+    MarchSettings s = checked(10 / o.omega(), 1e-5, 0.37 / o.omega());
+    s.dense = dense;
+    Moving whole(o.scene());
+    std::vector<MarchState> kept;
+    whole.watch.on_output = [&](const Snapshot& at) {
+      if (at.state) kept.push_back(*at.state);
+    };
+    const MarchState from = pulled(whole, 0.1);
+    const AchievedAccuracy all = whole.run("generalized-alpha", {}, s, &from).accuracy;
+    ASSERT_GT(kept.size(), 8u);
+    for (const std::size_t k : {std::size_t{0}, std::size_t{7}}) {
+      Moving rest(o.scene());
+      const AchievedAccuracy again = rest.run("generalized-alpha", {}, s, &kept[k]).accuracy;
+      EXPECT_EQ(again.path, all.path);
+      EXPECT_EQ(again.path_at, all.path_at);
+    }
+  }
+}
+
 TEST(March, SaysWhyItStopsAtANodeWithoutMass) {
   Scene scene = Oscillator().scene();
   scene.parts[0].parameters["rope.density"] = 0.0;
@@ -427,6 +515,57 @@ TEST(March, MovesWhatAGuideHolds) {
   const auto u = path(m, "newmark", {}, steps_of(T / 2000, T), state_at_rest(m.assembler));
   const double w = o.omega();
   EXPECT_NEAR(u.back(), b * T * T / 2 - b * (1 - std::cos(w * T)) / (w * w), 1e-6);
+}
+
+/// Three masses on two bars that nobody holds, slack and taut as they fly and turn.
+Scene flying() {
+  Scene s = Oscillator().scene();
+  s.positions = {0, 0, 0, 2, 0, 0, 3, 1.7, 0.4};
+  s.held = {0, 0, 0};
+  s.labels = {{0, 0}, {0, 1}, {0, 2}};
+  s.parts[0].nodes = {0, 1, 1, 2}, s.parts[0].data["rest_length"] = {2, 2.05};
+  s.parts[0].parameters["rope.EA_compression"] = 0.0;
+  return s;
+}
+
+struct Momenta {
+  std::array<double, 3> linear{}, angular{};
+};
+/// Half of a bar's mass at either end: the mass of a node is that of the bars at it, halved.
+Momenta momenta_of(const Snapshot& s, const Assembler& assembler) {
+  const std::array<double, 3> mass = {0.5, 0.5 + 0.5 * 2.05 / 2, 0.5 * 2.05 / 2};  // [kg]
+  const std::vector<double> x = assembler.node_positions(s.x), v = assembler.node_positions(s.v);
+  Momenta sum;
+  for (std::size_t n = 0; n < 3; ++n)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
+      sum.linear[k] += mass[n] * v[3 * n + k];
+      sum.angular[k] += mass[n] * (x[3 * n + p] * v[3 * n + q] - x[3 * n + q] * v[3 * n + p]);
+    }
+  return sum;
+}
+
+TEST(EnergyMomentum, KeepsMomentaAndEnergyWhereNothingActs) {
+  Moving m(flying(), "chord", 1, "energy-momentum");
+  MarchState from = state_at_rest(m.assembler);
+  for (std::size_t i = 0; i < from.v.size(); ++i) from.v[i] = std::sin(7.0 * static_cast<double>(i + 1));
+  std::vector<Momenta> all;
+  double numerical = 0, kinetic = 0;
+  m.watch.on_output = [&](const Snapshot& s) {
+    all.push_back(momenta_of(s, m.assembler));
+    numerical = std::max(numerical, std::abs(s.budget->totals().numerical));
+    kinetic = std::max(kinetic, s.budget->totals().kinetic);
+  };
+  MarchSettings s = steps_of(0.03, 30);
+  const MarchResult r = m.run("energy-momentum", {{"spectral_radius", 1.0}}, s, &from);
+  ASSERT_EQ(r.status, MarchStatus::finished) << r.reason;
+  for (const Momenta& at : all)
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_NEAR(at.linear[k], all[0].linear[k], 1e-9);
+      ASSERT_NEAR(at.angular[k], all[0].angular[k], 1e-9);
+    }
+  EXPECT_GT(kinetic, 0.1);
+  EXPECT_LT(numerical, 1e-9 * kinetic);
 }
 
 TEST(HighestFrequency, IsThatOfTheSpring) {

@@ -49,5 +49,17 @@ TEST(CourseOfBlock, FallsBackByWhatTheShipIsSlower) {
   EXPECT_EQ(course.at(20).d[1], 0);
 }
 
+/// Two ships that swing apart by a right angle each, on circles of their own: 2 R further apart in the end.
+TEST(CourseOfBlock, IsThatOfItsOwnShipWhereTwoTow) {
+  Ship ships = turning_ship();
+  ships.path_port = ships.path;
+  for (auto& moment : ships.path_port) moment.heading *= -1;
+  const double R = kSpeed * kTurning / kQuarter;
+  const Course starboard = course_of_block(ships, 40), port = course_of_block(ships, -40);
+  EXPECT_NEAR(starboard.at(20 + kTurning).d[1] - port.at(20 + kTurning).d[1], 2 * R, 1e-5 * R);
+  EXPECT_NEAR(starboard.at(20 + kTurning).d[0], kSpeed * kTurning - R, 1e-5 * R);
+  EXPECT_NEAR(port.at(20 + kTurning).d[0], kSpeed * kTurning - R, 1e-5 * R);
+}
+
 }  // namespace
 }  // namespace netloft::io

@@ -103,6 +103,32 @@ TEST(CatchFront, HasTheDerivativeOfItsForceAsTangent) {
   }
 }
 
+/// Halfway between 20 % and all of 0.7 m³ there are 60 % of it, and 20 % before.
+TEST(CatchFront, GrowsByItsTable) {
+  const double table[] = {10, 0.2, 20, 1};
+  auto p = pressing(120, 0.7);
+  p.growth = {table, 2, 2};
+  const double k = 120 / std::cbrt(0.7);
+  for (const auto& [time, share] : {std::pair{0.0, 0.2}, {15.0, 0.6}, {99.0, 1.0}}) {
+    State<4> s = somewhere(0.8);
+    s.time = time;
+    Local<4> out;
+    Front::Push::evaluate(p, {}, {8}, s, out);
+    EXPECT_NEAR(out.force[3].x, k * (share * 0.7 / 8 - Front::volume(p, {}, s)), 1e-12) << time;
+  }
+}
+
+TEST(CatchFront, GrowsOnlyIfItIsAVolumeThatIsThereAlways) {
+  const double growing[] = {0, 0.2, 20, 1}, vanishing[] = {0, 1, 20, 0};
+  auto p = pressing(120);
+  p.growth = {growing, 2, 2};
+  EXPECT_THROW(Front::check(p, {}), std::invalid_argument);
+  p.volume = 0.7;
+  EXPECT_NO_THROW(Front::check(p, {}));
+  p.growth = {vanishing, 2, 2};
+  EXPECT_THROW(Front::check(p, {}), std::invalid_argument);
+}
+
 TEST(CatchFront, RefusesACatchWithoutPressure) {
   EXPECT_THROW(Front::check({}, {}), std::invalid_argument);
   EXPECT_NO_THROW(Front::check(pressing(1), {}));

@@ -146,6 +146,20 @@ TEST(CatchPressure, SharesTheVolumeThatIsWantedOutAmongItsTriangles) {
   EXPECT_NEAR(out.force[3].x, -10.0 / 2 * 8 / 5, 1e-14);  // p / ∛8 × 8 m³ / 5
 }
 
+/// Halfway between 20 % and all of 8 m³ there are 60 % of it.
+TEST(CatchPressure, GrowsByItsTable) {
+  const double table[] = {10, 0.2, 20, 1};
+  auto p = filled(120, 8);
+  p.growth = {table, 2, 2};
+  State<4> s = somewhere(3);
+  s.time = 15;
+  Local<4> growing, whole;
+  Pressure::Push::evaluate(p, {}, kAlone, s, growing);
+  Pressure::Push::evaluate(filled(120, 8), {}, kAlone, s, whole);
+  EXPECT_NEAR(growing.force[3].x - whole.force[3].x, 120 / std::cbrt(8.0) * 0.4 * 8 / kAlone.triangles,
+              1e-10);
+}
+
 TEST(CatchPressure, StartsAtAQuarterOfItsNetting) {
   Pressure::Whole whole;
   Pressure::gather({}, {{40, 80, 40}}, whole);

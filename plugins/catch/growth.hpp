@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "plugins/common/in_time.hpp"
+
+#include <stdexcept>
+
+namespace netloft::catches {
+
+/// Throws std::invalid_argument unless what grows is a volume, and always there.
+inline void check_growth(const netloft_table& growth, double volume) {
+  if (growth.rows == 0) return;
+  if (volume == 0)
+    throw std::invalid_argument("catch.growth is of a volume, and none is given: give catch.volume");
+  if (!in_time::is_positive(growth))
+    throw std::invalid_argument("the catch must have a volume at all times: its growth must be positive");
+}
+
+}  // namespace netloft::catches
