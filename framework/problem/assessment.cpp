@@ -96,6 +96,7 @@ void find_what_grows(Assessment& a, const StaticProblem& problem, Assembler& ass
   if (!growth.grows()) return;
   a.growing = std::move(growth.mode);
   a.growth_rate = growth.rate, a.growth_frequency = growth.frequency;
+  if (flutters(a)) a.stability = Stability::swinging;
 }
 
 /// Where the solver ended there are no forces, or none that are numbers.
@@ -112,9 +113,10 @@ void judge_without_forces(Assessment& a, const StaticProblem& problem, const Ass
   a.reason = "the solver ended at a state where forces overflowed, such as at " + a.at_fault;
 }
 
-SolveStatus status_of(const Assessment& a, const StaticProblem& problem) {
-  if (a.balance.balanced)
-    return a.stability == Stability::unstable ? SolveStatus::unstable : SolveStatus::converged;
+SolveStatus status_of(const Assessment& a, const StaticProblem& problem, const Limits& limits) {
+  const bool is_refused =
+      a.stability == Stability::unstable || (a.stability == Stability::swinging && !limits.accept_swinging);
+  if (a.balance.balanced) return is_refused ? SolveStatus::unstable : SolveStatus::converged;
   return problem.stop() == StaticProblem::Stop::interrupted ? SolveStatus::interrupted
                                                             : SolveStatus::not_converged;
 }
@@ -138,7 +140,7 @@ Statistics since(const Statistics& before, const Statistics& now) {
 }  // namespace
 
 Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembler,
-                  const MakeFactorisation& make, bool ask_growth, std::span<const double> u,
+                  const MakeFactorisation& make, const Limits& limits, std::span<const double> u,
                   netloft_outcome outcome) {
   const Statistics before = problem.statistics();
   const std::string ending = why_it_ended(outcome, problem, assembler, scene);
@@ -156,12 +158,13 @@ Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembl
   std::string why_unstable;
   if (a.balance.balanced && problem.conservative())
     a.stability = find_stability(problem, u), why_unstable = first_not_convex(problem, assembler, scene);
-  else if (a.balance.balanced && ask_growth)
+  else if (a.balance.balanced && limits.ask_growth)
     find_what_grows(a, problem, assembler, make), why_unstable = what_grows(a, assembler, scene);
   if (a.balance.balanced) find_correction(a, problem, assembler, scene, {u.begin(), u.end()});
-  a.status = status_of(a, problem);
-  a.at_fault = assembler.node_name(scene, a.balance.worst);
-  a.reason = reason_of(a, ending, a.at_fault, why_unstable);
+  a.status = status_of(a, problem, limits);
+  const std::string worst = assembler.node_name(scene, a.balance.worst);
+  a.at_fault = a.growing.empty() ? worst : where_it_grows(a, assembler, scene);
+  a.reason = reason_of(a, ending, worst, why_unstable);
   a.judging.add(since(before, problem.statistics()));
   return a;
 }
@@ -169,7 +172,7 @@ Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembl
 Assessment assess_static(const Scene& scene, Assembler& assembler, std::span<const double> u,
                          const Limits& limits, const MakeFactorisation& make) {
   StaticProblem problem(assembler, make, limits);
-  return assess(problem, scene, assembler, make, limits.ask_growth, u, NETLOFT_STOPPED);
+  return assess(problem, scene, assembler, make, limits, u, NETLOFT_STOPPED);
 }
 
 const char* name_of(SolveStatus status) {
@@ -193,6 +196,8 @@ const char* name_of(Stability stability) {
       return "neutral";
     case Stability::marginal:
       return "marginal";
+    case Stability::swinging:
+      return "swinging";
     case Stability::unstable:
       return "unstable";
     default:

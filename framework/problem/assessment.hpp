@@ -7,15 +7,17 @@ namespace netloft {
 enum class SolveStatus { converged, unstable, not_converged, interrupted };
 
 /// Whether a small disturbance of an equilibrium decays. Where forces have an energy, its tangent tells;
-/// where they have none, growth.hpp, and then `stable` means that nothing was found that grows.
-enum class Stability { stable, neutral, marginal, unstable, unknown };
+/// where they have none, growth.hpp, and then `stable` means that nothing was found that grows. `swinging`:
+/// what grows most goes round faster than it grows, as an empty cod-end flaps; the gear comes to rest nowhere
+/// near, but its motion may stay small.
+enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
 
 /// What the host makes of a point, whoever found it.
 struct Assessment {
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
-  std::string reason;               // a sentence
-  std::string at_fault;             // the part that is furthest from balance or could not be evaluated
+  std::string reason;    // a sentence
+  std::string at_fault;  // what is furthest from balance, could not be evaluated, or moves most in what grows
   std::vector<double> x, residual;  // over all dofs [m], [N]
   std::vector<double> x_low;        // what x rounds off [m]; empty: not known
   double energy = 0;                // [J]
@@ -41,7 +43,7 @@ inline bool flutters(const Assessment& a) { return a.growth_frequency > a.growth
 /// holds it against convergence.hpp, asks of what is balanced whether it is stable, and estimates how far it
 /// is from the equilibrium. NETLOFT_STOPPED for a point that no solver is behind.
 Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembler,
-                  const MakeFactorisation& make, bool ask_growth, std::span<const double> u,
+                  const MakeFactorisation& make, const Limits& limits, std::span<const double> u,
                   netloft_outcome outcome);
 
 /// The same of a point of the scene, within limits.tolerance.

@@ -76,6 +76,10 @@ std::vector<double> node_moves(std::span<const double> u, const Assembler& assem
   return squares;
 }
 
+std::uint32_t furthest(const std::vector<double>& moves) {
+  return static_cast<std::uint32_t>(std::max_element(moves.begin(), moves.end()) - moves.begin());
+}
+
 }  // namespace
 
 std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
@@ -113,12 +117,15 @@ std::string what_grows(const Assessment& a, const Assembler& assembler, const Sc
     text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growth_frequency);
   if (a.growing.empty()) return text;
   const auto moves = node_moves(a.growing, assembler);
-  const auto most = std::max_element(moves.begin(), moves.end());
+  const double most = moves[furthest(moves)];
   const auto many =
-      std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= 0.1 * *most; });
-  return text + ", most at " + assembler.node_name(scene, static_cast<std::uint32_t>(most - moves.begin())) +
-         "; " + std::to_string(many) + " of " + std::to_string(moves.size()) +
-         " nodes move a tenth as far or more";
+      std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= 0.1 * most; });
+  return text + ", most at " + where_it_grows(a, assembler, scene) + "; " + std::to_string(many) + " of " +
+         std::to_string(moves.size()) + " nodes move a tenth as far or more";
+}
+
+std::string where_it_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
+  return assembler.node_name(scene, furthest(node_moves(a.growing, assembler)));
 }
 
 std::string balance_text(const Balance& balance, const std::string& worst) {
@@ -131,7 +138,9 @@ std::string reason_of(const Assessment& a, const std::string& ending, const std:
   const std::string balance = balance_text(a.balance, worst);
   if (!a.balance.balanced) return ending + "; " + balance + why_not_balanced(a);
   const std::string balanced = balance + why_round_off(a) + what_of_stability(a);
-  if (a.stability != Stability::unstable) return balanced;
+  if (a.stability == Stability::swinging && a.status == SolveStatus::converged)
+    return balanced + "; it does not rest there: " + why_unstable;
+  if (a.status != SolveStatus::unstable) return balanced;
   return "a stationary point, but not a stable one: " + why_unstable + "; " + balanced;
 }
 

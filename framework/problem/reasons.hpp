@@ -14,6 +14,9 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
 /// 900 nodes move a tenth as far or more"
 std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
 
+/// The node that what grows moves furthest. Something must grow.
+std::string where_it_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
+
 /// The sentence on an assessment whose status and stability are known. `ending` is why the solver returned,
 /// `why_unstable` what says that it is not stable.
 std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,

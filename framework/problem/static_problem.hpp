@@ -37,8 +37,9 @@ struct Limits {
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // of the processor that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  KeptPoint* kept = nullptr;  // where points of the scene itself are kept; null: nowhere
-  bool ask_growth = true;     // whether a small disturbance grows, where forces have no energy
+  KeptPoint* kept = nullptr;     // where points of the scene itself are kept; null: nowhere
+  bool ask_growth = true;        // whether a small disturbance grows, where forces have no energy
+  bool accept_swinging = false;  // whether an equilibrium about which something swings is an answer
   // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // null: work is not limited

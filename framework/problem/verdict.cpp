@@ -48,7 +48,7 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   const std::string factorisation = problem.factorisation_name();
   const std::span<const double> u{p.u, p.unknowns};
   Solution s;
-  static_cast<Assessment&>(s) = assess(problem, scene, assembler, make, limits.ask_growth, u, outcome);
+  static_cast<Assessment&>(s) = assess(problem, scene, assembler, make, limits, u, outcome);
   s.u.assign(u.begin(), u.end());
   if (has_all)
     for (std::size_t i = 0; i < start.size(); ++i) s.u[i] += start[i];

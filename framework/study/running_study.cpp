@@ -66,6 +66,7 @@ std::uint32_t stability_of(const Solution& s) {
       return NETLOFT_NEUTRAL;
     case Stability::marginal:
       return NETLOFT_MARGINAL;
+    case Stability::swinging:
     case Stability::unstable:
       return NETLOFT_UNSTABLE;
     default:

@@ -7,6 +7,18 @@ namespace netloft::io {
 
 using Json = nlohmann::ordered_json;
 
+Json values_json(const std::vector<NamedScalar>& scalars) {
+  Json values = Json::object();
+  for (const auto& s : scalars) values[s.name] = s.value;
+  return values;
+}
+
+Json units_json(const std::vector<NamedScalar>& scalars) {
+  Json units = Json::object();
+  for (const auto& s : scalars) units[s.name] = s.unit;
+  return units;
+}
+
 Json errors_json(const std::vector<NamedScalar>& scalars) {
   Json errors = Json::object();
   for (const auto& s : scalars)
@@ -16,13 +28,11 @@ Json errors_json(const std::vector<NamedScalar>& scalars) {
 
 Json gear_json(const LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
   if (figures.empty()) return nullptr;
-  Json values = Json::object(), units = Json::object();
-  for (const auto& figure : figures) values[figure.name] = figure.value, units[figure.name] = figure.unit;
   const int times = loaded.gear ? loaded.gear->times : 1;
   return {{"modelled", times == 2 ? "half" : "whole"},
           {"times", times},
-          {"figures", values},
-          {"units", units},
+          {"figures", values_json(figures)},
+          {"units", units_json(figures)},
           {"errors", errors_json(figures)},
           {"spread", spread_json(figures)}};
 }

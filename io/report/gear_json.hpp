@@ -6,6 +6,10 @@
 
 namespace netloft::io {
 
+/// The value and the unit of every number.
+nlohmann::ordered_json values_json(const std::vector<NamedScalar>& scalars);
+nlohmann::ordered_json units_json(const std::vector<NamedScalar>& scalars);
+
 /// The errors of every number; unknown ones are null.
 nlohmann::ordered_json errors_json(const std::vector<NamedScalar>& scalars);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/gear_json.hpp"
 #include "io/report/spread.hpp"
+#include "io/report/swing.hpp"
 #include "io/report/text.hpp"
 
 namespace netloft::io {
@@ -142,8 +143,6 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
 
 std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResult& r) {
   const Solution& s = r.solution;
-  Json results = Json::object(), units = Json::object();
-  for (const auto& scalar : r.scalars) results[scalar.name] = scalar.value, units[scalar.name] = scalar.unit;
   return dump({{"scene", loaded.scene.name},
                {"status", name_of(s.status)},
                {"stability", name_of(s.stability)},
@@ -160,6 +159,7 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"energy", s.energy},
                {"wall_seconds", seconds_json(r)},
                {"cpu_seconds", s.statistics.total_cpu_seconds},
+               {"judging_cpu_seconds", s.statistics.total_cpu_seconds - s.statistics.solver_cpu_seconds},
                {"unknowns", plan.unknowns},
                {"solver", loaded.analysis.solver},
                {"strategy", loaded.analysis.strategy},
@@ -167,10 +167,11 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"work", s.work},
                {"factorisation", s.factorisation},
                {"terms", terms_json(loaded.scene, plan)},
-               {"results", results},
-               {"units", units},
+               {"results", values_json(r.scalars)},
+               {"units", units_json(r.scalars)},
                {"errors", errors_json(r.scalars)},
                {"spread", spread_json(r.scalars)},
+               {"swing", swing_json(r)},
                {"mesh_note", r.mesh_note.empty() ? Json(nullptr) : Json(r.mesh_note)},
                {"node_error", s.correction},
                {"gear", gear_json(loaded, r.gear)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/run_result.hpp"
 
+#include "framework/problem/correction.hpp"
 #include "io/report/overload.hpp"
 
 #include "io/report/gear_figures.hpp"
@@ -105,6 +106,46 @@ void collect_spread(const LoadedScene& loaded, Assembler& assembler, RunResult& 
   }
 }
 
+// How far the furthest node of what grows is moved to see what depends on it, over the gear's length: small
+// against what bends, large against what a double rounds off.
+constexpr double kSmallSwing = 1e-6;
+
+double length_of(std::span<const double> x) {
+  const auto [least, most] = std::minmax_element(x.begin(), x.end());
+  return *most - *least;
+}
+
+/// The solution displaced by `length` along what grows, measured at the node that goes furthest.
+Solution swung(const Assembler& assembler, const Solution& s, double length) {
+  Solution there;
+  there.u = s.u, there.x.resize(s.x.size()), there.energy = s.energy;
+  for (std::size_t i = 0; i < there.u.size(); ++i) there.u[i] += length * s.growing[i];
+  assembler.place(there.u, there.x);
+  return there;
+}
+
+void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
+                double way, std::vector<NamedScalar>& scalars) {
+  for (auto& scalar : scalars) {
+    const NamedScalar *a = find_scalar(to_one_side, scalar.name), *b = find_scalar(to_the_other, scalar.name);
+    if (a && b) scalar.per_swing = std::abs(a->value - b->value) / way;
+  }
+}
+
+/// How much the numbers of an unstable equilibrium depend on what grows there, by central differences.
+void collect_swing(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+  const Solution& s = result.solution;
+  if (s.growing.empty() || s.growing.size() != s.u.size()) return;
+  const double length = kSmallSwing * length_of(s.x);
+  const Solution one = swung(assembler, s, length), other = swung(assembler, s, -length);
+  const NodeDistance way = furthest_node(loaded.scene, assembler.numbering(), one.x, other.x);
+  const auto at_one = numbers_at(loaded, assembler, one), at_other = numbers_at(loaded, assembler, other);
+  if (!(way.distance > 0) || !at_one || !at_other) return;
+  result.swings_most = assembler.node_name(loaded.scene, way.node);
+  note_swing(at_one->scalars, at_other->scalars, way.distance, result.scalars);
+  note_swing(at_one->gear, at_other->gear, way.distance, result.gear);
+}
+
 }  // namespace
 
 const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const std::string& name) {
@@ -136,6 +177,7 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
   collect_balance(result);
   collect_solver_errors(loaded, assembler, result);
   collect_spread(loaded, assembler, result);
+  collect_swing(loaded, assembler, result);
 }
 
 }  // namespace netloft::io

@@ -5,6 +5,7 @@
 
 #include "io/report/gear_text.hpp"
 #include "io/report/spread.hpp"
+#include "io/report/swing.hpp"
 
 #include <fmt/format.h>
 
@@ -150,6 +151,7 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
     fmt::format_to(out, "  ± of the solver, ± of the mesh; the latter {}\n",
                    mesh_note_text(result.mesh_note));
   text += spread_text(result.scalars, result.gear);
+  text += swing_text(result.swings_most, result.scalars, result.gear);
   forces_text(result, loaded.gear.has_value(), out);
   text += gear_text(result.gear, loaded.gear && loaded.gear->times == 2);
   if (!result.output_file.empty()) fmt::format_to(out, "  written to {}\n", result.output_file);

@@ -201,6 +201,16 @@ void write_spread_of(Tree& tree, const std::string& at, const std::vector<NamedS
   }
 }
 
+void write_swing(Tree& tree, const RunResult& result) {
+  if (result.swings_most.empty()) return;
+  const char* doc = "its change for each metre that the furthest node of what grows moves";
+  tree.write_text("/netloft/swing/furthest", result.swings_most, "the node that moves furthest");
+  for (const auto& s : result.scalars)
+    write_known(tree, "/netloft/swing/per_metre/" + s.name, s.per_swing, s.unit, doc);
+  for (const auto& s : result.gear)
+    write_known(tree, "/netloft/swing/per_metre/gear/" + s.name, s.per_swing, s.unit, doc);
+}
+
 /// How good an outcome is; the names are those of name_of().
 int rank_of(const std::string& outcome) {
   if (outcome == "converged" || outcome == "finished") return 2;
@@ -263,6 +273,7 @@ void write_result(ResultFile& file, const LoadedScene& loaded, Assembler& assemb
   write_errors(tree, result);
   write_spread_of(tree, "/netloft/spread/", result.scalars);
   write_spread_of(tree, "/netloft/spread/gear/", result.gear);
+  write_swing(tree, result);
   write_gear(tree, loaded, result.gear);
   if (const auto memory = assembler.memory(); !memory.empty())
     tree.write_reals("/netloft/memory", memory, "1", "state of the elements, one after another: friction");

@@ -3,6 +3,7 @@
 
 #include "io/report/gear_text.hpp"
 #include "io/report/spread.hpp"
+#include "io/report/swing.hpp"
 #include "io/result/materials.hpp"
 #include "io/result/tables.hpp"
 
@@ -76,10 +77,15 @@ void materials_text(const std::vector<Material>& materials, Out out) {
 Json figures_json(const std::vector<NamedScalar>& figures) {
   Json all = Json::object();
   for (const auto& f : figures)
-    all[f.name] = {{"value", number(f.value)},           {"unit", f.unit},
-                   {"error", number(total_error(f))},    {"solver_error", number(f.solver_error)},
-                   {"mesh_error", number(f.mesh_error)}, {"least", number(f.least)},
-                   {"largest", number(f.largest)},       {"doc", f.doc}};
+    all[f.name] = {{"value", number(f.value)},
+                   {"unit", f.unit},
+                   {"error", number(total_error(f))},
+                   {"solver_error", number(f.solver_error)},
+                   {"mesh_error", number(f.mesh_error)},
+                   {"least", number(f.least)},
+                   {"largest", number(f.largest)},
+                   {"per_swing", number(f.per_swing)},
+                   {"doc", f.doc}};
   return all;
 }
 
@@ -108,6 +114,7 @@ std::string result_text(const StoredResult& result) {
   head_text(result, out);
   scalars_text(result, out);
   text += spread_text(result.scalars, result.figures);
+  text += swing_text(result.swings_most, result.scalars, result.figures);
   forces_text(result, out);
   text += gear_text(result.figures, result.is_half);
   materials_text(materials_of(result), out);
@@ -127,6 +134,7 @@ std::string result_json(const StoredResult& result) {
                      {"status", result.outcome.empty() ? Json(nullptr) : Json(result.outcome)},
                      {"reason", result.sentence},
                      {"stability", result.stability},
+                     {"swings_most", result.swings_most.empty() ? Json(nullptr) : Json(result.swings_most)},
                      {"version", result.origins.version},
                      {"nodes", result.mesh.n_points},
                      {"elements", result.mesh.n_cells},

@@ -10,7 +10,8 @@ namespace netloft::io {
 
 namespace {
 
-const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/";
+const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/",
+                  kSwing = "/netloft/swing/";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::ptrdiff_t kDeepest = 16;  // of groups within groups: one that holds itself has no end
 // Fields that are made of others: the larger tension of the two twine directions, the opening of meshes, and
@@ -349,6 +350,7 @@ void StoredResult::read_scalars(const std::string& group, const std::string& err
     scalar.mesh_order = known(kErrors + errors + "mesh_order/" + name);
     scalar.least = known(kSpread + errors + "least/" + name);
     scalar.largest = known(kSpread + errors + "largest/" + name);
+    scalar.per_swing = known(kSwing + "per_metre/" + errors + name);
     into.push_back(scalar);
   }
 }
@@ -356,6 +358,7 @@ void StoredResult::read_scalars(const std::string& group, const std::string& err
 void StoredResult::read_forces() {
   const std::string at = kRoot + "forces/";
   mesh_note = text_or_nothing(kErrors + "mesh_note"), node_error = known(kErrors + "nodes");
+  swings_most = text_or_nothing(kSwing + "furthest");
   if (!reader_.has(at)) return;
   const auto vector_at = [](const std::vector<double>& rows, std::size_t row) {
     return std::array<double, 3>{rows[3 * row], rows[3 * row + 1], rows[3 * row + 2]};

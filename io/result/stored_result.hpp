@@ -113,7 +113,8 @@ class StoredResult {
   std::vector<HoldForce> hold_forces;
   std::array<double, 3> balance{};
   std::string mesh_note;
-  double node_error = 0;  // largest nodal move of the next Newton step [m]; NaN: not known
+  std::string swings_most;  // of an unstable equilibrium: the node that what grows moves furthest
+  double node_error = 0;    // largest nodal move of the next Newton step [m]; NaN: not known
   std::optional<StoredBed> bed;
   std::vector<BillItem> bill;
   std::vector<StoredSeries> series;

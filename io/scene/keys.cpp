@@ -115,6 +115,10 @@ std::span<const netloft_parameter> analysis_keys() {
         "tangent", &AnalysisKeys::tangent,
         "what counts of the tangent of forces without an energy (drag): all, its symmetric part, nothing",
         {"exact", "symmetric", "elastic"});
+    t.choice("swinging", &AnalysisKeys::swinging,
+             "what an equilibrium is about which something swings, more and more, as an empty cod-end may: "
+             "refused as unstable, or accepted as the middle of a small motion",
+             {"refused", "accepted"});
     return t;
   }();
   return table.rows();

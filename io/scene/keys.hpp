@@ -19,7 +19,7 @@ struct AnalysisKeys {
   double tolerance = 0;
   std::int64_t max_iterations = 0;
   double work = 0, max_seconds = 0;
-  std::int64_t tangent = 0;
+  std::int64_t tangent = 0, swinging = 0;
 };
 
 /// `[water]`, but for the current.

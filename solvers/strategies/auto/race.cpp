@@ -9,10 +9,6 @@ namespace netloft::automatic {
 
 namespace {
 
-// After so many slices that ended at an equilibrium about which the gear swings, more and more, the race is
-// over: it is reported that no rest was found.
-constexpr int kMostFlutters = 2;
-
 /// The start of the study; a little beside it where elements have no force there, which a solver cannot
 /// leave.
 Displacements start_with_forces(Study& study, const Options& options) {
@@ -36,7 +32,10 @@ Displacements beside(const Stage& saddle, double length, int turn) {
 }  // namespace
 
 Race::Race(Study& study, const Options& options)
-    : study_(study), options_(options), start_(start_with_forces(study, options)) {}
+    : study_(study),
+      options_(options),
+      budget_(study.work_left()),
+      start_(start_with_forces(study, options)) {}
 
 Stage Race::run() {
   for (int turn = 0; turn < options_.starts && !is_decided(); ++turn) {
@@ -59,18 +58,16 @@ void Race::run_from_start() {
     }
 }
 
-bool Race::is_decided() const {
-  return best_.has_converged() || flutter_count_ >= kMostFlutters || study_.work_left() == 0;
-}
+bool Race::is_decided() const { return best_.has_converged() || study_.work_left() <= over_at_; }
 
 void Race::run_slice(Runner& runner, double slice) {
-  const double work = std::min(slice, study_.work_left());
+  const double work = std::min(slice, study_.work_left() - over_at_);
   Stage stage = start_or_go_on(runner, work);
   // What has solved nothing ends out of work, too, without having spent any: there is nothing in it.
   runner.has_ended = stage.ending != Ending::out_of_work || stage.spent == 0;
   if (!runner.has_ended && stage.has_forces()) runner.cut_off_at = stage.u;
   runner.is_near = runner.cut_off_at && stage.imbalance() <= kOnlyAStart;
-  flutter_count_ += stage.flutters();
+  if (stage.flutters() && over_at_ == 0) over_at_ = std::max(0.0, 2 * study_.work_left() - budget_);
   keep_better(with_compensated_positions(off_saddle(std::move(stage), work)));
 }
 

@@ -13,7 +13,8 @@ namespace netloft::automatic {
 /// costs at most about n g w with n attempts (as in M. Luby, A. Sinclair and D. Zuckerman, Optimal speedup of
 /// Las Vegas algorithms, Inf. Process. Lett. 47, 1993). One that was cut off at a point of the scene itself
 /// goes on from there; one that ended by itself is not tried again from the same start. Where all have ended
-/// so, they begin anew from a perturbed start.
+/// so, they begin anew from a perturbed start. Once an equilibrium is met about which the gear swings, more
+/// and more, another is looked for with as much work again as that one has cost.
 class Race {
  public:
   Race(Study& study, const Options& options);
@@ -40,10 +41,11 @@ class Race {
 
   Study& study_;
   const Options& options_;
+  double budget_;       // work that was left when the race began
+  double over_at_ = 0;  // work left at which the race is over
   Displacements start_;
   std::vector<Runner> runners_;
   Stage best_;  // of those that are stationary
-  int flutter_count_ = 0;
 };
 
 }  // namespace netloft::automatic

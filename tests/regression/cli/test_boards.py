@@ -123,7 +123,7 @@ z = { of = "wire.end", take = "min z" }
 
     def test_from_any_attitude_it_finds_an_equilibrium_or_says_that_it_does_not(self):
         """Two attitudes are stable, found by the other program from 150 starts: it sheers out to starboard or to port. In others it
-        is in balance, too, but swings, and a run that has met two of these says so and ends."""
+        is in balance, too, but swings, and a run that finds no other in as much work again says so and ends."""
         stable = [np.radians(a) for a in ((72.064944612, 35.624608949, 30.538656910), (-24.7506, 61.4105, 20.1022))]
         stable = [attitude(BOARD, EYE, FLOW, a)[0] for a in stable]
         chance, found = random.Random(23), [0, 0]

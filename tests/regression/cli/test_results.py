@@ -399,6 +399,65 @@ RISE = (1 - 0.9 ** 2) ** 0.5 / 3  # of the mean of three nodes, if bars do not s
 THRUST = 0.5 * 1000 * 9.81 * 3.14159265 / 4 * 0.01 ** 2 * 0.9 / (3 * RISE)  # half the weight at the middle, by moments
 
 
+FLOAT = """
+[water]
+density = 1000
+current = [1.7, 0, 0]
+[parts.rod]
+type = "rope/bar"
+cells = 1
+sketch = [[0, 0, 0], [0.05, 0.02, 2]]
+length = 2
+rope = { EA = 1e5, EA_compression = 1e5, diameter = 0.001, density = 1140 }
+[parts.float]
+type = "float/float"
+on = "rod.end"
+float = { buoyancy = 100, diameter = 0.2, mass = 5, drag_law = "sphere" }
+[[hold]]
+on = "rod.start"
+[analysis]
+max_iterations = 100
+[results]
+x = { of = "rod.end", take = "x" }
+y = { of = "rod.end", take = "y" }
+z = { of = "rod.end", take = "z" }
+"""
+
+
+class Swinging(InFreshFolder):
+    """A float on a rod in its drag crisis swings, more and more: its drag falls as the water passes it faster."""
+
+    def run_float(self, words, *more):
+        self.write("float.toml", FLOAT.replace("max_iterations = 100", "max_iterations = 100\n" + words))
+        return self.netloft("run", "float.toml", "--overwrite", *more)
+
+    def test_is_unstable_unless_the_scene_accepts_it(self):
+        for words, status, code in (("", "unstable", 3), ('swinging = "refused"', "unstable", 3), ('swinging = "accepted"', "converged", 0)):
+            ended = self.run_float(words, "--json")
+            self.assertEqual((ended.code, ended.json()["status"], ended.json()["stability"]), (code, status, "swinging"), ended.err)
+            self.assertIn("swinging with a period of", ended.json()["reason"])
+
+    def test_says_how_much_each_result_depends_on_it(self):
+        report = self.run_float('swinging = "accepted"', "--json").json()
+        swing, at = report["swing"], report["results"]
+        self.assertEqual(swing["furthest"], "rod node 1")
+        change = [swing["per_metre"][axis] for axis in "xyz"]
+        self.assertAlmostEqual(sum(c ** 2 for c in change), 1, delta=1e-6)  # of the end itself: as far as it goes
+        self.assertLess(abs(change[0] * at["x"] - change[2] * at["z"]), 1e-3)  # across the rod, in the plane of the stream
+        said = self.run_float('swinging = "accepted"').out
+        table = [line for line in said.splitlines() if line.startswith("    x  ")]
+        self.assertEqual(len(table), 1, said)
+        self.assertIn(table[0], self.netloft("report", "float.hdf").out)
+        again = self.netloft("report", "float.hdf", "--json").json()
+        self.assertEqual((again["swings_most"], again["results"]["x"]["per_swing"]), ("rod node 1", change[0]))
+
+    def test_a_gear_that_rests_has_none(self):
+        self.write("float.toml", FLOAT.replace("1.7", "0.2"))
+        self.assertIsNone(self.netloft("run", "float.toml", "--json").json()["swing"])
+        with h5py.File(self.folder / "float.hdf") as f:
+            self.assertNotIn("swing", f["netloft"])
+
+
 class SeveralEquilibria(InFreshFolder):
     def solved(self, text, *words):
         self.write("arch.toml", text)

@@ -5,7 +5,8 @@
     default_strategy.py NETLOFT FOLDER [--drawn 30] [--stages]
 
 FOLDER has the .don and .mdg; they are no part of the repository. Every free node of a drawing is moved by a normal distribution along each axis, of
-a size that is drawn evenly by its logarithm from 1 mm to 0.3 m; seeds are 1, 2, … . `--stages` runs the strategy tension/stages instead, for comparison.
+a size that is drawn evenly by its logarithm from 1 mm to 0.3 m; seeds are 1, 2, … . `--stages` runs the strategy tension/stages instead, for comparison. Judging is what the host does after each stage: it looks for balance, stability and
+the distance from the equilibrium.
 """
 import argparse
 import json
@@ -75,7 +76,7 @@ class Runs:
         ended = subprocess.run([self.netloft, "run", "gear.toml", "--json", *words], cwd=self.folder, capture_output=True, text=True,
                                env={**os.environ, "OMP_THREAD_LIMIT": "1"})
         found = json.loads(ended.stdout)
-        return ended.returncode == 0, found.get("cpu_seconds", math.nan)
+        return ended.returncode == 0, found.get("cpu_seconds", math.nan), found.get("judging_cpu_seconds", math.nan)
 
 
 def main():
@@ -85,15 +86,17 @@ def main():
     parser.add_argument("--drawn", type=int, default=30)
     parser.add_argument("--stages", action="store_true")
     a = parser.parse_args()
-    print("| gear | flat drawing | CPU [s] | perturbed: converged | CPU median [s] | CPU most [s] |\n|---|---|---|---|---|---|")
+    print("| gear | flat drawing | CPU [s] | of which judging [s] | perturbed: converged | CPU median [s] | of which judging [s] | CPU most [s] |\n"
+          "|---|---|---|---|---|---|---|---|")
     for gear in GEARS:
         with tempfile.TemporaryDirectory() as folder:
             runs = Runs(str(Path(a.netloft).resolve()), (a.folder / f"{gear}.don").resolve(), Path(folder), "tension/stages" if a.stages else "")
-            flat, cpu = runs.run()
+            flat, cpu, judging = runs.run()
             drawn = [runs.run(seed) for seed in range(1, a.drawn + 1)]
-            times = [seconds for converged, seconds in drawn] or [math.nan]
-            print(f"| {gear[:2]} {gear[3:].replace('_', ' ')} | {'converged' if flat else 'not'} | {cpu:.3f} | "
-                  f"{sum(c for c, _ in drawn)} of {len(drawn)} | {statistics.median(times):.3f} | {max(times):.3f} |", flush=True)
+            times = [seconds for converged, seconds, judged in drawn] or [math.nan]
+            judged = [judged for converged, seconds, judged in drawn] or [math.nan]
+            print(f"| {gear[:2]} {gear[3:].replace('_', ' ')} | {'converged' if flat else 'not'} | {cpu:.3f} | {judging:.3f} | "
+                  f"{sum(c for c, _, _ in drawn)} of {len(drawn)} | {statistics.median(times):.3f} | {statistics.median(judged):.3f} | {max(times):.3f} |", flush=True)
 
 
 if __name__ == "__main__":

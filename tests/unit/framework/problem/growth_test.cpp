@@ -434,6 +434,7 @@ TEST(Growth, IsThatOfTheMotionOfAFloatInItsDragCrisis) {
   const Solved s = solve_with("newton", scene);
   ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
   EXPECT_TRUE(flutters(s.solution));
+  EXPECT_EQ(s.solution.stability, Stability::swinging);
   const double swings = 6 * std::numbers::pi / s.solution.growth_frequency;
   EXPECT_NEAR(rate_of_motion(scene, s.solution.u, s.solution.growing, swings), s.solution.growth_rate,
               0.1 * s.solution.growth_rate);
@@ -444,6 +445,7 @@ TEST(Growth, IsThatOfTheMotionOfAFloatThatTopples) {
   const Solved s = solve_with("newton", scene, {{"method", std::string("classic")}});
   ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
   EXPECT_FALSE(flutters(s.solution));
+  EXPECT_EQ(s.solution.stability, Stability::unstable);
   const double duration = 3 / s.solution.growth_rate;
   EXPECT_NEAR(rate_of_motion(scene, s.solution.u, s.solution.growing, duration), s.solution.growth_rate,
               0.1 * s.solution.growth_rate);

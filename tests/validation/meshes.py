@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The 83-112 in the flume on finer and finer meshes: whether it converges, what its figures are, and what it costs.
+
+    meshes.py NETLOFT GEAR_LIBRARY [--nodes 500,1000,2000,4000,8000] [--knots 2.0,3.0,4.0] [--raised 0,0.8]
+
+Prints a row for each mesh, at each speed and height of the towing point. `over the law` is processor time over the power law through all meshes
+of that speed and height, c N^p, by least squares of the logarithms. A mesh on which the gear does not converge has a row that says what it ended at.
+"""
+import argparse
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HEIGHT_OF_POINT = -18.77  # [m], as in the scenes
+FIGURES = (("height [m]", "mouth/headline_height", 1, ".3f"), ("upper spread [m]", "mouth/upper_wing_spread", 1, ".3f"),
+           ("lower spread [m]", "mouth/lower_wing_spread", 1, ".3f"), ("mouth [m²]", "mouth/area", 1, ".2f"),
+           ("bridles [kN]", "rigging/bridle/tension_start", 1e-3, ".3f"), ("drag [kN]", "drag/all/x", 1e-3, ".3f"))
+
+
+def solve(program, library, knots, raised, nodes):
+    """Its report, with the processor time of the whole run."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = [program, "run", str(library / f"scenes/83-112-flume-{knots}kn.toml"), "--json", "-o", f"{folder}/out.hdf",
+                 "--set", f"gear.nodes={nodes}", "--set", f"points.towing-point.at[2]={HEIGHT_OF_POINT + raised} m"]
+        before = os.times()
+        done = subprocess.run(words, capture_output=True, text=True, env={**os.environ, "OMP_THREAD_LIMIT": "1"})
+        after = os.times()
+    if not done.stdout:
+        sys.exit(done.stderr)
+    report = json.loads(done.stdout)
+    report["cpu"] = after.children_user + after.children_system - before.children_user - before.children_system
+    return report
+
+
+def power_law(sizes, times):
+    """c and p of c N^p."""
+    x, y = [math.log(n) for n in sizes], [math.log(t) for t in times]
+    middle, level = sum(x) / len(x), sum(y) / len(y)
+    spread = sum((a - middle) ** 2 for a in x)
+    p = sum((a - middle) * (b - level) for a, b in zip(x, y)) / spread if spread else 0
+    return math.exp(level - p * middle), p
+
+
+def verdict(report):
+    if report["status"] != "converged":
+        return f"{report['status']}, {report['residual'] / report['largest_load']:.0e} of the load"
+    swing = report["swing"]
+    return report["stability"] if not swing else f"swings in {swing['period']:.2g} s, tenfold in {swing['tenfold_in']:.2g} s"
+
+
+def row(knots, raised, nodes, report, law):
+    figures = report["gear"]["figures"]
+    cells = [f"{factor * figures[key]:{form}}" for _, key, factor, form in FIGURES]
+    cost = report["cpu"] / (law[0] * report["unknowns"] ** law[1])
+    return " | ".join([f"| {knots}", f"{raised:g}", str(nodes), str(report["unknowns"]), verdict(report), *cells, str(report["factorisations"]),
+                       f"{report['cpu']:.1f}", f"{cost:.2f} |"])
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("library", type=Path)
+    parser.add_argument("--nodes", default="500,1000,2000,4000,8000")
+    parser.add_argument("--knots", default="2.0,3.0,4.0")
+    parser.add_argument("--raised", default="0,0.8")
+    a = parser.parse_args()
+    heads = ["knots", "raised [m]", "nodes", "unknowns", "verdict", *(f[0] for f in FIGURES), "factorisations", "CPU [s]", "over the law"]
+    print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
+    exponents = []
+    for knots in a.knots.split(","):
+        for raised in (float(r) for r in a.raised.split(",")):
+            found = {int(n): solve(a.program, a.library, knots, raised, int(n)) for n in a.nodes.split(",")}
+            law = power_law([r["unknowns"] for r in found.values()], [r["cpu"] for r in found.values()])
+            exponents.append(f"{knots} kn, {raised:g} m: {law[1]:.2f}")
+            for nodes, report in found.items():
+                print(row(knots, raised, nodes, report, law), flush=True)
+    print("\nExponent of processor time over unknowns: " + "; ".join(exponents))
+
+
+if __name__ == "__main__":
+    main()
