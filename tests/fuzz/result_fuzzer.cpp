@@ -161,7 +161,10 @@ void stand_on(const fs::path& path) {
   const std::string text = io::mesh_text(mesh, "a result");
   io::Diagnostics again;
   io::read_mesh(text, again.add_source("r.mesh", text), again);
-  if (again.errors()) std::abort();
+  if (again.errors()) {
+    std::fputs(again.render(false).c_str(), stderr);
+    std::abort();
+  }
 }
 
 void look_at(const fs::path& path) {

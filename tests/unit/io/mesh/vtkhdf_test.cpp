@@ -187,6 +187,13 @@ const Broken kBroken[] = {
        t.write_ints("/VTKHDF/Types", Ints{10, 5, 3, 3, 2}, "1");
      },
      "cells of type 10 with 3 nodes are not read"},
+    {"FarCorner",
+     [](Tree& t) {
+       Reals corners(30);
+       std::copy_n(Reals{0, 0, 10, 0, -1e9, 5, 10, 0, 10, 1.0 / 3, 0, 5}.begin(), 12, corners.begin());
+       t.write_matrix("/VTKHDF/CellData/panel_corners", corners, 6, "1");
+     },
+     "a number of the element is no number below a million"},
     {"FewCorners", [](Tree& t) { t.write_matrix("/VTKHDF/CellData/panel_corners", Reals(12), 6, "1"); },
      "/VTKHDF/CellData/panel_corners must have 6 numbers for each of 5 cells"},
     {"CornersInARow", [](Tree& t) { t.write_reals("/VTKHDF/CellData/panel_corners", Reals(30), "1"); },
