@@ -35,8 +35,9 @@ constexpr int kMeasures = 16;
 constexpr double kRounding = 1e-9;
 // τ of (2) [s]
 constexpr double kFollows = 1e-3;
-// Of the metric in the norm (8), for what nothing else keeps; what is left of a rest but rounding.
-constexpr double kLittle = 1e-6, kExhausted = 16 * std::numeric_limits<double>::epsilon();
+// Of the metric in the norm (8), for what nothing else keeps; what is left of a vector that is orthogonal
+// already, at least, when it is made so again.
+constexpr double kLittle = 1e-6, kRemains = 0.5;
 constexpr int kMatrices = 5;
 
 using Vector = Eigen::VectorXd;
@@ -135,6 +136,11 @@ class Cayley {
     return factor_.factorise(sum).status == FactorStatus::ok;
   }
   Eigen::Index unknowns() const { return K_.rows(); }
+  /// Of the space that the norm (8) sees: what has no mass has no velocity there.
+  Eigen::Index dimension() const {
+    const Eigen::VectorXd masses = M_.cwiseAbs() * Eigen::VectorXd::Ones(unknowns());
+    return unknowns() + (masses.array() > 0).count();
+  }
   Vector operator*(const Vector& z) {
     const auto y = z.head(unknowns()), v = z.tail(unknowns());
     rhs_ = 2 * (sigma_ * (M_ * v) - K_ * y);
@@ -174,11 +180,12 @@ class Cayley {
 /// An eigenvalue of A with a vector, as a Krylov space has them.
 struct RitzPair {
   Complex theta;
-  double error = std::numeric_limits<double>::infinity();  // left side of (4)
+  double residual = std::numeric_limits<double>::infinity();  // ρ of (5)
+  double condition = 1;                                       // 1/χ
   Eigen::VectorXcd vector = {};
 
   double beyond() const { return std::abs(theta) - 1; }
-  bool is_known() const { return error <= kKnown * beyond(); }
+  bool is_known() const { return residual * condition <= kKnown * beyond(); }
 };
 
 /// An orthonormal basis Q of z, Az, A²z, … in the inner product (8), with A Q = Q H on it.
@@ -201,14 +208,12 @@ class Arnoldi {
     const Eigen::MatrixXd H = H_.topLeftCorner(size_, size_);
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(H);
     const Eigen::MatrixXcd right = solver.eigenvectors(), left = right.inverse();
-    const double rounding = std::numeric_limits<double>::epsilon() * H.norm();
     RitzPair best{.theta = 0};
     Eigen::Index place = 0;
     for (Eigen::Index i = 0; i < size_; ++i) {
       const double rho = std::abs(H_(size_, size_ - 1) * right(size_ - 1, i));
-      // Of unit right eigenvectors, the rows of the inverse are as long as s is short.
-      const double error = (rho + rounding) * left.row(i).norm();
-      const RitzPair pair{solver.eigenvalues()[i], std::isfinite(error) ? error : RitzPair{}.error};
+      // Of unit right eigenvectors, the rows of the inverse are as long as χ is short.
+      const RitzPair pair{solver.eigenvalues()[i], rho, left.row(i).norm()};
       if (is_better(pair, best)) best = pair, place = i;
     }
     best.vector = Q_.leftCols(size_) * right.col(place);
@@ -216,20 +221,20 @@ class Arnoldi {
   }
 
  private:
-  /// Orthogonalised twice, which is enough.
+  /// Orthogonalised twice, which is enough: what gets shorter by that once more was rounding (B. N. Parlett,
+  /// The Symmetric Eigenvalue Problem, 1998, section 6.9), and the space holds all of Az.
   void step(Eigen::Index k) {
-    Vector next = A_ * Vector(Q_.col(k));
-    double along_all = 0;
+    Vector next = A_ * Vector(Q_.col(k)), weighed;
+    double rest = 0, before = 0;
     for (int i = 0; i < 2; ++i) {
       const Vector along = BQ_.leftCols(k + 1).transpose() * next;
       H_.col(k).head(k + 1) += along;
       next -= Q_.leftCols(k + 1) * along;
-      along_all += along.norm();
+      weighed = A_.weighed(next);
+      before = std::exchange(rest, std::sqrt(std::max(0.0, next.dot(weighed))));
     }
-    const Vector weighed = A_.weighed(next);
-    const double rest = std::sqrt(std::max(0.0, next.dot(weighed)));
     size_ = k + 1;
-    is_exhausted_ = !(rest > kExhausted * std::hypot(along_all, rest)) || size_ == Q_.rows();
+    is_exhausted_ = !(rest > kRemains * before) || size_ == A_.dimension();
     H_(k + 1, k) = is_exhausted_ ? 0 : rest;
     if (!is_exhausted_) Q_.col(k + 1) = next / rest, BQ_.col(k + 1) = weighed / rest;
   }
@@ -311,6 +316,18 @@ Growth growth_by_powers(Cayley& A, double doubt) {
   return growth_of(arnoldi.outermost(), A, doubt);
 }
 
+/// With the residual that A itself leaves: rounding keeps that of the recurrence, which is as small, from
+/// holding.
+RitzPair checked(Cayley& A, RitzPair pair) {
+  const Vector real = pair.vector.real(), imaginary = pair.vector.imag();
+  Eigen::VectorXcd rest = -pair.theta * pair.vector;
+  rest.real() += A * real, rest.imag() += A * imaginary;
+  const auto square = [&](const Vector& z) { return z.dot(A.weighed(z)); };
+  const double ratio = (square(rest.real()) + square(rest.imag())) / (square(real) + square(imaginary));
+  pair.residual = ratio >= 0 ? std::max(pair.residual, std::sqrt(ratio)) : RitzPair{}.residual;
+  return pair;
+}
+
 /// For the σ that A has.
 Growth growth_by(Cayley& A, double doubt) {
   Arnoldi arnoldi(A, A.start());
@@ -318,7 +335,7 @@ Growth growth_by(Cayley& A, double doubt) {
     arnoldi.extend(steps);
     const RitzPair pair = arnoldi.outermost();
     if (pair.beyond() <= kBeyond) return {};
-    if (pair.is_known()) return growth_of(pair, A, doubt);
+    if (pair.is_known() && checked(A, pair).is_known()) return growth_of(pair, A, doubt);
   }
   return growth_by_powers(A, doubt);
 }

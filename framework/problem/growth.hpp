@@ -46,9 +46,9 @@ struct LinearMotion {
 /// Meerbergen and D. Roose, Matrix transformations for computing rightmost eigenvalues, IMA J. Numer. Anal.
 /// 16 (1996). 24 steps of Arnoldi's find the outermost, for σ from 1e-3/s by hundredths up to the fastest
 /// that a mass makes by itself, by its stiffness and damping. A Ritz value θ beyond the circle counts if it
-/// is known: the residual ρ of its pair and rounding, over the cosine χ of the angle between its left and
-/// right eigenvectors, leave it there,
-///   (ρ + ε‖H‖)/χ ≤ (|θ| − 1)/10                                                           (5)
+/// is known: the residual ρ that A leaves of its pair, over the cosine χ of the angle between its left and
+/// right eigenvectors, leaves it there,
+///   ρ/χ ≤ (|θ| − 1)/10                                                                    (5)
 /// (Y. Saad, Numerical Methods for Large Eigenvalue Problems, 2011, chapters 3 and 6). If it is not after 48
 /// steps, A is far from normal (L. N. Trefethen and M. Embree, Spectra and Pseudospectra, 2005, chapter 16),
 /// and its powers decide: growth that falls from one twenty of them to the next may pass.

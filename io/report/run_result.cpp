@@ -132,10 +132,10 @@ void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<N
   }
 }
 
-/// How much the numbers of an unstable equilibrium depend on what grows there, by central differences.
+/// How much the numbers of an equilibrium depend on what swings about it, by central differences.
 void collect_swing(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   const Solution& s = result.solution;
-  if (s.growing.empty() || s.growing.size() != s.u.size()) return;
+  if (s.stability != Stability::swinging || s.growing.size() != s.u.size()) return;
   const double length = kSmallSwing * length_of(s.x);
   const Solution one = swung(assembler, s, length), other = swung(assembler, s, -length);
   const NodeDistance way = furthest_node(loaded.scene, assembler.numbering(), one.x, other.x);

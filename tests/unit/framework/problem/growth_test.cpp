@@ -109,6 +109,49 @@ TEST(GrowthOfMatrices, IsFoundWhereverSomeEigenvalueGrows) {
   EXPECT_GT(decay, 10);
 }
 
+/// A board without mass on stiff rods: where they do not hold it, its stiffness is a billionth of theirs. The
+/// length (8) is theirs, too, so that rounding is as large as what is looked for.
+struct BoardOnRods {
+  explicit BoardOnRods(unsigned seed, double stiff)
+      : K(random_matrix(6, 1.5, seed)), C(random_matrix(6, 3, seed + 1000)), convex(K.values.size()) {
+    const auto rods = random_numbers(12, seed + 2000);
+    for (std::size_t c = 0; c < 6; ++c)
+      for (std::size_t r = 0; r < 6; ++r) {
+        const double rod = stiff * (rods[c] * rods[r] + rods[6 + c] * rods[6 + r]);
+        K.values[6 * c + r] += rod, convex[6 * c + r] = rod + (r == c ? 1e-6 * stiff : 0);
+      }
+  }
+  /// (6) of what grows most.
+  double fastest() const {
+    const Eigen::Map<const Eigen::MatrixXd> k(K.values.data(), 6, 6), damping(C.values.data(), 6, 6);
+    double c = -1;
+    for (const auto& lambda : (damping.inverse() * k).eval().eigenvalues())
+      c = std::max(c, -lambda.real() / std::abs(lambda));
+    return c;
+  }
+  ThreeDiagonals K, C;
+  std::vector<double> convex;
+};
+
+TEST(GrowthOfMatrices, IsThatOfABoardWithoutMassOnStiffRods) {
+  int grow = 0, decay = 0;
+  for (const double stiff : {1e3, 1e6, 1e9})
+    for (unsigned seed = 1; seed <= 100; ++seed) {
+      const BoardOnRods board(seed, stiff);
+      const LinearMotion m{board.K.values, board.C.values, std::vector<double>(36), board.convex};
+      const Growth growth = find_growth(board.K.pattern, m, make_factorisation);
+      const double c = board.fastest();
+      if (c > 0.011) {
+        EXPECT_TRUE(growth.grows()) << seed << ", " << stiff << ": " << c;
+      } else if (c <= 0) {
+        EXPECT_FALSE(growth.grows()) << seed << ", " << stiff << ": " << c;
+      }
+      grow += c > 0.011, decay += c <= 0;
+    }
+  EXPECT_GT(grow, 30);
+  EXPECT_GT(decay, 30);
+}
+
 // s = 0.05 ± 10i and -0.05 ± 10i: in the band (6), and where it decays.
 TEST(GrowthOfMatrices, IsMarginalWhereAPairHardlyGrows) {
   const ThreeDiagonals C(2, 0, 1, 0), grows(2, -10, -0.05, 10), decays(2, -10, 0.05, 10);
