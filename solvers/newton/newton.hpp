@@ -37,8 +37,8 @@ namespace netloft::newton {
 /// M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
 ///
 /// At round-off, where the step promises less than the energy can resolve, a step is accepted if it does not
-/// raise ‖r‖; or where all forces have an energy and μ = 0, by (7), the approximate Wolfe conditions
-/// (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
+/// raise ‖r‖; or where all forces have an energy, and μ = 0 or no other step is found, by (7), the
+/// approximate Wolfe conditions (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
 ///
 /// Negative curvature. Where all forces have an energy, little damping is left, K is indefinite and K + σ M
 /// with a σ of 1e-7, 1e-6, … 1e-4 is not, K is nearly definite: K + σ M is then the matrix of (2), and (6)

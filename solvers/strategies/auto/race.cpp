@@ -67,8 +67,15 @@ void Race::run_slice(Runner& runner, double slice) {
   runner.has_ended = stage.ending != Ending::out_of_work || stage.spent == 0;
   if (!runner.has_ended && stage.has_forces()) runner.cut_off_at = stage.u;
   runner.is_near = runner.cut_off_at && stage.imbalance() <= kOnlyAStart;
-  if (stage.flutters() && over_at_ == 0) over_at_ = std::max(0.0, 2 * study_.work_left() - budget_);
-  keep_better(with_compensated_positions(off_saddle(std::move(stage), work)));
+  stage = off_saddle(std::move(stage), work);
+  if (stage.flutters()) look_on_for_as_much_again();
+  keep_better(with_compensated_positions(std::move(stage)));
+}
+
+/// As the race has cost when it first met an equilibrium about which the gear swings.
+void Race::look_on_for_as_much_again() {
+  const double spent = budget_ - study_.work_left();
+  if (over_at_ == 0) over_at_ = std::max(0.0, study_.work_left() - spent);
 }
 
 Stage Race::start_or_go_on(Runner& runner, double work) {
@@ -86,10 +93,11 @@ Stage Race::off_saddle(Stage saddle, double work) {
   const char* const strategy = study_.conservative() ? "direct" : "pseudo-time";
   if (saddle.ending != Ending::unstable || saddle.flutters()) return saddle;
   for (const int turn : {0, 1}) {
-    if (study_.work_left() == 0) break;
-    const Ask ask{.name = "off an unstable equilibrium", .work = std::min(work, study_.work_left())};
+    if (study_.work_left() <= over_at_) break;
+    const Ask ask{.name = "off an unstable equilibrium",
+                  .work = std::min(work, study_.work_left() - over_at_)};
     Stage next = study_.call(strategy, "", ask, beside(saddle, length, turn));
-    if (next.has_converged()) return next;
+    if (next.has_converged() || next.flutters()) return next;
     if (next.ending == Ending::unstable && study_.work_left() > 0) saddle = std::move(next);
   }
   return saddle;

@@ -14,13 +14,13 @@ namespace netloft::automatic {
 /// Las Vegas algorithms, Inf. Process. Lett. 47, 1993). One that was cut off at a point of the scene itself
 /// goes on from there; one that ended by itself is not tried again from the same start. Where all have ended
 /// so, they begin anew from a perturbed start. Once an equilibrium is met about which the gear swings, more
-/// and more, another is looked for with as much work again as that one has cost.
+/// and more, another is looked for with as much work again as the race has cost until then.
 class Race {
  public:
   Race(Study& study, const Options& options);
 
   /// The first stage that converged; else an unstable equilibrium, of several the one that balances best;
-  /// else a stage that is not stationary.
+  /// else an empty stage, and nothing is answered.
   Stage run();
 
  private:
@@ -36,6 +36,7 @@ class Race {
   Stage start_or_go_on(Runner& runner, double work);
   Stage off_saddle(Stage saddle, double work);
   Stage with_compensated_positions(Stage stage);
+  void look_on_for_as_much_again();
   void keep_better(Stage stage);
   bool is_decided() const;
 

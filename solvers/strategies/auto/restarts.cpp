@@ -47,8 +47,9 @@ void restart(Study& study, const Options& options, const Stage& first, double wo
     const double before = study.work_left();
     const double most = std::min(left, before);
     const auto start = start_of(study, options, turn, best, most);
-    if (study.work_left() == 0) return;
-    Stage next = study.call("direct", "", {.name = "restart", .work = most}, start);
+    const double rest = most - (before - study.work_left());
+    if (!(rest > 0)) return;
+    Stage next = study.call("direct", "", {.name = "restart", .work = rest}, start);
     left -= before - study.work_left();
     if (!next.has_converged()) continue;
     study.answer(next.u);
