@@ -19,6 +19,7 @@ COARSER = {
     **{f"83-112-flume-{knots}kn.toml": FLUME for knots in ("2.0", "2.5", "3.0", "3.5", "4.0")},
     **{f"83-112-at-sea-{depth}m.toml": FLUME for depth in (66, 99)},
     **{f"gov-like-{depth}m.toml": FLUME for depth in (31, 67, 111)},
+    "dynamics/83-112-in-motion.toml": ["gear.nodes=100", "analysis.duration=1"],
     "dynamics/trawl-speeds-up.toml": [f"parts.{part}{i}.cells=[6,6]" for part in ("upper", "lower") for i in (1, 2, 3, 4)]
                                      + [f"parts.{rope}.cells=6" for rope in ("headline", "footrope")] + ["analysis.duration=2"],
     "dynamics/hanging-panel.toml": ["analysis.duration=1"],
