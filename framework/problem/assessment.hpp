@@ -22,8 +22,9 @@ struct Assessment {
   std::vector<double> x_low;        // what x rounds off [m]; empty: not known
   double energy = 0;                // [J]
   Balance balance;
-  std::vector<double> growing;  // a disturbance of u that grows, where forces have no energy; length 1
-  double growth_rate = 0;       // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
+  std::vector<double> growing;        // a disturbance of u that grows, where forces have no energy; length 1
+  std::vector<double> growing_later;  // where it swings, a quarter of a period later; else empty
+  double growth_rate = 0;  // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
   double growth_frequency = 0;
   std::vector<double> corrected;      // x after the Newton step that is left, over all dofs; empty: not known
   std::vector<double> corrected_low;  // what that rounds off

@@ -203,10 +203,13 @@ class Arnoldi {
     for (Eigen::Index k = before; k < steps && !is_exhausted_; ++k) step(k);
   }
 
-  /// The outermost beyond the circle that is known, else the outermost.
+  /// Of those beyond the circle that are known one that diverges, else the outermost; if there is none, the
+  /// outermost of all. Without a number: A has none.
   RitzPair outermost() const {
     const Eigen::MatrixXd H = H_.topLeftCorner(size_, size_);
+    if (!H.allFinite()) return {.theta = std::nan("")};
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(H);
+    if (solver.info() != Eigen::Success) return {.theta = std::nan("")};
     const Eigen::MatrixXcd right = solver.eigenvectors(), left = right.inverse();
     RitzPair best{.theta = 0};
     Eigen::Index place = 0;
@@ -239,9 +242,13 @@ class Arnoldi {
     if (!is_exhausted_) Q_.col(k + 1) = next / rest, BQ_.col(k + 1) = weighed / rest;
   }
 
-  static bool is_better(const RitzPair& a, const RitzPair& b) {
-    if (a.is_known() != b.is_known()) return a.is_known();
-    return std::abs(a.theta) > std::abs(b.theta);
+  bool is_better(const RitzPair& a, const RitzPair& b) const {
+    return std::pair(rank(a), std::abs(a.theta)) > std::pair(rank(b), std::abs(b.theta));
+  }
+  int rank(const RitzPair& pair) const {
+    if (pair.beyond() <= kBeyond || !pair.is_known()) return 0;
+    const Complex s = A_.rate(pair.theta);
+    return std::abs(s.imag()) > s.real() ? 1 : 2;
   }
 
   Cayley& A_;
@@ -285,22 +292,27 @@ class Powers {
   Vector z_;
 };
 
-/// Of length 1, the largest entry of y having no imaginary part.
-std::vector<double> real_mode(const Eigen::VectorXcd& y) {
+/// The largest entry of y has no imaginary part then.
+void take_mode(const Eigen::VectorXcd& y, Growth& g) {
   Eigen::Index largest = 0;
   y.cwiseAbs2().maxCoeff(&largest);
-  const Vector mode = (y / y[largest]).real().normalized();
-  return {mode.begin(), mode.end()};
+  const Eigen::VectorXcd turned = y / y[largest];
+  const double length = turned.real().norm();
+  const Vector now = turned.real() / length, later = turned.imag() / length;
+  g.mode.assign(now.begin(), now.end());
+  if (g.frequency > 0) g.mode_later.assign(later.begin(), later.end());
 }
 
 Growth growth_of(const RitzPair& pair, const Cayley& A, double doubt) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
-  Growth g{.verdict = GrowthVerdict::grows, .mode = real_mode(y)};
+  if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};  // powers saw it grow
+  Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));
   g.per_power = std::sqrt((1 + c) / (1 - c));  // (6)
   g.rate = s.real(), g.frequency = std::abs(s.imag());
-  const bool is_for_damping_to_tell = !A.is_damped() && g.frequency > g.rate;
+  take_mode(y, g);
+  const bool is_for_damping_to_tell = !A.is_damped() && g.swings();
   if (g.per_power <= kGrows || is_for_damping_to_tell || A.is_in_doubt(s, y, doubt))
     g.verdict = GrowthVerdict::marginal, g.per_power = std::min(g.per_power, kGrows);
   return g;
@@ -334,6 +346,7 @@ Growth growth_by(Cayley& A, double doubt) {
   for (const int steps : {kSteps, kMostSteps}) {
     arnoldi.extend(steps);
     const RitzPair pair = arnoldi.outermost();
+    if (std::isnan(pair.beyond())) return {.verdict = GrowthVerdict::unknown};
     if (pair.beyond() <= kBeyond) return {};
     if (pair.is_known() && checked(A, pair).is_known()) return growth_of(pair, A, doubt);
   }
@@ -430,14 +443,16 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, con
   const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   Cayley A(pattern, motion, *factorisation, cost);
-  for (double sigma = largest_sigma(pattern, motion); sigma > kLeastSigma / 2 && !most.grows();
+  const auto is_decided = [&] {
+    return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
+  };
+  // What swings does not hide what diverges more slowly.
+  for (double sigma = largest_sigma(pattern, motion); sigma > kLeastSigma / 2 && !is_decided();
        sigma /= kStep) {
-    if (!A.set(sigma) && !A.set(kAside * sigma)) {
-      most = {.verdict = GrowthVerdict::unknown};
-      break;
-    }
-    Growth growth = growth_by(A, doubt);
-    if (growth.verdict > most.verdict) most = std::move(growth);
+    Growth growth{.verdict = GrowthVerdict::unknown};
+    if (A.set(sigma) || A.set(kAside * sigma)) growth = growth_by(A, doubt);
+    const bool diverges = growth.grows() && !growth.swings();
+    if (growth.verdict > most.verdict || diverges) most = std::move(growth);
   }
   most.cost = cost;
   return most;

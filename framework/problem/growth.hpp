@@ -14,12 +14,15 @@ enum class GrowthVerdict { none, marginal, grows, unknown };
 /// What a small disturbance does, and what it turns into.
 struct Growth {
   GrowthVerdict verdict = GrowthVerdict::none;
-  double per_power = 0;           // the largest |(4)| of what grows, over σ; zero where nothing does
-  double rate = 0;                // Re s of what grows [1/s]
-  double frequency = 0;           // Im s, with which it swings [rad/s]; zero where it diverges
-  std::vector<double> mode = {};  // over the unknowns, of length 1; empty where nothing could grow
-  Statistics cost = {};           // what it took to know
+  double per_power = 0;                 // the largest |(4)| of what grows, over σ; zero where nothing does
+  double rate = 0;                      // Re s of what grows [1/s]
+  double frequency = 0;                 // Im s, with which it swings [rad/s]; zero where it diverges
+  std::vector<double> mode = {};        // over the unknowns, of length 1; empty where nothing could grow
+  std::vector<double> mode_later = {};  // a quarter of a period later, on the same scale; empty: no period
+  Statistics cost = {};                 // what it took to know
   bool grows() const { return verdict == GrowthVerdict::grows; }
+  /// Faster than it grows: it goes round and comes to rest nowhere near.
+  bool swings() const { return frequency > rate; }
 };
 
 /// Values of the matrices of (1) and (8) in one pattern.

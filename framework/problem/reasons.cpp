@@ -64,14 +64,15 @@ std::string why_it_stopped(const StaticProblem& problem) {
   }
 }
 
-/// How far each node goes for a displacement of the unknowns.
-std::vector<double> node_moves(std::span<const double> u, const Assembler& assembler) {
+/// How far each node goes in what grows.
+std::vector<double> node_moves(const Assessment& a, const Assembler& assembler) {
   std::vector<double> squares;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const std::size_t node = assembler.numbering().node(static_cast<std::int32_t>(i));
-    if (node >= squares.size()) squares.resize(node + 1, 0.0);
-    squares[node] += u[i] * u[i];
-  }
+  for (const auto* u : {&a.growing, &a.growing_later})
+    for (std::size_t i = 0; i < u->size(); ++i) {
+      const std::size_t node = assembler.numbering().node(static_cast<std::int32_t>(i));
+      if (node >= squares.size()) squares.resize(node + 1, 0.0);
+      squares[node] += (*u)[i] * (*u)[i];
+    }
   for (double& square : squares) square = std::sqrt(square);
   return squares;
 }
@@ -116,7 +117,7 @@ std::string what_grows(const Assessment& a, const Assembler& assembler, const Sc
   if (a.growth_frequency > 0)
     text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growth_frequency);
   if (a.growing.empty()) return text;
-  const auto moves = node_moves(a.growing, assembler);
+  const auto moves = node_moves(a, assembler);
   const double most = moves[furthest(moves)];
   const auto many =
       std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= 0.1 * most; });
@@ -125,7 +126,7 @@ std::string what_grows(const Assessment& a, const Assembler& assembler, const Sc
 }
 
 std::string where_it_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
-  return assembler.node_name(scene, furthest(node_moves(a.growing, assembler)));
+  return assembler.node_name(scene, furthest(node_moves(a, assembler)));
 }
 
 std::string balance_text(const Balance& balance, const std::string& worst) {

@@ -29,6 +29,8 @@ std::string seconds(double t) {
 
 /// Steps of the march that another one is compared with, over its own: longer where they may be.
 constexpr double kLonger = 2, kShorter = 0.5;
+// By how much the mean steps of both must differ: what is alike cannot tell how far it is off.
+constexpr double kTold = 0.1;
 
 /// One march; members are steps in the order they happen.
 class March {
@@ -147,8 +149,8 @@ class March {
   void note_difference(double t) {
     const std::vector<double> here = assembler_.node_positions(shown_.x()),
                               there = assembler_.node_positions(other_->shown_.x());
-    const double longer = static_cast<double>(state_.steps) /
-                          static_cast<double>(std::max<std::int64_t>(1, other_->state_.steps));
+    const double longer = mean_step(other_->state_) / mean_step(state_);  // NaN before the first
+    if (!(std::abs(longer - 1) >= kTold)) return;
     for (std::size_t i = 0; i < here.size(); i += 3) {
       const double apart =
           std::hypot(here[i] - there[i], here[i + 1] - there[i + 1], here[i + 2] - there[i + 2]);
@@ -157,6 +159,7 @@ class March {
         state_.path_error = error, state_.path_at = t, state_.path_of = i / 3;
     }
   }
+  static double mean_step(const MarchState& s) { return s.t / static_cast<double>(s.steps); }
   /// Of one that is compared, which makes its outputs at other times.
   bool has_output_at(double t) const {
     if (settings_.dense || settings_.output_interval <= 0 || t >= settings_.duration) return true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <limits>
 #include "framework/problem/energy_judge.hpp"
 #include "framework/problem/transient_problem.hpp"
 
@@ -44,8 +45,9 @@ struct MarchState {
   double t_before = 0;  // begin of the last step, of a march that is compared between steps [s]
   std::vector<double> u_before, v_before;  // there [m], [m/s]
   std::vector<MarchState> other;           // the march that this one is compared with, if it is
-  double path_error = 0, path_at = 0;      // largest so far by (3) [m], its time [s]
-  std::uint64_t path_of = 0;               // and its node
+  // largest so far by (3) [m], its time [s]; NaN: not compared yet
+  double path_error = std::numeric_limits<double>::quiet_NaN(), path_at = 0;
+  std::uint64_t path_of = 0;  // and its node
 };
 
 /// Where forces are asked for, at the end of a step: positions between two ends are smooth but in balance
@@ -92,8 +94,10 @@ struct AchievedAccuracy {
   std::string node;
   double sum = 0;  // of the largest errors of all steps: that of the path, if no motion enlarges or damps it
   bool is_checked = false;  // against another march: what follows is known
-  double path = 0;          // error of the path by (3), at a time and of a node; infinite: the other was lost
-  double path_at = 0;       // [s]
+  // error of the path by (3), at a time and of a node; infinite: the other was lost; NaN: not told, for its
+  // steps were the same
+  double path = 0;
+  double path_at = 0;  // [s]
   std::string path_of;
   /// The path is not known as well as was asked for.
   bool is_missed() const { return is_checked && !(path <= asked); }
@@ -131,11 +135,12 @@ struct MarchWatch {
 /// estimate does not see, or of steps that are given. With `check` the host goes through time a second time,
 /// in steps r times as long (2, or ½ where stability bounds them), and takes for the error of the path
 ///   the largest distance of a node between both at an output / min(1, |r − 1|)                  (3)
-/// r as steps were made. It is not below the error where that falls with the step by the power 1 or more; in
-/// a motion that errors have taken over, both are off alike, and so is their difference. Costs half as much
-/// again for r = 2.
-/// A march whose energy comes out of nothing (energy_judge.hpp) has failed, however smoothly it steps on.
-/// Without an energy budget only every 16th step is looked at where stability makes steps short.
+/// r as the mean steps were; where they differ by less than a tenth, nothing is told, and if that is so at
+/// all outputs the error is not known. It is not below the error where that falls with the step by the power
+/// 1 or more; in a motion that errors have taken over, both are off alike, and so is their difference. Costs
+/// half as much again for r = 2. A march whose energy comes out of nothing (energy_judge.hpp) has failed,
+/// however smoothly it steps on. Without an energy budget only every 16th step is looked at where stability
+/// makes steps short.
 MarchResult march(const Scene& scene, Assembler& assembler, IntegratorChoice integrator, SolverChoice solver,
                   const MakeFactorisation& make, const Limits& limits, const MarchSettings& settings,
                   const MarchWatch& watch, const MarchState* from = nullptr);

@@ -95,7 +95,7 @@ class AllowedTime {
 /// Half a gear that has passed through its mirror image balances as no whole gear does: such an equilibrium
 /// of the scene is none of the gear. What is held beyond the plane was meant to be there.
 void object_to_crossings(const LoadedScene& loaded, const Assembler& assembler, Solution& s) {
-  if (s.status != SolveStatus::converged || !loaded.gear || loaded.gear->times != 2) return;
+  if (!is_stationary(s) || !loaded.gear || loaded.gear->times != 2) return;
   for (const Crossing& crossing : find_crossings(loaded, assembler.node_positions(s.x)))
     if (!crossing.is_held) {
       s.status = SolveStatus::not_converged, s.at_fault = loaded.scene.parts[crossing.part].name;
@@ -284,6 +284,7 @@ std::vector<double> Case::find_start(const std::atomic<bool>* interrupt, Solutio
   source.assembler = &assembler, source.tangent = TangentChoice::exact;
   Limits limits;
   limits.seconds = loaded_.analysis.limits.seconds;
+  limits.accept_swinging = loaded_.analysis.limits.accept_swinging;
   StudyOptions options = study_options(limits, {interrupt, {}});
   options.solver = {&registry_.solver(kSolver), {}};
   found = netloft::find_equilibrium(source, options, strategy());

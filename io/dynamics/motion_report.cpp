@@ -53,6 +53,8 @@ nlohmann::ordered_json loss_json(const std::optional<NumericalLoss>& l) {
 /// The error of the path, and whether that is what was asked for.
 std::string path_text(const AchievedAccuracy& a) {
   if (!a.is_checked) return "";
+  if (std::isnan(a.path))
+    return "  warning: the path is not known: the march that it is compared with took the same steps\n";
   if (!std::isfinite(a.path))
     return fmt::format(
         "  warning: the path is not known: the march in other steps that it is compared with "

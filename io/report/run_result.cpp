@@ -115,20 +115,24 @@ double length_of(std::span<const double> x) {
   return *most - *least;
 }
 
-/// The solution displaced by `length` along what grows, measured at the node that goes furthest.
-Solution swung(const Assembler& assembler, const Solution& s, double length) {
+/// The solution displaced along a part of what grows.
+Solution swung(const Assembler& assembler, const Solution& s, const std::vector<double>& along,
+               double length) {
   Solution there;
   there.u = s.u, there.x.resize(s.x.size()), there.energy = s.energy;
-  for (std::size_t i = 0; i < there.u.size(); ++i) there.u[i] += length * s.growing[i];
+  for (std::size_t i = 0; i < there.u.size(); ++i) there.u[i] += length * along[i];
   assembler.place(there.u, there.x);
   return there;
 }
 
+/// Adds what two phases of a swing, a quarter of a period apart, change: as both are largest in turn.
 void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
                 double way, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {
     const NamedScalar *a = find_scalar(to_one_side, scalar.name), *b = find_scalar(to_the_other, scalar.name);
-    if (a && b) scalar.per_swing = std::abs(a->value - b->value) / way;
+    if (!a || !b) continue;
+    const double before = std::isfinite(scalar.per_swing) ? scalar.per_swing : 0;
+    scalar.per_swing = std::hypot(before, std::abs(a->value - b->value) / way);
   }
 }
 
@@ -137,13 +141,20 @@ void collect_swing(const LoadedScene& loaded, Assembler& assembler, RunResult& r
   const Solution& s = result.solution;
   if (s.stability != Stability::swinging || s.growing.size() != s.u.size()) return;
   const double length = kSmallSwing * length_of(s.x);
-  const Solution one = swung(assembler, s, length), other = swung(assembler, s, -length);
-  const NodeDistance way = furthest_node(loaded.scene, assembler.numbering(), one.x, other.x);
-  const auto at_one = numbers_at(loaded, assembler, one), at_other = numbers_at(loaded, assembler, other);
-  if (!(way.distance > 0) || !at_one || !at_other) return;
-  result.swings_most = assembler.node_name(loaded.scene, way.node);
-  note_swing(at_one->scalars, at_other->scalars, way.distance, result.scalars);
-  note_swing(at_one->gear, at_other->gear, way.distance, result.gear);
+  double way = 0;  // of the furthest node, in the first phase
+  for (const auto* along : {&s.growing, &s.growing_later}) {
+    if (along->size() != s.u.size()) continue;
+    const Solution one = swung(assembler, s, *along, length), other = swung(assembler, s, *along, -length);
+    if (way == 0) {
+      const NodeDistance furthest = furthest_node(loaded.scene, assembler.numbering(), one.x, other.x);
+      way = furthest.distance;
+      if (way > 0) result.swings_most = assembler.node_name(loaded.scene, furthest.node);
+    }
+    const auto at_one = numbers_at(loaded, assembler, one), at_other = numbers_at(loaded, assembler, other);
+    if (!(way > 0) || !at_one || !at_other) return;
+    note_swing(at_one->scalars, at_other->scalars, way, result.scalars);
+    note_swing(at_one->gear, at_other->gear, way, result.gear);
+  }
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ void write_swing(Tree& tree, const RunResult& result) {
   for (const auto& s : result.scalars)
     write_known(tree, "/netloft/swing/per_metre/" + s.name, s.per_swing, s.unit, doc);
   for (const auto& s : result.gear)
-    write_known(tree, "/netloft/swing/per_metre/gear/" + s.name, s.per_swing, s.unit, doc);
+    write_known(tree, "/netloft/swing/gear/per_metre/" + s.name, s.per_swing, s.unit, doc);
 }
 
 /// How good an outcome is; the names are those of name_of().

@@ -350,7 +350,7 @@ void StoredResult::read_scalars(const std::string& group, const std::string& err
     scalar.mesh_order = known(kErrors + errors + "mesh_order/" + name);
     scalar.least = known(kSpread + errors + "least/" + name);
     scalar.largest = known(kSpread + errors + "largest/" + name);
-    scalar.per_swing = known(kSwing + "per_metre/" + errors + name);
+    scalar.per_swing = known(kSwing + errors + "per_metre/" + name);
     into.push_back(scalar);
   }
 }

@@ -152,6 +152,24 @@ TEST(GrowthOfMatrices, IsThatOfABoardWithoutMassOnStiffRods) {
   EXPECT_GT(decay, 30);
 }
 
+// y₁: s = 1 ± 10i; y₃: s = 0.01, which is nearly on the circle for the σ that sees the pair best.
+TEST(GrowthOfMatrices, TellsOfWhatDivergesBehindWhatSwingsFaster) {
+  ThreeDiagonals K(3, 0, 0, 0);
+  const ThreeDiagonals C(3, 0, 1, 0);
+  const auto at = [&](int r, int c) -> double& { return K.values[find_slot(K.pattern, r, c)]; };
+  at(0, 0) = at(1, 1) = -1, at(0, 1) = 10, at(1, 0) = -10, at(2, 2) = 1;
+  const Growth swings = growth_without_mass(K, C);
+  ASSERT_TRUE(swings.grows() && swings.swings());
+  EXPECT_NEAR(std::hypot(swings.mode[1], swings.mode_later[1]),
+              std::hypot(swings.mode[0], swings.mode_later[0]), 1e-6)
+      << "both unknowns go as far, in turn";
+  at(2, 2) = -0.01;
+  const Growth diverges = growth_without_mass(K, C);
+  ASSERT_TRUE(diverges.grows());
+  EXPECT_FALSE(diverges.swings()) << diverges.rate << ", " << diverges.frequency;
+  EXPECT_NEAR(diverges.rate, 0.01, 1e-6);
+}
+
 // s = 0.05 ± 10i and -0.05 ± 10i: in the band (6), and where it decays.
 TEST(GrowthOfMatrices, IsMarginalWhereAPairHardlyGrows) {
   const ThreeDiagonals C(2, 0, 1, 0), grows(2, -10, -0.05, 10), decays(2, -10, 0.05, 10);

@@ -460,6 +460,33 @@ TEST(PathError, IsMissedWhereStepsThatAreGivenAreTooLong) {
   }
 }
 
+/// The current has a corner at every step, where both marches end one.
+TEST(PathError, IsNotKnownWhereBothMarchesTakeTheSameSteps) {
+  const Oscillator o;
+  Scene scene = o.scene();
+  const double h = 0.01 / o.omega();
+  for (int i = 0; i <= 100; ++i) scene.current.factors.push_back({i * h, 1});
+  Moving m(scene);
+  MarchSettings s = checked(100 * h, 1e-3, 20 * h);
+  s.adaptive = false, s.step = h;
+  const MarchState from = pulled(m, 0.1);
+  const AchievedAccuracy a = m.run("generalized-alpha", {}, s, &from).accuracy;
+  EXPECT_TRUE(std::isnan(a.path)) << a.path;
+  EXPECT_TRUE(a.is_missed());
+}
+
+/// Outputs that lie within the first steps, which one march has made alone.
+TEST(PathError, IsKnownWhereOutputsAreDenserThanSteps) {
+  const Oscillator o;
+  Moving m(o.scene());
+  MarchSettings s = checked(20 / o.omega(), 1e-3, 0.01 / o.omega());
+  s.adaptive = false, s.dense = true, s.step = 0.01 / o.omega();
+  const MarchState from = pulled(m, 0.1);
+  const AchievedAccuracy a = m.run("generalized-alpha", {}, s, &from).accuracy;
+  EXPECT_TRUE(std::isfinite(a.path));
+  EXPECT_FALSE(a.is_missed()) << a.path;
+}
+
 TEST(PathError, LeavesTheMotionAsItIs) {
   const Oscillator o;
   std::vector<double> u[2];
@@ -485,6 +512,7 @@ TEST(PathError, GoesOnFromAnyOutputToTheSameBits) {
     const MarchState from = pulled(whole, 0.1);
     const AchievedAccuracy all = whole.run("generalized-alpha", {}, s, &from).accuracy;
     ASSERT_GT(kept.size(), 8u);
+    EXPECT_TRUE(std::isfinite(all.path)) << dense;
     for (const std::size_t k : {std::size_t{0}, std::size_t{7}}) {
       Moving rest(o.scene());
       const AchievedAccuracy again = rest.run("generalized-alpha", {}, s, &kept[k]).accuracy;
