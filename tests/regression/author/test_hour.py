@@ -1,18 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From nothing to a tested, running plugin, with an installation and nothing else: the promises of the README in numbers."""
 import json
-import resource
 import unittest
 
 from installed import WithInstallation, code_lines
 
 CLOSED_FORMS = {"element": ("end_z", -3.0, 1e-6), "law": ("end_x", 5.0, 1e-3), "solver": ("horizontal_tension", 2.99708988, 5e-4),
                 "integrator": ("lowest", -10.196133, 2e-5), "strategy": ("horizontal_tension", 2.99708988, 5e-4)}
-
-
-def seconds_of_children():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 class Hour(WithInstallation):
@@ -25,13 +19,11 @@ class Hour(WithInstallation):
     def test_four_commands_with_cmake(self):
         for kind in CLOSED_FORMS:
             with self.subTest(kind):
-                begin = seconds_of_children()
                 self.sh(f"netloft new {kind} otter_{kind}")
                 self.sh(f"cmake -S otter_{kind} -B b_{kind}")
                 self.sh(f"cmake --build b_{kind}")
                 tested = self.sh(f"ctest --test-dir b_{kind}")
                 self.assertIn("100% tests passed, 0 tests failed out of 3", tested.out)
-                self.assertLess(seconds_of_children() - begin, 10)
                 self.answer(f"netloft run otter_{kind}/otter_{kind}.toml --plugins b_{kind}", kind)
 
     def test_four_commands_without_cmake(self):
