@@ -430,6 +430,9 @@ void put_gear(Json& scene) {
   put(scene, "floats", plan_schema("net plan: floats, weights and ground gear", false), false);
   put(scene, "points", plan_schema("net plan: points that ropes lead to", false), false);
   put(scene, "hang", plan_schema("net plan: edges on ropes", true), false);
+  put(scene, "ship",
+      {{"type", "object"}, {"description", "net plan: the ship that tows, with its blocks, warps and path"}},
+      false);
 }
 
 /// What is read beside the scene itself.
