@@ -197,6 +197,9 @@ void add_ship(NetPlan& plan, TableReader& table, const Catalogue& catalogue) {
                                       .doc = "between the blocks to port and to starboard",
                                       .range = between(0, 2000),
                                       .fallback = 6.0});
+  if (!ship.path_port.empty() && ship.block_gap == 0)
+    table.error("path_port", "has no block to port: both blocks stand in the middle",
+                "block = { gap = \"6 m\" }, the distance between both");
   plan.points.push_back(
       {kBlock, Standing::pair, {{0, ship.block_gap / 2, ship.block_height}}, block.place()});
   if (table.diagnostics().errors() == 0 || table.kind(kWarp) == Kind::table)

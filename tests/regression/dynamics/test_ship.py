@@ -51,6 +51,7 @@ class ShipInMotion(unittest.TestCase):
                 ("ship.path={t=[0,2,1],heading=[0,1,1]}", "does not ascend"),
                 ("ship.path_port={t=[1,2],heading=[0,1]}", "does not begin at 0"),
                 ("ship.path_port={t=[0,1],speed=[2,1]}", "begins with another value than ship.speed"),
+                ("ship={speed=1,block={gap=0},path={t=[0,1],heading=[0,1]},path_port={t=[0,1],heading=[0,1]}}", "has no block to port"),
                 ("ship.warp.winch={t=[0,1],length=[200,100]}", "begins with another value than warp.length"),
                 ("ship.warp.winch={t=[0,1],length=[240,100],speed=[0,1]}", "give one of them"),
                 ("ship.warp.winch={t=[0,100],speed=[-3,-3]}", "hauls more warp than there is"),
