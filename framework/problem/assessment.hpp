@@ -32,6 +32,13 @@ struct Assessment {
   Statistics judging;                                            // counts of what this took
 };
 
+/// An equilibrium and its stability. A point no further from it than it is known to be itself is the same
+/// one.
+struct JudgedPoint {
+  Assessment assessment;
+  std::vector<double> memory;  // what elements remembered
+};
+
 /// Forces balance there, whether or not it is stable.
 inline bool is_stationary(const Assessment& a) {
   return a.status == SolveStatus::converged || a.status == SolveStatus::unstable;

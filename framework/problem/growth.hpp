@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/assembler/assembler.hpp"
-#include "framework/problem/factorisation.hpp"
-#include "framework/problem/statistics.hpp"
+#include "framework/problem/linear_motion.hpp"
 
 namespace netloft {
 
@@ -23,13 +21,6 @@ struct Growth {
   bool grows() const { return verdict == GrowthVerdict::grows; }
   /// Faster than it grows: it goes round and comes to rest nowhere near.
   bool swings() const { return frequency > rate; }
-};
-
-/// Values of the matrices of (1) and (8) in one pattern.
-struct LinearMotion {
-  std::vector<double> K, C, M;  // [N/m], [N s/m], [kg]
-  std::vector<double> convex;   // symmetric positive definite, about what K is [N/m]
-  bool is_damped = true;        // some element damps
 };
 
 /// Stability of an equilibrium whose forces have no energy (drag, pressure), by its linear motion

@@ -31,15 +31,18 @@ struct KeptPoint {
   }
 };
 
+struct JudgedPoint;  // assessment.hpp
+
 /// When to stop.
 struct Limits {
   double tolerance = 1e-10;  // largest nodal residual over the largest nodal load
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // of the processor that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  KeptPoint* kept = nullptr;     // where points of the scene itself are kept; null: nowhere
-  bool ask_growth = true;        // whether a small disturbance grows, where forces have no energy
-  bool accept_swinging = false;  // whether an equilibrium about which something swings is an answer
+  KeptPoint* kept = nullptr;      // where points of the scene itself are kept; null: nowhere
+  bool ask_growth = true;         // whether a small disturbance grows, where forces have no energy
+  JudgedPoint* judged = nullptr;  // the equilibrium whose stability was asked last; null: none is kept
+  bool accept_swinging = false;   // whether an equilibrium about which something swings is an answer
   // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // null: work is not limited

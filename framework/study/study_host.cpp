@@ -57,7 +57,7 @@ Values StudyHost::given_of(const std::string& type) const {
   return given == options_.given.end() ? Values{} : given->second;
 }
 
-Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) const {
+Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) {
   Limits limits = options_.limits;
   limits.tolerance = stage.tolerance;
   if (stage.iterations > 0) limits.iterations = static_cast<int>(stage.iterations);
@@ -66,6 +66,7 @@ Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) const 
   limits.seconds = seconds_left();
   if (!is_as_written(stage.variant)) limits.kept = nullptr;
   limits.ask_growth = is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
+  if (limits.ask_growth) limits.judged = &judged_;
   return limits;
 }
 

@@ -27,7 +27,7 @@ class StudyHost {
   /// What the user says of a solver or a strategy.
   Values given_of(const std::string& type) const;
   /// What a stage may use: tolerance and budget are those of the stage, by whoever asks for it.
-  Limits limits_of(const netloft_stage& stage, const Site& site) const;
+  Limits limits_of(const netloft_stage& stage, const Site& site);
   /// Solves `stage`, whose variant is seen from the scene as it is written; keeps the record.
   Solution solve(const netloft_stage& stage, const SolverUse& solver);
   /// Judges the point of a stage by a solver that returns at once.
@@ -45,6 +45,7 @@ class StudyHost {
   Sites sites_;
   double spent_ = 0, begun_;
   std::vector<StageRecord> stages_;
+  JudgedPoint judged_;  // of the scene as it is written
 };
 
 /// A study as one strategy sees it: a variant of the scene is its scene, a part of the work its budget.

@@ -8,6 +8,7 @@
 #include "io/hdf5/fold.hpp"
 #include "io/hdf5/result_file.hpp"
 #include "io/hdf5/seal.hpp"
+#include "io/hdf5/transfer.hpp"
 
 namespace netloft::io {
 namespace fs = std::filesystem;
@@ -214,10 +215,10 @@ std::vector<std::string> Reader::strings(const std::string& path) const {
   if (count == 0) return {};
   with_context("cannot read " + at(path), [&] { require_stored(data, count, path_); });
   return with_context("cannot read " + at(path), [&] {
-    return fetch_strings(type, Handle(H5Dget_space(data), H5Sclose), count,
-                         [&](hid_t memory_type, void* buffer) {
-                           check(H5Dread(data, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer));
-                         });
+    return fetch_strings(
+        type, Handle(H5Dget_space(data), H5Sclose), count, [&](hid_t memory_type, void* buffer) {
+          check(H5Dread(data, memory_type, H5S_ALL, H5S_ALL, make_transfer(data, memory_type), buffer));
+        });
   });
 }
 

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "io/hdf5/transfer.hpp"
+
 namespace netloft::io {
 namespace {
 
@@ -121,7 +123,7 @@ void Tree::replace(const std::string& path, hid_t file_type, hid_t memory_type, 
                                   make_dataset_properties(), H5P_DEFAULT),
                        H5Dclose);
   if (check(H5Sget_simple_extent_npoints(space)) > 0)
-    check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+    check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, make_transfer(dataset, memory_type), data));
   put_labels(dataset, labels.unit, labels.doc);
 }
 

@@ -143,6 +143,31 @@ TEST(Verdict, CallsStableWhereNothingGrowsWithoutAnEnergy) {
   EXPECT_GT(s.judging.factorisations, 0) << "what judging takes is counted";
 }
 
+// Whether it is far from the first is known by how far that one is from its equilibrium.
+TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
+  Scene scene = bar_with_a_follower();
+  scene.current.samples = {{0, {0, 0, -4}}};
+  Solving how;
+  how.limits.tolerance = 1e-4;
+  const std::vector<double> loose = solve_sketch(scene, how).solution.u,
+                            tight = solve_sketch(scene).solution.u;
+  ASSERT_NE(loose, tight);
+  Assembled a(scene);
+  JudgedPoint judged;
+  const Limits limits{.tolerance = 1e-4, .judged = &judged};
+  const auto asked = [&](std::span<const double> u) {
+    const Assessment found = assess_static(a.scene, a.assembler, u, limits, make_factorisation);
+    EXPECT_EQ(found.stability, Stability::stable);
+    return found.judging.solves > 10;
+  };
+  EXPECT_TRUE(asked(loose));
+  EXPECT_FALSE(asked(loose));
+  EXPECT_FALSE(asked(tight));
+  judged.assessment.correction = 0;
+  EXPECT_TRUE(asked(tight));
+  EXPECT_EQ(judged.assessment.x, assess_static(a.scene, a.assembler, tight, {}, make_factorisation).x);
+}
+
 TEST(Verdict, KnowsNoStabilityWithoutAnEnergyIfItMustNotAsk) {
   Solving how;
   how.limits.ask_growth = false;

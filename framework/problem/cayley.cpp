@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/cayley.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace netloft {
+
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+// By (7).
+constexpr double kRoundingOfK = 10 * std::numeric_limits<double>::epsilon();
+
+/// Without the zeros of the pattern.
+Eigen::SparseMatrix<double> make_sparse(const SparsePattern& p, std::span<const double> values) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for_entries(p, values, [&](std::int32_t r, std::int32_t c, double value) {
+    if (value != 0) entries.emplace_back(r, c, value);
+  });
+  Eigen::SparseMatrix<double> A(p.size, p.size);
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+std::span<double> span_of(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+
+}  // namespace
+
+Cayley::Cayley(const SparsePattern& p, const LinearMotion& m, Factorisation& factor, Statistics& cost)
+    : motion_(m),
+      K_(make_sparse(p, m.K)),
+      C_(make_sparse(p, m.C)),
+      M_(make_sparse(p, m.M)),
+      convex_(make_sparse(p, m.convex)),
+      factor_(factor),
+      cost_(cost),
+      sum_(m.K.size()),
+      rhs_(p.size),
+      d_(p.size) {
+  const Vector masses = M_.cwiseAbs() * Vector::Ones(unknowns());
+  dimension_ = unknowns() + (masses.array() > 0).count();
+}
+
+bool Cayley::set(double sigma) {
+  sigma_ = sigma;
+  for (std::size_t i = 0; i < sum_.size(); ++i)
+    sum_[i] = motion_.K[i] + sigma * (motion_.C[i] + sigma * motion_.M[i]);
+  ++cost_.factorisations;
+  return factor_.factorise(sum_).status == FactorStatus::ok;
+}
+
+Vector Cayley::operator*(const Vector& z) {
+  const auto y = z.head(unknowns()), v = z.tail(unknowns());
+  rhs_ = 2 * (sigma_ * (M_ * v) - K_ * y);
+  factor_.solve(span_of(rhs_), span_of(d_));
+  ++cost_.solves;
+  Vector to(z.size());
+  to << y + d_, sigma_ * d_ - v;
+  return to;
+}
+
+Vector Cayley::weighed(const Vector& z) const {
+  const auto y = z.head(unknowns()), v = z.tail(unknowns());
+  Vector to(z.size());
+  to << convex_ * y + sigma_ * sigma_ * (M_ * y), M_ * v;
+  return to;
+}
+
+/// Fractions of multiples of the golden ratio.
+Vector Cayley::start() const {
+  constexpr double kGolden = 0.61803398874989485;
+  Vector z(2 * unknowns());
+  for (Eigen::Index i = 0; i < z.size(); ++i) {
+    const double multiple = kGolden * static_cast<double>(i + 1);
+    z[i] = 2 * (multiple - std::floor(multiple)) - 1;
+  }
+  return z;
+}
+
+bool Cayley::is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y, double doubt) const {
+  const Vector size = y.cwiseAbs();
+  const Vector noise = kRoundingOfK * (K_.cwiseAbs() * size) + doubt * size;
+  return (s * (C_ * y) + s * s * (M_ * y)).norm() <= noise.norm();
+}
+
+}  // namespace netloft

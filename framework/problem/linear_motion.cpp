@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/problem/linear_motion.hpp"
+
+#include "framework/assembler/pattern.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft {
+
+namespace {
+
+// What is equal but for rounding, of the largest entry.
+constexpr double kRounding = 1e-9;
+// τ of (2) [s]
+constexpr double kFollows = 1e-3;
+// Of the metric in the norm (8), for what nothing else keeps.
+constexpr double kLittle = 1e-6;
+
+bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
+  if (p.symmetric) return true;
+  double largest = 0, most = 0;
+  for_entries(p, A, [&](std::int32_t r, std::int32_t c, double value) {
+    largest = std::max(largest, std::abs(value));
+    if (r > c) most = std::max(most, std::abs(value - A[find_slot(p, c, r)]));
+  });
+  return most <= kRounding * largest;
+}
+
+/// Whether ½ (A + Aᵀ) has positive eigenvalues only. The pattern of A is symmetric.
+bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> A,
+                                const MakeFactorisation& make, Statistics& cost) {
+  SparsePattern lower;
+  lower.size = p.size, lower.node = p.node, lower.column_start = {0};
+  std::vector<double> values;
+  for (std::int32_t c = 0; c < p.size; ++c) {
+    const auto end = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]);
+    for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]); k < end; ++k) {
+      const std::int32_t r = p.row[k];
+      if (r < c) continue;
+      lower.row.push_back(r);
+      values.push_back(p.symmetric ? A[p.slot_of(k)] : 0.5 * (A[p.slot_of(k)] + A[find_slot(p, c, r)]));
+    }
+    lower.column_start.push_back(static_cast<std::int32_t>(lower.row.size()));
+  }
+  const auto factorisation = make(MatrixClass::positive_definite);
+  factorisation->analyse(lower);
+  ++cost.factorisations;
+  return factorisation->factorise(values).status == FactorStatus::ok;
+}
+
+/// The largest entry of each column.
+std::vector<double> largest_by_column(const SparsePattern& p, std::span<const double> A) {
+  std::vector<double> largest(static_cast<std::size_t>(p.size));
+  for_entries(p, A, [&](std::int32_t, std::int32_t c, double value) {
+    double& most = largest[static_cast<std::size_t>(c)];
+    if (std::isfinite(value)) most = std::max(most, std::abs(value));
+  });
+  return largest;
+}
+
+/// (2)
+void let_follow(const SparsePattern& p, std::span<const double> metric, LinearMotion& m) {
+  std::vector<bool> follows(static_cast<std::size_t>(p.size), true);
+  const auto each = [&](auto&& visit) {
+    for (std::int32_t c = 0; c < p.size; ++c)
+      for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
+           k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k)
+        visit(static_cast<std::size_t>(p.row[k]), static_cast<std::size_t>(c), p.slot_of(k));
+  };
+  each([&](std::size_t r, std::size_t c, std::size_t at) {
+    if (m.M[at] != 0 || m.C[at] != 0) follows[r] = follows[c] = false;
+  });
+  each([&](std::size_t r, std::size_t c, std::size_t at) {
+    if (follows[r] && follows[c]) m.C[at] += kFollows * metric[at];
+  });
+}
+
+}  // namespace
+
+double fastest_rate(const SparsePattern& p, const LinearMotion& m) {
+  const auto K = largest_by_column(p, m.K), C = largest_by_column(p, m.C);
+  double fastest = 0;
+  for (std::int32_t c = 0; c < p.size; ++c) {
+    const double mass = m.M[find_slot(p, c, c)];
+    const double k = K[static_cast<std::size_t>(c)], d = C[static_cast<std::size_t>(c)];
+    fastest = std::max(fastest, mass > 0 ? std::max(std::sqrt(k / mass), d / mass) : d > 0 ? k / d : 0);
+  }
+  return fastest;
+}
+
+bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, const MakeFactorisation& make,
+                         Statistics& cost) {
+  const auto is_positive = [&](std::span<const double> A) {
+    std::vector<double> sum(p.value_slots());
+    double largest = 0, largest_of_convex = 0;
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      largest = std::max(largest, std::abs(A[i])),
+      largest_of_convex = std::max(largest_of_convex, std::abs(m.convex[i]));
+    if (largest == 0) return true;
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] = A[i] + kRounding * largest / largest_of_convex * m.convex[i];
+    return is_symmetric_part_positive(p, sum, make, cost);
+  };
+  return is_symmetric(p, m.K) && is_symmetric(p, m.M) && is_positive(m.M) && is_positive(m.C) &&
+         is_symmetric_part_positive(p, m.K, make, cost);
+}
+
+bool linearise(Assembler& assembler, std::span<const double> x, std::span<const double> x_low,
+               LinearMotion& m) {
+  const double* low = x_low.empty() ? nullptr : x_low.data();
+  const std::size_t slots = assembler.value_slots();  // more than the pattern has
+  std::vector<double> metric(slots);
+  for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->assign(slots, 0.0);
+  const auto evaluate = [&](std::vector<double>& A, MatrixKind kind, double cu, double cv, double ca) {
+    const Kinematics motion{.cu = cu, .cv = cv, .ca = ca, .x_low = low};
+    return assembler.evaluate(x, {.matrix = kind, .values = A.data(), .motion = motion});
+  };
+  if (!evaluate(m.K, MatrixKind::exact, 1, 0, 0) || !evaluate(m.C, MatrixKind::exact, 0, 1, 0) ||
+      !evaluate(m.M, MatrixKind::exact, 0, 0, 1) || !evaluate(m.convex, MatrixKind::convex, 1, 0, 0) ||
+      !evaluate(metric, MatrixKind::metric, 1, 0, 0))
+    return false;
+  m.is_damped = std::any_of(m.C.begin(), m.C.end(), [](double c) { return c != 0; });
+  let_follow(assembler.pattern(), metric, m);
+  for (std::size_t i = 0; i < slots; ++i) m.convex[i] += kLittle * metric[i];
+  for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->resize(assembler.pattern().value_slots());
+  return true;
+}
+
+}  // namespace netloft

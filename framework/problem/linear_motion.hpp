@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+#include "framework/assembler/pattern.hpp"
+#include "framework/problem/factorisation.hpp"
+#include "framework/problem/statistics.hpp"
+
+namespace netloft {
+
+/// Values, in one pattern, of the matrices of (1) and (8) of growth.hpp, whose numbers are meant here.
+struct LinearMotion {
+  std::vector<double> K, C, M;  // [N/m], [N s/m], [kg]
+  std::vector<double> convex;   // symmetric positive definite, about what K is [N/m]
+  bool is_damped = true;        // some element damps
+};
+
+/// The matrices at x. False: see the assembler's fault.
+bool linearise(Assembler& assembler, std::span<const double> x, std::span<const double> x_low,
+               LinearMotion& motion);
+
+/// That `linearise` evaluates: those of a motion, and the linear stiffness.
+inline constexpr int kMatricesOfMotion = 5;
+
+/// By (9), whose factorisations are counted in `cost`.
+bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion,
+                         const MakeFactorisation& make, Statistics& cost);
+
+/// The fastest that an unknown makes by itself, by its mass, stiffness and damping [1/s]; zero: none moves.
+double fastest_rate(const SparsePattern& pattern, const LinearMotion& motion);
+
+/// Calls visit(row, column, value) for every entry, those above the diagonal of a symmetric one included.
+template <class Visit>
+void for_entries(const SparsePattern& p, std::span<const double> values, Visit&& visit) {
+  for (std::int32_t c = 0; c < p.size; ++c)
+    for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
+         k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k) {
+      const std::int32_t r = p.row[k];
+      visit(r, c, values[p.slot_of(k)]);
+      if (p.symmetric && r != c) visit(c, r, values[p.slot_of(k)]);
+    }
+}
+
+}  // namespace netloft
