@@ -1,6 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_test(NAME SOURCES files… LIBRARIES targets… [OPTIONS flags…]): one GoogleTest program, each of its tests known to
-# ctest. OPTIONS are those of the plugin whose kernels stand among SOURCES.
+# netloft_test(NAME SOURCES files… LIBRARIES targets… [OPTIONS flags…] [SLOW]): one GoogleTest program, each of its tests known
+# to ctest. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW: minutes under sanitizers, so that
+# .ci/run tries it without them alone.
+#
+# With NETLOFT_TEST_PROGRAMS ctest knows the program as one test instead, which starts once: for sanitizers, which take
+# longer to start than most tests.
+#
+# netloft_long_tests(NAMES…): a choice of those that take longest, most of it compiling plugins, starting the program or
+# waiting, which .ci/run leaves to tests/nightly. netloft_first_tests(NAMES…): others that take long, which are begun first,
+# so that none ends alone.
 #
 # Tests are hundreds of small sources, whose time of compiling is mostly that of the headers they share, and of optimising
 # what runs once. So these headers are compiled once (not where OPTIONS differ: GCC would not take them), and tests are
@@ -8,9 +16,11 @@
 include_guard(GLOBAL)
 include(GoogleTest)
 include(NetloftPrecompile)
+add_custom_target(netloft_sanitized)  # what .ci/run builds a second time, with sanitizers
+option(NETLOFT_TEST_PROGRAMS "Let ctest know each program of tests, not each test of it" OFF)
 
 function(netloft_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES;OPTIONS" ${ARGN})
+  cmake_parse_arguments(arg "SLOW" "" "SOURCES;LIBRARIES;OPTIONS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   if(arg_OPTIONS)
@@ -21,6 +31,26 @@ function(netloft_test name)
   # CHOLMOD opens OpenMP regions that spin when the cores are taken. Of OpenBLAS's kernels for small matrices those for
   # Cooperlake allocate at every call; those for Haswell run on every machine with AVX2 and do not. Two properties, because
   # gtest_discover_tests hands on one entry of each.
+  set(label slow)
+  if(NOT arg_SLOW)
+    set(label googletest)
+    add_dependencies(netloft_sanitized ${name})
+  endif()
+  if(NETLOFT_TEST_PROGRAMS)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS ${label} ENVIRONMENT "OMP_THREAD_LIMIT=1"
+                         ENVIRONMENT_MODIFICATION "OPENBLAS_CORETYPE=set:Haswell")
+    return()
+  endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_TYPES NO_PRETTY_VALUES PROPERTIES TIMEOUT 300 ENVIRONMENT "OMP_THREAD_LIMIT=1"
-                       ENVIRONMENT_MODIFICATION "OPENBLAS_CORETYPE=set:Haswell")
+                       LABELS ${label} ENVIRONMENT_MODIFICATION "OPENBLAS_CORETYPE=set:Haswell")
+endfunction()
+
+function(netloft_first_tests)
+  set_property(TEST ${ARGN} PROPERTY COST 1000)
+endfunction()
+
+function(netloft_long_tests)
+  set_property(TEST ${ARGN} APPEND PROPERTY LABELS long)
+  netloft_first_tests(${ARGN})
 endfunction()

@@ -99,15 +99,18 @@ void find_what_grows(Assessment& a, const StaticProblem& problem, Assembler& ass
   if (flutters(a)) a.stability = Stability::swinging;
 }
 
-/// Whether `a` is the equilibrium that was judged: both are within its correction of it.
-bool is_same(const JudgedPoint& judged, const Assessment& a, const Assembler& assembler, const Scene& scene) {
+/// Whether `a` is the equilibrium that was judged: they are in one place, and no further from each other than
+/// both are known to be from the equilibrium.
+bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem& problem,
+             const Assembler& assembler, const Scene& scene) {
   const Assessment& before = judged.assessment;
   if (before.x.size() != a.x.size() || judged.memory != assembler.memory()) return false;
   const double apart = largest_node_distance(scene, assembler.numbering(), before.x, a.x);
-  return apart == 0 || apart <= 2 * before.correction;
+  return apart == 0 ||
+         (apart <= before.correction + a.correction && apart <= kSamePlace * problem.gear_size());
 }
 
-/// What (7) of growth.hpp leaves open is asked again, at a point that balances better.
+/// What is left open is asked again.
 bool is_decided(Stability s) {
   return s == Stability::stable || s == Stability::swinging || s == Stability::unstable;
 }
@@ -175,22 +178,23 @@ Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembl
   if (outcome == NETLOFT_STEP_TOO_SHORT && !a.balance.balanced)
     a.balance.balanced = a.balance.at_round_off = no_step_helps(a, problem, {u.begin(), u.end()});
   std::string why_unstable;
-  const bool is_known = limits.judged && a.balance.balanced && is_same(*limits.judged, a, assembler, scene);
+  bool is_known = false;
   if (a.balance.balanced && problem.conservative())
     a.stability = find_stability(problem, u), why_unstable = first_not_convex(problem, assembler, scene);
-  else if (a.balance.balanced && limits.ask_growth) {
+  if (a.balance.balanced) find_correction(a, problem, assembler, scene, {u.begin(), u.end()});
+  if (a.balance.balanced && !problem.conservative() && limits.ask_growth) {
+    is_known = limits.judged && is_same(*limits.judged, a, problem, assembler, scene);
     if (is_known)
       take_stability(a, limits.judged->assessment);
     else
       find_what_grows(a, problem, assembler, make);
     why_unstable = what_grows(a, assembler, scene);
   }
-  if (a.balance.balanced) find_correction(a, problem, assembler, scene, {u.begin(), u.end()});
-  if (limits.judged && !is_known && is_decided(a.stability)) *limits.judged = {a, assembler.memory()};
   a.status = status_of(a, problem, limits);
   const std::string worst = assembler.node_name(scene, a.balance.worst);
   a.at_fault = a.growing.empty() ? worst : where_it_grows(a, assembler, scene);
   a.reason = reason_of(a, ending, worst, why_unstable);
+  if (limits.judged && !is_known && is_decided(a.stability)) *limits.judged = {a, assembler.memory()};
   a.judging.add(since(before, problem.statistics()));
   return a;
 }

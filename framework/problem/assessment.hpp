@@ -32,8 +32,8 @@ struct Assessment {
   Statistics judging;                                            // counts of what this took
 };
 
-/// An equilibrium and its stability. A point no further from it than it is known to be itself is the same
-/// one.
+/// The last equilibrium whose stability was decided, where forces have no energy: what ends there again, as
+/// far as is known, has it.
 struct JudgedPoint {
   Assessment assessment;
   std::vector<double> memory;  // what elements remembered

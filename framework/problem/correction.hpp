@@ -27,4 +27,8 @@ NodeDistance furthest_node(const Scene& scene, const Numbering& numbering, std::
 double largest_node_distance(const Scene& scene, const Numbering& numbering, std::span<const double> x,
                              std::span<const double> y);
 
+/// What is one place, of the gear's size: three digits above the round-off of positions found to a tolerance
+/// of 1e-8.
+inline constexpr double kSamePlace = 1e-5;
+
 }  // namespace netloft

@@ -41,7 +41,7 @@ struct Limits {
   const std::atomic<bool>* interrupt = nullptr;
   KeptPoint* kept = nullptr;      // where points of the scene itself are kept; null: nowhere
   bool ask_growth = true;         // whether a small disturbance grows, where forces have no energy
-  JudgedPoint* judged = nullptr;  // the equilibrium whose stability was asked last; null: none is kept
+  JudgedPoint* judged = nullptr;  // the equilibrium whose stability was decided last; null: not kept
   bool accept_swinging = false;   // whether an equilibrium about which something swings is an answer
   // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
   double path = std::numeric_limits<double>::infinity();

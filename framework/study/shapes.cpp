@@ -11,8 +11,6 @@ namespace netloft {
 
 namespace {
 
-// Of the gear's size: three digits above the round-off of positions found to a tolerance of 1e-8.
-constexpr double kSamePlace = 1e-5;
 // Of the energy, or of the work of the largest load over the gear's size: what a residual within the
 // tolerance may leave of an energy.
 constexpr double kSameEnergy = 1e-9;

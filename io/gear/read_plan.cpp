@@ -38,6 +38,11 @@ class PlanReader {
   }
 
   NetPlan read() {
+    if (root_.has("parts") && !is_plan()) {
+      root_.error("parts", "a scene out of parts, which has no net plan: its pieces of netting are [panels]",
+                  "`netloft plan` says what a scene needs, and what is wrong with it");
+      return std::move(plan_);
+    }
     read_head();
     read_named("panels", "the pieces of netting, a table each", Presence::required,
                [&](const std::string& name, TableReader& t) {
@@ -64,6 +69,11 @@ class PlanReader {
   }
 
  private:
+  bool is_plan() {
+    return std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
+                       [&](const char* key) { return root_.has(key); });
+  }
+
   void read_head() {
     TableReader gear = root_.table("gear", Presence::optional);
     plan_.title = gear.text("title", {.doc = "what it is", .fallback = ""});

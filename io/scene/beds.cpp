@@ -65,8 +65,8 @@ void check_height(const Bed& bed, const Scene& scene, Diagnostics& diagnostics) 
                         "the bed pushes at what cannot move");
 }
 
-/// The same node on two beds is pushed by both.
-void check_pair(const Bed& a, const Bed& b, Diagnostics& diagnostics) {
+/// The same node on two beds is pushed by both. `is_first`: heights are above bed `a`.
+void check_pair(const Bed& a, const Bed& b, bool is_first, Diagnostics& diagnostics) {
   const std::set<std::uint32_t> carried(a.part->nodes.begin(), a.part->nodes.end());
   const bool shares = std::any_of(b.part->nodes.begin(), b.part->nodes.end(),
                                   [&](auto node) { return carried.contains(node); });
@@ -74,9 +74,9 @@ void check_pair(const Bed& a, const Bed& b, Diagnostics& diagnostics) {
   if (shares)
     diagnostics.error(b.place, b.part->name + ": carries what " + other + " carries, too: both push at it",
                       "one bed with everything in `on`");
-  else if (!a.is_same_plane(b))
+  else if (is_first && !a.is_same_plane(b))
     diagnostics.warning(b.place, b.part->name + ": is another plane than " + other,
-                        "heights in the report are those above the first of them");
+                        "heights in the report are those above " + a.part->name);
 }
 
 }  // namespace
@@ -85,7 +85,8 @@ void check_beds(const LoadedScene& loaded, Diagnostics& diagnostics) {
   const auto beds = beds_of(loaded);
   for (std::size_t i = 0; i < beds.size(); ++i) {
     check_height(beds[i], loaded.scene, diagnostics);
-    for (std::size_t k = 0; k < i; ++k) check_pair(beds[k], beds[i], diagnostics);
+    for (std::size_t k = 0; k < i; ++k)
+      check_pair(beds[k], beds[i], k == 0 && !loaded.scene.bed.is_there, diagnostics);
   }
 }
 

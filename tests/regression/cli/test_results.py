@@ -437,6 +437,13 @@ class Swinging(InFreshFolder):
             self.assertEqual((ended.code, ended.json()["status"], ended.json()["stability"]), (code, status, "swinging"), ended.err)
             self.assertIn("swinging with a period of", ended.json()["reason"])
 
+    def test_a_motion_may_begin_there_and_says_so_unless_the_scene_accepts_it(self):
+        motion = '\nkind = "dynamic"\nstart = "equilibrium"\nduration = 0.02'
+        for words, says in (("refused", True), ("accepted", False)):
+            ended = self.run_float(f'swinging = "{words}"' + motion, "--json")
+            self.assertEqual(ended.code, 0, ended.err)
+            self.assertEqual("it began at an equilibrium that is not stable" in ended.json()["reason"], says, ended.json()["reason"])
+
     def test_says_how_much_each_result_depends_on_it(self):
         report = self.run_float('swinging = "accepted"', "--json").json()
         swing, at = report["swing"], report["results"]

@@ -148,13 +148,13 @@ TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
   Scene scene = bar_with_a_follower();
   scene.current.samples = {{0, {0, 0, -4}}};
   Solving how;
-  how.limits.tolerance = 1e-4;
+  how.limits.tolerance = 1e-6;
   const std::vector<double> loose = solve_sketch(scene, how).solution.u,
                             tight = solve_sketch(scene).solution.u;
   ASSERT_NE(loose, tight);
   Assembled a(scene);
   JudgedPoint judged;
-  const Limits limits{.tolerance = 1e-4, .judged = &judged};
+  const Limits limits{.tolerance = 1e-6, .judged = &judged};
   const auto asked = [&](std::span<const double> u) {
     const Assessment found = assess_static(a.scene, a.assembler, u, limits, make_factorisation);
     EXPECT_EQ(found.stability, Stability::stable);
