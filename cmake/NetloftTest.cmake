@@ -22,7 +22,7 @@ option(NETLOFT_TEST_PROGRAMS "Let ctest know each program of tests, not each tes
 function(netloft_test name)
   cmake_parse_arguments(arg "SLOW" "" "SOURCES;LIBRARIES;OPTIONS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} netloft_test_folders GTest::gtest GTest::gtest_main)
   if(arg_OPTIONS)
     target_compile_options(${name} PRIVATE ${arg_OPTIONS})
   else()

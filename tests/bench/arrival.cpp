@@ -29,13 +29,13 @@ using Change = std::function<void(io::LoadedScene&)>;
 Registry& plugins() {
   static Registry registry = [] {
     Registry shipped;
-    shipped.add_folder(NETLOFT_PLUGIN_DIR);
+    shipped.add_folder(netloft::test::plugin_folder());
     return shipped;
   }();
   return registry;
 }
 
-std::string scene_file(const char* name) { return std::string(NETLOFT_SOURCE_DIR) + "/" + name; }
+std::string scene_file(const char* name) { return netloft::test::source_folder() + "/" + name; }
 
 io::CaseSource source(const char* file, Overrides overrides, int threads = 1) {
   overrides.push_back("analysis.strategy=auto");

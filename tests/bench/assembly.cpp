@@ -5,6 +5,7 @@
 // Best of repeats, one thread; compare rows of one run only, the machine may be shared.
 #include "framework/problem/verdict.hpp"
 #include "solvers/factorisation/factorisation.hpp"
+#include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 #include <cstdio>
@@ -66,7 +67,7 @@ void time_share(int cells, int threads, Registry& registry) {
 
 int main() {
   Registry registry;
-  registry.add_folder(NETLOFT_PLUGIN_DIR);
+  registry.add_folder(netloft::test::plugin_folder());
   std::printf("element    elements   residual ns  energy + residual  residual + tangent   limit ns\n");
   for (const int n : {1000, 30000, 300000}) time_elements("bar", sample::hanging_rope(n), registry, 35);
   for (const int n : {16, 64, 180, 400})

@@ -20,6 +20,7 @@
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
 #include "solvers/factorisation/umfpack.hpp"
+#include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/solvers/factorisation/net_matrix.hpp"
 
@@ -149,7 +150,7 @@ void compare_on_nets(int side) {
 
 int main(int count, char** arguments) {
   netloft::Registry registry;
-  registry.add_folder(NETLOFT_PLUGIN_DIR);
+  registry.add_folder(netloft::test::plugin_folder());
   std::vector<int> sides{18, 63, 183};
   if (count > 1) sides.clear();
   for (int i = 1; i < count; ++i) sides.push_back(std::max(3, std::atoi(arguments[i])));

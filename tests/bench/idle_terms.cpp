@@ -9,6 +9,7 @@
 // pairs of the same two panels: panels are built anew many times, in turns, and it is from the medians of
 // these builds that the median and its interval of confidence come. The ratio of the best stands beside it.
 #include "framework/assembler/assembler.hpp"
+#include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 #include <sched.h>
@@ -115,8 +116,8 @@ Timing time_builds(int cells, Registry& registry, std::mt19937& dice) {
 int main() {
   stay_on_this_core();
   Registry registry;
-  registry.add_folder(NETLOFT_BARE_DIR);
-  registry.add_folder(NETLOFT_PLUGIN_DIR);
+  registry.add_folder(netloft::test::build_folder() + "/tests/bench/plugins");
+  registry.add_folder(netloft::test::plugin_folder());
   std::mt19937 dice(20240817);
   std::puts(
       "residual and tangent, best ns per triangle; ratio of the best, and of builds: median, 95 % interval");

@@ -5,6 +5,7 @@
 // run on one machine: compare rows.
 #include "framework/problem/verdict.hpp"
 #include "solvers/factorisation/factorisation.hpp"
+#include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 #include <cstdio>
@@ -33,7 +34,7 @@ void run(int cells, double speed, TangentChoice tangent, const char* name, Regis
 
 int main() {
   Registry registry;
-  registry.add_folder(NETLOFT_PLUGIN_DIR);
+  registry.add_folder(netloft::test::plugin_folder());
   std::printf("current  unknowns  tangent    iterations  factorisations     CPU s\n");
   for (const double speed : {0.5, 1.0, 2.0}) {
     run(32, speed, TangentChoice::exact, "exact", registry);

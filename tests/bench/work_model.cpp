@@ -92,7 +92,7 @@ void print_trawls(double largest, Registry& registry) {
     io::Diagnostics diagnostics;
     bool refused = false;
     const io::LoadedScene loaded =
-        io::read_scene(NETLOFT_SOURCE_DIR "/gear-library/scenes/83-112-flume-3.0kn.toml",
+        io::read_scene(netloft::test::source_folder() + "/gear-library/scenes/83-112-flume-3.0kn.toml",
                        {"gear.nodes=" + std::to_string(nodes)}, registry, diagnostics, refused);
     if (!diagnostics.errors()) print_row("83-112", loaded.scene, registry);
   }
@@ -103,7 +103,7 @@ void print_trawls(double largest, Registry& registry) {
 int main(int count, char** arguments) {
   const double largest = count > 1 ? std::atof(arguments[1]) : 1e5;
   Registry registry;
-  registry.add_folder(NETLOFT_PLUGIN_DIR);
+  registry.add_folder(netloft::test::plugin_folder());
   std::printf("%28s%33s   %13s   %13s   %13s   %s\n", "", "operations per microsecond of", "solution",
               "matrix", "residual", "per us of an");
   std::printf("%18s %9s  %7s %7s %7s %7s   %6s %6s   %6s %6s   %6s %6s   %s\n", "", "unknowns", "factor.",

@@ -17,7 +17,7 @@ using namespace netloft::io;
 const Catalogue& catalogue() {
   static const Catalogue parts = [] {
     Diagnostics diagnostics;
-    return Catalogue::load({NETLOFT_SOURCE_DIR "/gear-library/catalogue"}, diagnostics);
+    return Catalogue::load({netloft::test::source_folder() + "/gear-library/catalogue"}, diagnostics);
   }();
   return parts;
 }

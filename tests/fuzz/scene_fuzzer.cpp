@@ -4,6 +4,7 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/scene/plan.hpp"
 #include "io/scene/read_scene.hpp"
+#include "tests/folders.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 
 namespace {
@@ -26,8 +27,9 @@ void assemble(const io::LoadedScene& loaded, Registry& registry) {
 /// Where an input finds what scenes include: `include = ["scenes/four-panel.toml"]`.
 void link_library() {
   for (const char* part : {"scenes", "gears"})
-    std::filesystem::create_directory_symlink(std::filesystem::path(NETLOFT_GEAR_LIBRARY) / part,
-                                              fuzz::scratch_folder() / part);
+    std::filesystem::create_directory_symlink(
+        std::filesystem::path(netloft::test::source_folder()) / "gear-library" / part,
+        fuzz::scratch_folder() / part);
 }
 
 }  // namespace
@@ -35,7 +37,7 @@ void link_library() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static Registry registry = [] {
     Registry plugins;
-    plugins.add_folder(NETLOFT_PLUGIN_DIR);
+    plugins.add_folder(netloft::test::plugin_folder());
     link_library();
     return plugins;
   }();

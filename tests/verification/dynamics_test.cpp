@@ -13,7 +13,7 @@
 namespace netloft {
 namespace {
 
-const std::string kScenes = NETLOFT_SOURCE_DIR "/gear-library/scenes/";
+const std::string kScenes = test::source_folder() + "/gear-library/scenes/";
 
 std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
   a.insert(a.end(), b.begin(), b.end());

@@ -54,7 +54,7 @@ struct Off {
 };
 
 Off off(const std::vector<std::string>& overrides, HungBars bars) {
-  io::CaseSource source{NETLOFT_SOURCE_DIR "/tests/stability/scenes/rope.toml", overrides, 1};
+  io::CaseSource source{test::source_folder() + "/tests/stability/scenes/rope.toml", overrides, 1};
   source.overrides.push_back("parts.rope.cells=" + std::to_string(bars.n));
   source.overrides.insert(source.overrides.begin(), "analysis.strategy=auto");
   io::Case rope(source, shipped_plugins());

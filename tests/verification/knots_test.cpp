@@ -44,7 +44,7 @@ strategy = "coarse-to-fine"
 class PanelByKnots : public testing::Test {
  protected:
   std::unique_ptr<Case> opened(std::vector<std::string> overrides) {
-    const auto folder = std::filesystem::path(NETLOFT_BINARY_DIR) / "scratch";
+    const auto folder = std::filesystem::path(test::build_folder()) / "scratch";
     std::filesystem::create_directories(folder);
     const auto file = folder / "panel-by-knots.toml";
     std::ofstream(file) << kPlan;

@@ -26,7 +26,7 @@ inline std::vector<double> numbers_of(std::istringstream& line) {
 }
 
 inline std::vector<Level> read_levels(const std::string& name) {
-  std::ifstream file(std::string(NETLOFT_SOURCE_DIR "/tests/verification/data/") + name);
+  std::ifstream file(test::source_folder() + "/tests/verification/data/" + name);
   if (!file) throw std::runtime_error("no " + name + " among the data");
   std::vector<Level> levels;
   for (std::string text; std::getline(file, text);) {

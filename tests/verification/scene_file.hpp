@@ -28,8 +28,8 @@ struct SolvedFile {
 inline SolvedFile solve_file(const std::string& name, const std::vector<std::string>& overrides = {}) {
   io::Diagnostics diagnostics;
   bool refused = false;
-  io::LoadedScene loaded = io::read_scene(std::string(NETLOFT_SOURCE_DIR "/gear-library/scenes/") + name,
-                                          overrides, shipped_plugins(), diagnostics, refused);
+  io::LoadedScene loaded = io::read_scene(test::source_folder() + "/gear-library/scenes/" + name, overrides,
+                                          shipped_plugins(), diagnostics, refused);
   if (diagnostics.errors()) throw std::invalid_argument(diagnostics.render(false));
   Solving how;
   how.solver_parameters = loaded.analysis.solver_parameters;

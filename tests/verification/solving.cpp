@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/verification/solving.hpp"
+#include "tests/folders.hpp"
 
 #include "framework/study/study.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
@@ -19,7 +20,7 @@ Registry& shipped_plugins() {
 #ifdef NETLOFT_STATIC
     for (const auto& [name, describe] : io::static_plugins()) registry.add_builtin(name, describe);
 #endif
-    registry.add_folder(NETLOFT_PLUGIN_DIR);
+    registry.add_folder(test::plugin_folder());
     return true;
   }();
   return registry;

@@ -46,7 +46,7 @@ io::LoadedScene load_panel(double opening_stiffness, int n) {
   io::Diagnostics diagnostics;
   bool refused = false;
   io::LoadedScene loaded =
-      io::read_scene(NETLOFT_SOURCE_DIR "/gear-library/scenes/verification/stretched-panel.toml",
+      io::read_scene(test::source_folder() + "/gear-library/scenes/verification/stretched-panel.toml",
                      {"parts.net.cells=[" + cells + "," + cells + "]",
                       "parts.net.twine.opening_stiffness=" + std::to_string(opening_stiffness)},
                      shipped_plugins(), diagnostics, refused);

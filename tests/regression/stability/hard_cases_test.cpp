@@ -38,7 +38,7 @@ bool is_missed_rope(const Cell& c) {
 
 StabilitySuite shipped_suite() {
   Diagnostics diagnostics;
-  auto suite = read_suite(NETLOFT_SOURCE_DIR "/tests/stability", 1, diagnostics);
+  auto suite = read_suite(test::source_folder() + "/tests/stability", 1, diagnostics);
   EXPECT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
   return suite;
 }

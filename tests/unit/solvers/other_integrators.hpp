@@ -41,7 +41,8 @@ inline double order_of_estimates(const Chosen& scheme) {
 
 /// Where a scene of the gear library is at its end.
 inline MarchResult end_of(const std::string& scene, const std::vector<std::string>& overrides) {
-  io::Case c({NETLOFT_SOURCE_DIR "/gear-library/scenes/dynamics/" + scene, overrides, 1}, shipped_plugins());
+  io::Case c({test::source_folder() + "/gear-library/scenes/dynamics/" + scene, overrides, 1},
+             shipped_plugins());
   if (c.open() != io::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
   MarchResult r = c.march({});
   EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;

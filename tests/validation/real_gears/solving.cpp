@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/validation/real_gears/solving.hpp"
+#include "tests/folders.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +10,8 @@ namespace netloft::real_gears {
 
 Registry& plugins() {
   Registry& registry = test::shipped_plugins();
-  [[maybe_unused]] static const PluginContent& femnet = registry.add_file(NETLOFT_FEMNET_PLUGIN);
+  [[maybe_unused]] static const PluginContent& femnet =
+      registry.add_file(test::build_folder() + "/tests/validation/plugins/femnet.so");
   return registry;
 }
 

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace netloft::conformance;
 
-const fs::path kFolder = NETLOFT_BINARY_DIR "/lib/netloft";
+const fs::path kFolder = netloft::test::build_folder() + "/lib/netloft";
 
 bool runs_v3() { return netloft::best_build(kFolder, "rope").parent_path() != kFolder; }
 

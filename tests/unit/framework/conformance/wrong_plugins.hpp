@@ -16,7 +16,7 @@ namespace netloft::test {
 
 inline const PluginContent& wrong_plugin(const std::string& name) {
   static Registry registry;
-  registry.add_folder(NETLOFT_BINARY_DIR "/tests/plugins");
+  registry.add_folder(test::build_folder() + "/tests/plugins");
   return registry.plugin(name);
 }
 

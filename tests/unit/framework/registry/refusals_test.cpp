@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kFolder = NETLOFT_BINARY_DIR "/tests/refused";
+const fs::path kFolder = netloft::test::build_folder() + "/tests/refused";
 
 fs::path plugin(const std::string& flaw) { return kFolder / (flaw + ".so"); }
 

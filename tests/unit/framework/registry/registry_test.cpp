@@ -10,7 +10,7 @@ namespace {
 
 using netloft::Registry;
 
-constexpr const char* kFolder = NETLOFT_BINARY_DIR "/tests/refused";
+const std::string kFolder = netloft::test::build_folder() + "/tests/refused";
 
 template <class Ask>
 std::string complaint(Ask&& ask) {

@@ -17,7 +17,7 @@ constexpr const char* kPanel = "dead-weight-panel.toml";
 
 std::unique_ptr<Case> opened(const std::string& scene, std::vector<std::string> overrides) {
   auto one = std::make_unique<Case>(
-      CaseSource{NETLOFT_SOURCE_DIR "/gear-library/scenes/" + scene, std::move(overrides), 1},
+      CaseSource{test::source_folder() + "/gear-library/scenes/" + scene, std::move(overrides), 1},
       test::shipped_plugins());
   EXPECT_EQ(one->open(), Case::State::ready) << one->diagnostics().render(false);
   return one;

@@ -17,7 +17,7 @@ using Change = std::function<void(LoadedScene&)>;
 
 Solution solution_of(const std::string& scene, std::vector<std::string> overrides,
                      const Change& change = {}) {
-  Case one({NETLOFT_SOURCE_DIR "/" + scene, std::move(overrides), 1}, test::shipped_plugins());
+  Case one({test::source_folder() + "/" + scene, std::move(overrides), 1}, test::shipped_plugins());
   EXPECT_EQ(one.open(change), Case::State::ready) << one.diagnostics().render(false);
   return one.solve();
 }

@@ -14,7 +14,7 @@ namespace netloft::io {
 namespace {
 
 // A weight of 10 kg on a rope of 10 m, let go at the rope's own length.
-constexpr const char* kBounce = NETLOFT_SOURCE_DIR "/io/cli/templates/integrator/my_integrator.toml";
+const std::string kBounce = test::source_folder() + "/io/cli/templates/integrator/my_integrator.toml";
 
 constexpr double kGravity =
     100;  // [m/s²], so that strains are large against the one at which damping sets in

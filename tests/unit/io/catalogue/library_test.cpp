@@ -13,7 +13,7 @@ namespace {
 const Catalogue& library() {
   static Diagnostics diagnostics;
   static const Catalogue catalogue =
-      Catalogue::load({NETLOFT_SOURCE_DIR "/gear-library/catalogue"}, diagnostics);
+      Catalogue::load({test::source_folder() + "/gear-library/catalogue"}, diagnostics);
   EXPECT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
   return catalogue;
 }

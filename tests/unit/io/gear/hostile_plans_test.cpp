@@ -24,7 +24,7 @@ void try_plan(const std::string& text) {
 }
 
 std::string seed_text() {
-  std::ifstream file(NETLOFT_SOURCE_DIR "/tests/fuzz/seeds/plan/everything.toml");
+  std::ifstream file(test::source_folder() + "/tests/fuzz/seeds/plan/everything.toml");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -98,7 +98,7 @@ inline CheckedPlan check_text(const std::string& text) {
 }
 
 inline std::string library_text(const std::string& name) {
-  std::ifstream file(NETLOFT_SOURCE_DIR "/gear-library/gears/" + name);
+  std::ifstream file(test::source_folder() + "/gear-library/gears/" + name);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

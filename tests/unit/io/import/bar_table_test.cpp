@@ -3,6 +3,7 @@
 // Tables of nodes and bars: what becomes of them, and what is said of wrong ones.
 #include "io/import/bar_table.hpp"
 #include "io/import/csv_rows.hpp"
+#include "tests/folders.hpp"
 #include "tests/unit/io/import/samples.hpp"
 
 #include <numeric>
@@ -148,7 +149,7 @@ TEST(CsvRows, TakesQuotesBlanksAndLines) {
 
 /// The page has every column with its unit.
 TEST(BarTable, IsDescribedOnItsPage) {
-  std::ifstream in(NETLOFT_SOURCE_DIR "/io/import/TABLE.md");
+  std::ifstream in(test::source_folder() + "/io/import/TABLE.md");
   std::ostringstream page;
   page << in.rdbuf();
   for (const char* head : {"node,nonsense", "bar,nonsense"}) {

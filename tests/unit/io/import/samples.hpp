@@ -13,7 +13,7 @@ namespace netloft::io::femnet {
 
 /// A file of tests/validation/femnet_files.
 inline std::string sample(const std::string& name) {
-  std::ifstream in(NETLOFT_SOURCE_DIR "/tests/validation/femnet_files/" + name, std::ios::binary);
+  std::ifstream in(test::source_folder() + "/tests/validation/femnet_files/" + name, std::ios::binary);
   EXPECT_TRUE(in) << name;
   std::ostringstream text;
   text << in.rdbuf();

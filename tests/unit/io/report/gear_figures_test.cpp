@@ -161,7 +161,7 @@ TEST(GearGround, IsTouchedByAShareOfTheFootrope) {
 
 double tension_error(int bars) {
   const std::string cells = "parts.rope.cells=" + std::to_string(bars);
-  HandMade rope(NETLOFT_SOURCE_DIR "/gear-library/scenes/hanging-rope.toml", {{}, {"rope"}, {}, "", ""},
+  HandMade rope(test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {{}, {"rope"}, {}, "", ""},
                 {cells});
   const auto gear = rope.solved().gear;
   EXPECT_NEAR(value(gear, "ropes/rope/tension_start"), value(gear, "ropes/rope/tension_end"), 1e-7);
@@ -181,7 +181,7 @@ const std::vector<std::string> kPanels = {"upper1", "upper2", "upper3", "upper4"
 HandMade small_trawl(const std::string& model) {
   HandMade::Parts parts{kPanels, {"headline", "footrope", "starboard-upper-bridle"}, {"floats", "weights"}};
   parts.times = model == "whole" ? 1 : 2;
-  return {NETLOFT_SOURCE_DIR "/gear-library/scenes/validation/small-trawl/" + model + ".toml", parts};
+  return {test::source_folder() + "/gear-library/scenes/validation/small-trawl/" + model + ".toml", parts};
 }
 
 /// Whether a figure is the same for both models. Sums over the port bridles, which the half model lacks, and
@@ -227,7 +227,8 @@ TEST(GearFigures, AddUp) {
 }
 
 TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
-  Case plain({NETLOFT_SOURCE_DIR "/gear-library/scenes/hanging-rope.toml", {}, 1}, test::shipped_plugins());
+  Case plain({test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
+             test::shipped_plugins());
   ASSERT_EQ(plain.open(), Case::State::ready);
   const auto& scene = plain.loaded().scene;
   EXPECT_TRUE(collect_gear(plain.loaded(), plain.assembler(),

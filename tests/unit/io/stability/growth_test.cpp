@@ -13,7 +13,7 @@ namespace {
 
 /// Growth where a scene of the suite comes to rest. It need not be in a stable place.
 double growth_of(const std::string& scene, const std::vector<std::string>& overrides, bool turned_over) {
-  Case one({NETLOFT_SOURCE_DIR "/" + scene, overrides, 1}, test::shipped_plugins());
+  Case one({test::source_folder() + "/" + scene, overrides, 1}, test::shipped_plugins());
   const auto turn_over = [&](LoadedScene& loaded) {
     for (std::size_t d = 2; turned_over && d < loaded.scene.positions.size(); d += 3)
       loaded.scene.positions[d] = -400 - loaded.scene.positions[d];

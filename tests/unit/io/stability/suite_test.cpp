@@ -104,7 +104,7 @@ TEST_F(SuiteFolder, AFolderWithoutCasesIsNoSuite) {
 TEST(TheSuite, HasItsHardCasesAndAThirdOfThemDrawnWhateverTheNumber) {
   for (std::uint64_t number = 1; number <= 10; ++number) {
     Diagnostics diagnostics;
-    const auto suite = read_suite(NETLOFT_SOURCE_DIR "/tests/stability", number, diagnostics);
+    const auto suite = read_suite(test::source_folder() + "/tests/stability", number, diagnostics);
     ASSERT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
     const auto count = [&](auto&& is) { return std::count_if(suite.cases.begin(), suite.cases.end(), is); };
     const auto drawn = count([](const auto& c) { return c.drawn; });

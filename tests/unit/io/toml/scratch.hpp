@@ -18,7 +18,7 @@ class Scratch : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(NETLOFT_BINARY_DIR) / "scratch" /
+    folder_ = std::filesystem::path(test::build_folder()) / "scratch" /
               (std::string(test->test_suite_name()) + '.' + test->name());
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);

@@ -15,8 +15,8 @@ namespace {
 
 using namespace netloft::conformance;
 
-const char* kClang = NETLOFT_BINARY_DIR "/tests/clang/rope.so";
-const char* kShipped = NETLOFT_BINARY_DIR "/lib/netloft/rope.so";
+const std::string kClang = netloft::test::build_folder() + "/tests/clang/rope.so";
+const std::string kShipped = netloft::test::build_folder() + "/lib/netloft/rope.so";
 
 bool runs() {
 #if defined(__x86_64__)

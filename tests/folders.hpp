@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+namespace netloft::test {
+
+/// The checkout, the build, and the plugins of the build. These paths stand in one source (folders.cpp.in): among flags
+/// or in a header they would keep a compiler cache from serving other checkouts.
+const std::string& source_folder();
+const std::string& build_folder();
+const std::string& plugin_folder();
+
+}  // namespace netloft::test
