@@ -72,8 +72,10 @@ check_readmes() {
       [[ -f $folder/README.md || -f $folder/netloft/README.md ]] || breach "$folder: has no README.md"
     done < <(
       for file in "${files[@]}"; do
-        [[ $file != "$room"/* ]] || echo "$room"
-        [[ $file != "$room"/*/* ]] || echo "$room/$(cut -d/ -f2 <<<"$file")"
+        [[ $file == "$room"/* ]] || continue
+        echo "$room"
+        file=${file#"$room"/}
+        [[ $file != */* ]] || echo "$room/${file%%/*}"
       done | sort -u
     )
   done
