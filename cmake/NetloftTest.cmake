@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_test(NAME SOURCES files… LIBRARIES targets… [OPTIONS flags…] [SLOW]): one GoogleTest program, each of its tests known
+# netloft_test(NAME SOURCES files… LIBRARIES targets… [OPTIONS flags…] [SLOW|LONG]): one GoogleTest program, each of its tests known
 # to ctest. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW: minutes under sanitizers, so that
-# .ci/run tries it without them alone.
+# .ci/run tries it without them alone; LONG: .ci/run leaves it to tests/nightly.
 #
 # With NETLOFT_TEST_PROGRAMS ctest knows the program as one test instead, which starts once: for sanitizers, which take
 # longer to start than most tests.
@@ -20,7 +20,7 @@ add_custom_target(netloft_sanitized)  # what .ci/run builds a second time, with 
 option(NETLOFT_TEST_PROGRAMS "Let ctest know each program of tests, not each test of it" OFF)
 
 function(netloft_test name)
-  cmake_parse_arguments(arg "SLOW" "" "SOURCES;LIBRARIES;OPTIONS" ${ARGN})
+  cmake_parse_arguments(arg "SLOW;LONG" "" "SOURCES;LIBRARIES;OPTIONS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} netloft_test_folders GTest::gtest GTest::gtest_main)
   if(arg_OPTIONS)
@@ -31,9 +31,12 @@ function(netloft_test name)
   # CHOLMOD opens OpenMP regions that spin when the cores are taken. Of OpenBLAS's kernels for small matrices those for
   # Cooperlake allocate at every call; those for Haswell run on every machine with AVX2 and do not. Two properties, because
   # gtest_discover_tests hands on one entry of each.
-  set(label slow)
-  if(NOT arg_SLOW)
-    set(label googletest)
+  set(label googletest)
+  if(arg_LONG)
+    set(label long)
+  elseif(arg_SLOW)
+    set(label slow)
+  else()
     add_dependencies(netloft_sanitized ${name})
   endif()
   if(NETLOFT_TEST_PROGRAMS)

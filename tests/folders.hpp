@@ -4,8 +4,8 @@
 
 namespace netloft::test {
 
-/// The checkout, the build, and the plugins of the build. These paths stand in one source (folders.cpp.in): among flags
-/// or in a header they would keep a compiler cache from serving other checkouts.
+/// Of the checkout, of the build and of its plugins. They stand in one source, folders.cpp.in: among flags or
+/// in a header these paths would keep a compiler cache from serving other checkouts.
 const std::string& source_folder();
 const std::string& build_folder();
 const std::string& plugin_folder();
