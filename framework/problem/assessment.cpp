@@ -99,8 +99,8 @@ void find_what_grows(Assessment& a, const StaticProblem& problem, Assembler& ass
   if (flutters(a)) a.stability = Stability::swinging;
 }
 
-/// Whether `a` is the equilibrium that was judged: they are in one place, and no further from each other than
-/// both are known to be from the equilibrium.
+/// Whether `a` is the equilibrium that was judged: they are in one place, and the estimated errors of both,
+/// which are distances from the equilibrium, reach from one to the other.
 bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem& problem,
              const Assembler& assembler, const Scene& scene) {
   const Assessment& before = judged.assessment;

@@ -143,7 +143,7 @@ TEST(Verdict, CallsStableWhereNothingGrowsWithoutAnEnergy) {
   EXPECT_GT(s.judging.factorisations, 0) << "what judging takes is counted";
 }
 
-// Whether it is far from the first is known by how far that one is from its equilibrium.
+// Two points are one equilibrium where their estimated errors reach from one to the other.
 TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
   Scene scene = bar_with_a_follower();
   scene.current.samples = {{0, {0, 0, -4}}};
