@@ -94,9 +94,9 @@ void find_what_grows(Assessment& a, const StaticProblem& problem, Assembler& ass
   a.stability = stability_of(growth.verdict);
   a.judging.add(growth.cost);
   if (!growth.grows()) return;
+  if (growth.swings()) a.stability = Stability::swinging;
   a.growing = std::move(growth.mode), a.growing_later = std::move(growth.mode_later);
   a.growth_rate = growth.rate, a.growth_frequency = growth.frequency;
-  if (flutters(a)) a.stability = Stability::swinging;
 }
 
 /// Whether `a` is the equilibrium that was judged: they are in one place, and the estimated errors of both,

@@ -8,7 +8,7 @@ enum class SolveStatus { converged, unstable, not_converged, interrupted };
 
 /// Whether a small disturbance of an equilibrium decays. Where forces have an energy, its tangent tells;
 /// where they have none, growth.hpp, and then `stable` means that nothing was found that grows. `swinging`:
-/// what grows most goes round faster than it grows, as an empty cod-end flaps; the gear comes to rest nowhere
+/// what grows most goes round, as an empty cod-end flaps (Growth::swings); the gear comes to rest nowhere
 /// near, but its motion may stay small.
 enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
 
@@ -44,8 +44,8 @@ inline bool is_stationary(const Assessment& a) {
   return a.status == SolveStatus::converged || a.status == SolveStatus::unstable;
 }
 
-/// Where a disturbance swings faster than it grows: its motion goes round and comes to rest nowhere near.
-inline bool flutters(const Assessment& a) { return a.growth_frequency > a.growth_rate; }
+/// Whether or not the scene accepts that.
+inline bool flutters(const Assessment& a) { return a.stability == Stability::swinging; }
 
 /// Judges displacements u of the unknowns, at which a solver ended with `outcome`: recomputes the residual,
 /// holds it against convergence.hpp, asks of what is balanced whether it is stable, and estimates how far it

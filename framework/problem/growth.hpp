@@ -6,6 +6,9 @@ namespace netloft {
 
 /// The band (6) of growth that is not told from none, per power.
 inline constexpr double kGrows = 1.01;
+/// Least frequency over rate of what swings: a pair that turns more slowly grows by exp(10 π) in half a turn,
+/// from what a double rounds off to the size of the gear, so that it never comes round.
+inline constexpr double kSwings = 0.1;
 
 enum class GrowthVerdict { none, marginal, grows, unknown };
 
@@ -19,8 +22,8 @@ struct Growth {
   std::vector<double> mode_later = {};  // a quarter of a period later, on the same scale; empty: no period
   Statistics cost = {};                 // what it took to know
   bool grows() const { return verdict == GrowthVerdict::grows; }
-  /// Faster than it grows: it goes round and comes to rest nowhere near.
-  bool swings() const { return frequency > rate; }
+  /// Flutter and not divergence: a pair, which goes round and comes to rest nowhere near.
+  bool swings() const { return frequency > kSwings * rate; }
 };
 
 /// Stability of an equilibrium whose forces have no energy (drag, pressure), by its linear motion

@@ -336,7 +336,7 @@ void RunningStudy::fill(netloft_stage& stage, const Solution& s, double spent) {
   stage.iterations_done = static_cast<std::uint32_t>(s.statistics.iterations);
   stage.factorisations = static_cast<std::uint32_t>(s.statistics.factorisations);
   stage.growing = growing_.empty() ? nullptr : growing_.data();
-  stage.growth_rate = s.growth_rate, stage.growth_frequency = s.growth_frequency;
+  stage.growth_rate = s.growth_rate, stage.growth_frequency = flutters(s) ? s.growth_frequency : 0;
 }
 
 }  // namespace netloft

@@ -87,7 +87,7 @@ struct Stage {
   double spent = 0;                           // work
   unsigned iterations = 0, factorisations = 0;
   Displacements growing = {};                    // a disturbance that grows; empty: not known
-  double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]
+  double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; it swings only where there is a frequency
 
   /// Forces were evaluated where it ended. False: elements have none at `u`, or a strategy that was called
   /// has solved no stage of the variant it was called for, and `u` is its start.
@@ -95,8 +95,8 @@ struct Stage {
   /// Forces balance, whether or not it is stable.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
   bool has_converged() const { return ending == Ending::converged; }
-  /// It swings faster than it grows: followed in time it comes to rest nowhere near.
-  bool flutters() const { return ending == Ending::unstable && growth_frequency > growth_rate; }
+  /// It swings as it grows: followed in time it comes to rest nowhere near.
+  bool flutters() const { return ending == Ending::unstable && growth_frequency > 0; }
   /// Largest residual over the largest load.
   double imbalance() const { return has_forces() ? residual / load : residual > 0 ? 1 : 0; }
 };

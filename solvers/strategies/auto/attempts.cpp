@@ -33,9 +33,14 @@ const Row kTable[] = {
      [](const Kind& k) { return k.sticks; }},
     // The coarser mesh by this strategy again, and so on to the coarsest that is worth its price; what the
     // user says of `auto` holds there, too.
+    // From there it is nodes between slack members that Newton's method would take long over: which members
+    // those are is found for all of them at once.
+    {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0,then=tension/only", "direct",
+      "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
+     [](const Kind& k) { return k.has_meshes && k.has_loaded_members && !k.sticks; }},
     {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0", "direct",
       "a coarser mesh costs a fraction and leads near"},
-     [](const Kind& k) { return k.has_meshes && !k.sticks; }},
+     [](const Kind& k) { return k.has_meshes && !k.has_loaded_members && !k.sticks; }},
     {{"tension-stages", "tension/stages", "", "direct",
       "with tensions as unknowns stiff members turn at once"},
      [](const Kind& k) { return k.has_loaded_members && !k.sticks; }},

@@ -9,14 +9,11 @@ namespace {
 using namespace netloft;
 
 /// Grid sequencing: a coarser mesh of the same gear is brought to equilibrium by another strategy, which may
-/// go on to coarser ones still, and the scene itself starts from there. What linear elements leave of an
-/// error falls with their area, so that on fine meshes the start is near and Newton's method wants little
-/// damping,
-///   μ₀ = c / N,  N unknowns                                                              (1)
-/// W. Hackbusch, Multi-Grid Methods and Applications, 1985, section 5 (nested iteration).
+/// go on to coarser ones still, and the scene itself starts from there, by a strategy that may be another
+/// one. W. Hackbusch, Multi-Grid Methods and Applications, 1985, section 5 (nested iteration).
 struct CoarseToFine {
   struct Parameters {
-    const char *by = nullptr, *with = nullptr;
+    const char *by = nullptr, *with = nullptr, *then = nullptr;
     double smallest = 0;
   };
 
@@ -29,18 +26,21 @@ struct CoarseToFine {
                    {.name = "on a coarser mesh", .variant = {.level = 1}, .tolerance = kOnlyAStart},
                    study.transfer(0, study.start(), 1));
     if (!coarse.has_converged()) return;
-    const Stage fine = study.solve({.name = "from a coarser mesh"}, study.transfer(1, coarse.u, 0));
+    const Displacements start = study.transfer(1, coarse.u, 0);
+    Stage fine = study.call(p.then, "", {.name = kFromCoarser}, start);
+    if (!fine.is_stationary() && study.work_left() > 0) fine = study.solve({.name = kFromCoarser}, start);
     if (fine.is_stationary()) study.answer(fine.u);
   }
 
   static std::string explain(const Parameters& p, Study& study) {
     return has_coarser(p, study) ? std::string("half as many cells along a side by ") + p.by +
-                                       ", then the scene itself from there\n"
+                                       ", then the scene itself from there by " + p.then + "\n"
                                  : "nothing: no coarser mesh of at least " +
                                        std::to_string(static_cast<int>(p.smallest)) + " unknowns\n";
   }
 
  private:
+  static constexpr const char* kFromCoarser = "from a coarser mesh";
   static bool has_coarser(const Parameters& p, Study& study) {
     return study.levels() > 1 && static_cast<double>(study.size()) >= p.smallest && study.size(1) > 0;
   }
@@ -54,6 +54,9 @@ NETLOFT_PLUGIN("coarse-to-fine", "0.1.0", "Grid sequencing") {
   strategy.text("by", &CoarseToFine::Parameters::by, "strategy that solves the coarser mesh", "direct");
   strategy.text("with", &CoarseToFine::Parameters::with,
                 "its parameters, such as restarts=0; a semicolon between two", "");
+  strategy.text("then", &CoarseToFine::Parameters::then,
+                "strategy that solves the scene itself from there; where it finds nothing, the solver does",
+                "direct");
   strategy.real("smallest", &CoarseToFine::Parameters::smallest, "1",
                 "unknowns below which a coarser mesh costs as much as it saves",
                 {.lo = 1, .hi = 1e9, .fallback = 200});

@@ -72,6 +72,25 @@ class Runs(InFreshFolder):
         self.assertLess(led["factorisations"], fresh["factorisations"])
         np.testing.assert_allclose(led["energy"], fresh["energy"], rtol=1e-9)
 
+    def test_the_way_on_from_a_coarser_mesh_may_be_another_strategy_and_falls_back_on_the_solver(self):
+        # tension/only is called for the scene itself; load-steps has nothing to do where nothing flows.
+        panel = [str(PANEL)]
+        answers = {}
+        for then in ("direct", "tension/only", "load-steps"):
+            strategy = f"coarse-to-fine:by=direct,then={then}"
+            ended = self.netloft("run", *panel, "--strategy", strategy, "--json")
+            self.assertEqual(ended.code, 0, ended.err)
+            answers[then] = json.loads(ended.out)
+        names = {then: [s["name"] for s in report["stages"]] for then, report in answers.items()}
+        self.assertIn("tension only", names["tension/only"])
+        self.assertIn("from a coarser mesh", names["load-steps"])
+        self.assertNotIn("from a coarser mesh", names["tension/only"])
+        for report in answers.values():
+            self.assertAlmostEqual(report["energy"], answers["direct"]["energy"], delta=1e-6 * abs(report["energy"]))
+        wrong = self.netloft("run", *panel, "--strategy", "coarse-to-fine:then=nowhere")
+        self.assertEqual(wrong.code, 1)
+        self.assertIn("nowhere", wrong.err)
+
     def test_a_search_begins_nowhere_else(self):
         self.assertEqual(self.run_panel("-o", "a.hdf").code, 0)
         self.write("b.hdf", "no result")

@@ -196,6 +196,21 @@ TEST(GrowthOfMatrices, TellsOfWhatDivergesBehindWhatSwingsFaster) {
   EXPECT_NEAR(diverges.rate, 0.01, 1e-6);
 }
 
+// s = 1 ± 0.5i, which grows five hundredfold before it has turned round, is flutter as well; 1 ± 0.05i is
+// not.
+TEST(GrowthOfMatrices, CallsAPairFlutterUnlessItOutgrowsAllDigitsInHalfATurn) {
+  for (const double frequency : {0.5, 0.05}) {
+    ThreeDiagonals K(2, 0, 0, 0);
+    const ThreeDiagonals C(2, 0, 1, 0);
+    const auto at = [&](int r, int c) -> double& { return K.values[find_slot(K.pattern, r, c)]; };
+    at(0, 0) = at(1, 1) = -1, at(0, 1) = frequency, at(1, 0) = -frequency;
+    const Growth growth = growth_without_mass(K, C);
+    ASSERT_TRUE(growth.grows());
+    EXPECT_NEAR(growth.frequency, frequency, 1e-6);
+    EXPECT_EQ(growth.swings(), frequency > 0.1);
+  }
+}
+
 // s = 0.05 ± 10i and -0.05 ± 10i: in the band (6), and where it decays.
 TEST(GrowthOfMatrices, IsMarginalWhereAPairHardlyGrows) {
   const ThreeDiagonals C(2, 0, 1, 0), grows(2, -10, -0.05, 10), decays(2, -10, 0.05, 10);
