@@ -6,7 +6,7 @@
 namespace netloft {
 
 ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node)
-    : type_(plan.type), parts_(plan.parts) {
+    : type_(plan.type), parts_(plan.parts), viscosity_ratio_(plan.viscosity_ratio) {
   for (std::size_t i = 0; i < plan.terms.size(); ++i)
     if (plan.terms[i].on)
       terms_.push_back(type_->terms[i]);

@@ -37,6 +37,8 @@ class ElementFamily {
   /// The scene part to which an element belongs.
   std::uint32_t part(std::size_t element) const { return parts_[part_[element]]; }
   const std::vector<std::uint32_t>& parts() const { return parts_; }
+  /// Of the viscosity that its parts meet to that of the water.
+  double viscosity_ratio() const { return viscosity_ratio_; }
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
@@ -77,7 +79,8 @@ class ElementFamily {
   std::vector<double> gather_datum(const Scene& scene, const netloft_datum& datum) const;
 
   const ElementType* type_;
-  std::vector<std::uint32_t> parts_;         // scene parts
+  std::vector<std::uint32_t> parts_;  // scene parts
+  double viscosity_ratio_ = 1;
   std::vector<std::size_t> part_begin_;      // per part of parts_, +1
   std::vector<std::uint32_t> part_, nodes_;  // per element: index in parts_; its nodes
   std::vector<double> arms_;                 // per element on a body [m]

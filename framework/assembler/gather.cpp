@@ -61,7 +61,8 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
   t.first = static_cast<std::uint32_t>(tile * kLanes),
   t.count = static_cast<std::uint32_t>(std::min(kLanes, f.size() - tile * kLanes));
   t.time = motion.time, t.cu = motion.cu, t.cv = motion.cv, t.ca = motion.ca;
-  t.water_density = water_.density, t.gravity = water_.gravity, t.water_viscosity = water_.viscosity;
+  t.water_density = water_.density, t.gravity = water_.gravity;
+  t.water_viscosity = water_.viscosity * f.viscosity_ratio();
   t.x = w.x.data();
   if (motion.x_low) t.x_low = w.x_low.data();
   if (motion.v && f.reads(NETLOFT_READS_VELOCITY)) t.v = w.v.data();

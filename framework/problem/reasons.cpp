@@ -114,7 +114,7 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
 std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
   std::string text = "a small disturbance grows";
   if (a.growth_rate > 0) text += " tenfold in " + seconds(std::log(10) / a.growth_rate);
-  if (a.growth_frequency > 0)
+  if (flutters(a))
     text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growth_frequency);
   if (a.growing.empty()) return text;
   const auto moves = node_moves(a, assembler);

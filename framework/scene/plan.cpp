@@ -45,8 +45,10 @@ FamilyPlan& family_of(std::vector<FamilyPlan>& families, const Scene& scene, con
   const ElementType& type = registry.element(part.type);
   const bool asks_laws = meets_flow(scene, kind);
   for (auto& f : families)
-    if (f.type == &type && (!asks_laws || has_laws_of(f, part))) return f;
-  families.push_back({&type, laws_of(scene, part, type, registry, kind), {}, 0, {}});
+    if (f.type == &type && f.viscosity_ratio == part.viscosity_ratio && (!asks_laws || has_laws_of(f, part)))
+      return f;
+  families.push_back(
+      {&type, laws_of(scene, part, type, registry, kind), {}, 0, {}, {}, part.viscosity_ratio});
   return families.back();
 }
 

@@ -45,6 +45,7 @@ struct FamilyPlan {
   std::size_t elements = 0;
   std::vector<TermPlan> terms;
   std::vector<GlobalPlan> globals = {};
+  double viscosity_ratio = 1;  // of all its parts
 };
 
 /// The families, terms and matrix properties that a scene needs, decided once and printable. Nothing else is

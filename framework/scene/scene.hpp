@@ -82,6 +82,7 @@ struct Part {
   std::map<std::string, std::vector<double>> data;  // by datum name: [element][width]
   std::map<std::string, LawChoice> laws = {};       // by slot name; absent: the slot's default
   bool companion = false;                           // rides on the part of the same name before it
+  double viscosity_ratio = 1;  // of the viscosity that it meets to that of the water, in models of gears
 };
 
 /// The part a node was first made for, and its number within that part.

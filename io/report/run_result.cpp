@@ -136,10 +136,11 @@ void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<N
   }
 }
 
-/// How much the numbers of an equilibrium depend on what swings about it, by central differences.
+/// How much the numbers of an equilibrium depend on what grows there, by central differences.
 void collect_swing(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   const Solution& s = result.solution;
-  if (s.stability != Stability::swinging || s.growing.size() != s.u.size()) return;
+  const bool grows = s.stability == Stability::swinging || s.stability == Stability::unstable;
+  if (!grows || s.growing.size() != s.u.size()) return;
   const double length = kSmallSwing * length_of(s.x);
   double way = 0;  // of the furthest node, in the first phase
   for (const auto* along : {&s.growing, &s.growing_later}) {

@@ -56,7 +56,7 @@ struct RunResult {
   std::vector<RopeTensions> ropes;    // of a scene with a net plan
   std::vector<NamedScalar> gear;      // figures of a scene with a net plan (gear_figures.hpp)
   std::vector<LawUse> law_use;        // of laws that were measured in some range
-  std::string swings_most;            // the furthest node of what swings there; empty: nothing does
+  std::string swings_most;            // the furthest node of what grows there; empty: nothing does
   std::vector<std::string> warnings;  // of parts that bear more than they can, of laws outside their range
   // the meshes behind the mesh errors, or why there are no errors; empty: not asked for
   std::string mesh_note;

@@ -30,7 +30,7 @@ std::string swing_text(const std::string& furthest, const std::vector<NamedScala
     if (const std::string name = principal_name(figure.name); is_known(figure) && !name.empty())
       rows += row(name, figure);
   if (rows.empty()) return rows;
-  return fmt::format("  {:<24} {:>14} {:>14}   for each metre that {} swings, to first order\n",
+  return fmt::format("  {:<24} {:>14} {:>14}   for each metre that {} moves, to first order\n",
                      "what depends on it", "here", "changes by", furthest) +
          rows;
 }
@@ -47,7 +47,7 @@ nlohmann::ordered_json swing_json(const RunResult& result) {
   };
   return {{"furthest", result.swings_most},
           {"tenfold_in", time(std::log(10), s.growth_rate)},
-          {"period", time(2 * std::numbers::pi, s.growth_frequency)},
+          {"period", time(2 * std::numbers::pi, flutters(s) ? s.growth_frequency : 0)},
           {"per_metre", per_metre}};
 }
 

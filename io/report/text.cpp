@@ -25,6 +25,8 @@ void family_text(const FamilyPlan& family, Out out) {
                  family.elements == 1 ? "" : "s", family.parts.size(), family.parts.size() == 1 ? "" : "s",
                  family.type->origin->file.empty() ? "compiled in," : family.type->origin->file,
                  family.type->origin->version);
+  if (family.viscosity_ratio != 1)
+    fmt::format_to(out, "  they meet {:.4g} times the viscosity of the water\n", family.viscosity_ratio);
   for (const auto& term : family.terms)
     fmt::format_to(out, "  {:<12} {:<4} {}; {}\n", term.name, term.on ? "on" : "off", term.reason,
                    describe_traits(term.traits));

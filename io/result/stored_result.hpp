@@ -113,7 +113,7 @@ class StoredResult {
   std::vector<HoldForce> hold_forces;
   std::array<double, 3> balance{};
   std::string mesh_note;
-  std::string swings_most;  // of a swinging equilibrium: the node that moves furthest
+  std::string swings_most;  // of what grows: the node that moves furthest
   double node_error = 0;    // largest nodal move of the next Newton step [m]; NaN: not known
   std::optional<StoredBed> bed;
   std::vector<BillItem> bill;

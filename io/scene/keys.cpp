@@ -14,9 +14,13 @@ std::span<const netloft_parameter> water_keys() {
            {.lo = 1e-9, .hi = 1, .fallback = 1.19e-6});
     t.real(
         "model_scale", &WaterKeys::model_scale, "1",
-        "lengths of the gear over those of its model in a tank, which is computed by Froude's rule: Reynolds "
-        "numbers are smaller by this to the power 1.5",
+        "lengths of the gear over those of its model in a tank, which is computed; without model_twine_scale "
+        "by Froude's rule: Reynolds numbers are smaller by this to the power 1.5",
         {.lo = 1, .hi = 1000, .fallback = 1});
+    t.real("model_twine_scale", &WaterKeys::model_twine_scale, "1",
+           "bars and twines of the gear over those of a model by Tauti's rule, not above model_scale; 0: the "
+           "model is by Froude's rule",
+           {.lo = 0, .hi = 1000, .fallback = 0});
     return t;
   }();
   return table.rows();

@@ -24,7 +24,8 @@ struct AnalysisKeys {
 
 /// `[water]`, but for the current.
 struct WaterKeys : SceneWater {
-  double model_scale = 1;  // [1]
+  double model_scale = 1;        // [1]
+  double model_twine_scale = 0;  // [1]; 0: Froude's rule
 };
 
 /// `water.waves`.

@@ -24,9 +24,11 @@
 #include "io/scene/part_names.hpp"
 #include "io/scene/result_request.hpp"
 #include "io/scene/riders.hpp"
+#include "io/scene/tauti.hpp"
 #include "io/scene/thickness.hpp"
 #include "io/scene/tow.hpp"
 #include "io/scene/waves.hpp"
+#include "io/units/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +85,7 @@ class SceneReader {
     if (gear_) gear_->follow_holds();
     place_points(out_.scene);
     out_.analysis = read_analysis(root_.table("analysis", Presence::optional), registry_, refused_);
+    take_model();
     if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0)
       check_guides(), check_waves();
     read_results();
@@ -107,7 +110,7 @@ class SceneReader {
     const Values values = read_parameters(water_keys(), water);
     std::vector<std::string> faults;
     const ParameterBlock block(water_keys(), sizeof(WaterKeys), values, faults);
-    if (faults.empty()) take_water(*static_cast<const WaterKeys*>(block.data()));
+    if (faults.empty()) take_water(*static_cast<const WaterKeys*>(block.data()), water);
     out_.scene.current = read_current(water);
     if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
     if (root_.has("bed")) bottom_ = read_bed(root_.table("bed"), out_.scene);
@@ -141,9 +144,33 @@ class SceneReader {
 
   /// A model at 1 : s in water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the
   /// gear in water of viscosity ν s^1.5, and where nothing stretches all else is similar (W. Froude).
-  void take_water(const WaterKeys& keys) {
+  void take_water(const WaterKeys& keys, TableReader& water) {
     out_.scene.water = keys;
-    out_.scene.water.viscosity *= std::pow(keys.model_scale, 1.5);
+    if (keys.model_twine_scale == 0) {
+      out_.scene.water.viscosity *= std::pow(keys.model_scale, 1.5);
+      return;
+    }
+    const bool is_whole = keys.model_twine_scale >= 1;
+    if (!is_whole || keys.model_twine_scale > keys.model_scale)
+      water.error("model_twine_scale",
+                  "is outside [1, " + format(keys.model_scale) +
+                      "]: by Tauti's rule twines are scaled less than lengths",
+                  is_whole ? "model_scale = " + format(keys.model_twine_scale) + ", or more"
+                           : "model_twine_scale = 1, or more; none for Froude's rule");
+    tauti_.emplace(keys.model_scale, keys.model_twine_scale);
+    out_.scene.water.viscosity *= tauti_->viscosity_of_netting();
+  }
+
+  /// Forces of an equilibrium are similar by Tauti's rule, masses are not.
+  void take_model() {
+    if (!tauti_ || diagnostics_.errors() > 0) return;
+    if (const Part* dry = find_part_above_water(out_.scene))
+      root_.table("water").error("model_twine_scale", "Tauti's rule is for what is under water, and " +
+                                                          in_quotes(dry->name) + " may be above it");
+    if (out_.analysis.kind == AnalysisKind::dynamics)
+      root_.table("water").error("model_twine_scale",
+                                 "Tauti's rule knows no masses: it is for kind = \"static\"");
+    tauti_->scale_ropes_and_floats(out_.scene);
   }
 
   void read_parts() {
@@ -698,6 +725,7 @@ class SceneReader {
   bool says_tow_ = false;
   SeaBottom bottom_;
   std::optional<Joiner> joiner_;
+  std::optional<TautiModel> tauti_;
 };
 
 /// The net plan in a scene, checked; nothing if there is none.

@@ -47,10 +47,13 @@ def power_law(sizes, times):
 
 
 def verdict(report):
-    if report["status"] != "converged":
+    if report["status"] not in ("converged", "unstable"):
         return f"{report['status']}, {report['residual'] / report['largest_load']:.0e} of the load"
     swing = report["swing"]
-    return report["stability"] if not swing else f"swings in {swing['period']:.2g} s, tenfold in {swing['tenfold_in']:.2g} s"
+    if not swing:
+        return report["stability"]
+    period = f"swings in {swing['period']:.2g} s" if swing["period"] else "diverges"
+    return f"{period}, tenfold in {swing['tenfold_in']:.2g} s"
 
 
 def row(knots, raised, nodes, report, law):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -27,20 +28,27 @@ struct CoarseToFine {
                    study.transfer(0, study.start(), 1));
     if (!coarse.has_converged()) return;
     const Displacements start = study.transfer(1, coarse.u, 0);
-    Stage fine = study.call(p.then, "", {.name = kFromCoarser}, start);
-    if (!fine.is_stationary() && study.work_left() > 0) fine = study.solve({.name = kFromCoarser}, start);
+    Stage fine = *p.then ? called_from(start, p, study) : study.solve({.name = kFromCoarser}, start);
     if (fine.is_stationary()) study.answer(fine.u);
   }
 
   static std::string explain(const Parameters& p, Study& study) {
     return has_coarser(p, study) ? std::string("half as many cells along a side by ") + p.by +
-                                       ", then the scene itself from there by " + p.then + "\n"
+                                       ", then the scene itself from there" +
+                                       (*p.then ? std::string(" by ") + p.then : "") + "\n"
                                  : "nothing: no coarser mesh of at least " +
                                        std::to_string(static_cast<int>(p.smallest)) + " unknowns\n";
   }
 
  private:
   static constexpr const char* kFromCoarser = "from a coarser mesh";
+  /// The start is assessed first, so that a strategy that is cut off before it has solved anything has that.
+  static Stage called_from(const Displacements& start, const Parameters& p, Study& study) {
+    Stage fine = study.assess({.name = kFromCoarser}, start);
+    if (!fine.is_stationary()) fine = study.call(p.then, "", {.name = kFromCoarser}, start);
+    return fine.is_stationary() || study.work_left() == 0 ? std::move(fine)
+                                                          : study.solve({.name = kFromCoarser}, start);
+  }
   static bool has_coarser(const Parameters& p, Study& study) {
     return study.levels() > 1 && static_cast<double>(study.size()) >= p.smallest && study.size(1) > 0;
   }
@@ -54,9 +62,9 @@ NETLOFT_PLUGIN("coarse-to-fine", "0.1.0", "Grid sequencing") {
   strategy.text("by", &CoarseToFine::Parameters::by, "strategy that solves the coarser mesh", "direct");
   strategy.text("with", &CoarseToFine::Parameters::with,
                 "its parameters, such as restarts=0; a semicolon between two", "");
-  strategy.text("then", &CoarseToFine::Parameters::then,
-                "strategy that solves the scene itself from there; where it finds nothing, the solver does",
-                "direct");
+  strategy.text(
+      "then", &CoarseToFine::Parameters::then,
+      "strategy that solves the scene itself from there; empty, and where it finds nothing: the solver", "");
   strategy.real("smallest", &CoarseToFine::Parameters::smallest, "1",
                 "unknowns below which a coarser mesh costs as much as it saves",
                 {.lo = 1, .hi = 1e9, .fallback = 200});

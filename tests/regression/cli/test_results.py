@@ -458,6 +458,19 @@ class Swinging(InFreshFolder):
         again = self.netloft("report", "float.hdf", "--json").json()
         self.assertEqual((again["swings_most"], again["results"]["x"]["per_swing"]), ("rod node 1", change[0]))
 
+    def test_what_goes_away_without_swinging_says_what_depends_on_it_too(self):
+        topples = FLOAT.replace("[1.7, 0, 0]", "[0, 0, 0.2]").replace("[0.05, 0.02, 2]", "[0, 0, -2]")  # a float that is pushed down
+        self.write("float.toml", topples)
+        ended = self.netloft("run", "float.toml", "--json", "--strategy", "direct", "--solver", "newton:method=classic")
+        report = ended.json()
+        self.assertEqual((ended.code, report["status"], report["stability"]), (3, "unstable", "unstable"), ended.err)
+        self.assertIsNone(report["swing"]["period"])
+        self.assertGreater(report["swing"]["tenfold_in"], 0)
+        self.assertEqual(report["swing"]["furthest"], "rod node 1")
+        change = report["swing"]["per_metre"]
+        self.assertAlmostEqual(change["x"] ** 2 + change["y"] ** 2, 1, delta=1e-6)  # it falls over, to any side
+        self.assertLess(change["z"], 1e-3)
+
     def test_a_gear_that_rests_has_none(self):
         self.write("float.toml", FLOAT.replace("1.7", "0.2"))
         self.assertIsNone(self.netloft("run", "float.toml", "--json").json()["swing"])
