@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The 83-112 in the flume on finer and finer meshes: whether it converges, what its figures are, and what it costs.
 
-    meshes.py NETLOFT GEAR_LIBRARY [--nodes 500,1000,2000,4000,8000] [--knots 2.0,3.0,4.0] [--raised 0,0.8]
+    meshes.py NETLOFT GEAR_LIBRARY [--nodes 500,1000,2000,4000,8000] [--knots 2.0,3.0,4.0] [--raised 0,0.8] [--check]
 
 Prints a row for each mesh, at each speed and height of the towing point. `over the law` is processor time over the power law through all meshes
 of that speed and height, c N^p, by least squares of the logarithms. A mesh on which the gear does not converge has a row that says what it ended at.
+--check: exit 1 if there is one, or one that takes more than 600 factorisations, those of the coarser meshes it began on included.
 """
 import argparse
 import json
@@ -17,6 +18,7 @@ import tempfile
 from pathlib import Path
 
 HEIGHT_OF_POINT = -18.77  # [m], as in the scenes
+MOST_FACTORISATIONS = 600  # more than any of the table takes that converges at 3 and 4 knots
 FIGURES = (("height [m]", "mouth/headline_height", 1, ".3f"), ("upper spread [m]", "mouth/upper_wing_spread", 1, ".3f"),
            ("lower spread [m]", "mouth/lower_wing_spread", 1, ".3f"), ("mouth [m²]", "mouth/area", 1, ".2f"),
            ("bridles [kN]", "rigging/bridle/tension_start", 1e-3, ".3f"), ("drag [kN]", "drag/all/x", 1e-3, ".3f"))
@@ -71,7 +73,9 @@ def main():
     parser.add_argument("--nodes", default="500,1000,2000,4000,8000")
     parser.add_argument("--knots", default="2.0,3.0,4.0")
     parser.add_argument("--raised", default="0,0.8")
+    parser.add_argument("--check", action="store_true")
     a = parser.parse_args()
+    faults = []
     heads = ["knots", "raised [m]", "nodes", "unknowns", "verdict", *(f[0] for f in FIGURES), "factorisations", "CPU [s]", "over the law"]
     print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
     exponents = []
@@ -82,7 +86,11 @@ def main():
             exponents.append(f"{knots} kn, {raised:g} m: {law[1]:.2f}")
             for nodes, report in found.items():
                 print(row(knots, raised, nodes, report, law), flush=True)
+                if report["status"] != "converged" or report["factorisations"] > MOST_FACTORISATIONS:
+                    faults.append(f"{knots} kn, {raised:g} m, {nodes} nodes: {report['status']}, {report['factorisations']} factorisations")
     print("\nExponent of processor time over unknowns: " + "; ".join(exponents))
+    if a.check and faults:
+        sys.exit("\n".join(faults))
 
 
 if __name__ == "__main__":
