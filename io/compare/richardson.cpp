@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastOrder = 0.5, kMostOrder = 2.5, kSteady = 0.5, kHighestOrder = 20;
-constexpr double kSafety = 1.25;  // of (4), (5)
+constexpr double kSafety = 1.25;        // of (4)
+constexpr double kSafetyOfScatter = 2;  // of (5)
 // Rope ends at corners of netting change by a tenth and more from mesh to mesh where they are singular, other
 // figures that happen to drift by less.
 constexpr double kNoise = 0.1;
@@ -33,7 +34,7 @@ double bound(const Trend& trend, const std::vector<double>& values, const std::v
   if (std::isfinite(trend.limit)) largest = std::max(largest, std::abs(values[asked] - trend.limit));
   for (std::size_t k = first; k <= last; ++k)
     largest = std::max(largest, std::abs(values[k] - values[asked]));
-  return kSafety * largest;
+  return kSafetyOfScatter * largest;
 }
 
 /// Sets order and limit out of the three finest meshes.

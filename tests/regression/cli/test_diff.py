@@ -43,7 +43,7 @@ class Differences(InFreshFolder):
         self.assertIsNone(rows["energy"]["exceeds"])  # no error of it is known
 
     def test_tells_people_and_marks_what_exceeds_the_errors(self):
-        softer = changed(GOOD, ('EA = "10 kN"', 'EA = "200 N"'))  # stretches by more than the coarse mesh is worth
+        softer = changed(GOOD, ('EA = "10 kN"', 'EA = "100 N"'))  # stretches by more than the coarse mesh is worth
         a, b = self.run_scene("a", GOOD, "--error"), self.run_scene("b", softer, "--error")
         told = self.diff(a, b).out
         self.assertRegex(told, r"(?m)^\* results/lowest_z .* m$")
