@@ -2,16 +2,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The 83-112 in the flume on finer and finer meshes: whether it converges, what its figures are, and what it costs.
 
-    meshes.py NETLOFT GEAR_LIBRARY [--nodes 500,1000,2000,4000,8000] [--knots 2.0,3.0,4.0] [--raised 0,0.8] [--check]
+    meshes.py NETLOFT GEAR_LIBRARY [--nodes 500,1000,2000,4000,8000] [--knots 2.0,3.0,4.0] [--raised 0,0.8] [--set KEY=VALUE ...]
+              [--csv FILE] [--check]
 
 Prints a row for each mesh, at each speed and height of the towing point. `over the law` is processor time over the power law through all meshes
-of that speed and height, c N^p, by least squares of the logarithms. A mesh on which the gear does not converge has a row that says what it ended at.
+of that speed and height, c N^p, by least squares of the logarithms. `off` is the median, over all figures
+of the report, of the difference from the finest mesh. A mesh on which the gear does not converge has a row that says what it ended at.
+--csv: all figures on all meshes.
 --check: exit 1 if there is one, or one that takes more than 600 factorisations, those of the coarser meshes it began on included.
 """
 import argparse
+import csv
 import json
 import math
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -24,11 +29,12 @@ FIGURES = (("height [m]", "mouth/headline_height", 1, ".3f"), ("upper spread [m]
            ("bridles [kN]", "rigging/bridle/tension_start", 1e-3, ".3f"), ("drag [kN]", "drag/all/x", 1e-3, ".3f"))
 
 
-def solve(program, library, knots, raised, nodes):
+def solve(program, library, knots, raised, nodes, settings=()):
     """Its report, with the processor time of the whole run."""
     with tempfile.TemporaryDirectory() as folder:
         words = [program, "run", str(library / f"scenes/83-112-flume-{knots}kn.toml"), "--json", "-o", f"{folder}/out.hdf",
-                 "--set", f"gear.nodes={nodes}", "--set", f"points.towing-point.at[2]={HEIGHT_OF_POINT + raised} m"]
+                 "--set", f"gear.nodes={nodes}", "--set", f"points.towing-point.at[2]={HEIGHT_OF_POINT + raised} m",
+                 *(word for each in settings for word in ("--set", each))]
         before = os.times()
         done = subprocess.run(words, capture_output=True, text=True, env={**os.environ, "OMP_THREAD_LIMIT": "1"})
         after = os.times()
@@ -58,12 +64,28 @@ def verdict(report):
     return f"{period}, tenfold in {swing['tenfold_in']:.2g} s"
 
 
-def row(knots, raised, nodes, report, law):
+def off(report, finest):
+    """Median relative difference of its figures from those of the finest mesh."""
+    here, there = report["gear"]["figures"], finest["gear"]["figures"]
+    both = [(here[name], there[name]) for name in there if isinstance(here.get(name), float) and isinstance(there[name], float)]
+    return statistics.median(abs(a / b - 1) for a, b in both if b != 0)
+
+
+def write_figures(file, all_of):
+    """A line for each speed, height, mesh and figure."""
+    with open(file, "w", newline="", encoding="utf-8") as out:
+        lines = csv.writer(out)
+        lines.writerow(["knots", "raised [m]", "nodes", "figure", "value"])
+        for where, report in all_of.items():
+            lines.writerows([*where, name, value] for name, value in report["gear"]["figures"].items())
+
+
+def row(knots, raised, nodes, report, law, finest):
     figures = report["gear"]["figures"]
     cells = [f"{factor * figures[key]:{form}}" for _, key, factor, form in FIGURES]
     cost = report["cpu"] / (law[0] * report["unknowns"] ** law[1])
     return " | ".join([f"| {knots}", f"{raised:g}", str(nodes), str(report["unknowns"]), verdict(report), *cells, str(report["factorisations"]),
-                       f"{report['cpu']:.1f}", f"{cost:.2f} |"])
+                       f"{report['cpu']:.1f}", f"{cost:.2f}", f"{100 * off(report, finest):.1f} |"])
 
 
 def main():
@@ -73,22 +95,27 @@ def main():
     parser.add_argument("--nodes", default="500,1000,2000,4000,8000")
     parser.add_argument("--knots", default="2.0,3.0,4.0")
     parser.add_argument("--raised", default="0,0.8")
+    parser.add_argument("--set", action="append", default=[])
+    parser.add_argument("--csv", type=Path)
     parser.add_argument("--check", action="store_true")
     a = parser.parse_args()
-    faults = []
-    heads = ["knots", "raised [m]", "nodes", "unknowns", "verdict", *(f[0] for f in FIGURES), "factorisations", "CPU [s]", "over the law"]
+    faults, all_of = [], {}
+    heads = ["knots", "raised [m]", "nodes", "unknowns", "verdict", *(f[0] for f in FIGURES), "factorisations", "CPU [s]", "over the law", "off [%]"]
     print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
     exponents = []
     for knots in a.knots.split(","):
         for raised in (float(r) for r in a.raised.split(",")):
-            found = {int(n): solve(a.program, a.library, knots, raised, int(n)) for n in a.nodes.split(",")}
+            found = {int(n): solve(a.program, a.library, knots, raised, int(n), a.set) for n in a.nodes.split(",")}
             law = power_law([r["unknowns"] for r in found.values()], [r["cpu"] for r in found.values()])
             exponents.append(f"{knots} kn, {raised:g} m: {law[1]:.2f}")
             for nodes, report in found.items():
-                print(row(knots, raised, nodes, report, law), flush=True)
+                print(row(knots, raised, nodes, report, law, found[max(found)]), flush=True)
+                all_of[knots, raised, nodes] = report
                 if report["status"] != "converged" or report["factorisations"] > MOST_FACTORISATIONS:
                     faults.append(f"{knots} kn, {raised:g} m, {nodes} nodes: {report['status']}, {report['factorisations']} factorisations")
     print("\nExponent of processor time over unknowns: " + "; ".join(exponents))
+    if a.csv:
+        write_figures(a.csv, all_of)
     if a.check and faults:
         sys.exit("\n".join(faults))
 

@@ -34,6 +34,11 @@ type = "float/float"
 on = "net.node-40"
 float = {{ buoyancy = {buoyancy!r}, diameter = {float!r}, drag_law = "sphere" }}
 
+[parts.other]
+type = "float/float"
+on = "net.node-76"
+float = {{ buoyancy = {buoyancy!r}, area = {area!r}, drag_coefficient = 0.6 }}
+
 [[join]]
 points = ["net.aft", "rope"]
 
@@ -50,7 +55,7 @@ lift = {{ of = "net.fore", take = "sum reaction z" }}
 aft = {{ of = "net", take = "max x" }}
 """
 GEAR = dict(speed=1.2, model="", across=160, along=200, bar=0.05, left=-4.0, right=4.0, aft=15.0, twine=0.002, twine_EA=4e3, length=6.0,
-            rope=0.02, rope_EA=2e6, rope_density=4000.0, buoyancy=60.0, float=0.25)
+            rope=0.02, rope_EA=2e6, rope_density=4000.0, buoyancy=60.0, float=0.25, area=0.06)
 
 
 def model(gear):
@@ -62,7 +67,7 @@ def model(gear):
     small |= dict(speed=gear["speed"] / speed, across=gear["across"] * TWINES // LENGTHS, along=gear["along"] * TWINES // LENGTHS,
                   bar=gear["bar"] / TWINES, twine=gear["twine"] / TWINES, twine_EA=gear["twine_EA"] / (LENGTHS * TWINES**2),
                   rope=gear["rope"] / rope, rope_EA=gear["rope_EA"] / force, buoyancy=gear["buoyancy"] / force,
-                  float=gear["float"] / (LENGTHS**2 * TWINES) ** (1 / 3))
+                  float=gear["float"] / (LENGTHS**2 * TWINES) ** (1 / 3), area=gear["area"] / (LENGTHS**2 * TWINES) ** (2 / 3))
     return gear | small
 
 
