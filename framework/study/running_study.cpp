@@ -196,7 +196,8 @@ netloft_stage RunningStudy::seen_from_host(const netloft_stage& stage) {
   const bool is_fraction = v.compression >= 0 && v.compression <= 1 && v.current >= 0 && v.current <= 1;
   if (!is_fraction || !(v.stiffness_cap >= 0))
     throw std::invalid_argument("a variant wants factors in [0, 1] and a cap that is not negative");
-  if (size_of(v.level) == 0) throw std::invalid_argument("there is no level " + std::to_string(v.level));
+  if (!host_.sites().find_level(scene_.level + v.level))
+    throw std::invalid_argument("there is no level " + std::to_string(v.level));
   netloft_stage seen = stage;
   seen.variant = combined(scene_, v);
   seen.tolerance = std::max(stage.tolerance, tolerance_);

@@ -59,7 +59,7 @@ Case::State Case::assemble() {
     material_damping_ = choose_material_damping(loaded_.scene, analysis, registry_);
     plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
                       moves ? AnalysisKind::dynamics : AnalysisKind::statics);
-    if (!moves && plan_.conservative) take_out_losses(loaded_.scene);
+    if (!moves && plan_.conservative) take_out_losses(loaded_.scene, registry_);
     if (moves && registry_.integrator(analysis.dynamics.integrator).asks_mean_forces())
       ask_mean_forces(plan_, analysis.dynamics.integrator);
     warn_of_idle_choices(loaded_, plan_, diagnostics_);

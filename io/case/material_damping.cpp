@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -11,12 +12,19 @@ namespace netloft::io {
 namespace {
 
 constexpr const char *kLoss = ".loss_factor", *kFrequency = ".loss_frequency", *kOwn = ".damping";
-constexpr double kUsualFrequency = 10;  // [Hz], where a part says nothing
+constexpr const char* kWhat[] = {"rope", "twine", "seabed"};
 
 double number_of(const Part& part, const std::string& name, double fallback) {
   const auto at = part.parameters.find(name);
   const double* value = at == part.parameters.end() ? nullptr : std::get_if<double>(&at->second);
   return value ? *value : fallback;
+}
+
+/// What a part says, or the default of its element; 0 where that has no such parameter.
+double value_of(const Part& part, const std::string& name, Registry& registry) {
+  const auto& known = registry.element(part.type).parameters;
+  const auto at = std::ranges::find_if(known, [&](const auto& p) { return name == p.name; });
+  return at == known.end() ? 0 : number_of(part, name, at->fallback);
 }
 
 /// Why no loss factor counts; empty: they do.
@@ -58,25 +66,25 @@ std::string choose_material_damping(Scene& scene, const Analysis& analysis, Regi
   std::map<Losses, std::vector<std::string>> losses;
   std::string off;
   for (Part& part : scene.parts)
-    for (const char* what : {"rope", "twine"}) {
-      const auto at = part.parameters.find(std::string(what) + kLoss);
-      if (at == part.parameters.end()) continue;
-      const double factor = number_of(part, at->first, 0);
+    for (const char* what : kWhat) {
+      const std::string name = std::string(what) + kLoss;
+      const double factor = value_of(part, name, registry);
       if (factor == 0) continue;
       if (off.empty()) off = why_off(analysis, registry);
       if (!off.empty() || number_of(part, std::string(what) + kOwn, 0) > 0)
-        part.parameters.erase(at);
+        part.parameters[name] = 0.0;
       else
-        losses[{factor, number_of(part, std::string(what) + kFrequency, kUsualFrequency)}].push_back(
-            part.name);
+        losses[{factor, value_of(part, std::string(what) + kFrequency, registry)}].push_back(part.name);
     }
   if (!off.empty()) return "off: " + off;
   return losses.empty() ? "" : "loss factor " + listed(losses);
 }
 
-void take_out_losses(Scene& scene) {
+void take_out_losses(Scene& scene, Registry& registry) {
   for (Part& part : scene.parts)
-    for (const char* what : {"rope", "twine"}) part.parameters.erase(std::string(what) + kLoss);
+    for (const char* what : kWhat)
+      if (const std::string name = std::string(what) + kLoss; value_of(part, name, registry) != 0)
+        part.parameters[name] = 0.0;
 }
 
 }  // namespace netloft::io

@@ -16,6 +16,6 @@ namespace netloft::io {
 std::string choose_material_damping(Scene& scene, const Analysis& analysis, Registry& registry);
 
 /// Takes them out of a static scene whose forces have an energy: no motion is asked for there.
-void take_out_losses(Scene& scene);
+void take_out_losses(Scene& scene, Registry& registry);
 
 }  // namespace netloft::io

@@ -11,6 +11,7 @@ namespace netloft::io {
 namespace {
 
 constexpr double kSeaWater = 1025;  // ρ_w [kg/m³]
+constexpr double kGravity = 9.81;   // [m/s²]
 
 /// Entries at the head of a file that apply to all of its parts.
 struct FileHead {
@@ -61,8 +62,15 @@ double density_in_water(double m, double material, double d) {
 void derive_line(CataloguePart& part, TableReader& table) {
   auto& n = part.numbers;
   if (n.contains("density")) return;
+  if (n.contains("weight_in_water") && !n.contains("mass")) {
+    n["density"] =
+        kSeaWater + n["weight_in_water"] / (kGravity * std::numbers::pi / 4 * n["diameter"] * n["diameter"]);
+    if (n["density"] <= 0) table.error("weight_in_water", "is less than that of a rope without mass");
+    return;
+  }
   if (!has_all(part, {"mass", "material_density"}))
-    return table.error("density", "must be given, or mass and material_density, from which it follows");
+    return table.error(
+        "density", "must be given, or mass and material_density, or weight_in_water, from which it follows");
   n["density"] = density_in_water(n["mass"], n["material_density"], n["diameter"]);
   if (n["density"] <= 0)
     table.error("mass", "does not fit into the diameter: a line of this mass and material would be thicker");

@@ -24,6 +24,14 @@ std::vector<PartKey> line_numbers(const char* diameter, double thickest, double 
   };
 }
 
+/// Of ropes a metre may be weighed in water.
+std::vector<PartKey> rope_numbers(const char* diameter) {
+  auto numbers = line_numbers(diameter, 1, 1e12);
+  numbers.push_back(
+      {"weight_in_water", "N/m", "weight of a metre in sea water, negative of what floats", -1e6, 1e6});
+  return numbers;
+}
+
 std::vector<PartKey> piece_numbers() {
   return {
       {"diameter", "m", "diameter across the flow", 0, 20},
@@ -60,6 +68,10 @@ std::vector<PartKey> board_numbers() {
   add_axes(numbers, {"inertia_x", "inertia_y", "inertia_z"}, "kg m2", "moment of inertia", 1e9);
   add_axes(numbers, {"added_x", "added_y", "added_z"}, "kg", "added mass", 1e9);
   add_axes(numbers, {"turning_x", "turning_y", "turning_z"}, "kg m2", "added inertia", 1e9);
+  add_axes(numbers, {"inertia_turned_x", "inertia_turned_y", "inertia_turned_z"}, "rad", "axes of inertia",
+           6.3);
+  add_axes(numbers, {"added_turned_x", "added_turned_y", "added_turned_z"}, "rad", "axes of added mass", 6.3);
+  add_axes(numbers, {"added_at_x", "added_at_y", "added_at_z"}, "m", "centre of the added mass", 1e3);
   return numbers;
 }
 
@@ -73,9 +85,9 @@ std::span<const PartKind> part_kinds() {
        "sheets of meshes",
        {{"mesh", "m", "stretched mesh size, two bars", 1e-4, 100, kRequired}},
        {"twine"}},
-      {"rope", "rope", "ropes of fibres", line_numbers("diameter of the rope", 1, 1e12)},
-      {"wire", "rope", "ropes of steel wire", line_numbers("diameter of the rope", 1, 1e12)},
-      {"chain", "rope", "chains", line_numbers("diameter of the links' steel", 1, 1e12)},
+      {"rope", "rope", "ropes of fibres", rope_numbers("diameter of the rope")},
+      {"wire", "rope", "ropes of steel wire", rope_numbers("diameter of the rope")},
+      {"chain", "rope", "chains", rope_numbers("diameter of the links' steel")},
       {"float", "float", "what lifts", piece_numbers()},
       {"weight", "float", "what sinks", piece_numbers()},
       {"ground", "float", "pieces of ground gear", piece_numbers()},

@@ -23,6 +23,9 @@ void add_place(const LoadedScene& loaded, const Assembler& assembler, const Answ
   figures.push_back({own + "x", "m", "place of its origin, aft", at[0]});
   figures.push_back({own + "y", "m", "place of its origin, to starboard", at[1]});
   figures.push_back({own + "z", "m", "height of its origin over the surface of the water", at[2]});
+  if (loaded.scene.bed.is_there)
+    figures.push_back({own + "above_bed", "m", "height of its origin over the bed",
+                       at[2] - loaded.scene.bed.at(at[0], at[1])[0]});
 }
 
 /// What its own element says of itself: the attack of a board. A doubt is a warning, not a figure.

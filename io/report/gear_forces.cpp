@@ -2,6 +2,7 @@
 //
 // Forces of water, weight and ground on the parts of a gear.
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -115,6 +116,66 @@ double fraction_on_ground(const GearView& gear, std::uint32_t rope,
   return on / all;
 }
 
+/// What lies on the ground of a stretch of the footrope, to port and to starboard [m], and with which force
+/// [N].
+struct OnGround {
+  double length = 0, touching = 0, force = 0;
+};
+
+constexpr int kStretches = 5;
+
+/// Adds what a node has, which stands for the rope from `from` to `to`, in shares by length.
+void add_to_stretches(double from, double to, double half, double force, bool touches,
+                      std::array<OnGround, kStretches>& all) {
+  for (int k = 0; k < kStretches; ++k) {
+    const double begin = half * k / kStretches, end = half * (k + 1) / kStretches;
+    const double length = std::max(0.0, std::min(to, end) - std::max(from, begin));
+    all[static_cast<std::size_t>(k)].length += length;
+    if (touches) all[static_cast<std::size_t>(k)].touching += length;
+    all[static_cast<std::size_t>(k)].force += length / (to - from) * force;
+  }
+}
+
+/// The footrope from its middle to its ends, in equal stretches. A half gear's begins in the middle.
+std::array<OnGround, kStretches> stretches_of(const GearView& gear, std::uint32_t footrope,
+                                              const std::map<std::uint32_t, double>& forces) {
+  const auto& nodes = gear.nodes_of(footrope);
+  const auto lengths = gear.rest_lengths(footrope);
+  const double all = std::accumulate(lengths.begin(), lengths.end(), 0.0),
+               middle = gear.is_half() ? 0 : all / 2;
+  std::array<OnGround, kStretches> stretches;
+  double s = 0;  // from the start to the node
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double before = i ? lengths[i - 1] / 2 : 0, after = i < lengths.size() ? lengths[i] / 2 : 0;
+    const auto at = forces.find(nodes[i]);
+    const double force = at == forces.end() ? 0 : at->second, from = s - before - middle,
+                 to = s + after - middle;
+    const auto add = [&](double one, double other) {  // distances from the middle
+      if (other > one)
+        add_to_stretches(one, other, all - middle, force * (other - one) / (to - from), force > 0, stretches);
+    };
+    add(std::max(from, 0.0), to), add(std::max(-to, 0.0), -from);
+    if (i < lengths.size()) s += lengths[i];
+  }
+  return stretches;
+}
+
+void add_stretches(const GearView& gear, std::uint32_t footrope,
+                   const std::map<std::uint32_t, double>& forces, std::vector<Figure>& figures) {
+  const auto stretches = stretches_of(gear, footrope, forces);
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const OnGround& one = stretches[k];
+    const std::string at = "footrope/" + std::to_string(100 / kStretches * k) + "-" +
+                           std::to_string(100 / kStretches * (k + 1)) + "%/";
+    const std::string where = " of the footrope, that far from its middle to its ends";
+    figures.push_back({at + "touching", "m", "what touches the ground" + where, gear.times() * one.touching});
+    figures.push_back(
+        {at + "force", "N", "force of the ground, along its normal," + where, gear.times() * one.force});
+    figures.push_back({at + "force_per_metre", "N/m", "that over the length" + where,
+                       one.length > 0 ? one.force / one.length : 0});
+  }
+}
+
 void add_footrope(const GearView& gear, std::uint32_t footrope, std::vector<Figure>& figures) {
   const auto forces = forces_of_ground(gear);
   const double fraction = fraction_on_ground(gear, footrope, forces);
@@ -129,6 +190,7 @@ void add_footrope(const GearView& gear, std::uint32_t footrope, std::vector<Figu
                      gear.times() * fraction * length});
   figures.push_back({"ground/footrope_force", "N", "force of the ground on the footrope, along its normal",
                      gear.times() * force});
+  add_stretches(gear, footrope, forces, figures);
 }
 
 }  // namespace

@@ -141,7 +141,8 @@ void bodies(const std::vector<NamedScalar>& figures, Out out) {
          {"trim [°]", body, "/trim", "{:.2f}", false, kDegrees},
          {"x [m]", body, "/x"},
          {"y [m]", body, "/y"},
-         {"z [m]", body, "/z"}},
+         {"z [m]", body, "/z"},
+         {"above bed", body, "/above_bed", "{:.3f}"}},
         out);
   table(figures, "water on bodies",
         {{"attack [°]", body, "/attack", "{:.2f}", false, kDegrees},
@@ -161,6 +162,25 @@ void warps(const std::vector<NamedScalar>& figures, Out out) {
          {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, kDegrees},
          {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegrees},
          {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegrees}},
+        out);
+}
+
+/// Writes what ropes pull with and where they lie.
+void ropes(const std::vector<NamedScalar>& figures, bool is_half, Out out) {
+  const std::string rope = "ropes/", stretch = "footrope/";
+  const Column largest{"largest [N]", rope, "/tension_largest", "{:.5g}", true},
+      mass{"mass [kg]", rope, "/mass", "{:.5g}", true};
+  const Column middle =
+      is_half ? Column{"middle [N]", rope, "/tension_middle"} : Column{"port [N]", rope, "/tension_port"};
+  table(figures, "ropes across the gear",
+        {middle, {"starboard [N]", rope, "/tension_starboard"}, largest, mass}, out);
+  table(figures, "ropes",
+        {{"start [N]", rope, "/tension_start"}, {"end [N]", rope, "/tension_end"}, largest, mass}, out);
+  warps(figures, out);
+  table(figures, "footrope on the bed",
+        {{"length [m]", stretch, "/touching", "{:.2f}"},
+         {"force [N]", stretch, "/force", "{:.1f}"},
+         {"[N/m]", stretch, "/force_per_metre", "{:.2f}"}},
         out);
 }
 
@@ -217,16 +237,8 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
                 "the whole gear"
               : "gear");
   headlines(figures, out);
-  const std::string rope = "ropes/", panel = "panels/";
-  const Column largest{"largest [N]", rope, "/tension_largest", "{:.5g}", true},
-      mass{"mass [kg]", rope, "/mass", "{:.5g}", true};
-  const Column middle =
-      is_half ? Column{"middle [N]", rope, "/tension_middle"} : Column{"port [N]", rope, "/tension_port"};
-  table(figures, "ropes across the gear",
-        {middle, {"starboard [N]", rope, "/tension_starboard"}, largest, mass}, out);
-  table(figures, "ropes",
-        {{"start [N]", rope, "/tension_start"}, {"end [N]", rope, "/tension_end"}, largest, mass}, out);
-  warps(figures, out);
+  const std::string panel = "panels/";
+  ropes(figures, is_half, out);
   table(figures, "power of towing", {{"[kW]", "power/", "", "{:.3f}", false, 1e-3}}, out);
   table(figures, "netting",
         {{"open: least", panel, "/opening_min", "{:.3f}"},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "io/report/gear_view.hpp"
 
@@ -91,6 +92,12 @@ void add_power(const GearView& gear, std::vector<Figure>& figures) {
                          gear.times() * gear.gear().ship_speed * at->second});
 }
 
+/// Of a figure that is there already; 0: it is not.
+double value_of(const std::vector<Figure>& figures, std::string_view name) {
+  const auto at = std::ranges::find(figures, name, &Figure::name);
+  return at == figures.end() ? 0 : at->value;
+}
+
 void add_cost(const GearView& gear, const Vector& pull, std::vector<Figure>& figures) {
   const GearInScene& g = gear.gear();
   const double force = gear.times() * pull.x, power = force * g.ship_speed;
@@ -100,12 +107,12 @@ void add_cost(const GearView& gear, const Vector& pull, std::vector<Figure>& fig
   if (!(g.ship_efficiency > 0)) return;
   const double burnt = power / (g.ship_efficiency * kHeatOfDiesel);
   figures.push_back({"towing/fuel", "kg/s", "diesel for that power, at the efficiency of the ship", burnt});
-  for (const auto& figure : figures)
-    if (figure.name == "mouth/lower_wing_spread" && figure.value > 0) {
-      figures.push_back({"towing/fuel_per_area", "kg/m2", "diesel per area swept between the wing ends",
-                         burnt / (figure.value * g.ship_speed)});
-      return;
-    }
+  for (const auto& [name, at, doc] : {std::tuple{"mouth/lower_wing_spread", "towing/fuel_per_area",
+                                                 "diesel per area swept between the wing ends"},
+                                      std::tuple{"pairs/door/spread", "towing/fuel_per_area_of_boards",
+                                                 "diesel per area swept between the boards"}})
+    if (const double width = value_of(figures, name); width > 0)
+      figures.push_back({at, "kg/m2", doc, burnt / (width * g.ship_speed)});
 }
 
 }  // namespace

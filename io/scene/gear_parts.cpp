@@ -12,6 +12,7 @@
 #include "io/scene/ship_course.hpp"
 #include "io/scene/thickness.hpp"
 #include "io/toml/merge.hpp"
+#include "io/units/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,59 @@ std::vector<std::string> meant_by(const std::string& name, const std::vector<std
   return is_there(starboard) && is_there(port) ? std::vector{starboard, port} : std::vector<std::string>{};
 }
 
+const GearElements& contact_elements() {
+  return *std::ranges::find_if(gear_elements(),
+                               [](const auto& of) { return of.kind == std::string_view(kContact); });
+}
+
+/// What `[elements.NAME]` says of a part itself, not of how it touches the bed.
+Value without_contact(Value said) {
+  std::erase_if(said.as<Table>()->members,
+                [](const Member& member) { return member.key == contact_elements().key; });
+  return said;
+}
+
+/// What it says of how it touches the bed alone.
+Value only_contact(Value said) {
+  std::erase_if(said.as<Table>()->members,
+                [](const Member& member) { return member.key != contact_elements().key; });
+  return said;
+}
+
+/// Ropes that lie on the bed where a gear is towed over it.
+bool rests_on_bed(const io::Rope& rope) {
+  static const std::set<std::string> roles = {"footrope", "fishing-line", "ground-rope", "bridle",
+                                              "sweep",    "backstrap",    "door-leg"};
+  return roles.contains(rope.role);
+}
+
+/// Points of a board on which it stands.
+std::vector<std::string> shoes_of(const PlanBody& body) {
+  std::vector<std::string> shoes;
+  for (const char* point : {"toe", "heel"})
+    if (std::ranges::find(body.points, point) != body.points.end()) shoes.push_back(body.name + "." + point);
+  return shoes;
+}
+
+/// A length as the plan or the catalogue writes it [m]; 0 where that is no length, which is said elsewhere.
+double metres_of(const Value& value) {
+  if (const auto* number = value.as<double>()) return *number;
+  if (const auto* number = value.as<std::int64_t>()) return static_cast<double>(*number);
+  const auto* text = value.as<std::string>();
+  return text ? to_si(*text, "m").value : 0;
+}
+
+/// By how much the largest of the pieces that are strung along a rope lift it off the bed; 0: there are none.
+double radius_along(const NetPlan& plan, const std::string& rope) {
+  double widest = 0;
+  for (const Pieces& pieces : plan.pieces) {
+    const Table* numbers = pieces.along == rope ? pieces.piece.as<Table>() : nullptr;
+    const Member* diameter = numbers ? numbers->find("diameter") : nullptr;
+    if (diameter) widest = std::max(widest, metres_of(diameter->value));
+  }
+  return widest / 2;
+}
+
 /// What the part of a plan bears, where it says so.
 void keep_strength(LoadedScene& loaded, const std::string& part, const Value& numbers, int twines,
                    const std::string& material) {
@@ -101,7 +155,11 @@ GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice
   draft_.out.gear.emplace();
   read_model(root, plan);
   TableReader table = root.table("elements", Presence::optional);
-  for (const auto& of : gear_elements()) made_.push_back(read_elements(table, of));
+  for (const auto& of : gear_elements())
+    if (of.kind != std::string_view(kContact))
+      made_.push_back(read_elements(table, of));
+    else if (const Value* said = table.has(of.kind) ? table.raw(of.kind) : nullptr; said && said->as<Table>())
+      contact_ = *said;
   read_exceptions(table);
   if (diagnostics_.errors() > errors_before) return;
   mesh_ = divide(gear_, fineness_);
@@ -179,12 +237,21 @@ void GearParts::read_finer(TableReader& table) {
   }
 }
 
+/// Whether the name of a rope, a body or of the kind itself stands for what rests on the bed.
+bool GearParts::touches_bed(const std::string& name) const {
+  if (!contact_) return false;
+  const io::Rope* rope = plan_.find_rope(name);
+  const PlanBody* body = plan_.find_body(name);
+  return name == kContact || (rope && rests_on_bed(*rope)) || (body && !shoes_of(*body).empty());
+}
+
 /// `[elements.top-codend]`: what one part of the plan is made of, over what all of its kind are.
 void GearParts::read_exceptions(TableReader& elements) {
   std::vector<std::string> names;
   for (const auto& panel : gear_.panels) names.push_back(panel.name);
   for (const auto& rope : gear_.ropes) names.push_back(rope.name);
   for (const auto& pieces : gear_.pieces) names.push_back(pieces.name);
+  for (const auto& body : gear_.bodies) names.push_back(body.name);
   for (const auto& of : gear_elements()) names.push_back(of.kind);
   for (const auto& name : elements.keys()) {
     const Value* said = elements.raw(name);
@@ -192,6 +259,12 @@ void GearParts::read_exceptions(TableReader& elements) {
     if (meant.empty())
       elements.error(name, "there is nothing named " + in_quotes(name) + " in the net plan",
                      name_hint(name, names));
+    else if (said->as<Table>() && said->as<Table>()->find(contact_elements().key) && !touches_bed(name))
+      elements.error(name,
+                     std::string("says ") + contact_elements().key + ", and " +
+                         (contact_ ? "does not touch the bed" : "nothing of the plan rests on the bed"),
+                     contact_ ? "footropes, bridles, sweeps, legs and boards with a toe or heel do"
+                              : "[elements.contact] lets all that touches it rest there");
     else if (!said->as<Table>())
       elements.error(name, "a table is expected, such as { drag = \"hydro/morison\" }");
     else if (meant.front() == name)
@@ -231,7 +304,8 @@ bool GearParts::read_part(const Made& made, const std::string& path, Value numbe
   put(*whole.as<Table>(), made.of->key, std::move(numbers));
   merge(whole, made.said);
   for (const auto* exceptions : {&exceptions_of_pairs_, &exceptions_})
-    if (const auto said = exceptions->find(part.name); said != exceptions->end()) merge(whole, said->second);
+    if (const auto said = exceptions->find(part.name); said != exceptions->end())
+      merge(whole, without_contact(said->second));
   TableReader reader(whole, diagnostics_, path);
   reader.has("type");
   elements_.read(*made.type, reader, part);
@@ -432,6 +506,72 @@ std::string GearParts::point_name(const std::string& name) const {
   const std::string end = name.substr(dot + 1);
   if (end == "start") return rope->name + (is_whole ? ".port" : ".middle");
   return end == "end" ? rope->name + ".starboard" : name;
+}
+
+namespace {
+
+const Value* find_exception(const std::map<std::string, Value>& exceptions, const std::string& name) {
+  const auto said = exceptions.find(name);
+  return said == exceptions.end() ? nullptr : &said->second;
+}
+
+}  // namespace
+
+Value GearParts::contact_of(const std::string& name, std::vector<std::string> on, Place place) const {
+  const GearElements& of = contact_elements();
+  Value table{contact_->place, Table{}};
+  put(*table.as<Table>(), "type", {contact_->place, std::string(of.type)});
+  if (const double radius = radius_along(plan_, name); radius > 0) {
+    Table seabed;
+    put(seabed, "radius", {place, radius});
+    put(*table.as<Table>(), of.key, {place, std::move(seabed)});
+  }
+  merge(table, *contact_);
+  for (const auto* said :
+       {find_exception(exceptions_of_pairs_, "starboard-" + name), find_exception(exceptions_, name)})
+    if (said) merge(table, only_contact(*said));
+  Array names;
+  for (auto& point : on) names.items.push_back({place, std::move(point)});
+  put(*table.as<Table>(), "on", {place, std::move(names)});
+  return table;
+}
+
+/// Of a pair, by the one to starboard.
+bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
+  for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
+    if (gear_.ropes[r].rope->name == rope)
+      return std::ranges::all_of(mesh_.ropes[r].nodes,
+                                 [&](auto node) { return carried.contains(scene_node(node)); });
+  return false;
+}
+
+bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const {
+  for (const std::string& name : {point, "starboard-" + point})
+    if (const auto node = mesh_.points.find(name); node != mesh_.points.end())
+      return carried.contains(scene_node(node->second));
+  return false;
+}
+
+std::vector<std::pair<std::string, Value>> GearParts::contacts(const std::set<std::uint32_t>& carried) const {
+  std::vector<std::pair<std::string, Value>> all;
+  if (!contact_) return all;
+  for (const io::Rope& rope : plan_.ropes)
+    if (rests_on_bed(rope) && !is_carried(rope.name, carried))
+      all.emplace_back(rope.name + "-on-bed", contact_of(rope.name, {rope.name}, rope.place));
+  for (const PlanBody& body : plan_.bodies) {
+    auto shoes = shoes_of(body);
+    std::erase_if(shoes, [&](const auto& shoe) { return is_carried_at(shoe, carried); });
+    if (!shoes.empty())
+      all.emplace_back(body.name + "-on-bed", contact_of(body.name, std::move(shoes), body.place));
+  }
+  return all;
+}
+
+bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
+  if (!plan_.ship || contact_) return false;
+  return std::ranges::any_of(plan_.ropes, [&](const io::Rope& rope) {
+    return rope.role == "footrope" && !is_carried(rope.name, carried);
+  });
 }
 
 void GearParts::hold_middle() {

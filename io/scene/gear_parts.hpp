@@ -7,6 +7,11 @@
 #include "io/scene/element_choice.hpp"
 #include "io/scene/keys.hpp"
 
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
 namespace netloft::io {
 
 /// Name of the hold that keeps the middle of a half on the plane of symmetry.
@@ -38,6 +43,12 @@ class GearParts {
   void join(Joiner& joiner) const;
   /// Floats and what else is hung on, once the scene has its nodes.
   void add_pieces();
+  /// With `[elements.contact]`, the parts that carry the gear on the bed, as they would stand in `[parts]`:
+  /// one for each rope and body of the plan that touches it and that no part of the scene carries already:
+  /// `carried` are the nodes of those.
+  std::vector<std::pair<std::string, Value>> contacts(const std::set<std::uint32_t>& carried) const;
+  /// Whether the footrope of a towed gear has nothing that would carry it on the bed.
+  bool sinks_into_bed(const std::set<std::uint32_t>& carried) const;
   /// Of a half: the plane of symmetry.
   void hold_middle();
   /// The blocks of the ship, where there is one.
@@ -62,6 +73,10 @@ class GearParts {
   void check_halves(TableReader& gear) const;
   Made read_elements(TableReader& elements, const GearElements& of) const;
   void read_exceptions(TableReader& elements);
+  bool touches_bed(const std::string& name) const;
+  bool is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const;
+  bool is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const;
+  Value contact_of(const std::string& name, std::vector<std::string> on, Place place) const;
   const Made& made(std::string_view kind) const;
   bool read_part(const Made& made, const std::string& path, Value numbers, bool is_of_catalogue,
                  Part& part) const;
@@ -86,6 +101,7 @@ class GearParts {
   Fineness fineness_;
   GearMesh mesh_;
   std::vector<Made> made_;
+  std::optional<Value> contact_;                                   // `[elements.contact]`, a table
   std::map<std::string, Value> exceptions_, exceptions_of_pairs_;  // `[elements.NAME]` by part
   std::vector<KnownCoordinate> known_;                             // points of bodies
   std::vector<double> start_;                                      // 3 per node of the gear

@@ -153,6 +153,10 @@ std::span<const GearElements> gear_elements() {
       {"netting", "twine", "priour/triangle", "panels of the net plan", NETLOFT_TRIANGLE},
       {"ropes", "rope", "rope/bar", "ropes, wires and chains of the net plan", NETLOFT_BAR},
       {"floats", "float", "float/float", "floats, weights and ground gear of the net plan", NETLOFT_NODE},
+      {kContact, "seabed", "seabed/bed",
+       "that touches the bed: footrope, bridles, sweeps and legs by their roles, points toe and heel of "
+       "boards",
+       NETLOFT_NODE},
   };
   return all;
 }

@@ -60,6 +60,9 @@ struct GearKeys {
   double size = 0;
 };
 
+/// The kind of what touches the bed. It is there only where a scene has `[elements.contact]`.
+inline constexpr const char* kContact = "contact";
+
 /// What the parts of a net plan are made of, `[elements.KIND]`: which key of a part they take from the plan,
 /// and which elements they are if nothing else is said.
 struct GearElements {

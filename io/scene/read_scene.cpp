@@ -79,6 +79,7 @@ class SceneReader {
     add_bodies(draft_, diagnostics_);
     if (gear_) gear_->add_pieces();
     read_riders();
+    if (gear_) read_contacts();
     add_companions();
     if (gear_) gear_->hold_middle(), gear_->hold_blocks();
     read_holds();
@@ -281,19 +282,63 @@ class SceneReader {
 
   /// Parts on other parts, once the scene has its nodes.
   void read_riders() {
-    for (auto& [name, table] : riders_) {
-      const int errors_before = diagnostics_.errors();
-      const ElementType* type = elements_.find(read_type_name(name, table), table);
-      Part part;
-      part.name = name;
-      if (type) {
-        elements_.read(*type, table, part);
-        stand_on_others(*type, table, draft_, part);
-      } else {
-        for (const auto& key : table.keys()) table.raw(key);
-      }
-      draft_.add_rider(std::move(part), table.place(), type, diagnostics_.errors() == errors_before);
+    for (auto& [name, table] : riders_) read_rider(name, table);
+  }
+
+  const ElementType* read_rider(const std::string& name, TableReader& table) {
+    const int errors_before = diagnostics_.errors();
+    const ElementType* type = elements_.find(read_type_name(name, table), table);
+    Part part;
+    part.name = name;
+    if (type) {
+      elements_.read(*type, table, part);
+      stand_on_others(*type, table, draft_, part);
+    } else {
+      for (const auto& key : table.keys()) table.raw(key);
     }
+    draft_.add_rider(std::move(part), table.place(), type, diagnostics_.errors() == errors_before);
+    return type;
+  }
+
+  /// Parts of the plan that touch the bed.
+  void read_contacts() {
+    const std::set<std::uint32_t> carried = carried_by_beds();
+    if (const auto all = gear_->contacts(carried); !all.empty() && !out_.scene.bed.is_there)
+      return diagnostics_.error(
+          all.front().second.place,
+          "elements." + std::string(kContact) + ": there is no bed that the gear could touch",
+          "[bed] depth = \"100 m\"");
+    for (const auto& [name, said] : gear_->contacts(carried)) {
+      TableReader table(said, diagnostics_, "elements." + std::string(kContact));
+      const ElementType* type = elements_.find(read_type_name(name, table), table);
+      if (type && !rests_on_bed(*type))
+        return table.error("type", type->type + " does not rest on the bed of the scene",
+                           "such as seabed/bed");
+      read_rider(name, table);
+      table.finish();
+      if (diagnostics_.errors()) return;  // said once, not of every rope
+    }
+    if (out_.scene.bed.is_there && gear_->sinks_into_bed(carried))
+      diagnostics_.warning(
+          root_.table("bed").place(), "the footrope passes through the bed: no part carries the gear there",
+          "[elements.contact] seabed = { friction = 0.47 } lets all of the plan that touches the bed "
+          "rest on it");
+  }
+
+  /// Nodes that parts of the scene carry which stand on a bed.
+  std::set<std::uint32_t> carried_by_beds() const {
+    std::set<std::uint32_t> nodes;
+    for (std::size_t p = 0; p < draft_.types.size(); ++p)
+      if (draft_.types[p] && rests_on_bed(*draft_.types[p]))
+        nodes.insert(out_.scene.parts[p].nodes.begin(), out_.scene.parts[p].nodes.end());
+    return nodes;
+  }
+
+  static bool rests_on_bed(const ElementType& type) {
+    const auto both = NETLOFT_READS_BED | NETLOFT_FROM_OUTSIDE;
+    return type.element.stencil == NETLOFT_NODE && std::ranges::any_of(type.terms, [&](const auto& term) {
+             return (term.traits & both) == std::uint32_t{both};
+           });
   }
 
   void add_companions() {

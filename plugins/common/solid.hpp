@@ -1,11 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <netloft/element.hpp>
+#include <netloft/rotation.hpp>
 
+#include <array>
 #include <deque>
 #include <string>
 
 namespace netloft::solids {
+
+/// A symmetric tensor by its principal values and axes, which no choice of numbers makes negative.
+struct Tensor {
+  Vec3<double> values;
+  std::array<Vec3<double>, 3> axes;
+
+  /// `turned`: the rotation vector that leads from the body's axes to the principal ones [rad]. On the other
+  /// side it is that of the mirror image at the xz plane.
+  Tensor(const Vec3<double>& principal, const Vec3<double>& turned, double side)
+      : values(principal), axes(turned_axes(Vec3<double>{side * turned.x, turned.y, side * turned.z})) {}
+
+  template <class T>
+  Vec3<T> times(const Vec3<T>& v) const {
+    Vec3<T> sum;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3<double>& e = axes[static_cast<std::size_t>(i)];
+      const T part = values[i] * (e.x * v.x + e.y * v.y + e.z * v.z);
+      sum += Vec3<T>{part * e.x, part * e.y, part * e.z};
+    }
+    return sum;
+  }
+};
 
 /// What a rigid body is made of: mass and buoyancy at their places, inertia, and the added mass of water.
 struct Solid {
@@ -15,6 +39,11 @@ struct Solid {
   double inertia_x = 0, inertia_y = 0, inertia_z = 0;  // about the centre of mass [kg m2]
   double added_x = 0, added_y = 0, added_z = 0;        // added mass along the body's axes [kg]
   double turning_x = 0, turning_y = 0, turning_z = 0;  // added inertia about them [kg m2]
+  // Rotation vectors to the axes in which the three above are principal values: of inertia, of both the
+  // others [rad].
+  double inertia_turned_x = 0, inertia_turned_y = 0, inertia_turned_z = 0;
+  double added_turned_x = 0, added_turned_y = 0, added_turned_z = 0;
+  double added_at_x = 0, added_at_y = 0, added_at_z = 0;  // where added mass has no moment [m]
 };
 
 /// Datum of elements on bodies.
@@ -38,11 +67,11 @@ struct Weight {
   }
 };
 
-/// Inertia of what the body is made of and of the water that moves with it. With u and Ω the velocity of the
-/// origin and the spin in the body's axes, diagonal matrices J of inertia, A of added mass, B of added
-/// inertia,
+/// Inertia of what the body is made of and of the water that moves with it. With u the velocity, in the
+/// body's axes, of the point a where added mass has no moment, Ω the spin, and the symmetric tensors J of
+/// inertia, A of added mass, B of added inertia,
 ///   F = −m a_c at the centre of mass,  M = −R (J Ω̇ + Ω×J Ω)                                     (2)
-///   F = −R (A u̇ + Ω×A u),  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                         (3)
+///   F = −R (A u̇ + Ω×A u) at a,  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                    (3)
 /// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the motion in the scene, not
 /// that past the water: what a steady flow does to the body stands in its coefficients of lift and moment.
 struct Inertia {
@@ -51,21 +80,63 @@ struct Inertia {
     const Vec3<T> r = b.to_world(centre_of_mass(p, d));
     Wrench<T> push;
     push.push(T(-p.mass) * (b.a + cross(b.alpha, r) + cross(b.omega, cross(b.omega, r))), r);
-    const Vec3<T> u = b.to_body(b.v), spin = b.to_body(b.omega), spin_rate = b.to_body(b.alpha);
-    const Vec3<T> rate = b.to_body(b.a) - cross(spin, u);
-    const Vec3<T> momentum = scaled(u, p.added_x, p.added_y, p.added_z);
-    push.force += -b.to_world(scaled(rate, p.added_x, p.added_y, p.added_z) + cross(spin, momentum));  // (3)
-    const double x = p.inertia_x + p.turning_x, y = p.inertia_y + p.turning_y, z = p.inertia_z + p.turning_z;
-    push.moment += -b.to_world(scaled(spin_rate, x, y, z) + cross(spin, scaled(spin, x, y, z)) +
-                               cross(u, momentum));  // (2), (3)
+    const Vec3<T> spin = b.to_body(b.omega), spin_rate = b.to_body(b.alpha);
+    const Vec3<T> at{T(p.added_at_x), T(d.side * p.added_at_y), T(p.added_at_z)};
+    const Vec3<T> v = b.to_body(b.v), u = v + cross(spin, at);
+    const Vec3<T> rate = b.to_body(b.a) - cross(spin, v) + cross(spin_rate, at);
+    const Vec3<double> turned{p.added_turned_x, p.added_turned_y, p.added_turned_z};
+    const Tensor added({p.added_x, p.added_y, p.added_z}, turned, d.side);
+    const Tensor turning({p.turning_x, p.turning_y, p.turning_z}, turned, d.side);
+    const Tensor inertia({p.inertia_x, p.inertia_y, p.inertia_z},
+                         {p.inertia_turned_x, p.inertia_turned_y, p.inertia_turned_z}, d.side);
+    const auto J = [&](const Vec3<T>& w) { return inertia.times(w) + turning.times(w); };
+    const Vec3<T> momentum = added.times(u);
+    push.push(-b.to_world(added.times(rate) + cross(spin, momentum)), b.to_world(at));     // (3)
+    push.moment += -b.to_world(J(spin_rate) + cross(spin, J(spin)) + cross(u, momentum));  // (2), (3)
     return push;
   }
+};
 
- private:
-  template <class T>
-  static Vec3<T> scaled(const Vec3<T>& v, double x, double y, double z) {
-    return {x * v.x, y * v.y, z * v.z};
-  }
+/// A parameter of a Solid beside its mass and volume.
+struct SolidRow {
+  const char *name, *unit, *doc;
+  double Solid::*member;
+  Real range;
+};
+inline constexpr Real kPlace{.lo = -1e3, .hi = 1e3, .fallback = 0},
+    kAmount{.lo = 0, .hi = 1e9, .fallback = 0}, kAngle{.lo = -6.3, .hi = 6.3, .fallback = 0};
+
+inline constexpr SolidRow kSolidRows[] = {
+    {"centre_x", "m", "centre of mass, aft of the origin", &Solid::centre_x, kPlace},
+    {"centre_y", "m", "centre of mass, outward of it", &Solid::centre_y, kPlace},
+    {"centre_z", "m", "centre of mass, above it", &Solid::centre_z, kPlace},
+    {"float_x", "m", "centre of volume, aft of the origin", &Solid::float_x, kPlace},
+    {"float_y", "m", "centre of volume, outward of it", &Solid::float_y, kPlace},
+    {"float_z", "m", "centre of volume, above it", &Solid::float_z, kPlace},
+    {"inertia_x", "kg m2", "moment of inertia about an axis through the centre of mass along x",
+     &Solid::inertia_x, kAmount},
+    {"inertia_y", "kg m2", "about one along y", &Solid::inertia_y, kAmount},
+    {"inertia_z", "kg m2", "about one along z", &Solid::inertia_z, kAmount},
+    {"added_x", "kg", "added mass of motion along x", &Solid::added_x, kAmount},
+    {"added_y", "kg", "added mass of motion along y", &Solid::added_y, kAmount},
+    {"added_z", "kg", "added mass of motion along z", &Solid::added_z, kAmount},
+    {"turning_x", "kg m2", "added inertia of turning about x", &Solid::turning_x, kAmount},
+    {"turning_y", "kg m2", "added inertia of turning about y", &Solid::turning_y, kAmount},
+    {"turning_z", "kg m2", "added inertia of turning about z", &Solid::turning_z, kAmount},
+    {"inertia_turned_x", "rad",
+     "rotation vector from the body's axes to those of these moments of inertia, along x",
+     &Solid::inertia_turned_x, kAngle},
+    {"inertia_turned_y", "rad", "the same along y", &Solid::inertia_turned_y, kAngle},
+    {"inertia_turned_z", "rad", "the same along z", &Solid::inertia_turned_z, kAngle},
+    {"added_turned_x", "rad",
+     "rotation vector from the body's axes to those of added mass and inertia, along x",
+     &Solid::added_turned_x, kAngle},
+    {"added_turned_y", "rad", "the same along y", &Solid::added_turned_y, kAngle},
+    {"added_turned_z", "rad", "the same along z", &Solid::added_turned_z, kAngle},
+    {"added_at_x", "m", "where a push makes the added mass move without turning it, aft of the origin",
+     &Solid::added_at_x, kPlace},
+    {"added_at_y", "m", "the same, outward of it", &Solid::added_at_y, kPlace},
+    {"added_at_z", "m", "the same, above it", &Solid::added_at_z, kPlace},
 };
 
 /// Declares the parameters of a Solid under a prefix such as "body.", the side, and the terms above.
@@ -74,34 +145,10 @@ void declare_solid(ElementTable<E>& e, const std::string& prefix, Real mass) {
   using P = typename E::Parameters;
   static std::deque<std::string> names;  // as long as the program
   const auto name = [&](const char* own) { return names.emplace_back(prefix + own).c_str(); };
-  const Real place{.lo = -1e3, .hi = 1e3, .fallback = 0}, amount{.lo = 0, .hi = 1e9, .fallback = 0};
   e.real(name("mass"), static_cast<double P::*>(&Solid::mass), "kg", "mass in air", mass);
   e.real(name("volume"), static_cast<double P::*>(&Solid::volume), "m3", "volume of water it displaces",
          {.lo = 0, .hi = 1e6, .fallback = 0});
-  struct Row {
-    const char *name, *unit, *doc;
-    double Solid::*member;
-    Real range;
-  };
-  const Row rows[] = {
-      {"centre_x", "m", "centre of mass, aft of the origin", &Solid::centre_x, place},
-      {"centre_y", "m", "centre of mass, outward of it", &Solid::centre_y, place},
-      {"centre_z", "m", "centre of mass, above it", &Solid::centre_z, place},
-      {"float_x", "m", "centre of volume, aft of the origin", &Solid::float_x, place},
-      {"float_y", "m", "centre of volume, outward of it", &Solid::float_y, place},
-      {"float_z", "m", "centre of volume, above it", &Solid::float_z, place},
-      {"inertia_x", "kg m2", "moment of inertia about an axis through the centre of mass along x",
-       &Solid::inertia_x, amount},
-      {"inertia_y", "kg m2", "about one along y", &Solid::inertia_y, amount},
-      {"inertia_z", "kg m2", "about one along z", &Solid::inertia_z, amount},
-      {"added_x", "kg", "added mass of motion along x", &Solid::added_x, amount},
-      {"added_y", "kg", "added mass of motion along y", &Solid::added_y, amount},
-      {"added_z", "kg", "added mass of motion along z", &Solid::added_z, amount},
-      {"turning_x", "kg m2", "added inertia of turning about x", &Solid::turning_x, amount},
-      {"turning_y", "kg m2", "added inertia of turning about y", &Solid::turning_y, amount},
-      {"turning_z", "kg m2", "added inertia of turning about z", &Solid::turning_z, amount},
-  };
-  for (const Row& row : rows)
+  for (const SolidRow& row : kSolidRows)
     e.real(name(row.name), static_cast<double P::*>(row.member), row.unit, row.doc, row.range);
   e.data("side", static_cast<double E::Data::*>(&Sided::side), "1", "1, or -1 where it is mirrored");
   const char* needs = names.emplace_back(prefix + "mass " + prefix + "volume").c_str();

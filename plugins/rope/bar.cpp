@@ -8,12 +8,15 @@ namespace netloft::rope {
 void Bar::check(const Parameters& p, const Data& d) {
   if (!in_time::is_positive(p.length_share))
     throw std::invalid_argument("the length of a rope must remain above zero: length_share must be positive");
+  if (p.weight_in_water != 0 && !(p.diameter > 0))
+    throw std::invalid_argument("rope.weight_in_water is that of a rope with a diameter, and it has none");
   if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no stiffness");
 }
 
 void Bar::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
   bars::pack(p, d.rest_length, 1, lanes, lane);
-  lanes.constant_tension[lane] = p.constant_tension;
+  lanes.constant_tension[lane] = p.constant_tension, lanes.weight_in_water[lane] = p.weight_in_water;
+  lanes.is_weighed |= p.weight_in_water != 0;
   lanes.length_share[lane] = p.length_share;
   lanes.changes |= p.length_share.rows > 0;
   if (p.constant_tension > 0) lanes.EA[lane] = lanes.EA_compression[lane] = lanes.loss[lane] = 0;
@@ -45,6 +48,21 @@ const Bar::Lanes& Bar::now(const Lanes& lanes, const netloft_tile& t, Lanes& roo
     const double share = share_at(lanes.length_share[i], t.time);  // (2)
     room.l0[i] *= share, room.twine[i] *= share, room.volume[i] *= share;
   }
+  return room;
+}
+
+double Bar::density_by_weight(double weight_in_water, double density, double diameter, double water_density,
+                              double gravity) {
+  if (weight_in_water == 0 || !(gravity > 0)) return density;
+  return water_density + weight_in_water / (gravity * std::numbers::pi / 4 * diameter * diameter);  // (3)
+}
+
+const Bar::Lanes& Bar::Weight::weighed(const Lanes& at_time, const netloft_tile& t, Lanes& room) {
+  if (!at_time.is_weighed) return at_time;
+  if (&at_time != &room) room = at_time;
+  for (std::size_t i = 0; i < t.count; ++i)
+    room.density[i] = density_by_weight(room.weight_in_water[i], room.density[i], room.diameter[i],
+                                        t.water_density, t.gravity);
   return room;
 }
 

@@ -11,12 +11,16 @@ namespace netloft::rope {
 ///   l₀(t) = σ(t) l₀                as rope is paid out or hauled     (2)
 /// T_c [N] tension that a winch or a weight over a pulley holds whatever the length; σ [1] straight between
 /// the times of a table, the same for all bars of a rope: with its length, weight, drag and mass grow. The
-/// sag within a bar takes no part in (2).
+/// sag within a bar takes no part in (2). Where the weight w of a metre in the water is given [N/m], the rope
+/// weighs what one of the density
+///   ρ = ρ_w + w/(g A),  A = (π/4) D²                                (3)
+/// does, and its own density counts for inertia alone.
 struct Bar {
   static constexpr auto stencil = NETLOFT_BAR;
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
+    double weight_in_water = 0;  // w of (3)
     double constant_tension = 0, damping = 0, loss_factor = 0, loss_frequency = 10;
     double added_mass = 0, sag = 0, surface = 0;
     netloft_table length_share{};  // t [s], σ
@@ -25,9 +29,9 @@ struct Bar {
     double rest_length = 0;  // l₀ [m]
   };
   struct Lanes : bars::Lanes {
-    double constant_tension[kLanes];
+    double constant_tension[kLanes], weight_in_water[kLanes];
     netloft_table length_share[kLanes];
-    bool changes;  // some lane has a table
+    bool changes, is_weighed;  // some lane has a table, a weight in water
   };
 
   /// σ of (2).
@@ -36,6 +40,9 @@ struct Bar {
   static double growth_at(const netloft_table& table, double time);
   /// The lanes at a given time: `lanes` itself, or `room` filled in by (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
+  /// The density that a rope weighs by in some water: (3), or its own [kg/m3].
+  static double density_by_weight(double weight_in_water, double density, double diameter,
+                                  double water_density, double gravity);
 
   static void check(const Parameters& p, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
@@ -65,13 +72,17 @@ struct Bar {
   };
 
   struct Weight {
+    /// The lanes with the densities of (3): `at_time` itself, or `room`.
+    static const Lanes& weighed(const Lanes& at_time, const netloft_tile& t, Lanes& room);
     static Status tile(const Family<Bar>& f, netloft_tile& t) {
       Lanes room;
-      return bars::add_weight(now(f.lanes(t), t, room), t);
+      return bars::add_weight(weighed(now(f.lanes(t), t, room), t, room), t);
     }
     template <class T>
     static T oracle(const Parameters& p, const Data& d, const Water& w, const Points<T, 2>& x) {
-      return bars::weight_energy(p, d.rest_length, 1, w, x);
+      Parameters weighed = p;
+      weighed.density = density_by_weight(p.weight_in_water, p.density, p.diameter, w.density, w.gravity);
+      return bars::weight_energy(weighed, d.rest_length, 1, w, x);
     }
   };
 

@@ -18,7 +18,9 @@ struct Sag {
   template <class T>
   static T energy(const Bar::Parameters& p, const Bar::Data& d, const Water& water, const Points<T, 2>& x) {
     const double area = std::numbers::pi / 4 * p.diameter * p.diameter, l0 = d.rest_length;
-    const double w = area * (p.density - water.density) * water.gravity;
+    const double density =
+        Bar::density_by_weight(p.weight_in_water, p.density, p.diameter, water.density, water.gravity);
+    const double w = area * (density - water.density) * water.gravity;
     const Vec3<T> chord = x[1] - x[0];
     const T flat = chord.x * chord.x + chord.y * chord.y, square = flat + chord.z * chord.z;
     if (!(square > T(axial::kCollapsed * axial::kCollapsed * l0 * l0))) return T(0);

@@ -4,6 +4,8 @@
 
 #include "plugins/seabed/plane.hpp"
 
+#include <numbers>
+
 namespace netloft::seabed {
 
 /// The bed of the scene, of any shape, under a node that carries L metres of rope or twine and is round with
@@ -13,14 +15,17 @@ namespace netloft::seabed {
 ///   K = k L (m (f'' ∇g ∇gᵀ + f' ∇∇z_b) − f' (∇g ∇mᵀ + ∇m ∇gᵀ) + f ∇∇m)                              (2)
 ///   N = k m L f' ‖∇g‖,  n = ∇g/‖∇g‖                            normal force                         (3)
 ///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               h of plane.hpp (9)                   (4)
-/// m and q, 1 if nothing is said, are factors of what the bed is made of at x and y. v_b is the velocity at
-/// which the ground passes; where it stands there is no friction, and a `seabed/plane` has the one that
-/// sticks. r lifts a footrope on bobbins or discs off the bed.
+///   r = η/(2π f₀) k m L s(−g/ε) (∇g·v) ∇g,  s(y) = y² (3 − 2y), 0 below 0, 1 beyond 1            (5)
+/// (5) is what the bed loses as it is pressed in and gives way, by the loss factor η at the frequency f₀, as
+/// Kelvin and Voigt's solid. m and q, 1 if nothing is said, are factors of what the bed is made of at x and
+/// y. v_b is the velocity at which the ground passes; where it stands there is no friction, and a
+/// `seabed/plane` has the one that sticks. r lifts a footrope on bobbins or discs off the bed.
 struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
     double stiffness = 0, softness = 0, friction = 0, radius = 0;
-    netloft_table bottom{};  // x, y, m, q
+    double loss_factor = 0, loss_frequency = 1;  // η, f₀ [Hz]
+    netloft_table bottom{};                      // x, y, m, q
   };
   using Data = Plane::Data;
   /// What the bed is made of: m and q over x and y.
@@ -56,6 +61,25 @@ struct OnBed {
     static Points<T, 1> force(const Parameters& p, const Data& d, const Whole& whole,
                               const MovingNodes<T, 1>& m);
   };
+
+  struct Loss {
+    template <class T>
+    static Points<T, 1> force(const Parameters& p, const Data& d, const Whole& whole,
+                              const MovingNodes<T, 1>& m);
+  };
+
+ private:
+  /// Depth of the node's lower side under the bed, upright, and ∇g there.
+  template <class T>
+  static T depth_of(const Parameters& p, const MovingNodes<T, 1>& m) {
+    return m.bed[0].below(m.x[0]) + T(p.radius) - m.x[0].z;
+  }
+  template <class T>
+  static Vec3<T> gap_slope(const MovingNodes<T, 1>& m) {
+    const Bed& b = m.bed[0];
+    const T dx = m.x[0].x - T(b.x), dy = m.x[0].y - T(b.y);
+    return {-(b.slope_x + b.xx * dx + b.xy * dy), -(b.slope_y + b.xy * dx + b.yy * dy), T(1)};
+  }
 };
 
 template <class T>
@@ -63,10 +87,10 @@ Points<T, 1> OnBed::Friction::force(const Parameters& p, const Data& d, const Wh
                                     const MovingNodes<T, 1>& m) {
   const double passing = norm(m.ground);
   const Bed& b = m.bed[0];
-  const T depth = b.below(m.x[0]) + T(p.radius) - m.x[0].z;
-  if (!(passing > 0) || !b.is_there || !(depth > T(0))) return {Vec3<T>{}};
-  const T dx = m.x[0].x - T(b.x), dy = m.x[0].y - T(b.y);
-  const Vec3<T> up{-(b.slope_x + b.xx * dx + b.xy * dy), -(b.slope_y + b.xy * dx + b.yy * dy), T(1)};
+  if (!(passing > 0) || !b.is_there) return {Vec3<T>{}};
+  const T depth = depth_of(p, m);
+  if (!(depth > T(0))) return {Vec3<T>{}};
+  const Vec3<T> up = gap_slope(m);
   const T pressed = depth < T(p.softness) ? depth * depth / T(2 * p.softness) : depth - T(0.5 * p.softness);
   const Vec3<T> n = (1.0 / norm(up)) * up;
   const Vec3<T> over = m.v[0] - Vec3<T>{T(m.ground.x), T(m.ground.y), T(m.ground.z)};
@@ -76,6 +100,18 @@ Points<T, 1> OnBed::Friction::force(const Parameters& p, const Data& d, const Wh
   const T share = speed >= T(c) ? 1.0 / speed : (2.0 - speed / T(c)) / T(c);
   const T bottom = factor(whole.stiffness, m.x[0]) * factor(whole.friction, m.x[0]);
   return {(-p.friction * stiffness_of(p, d)) * bottom * pressed * norm(up) * share * w};  // (4)
+}
+
+template <class T>
+Points<T, 1> OnBed::Loss::force(const Parameters& p, const Data& d, const Whole& whole,
+                                const MovingNodes<T, 1>& m) {
+  if (!m.bed[0].is_there) return {Vec3<T>{}};
+  const T depth = depth_of(p, m);
+  if (!(depth > T(0))) return {Vec3<T>{}};
+  const T y = depth < T(p.softness) ? depth / T(p.softness) : T(1);
+  const Vec3<T> up = gap_slope(m);
+  const double loss = p.loss_factor / (2 * std::numbers::pi * p.loss_frequency) * stiffness_of(p, d);
+  return {-loss * factor(whole.stiffness, m.x[0]) * y * y * (3.0 - 2.0 * y) * dot(up, m.v[0]) * up};  // (5)
 }
 
 }  // namespace netloft::seabed

@@ -20,6 +20,12 @@ void add_bed(netloft::Plugin& plugin) {
   e.real("seabed.radius", &P::radius, "m",
          "by which bobbins, discs or the rope's own thickness keep it off the bed",
          {.lo = 0, .hi = 10, .fallback = 0});
+  e.real("seabed.loss_factor", &P::loss_factor, "1",
+         "energy that the bed loses in a radian of a swing, over that of its being pressed in",
+         {.lo = 0, .hi = 1, .fallback = 0.2});
+  e.real("seabed.loss_frequency", &P::loss_frequency, "Hz",
+         "frequency of the swings for which the loss factor is meant",
+         {.lo = 1e-3, .hi = 1e4, .fallback = 1});
   e.grid("seabed.bottom", &P::bottom,
          "what the bed is made of: its stiffness and friction over those here; [bed] bottom gives it",
          {{"x", "m"}, {"y", "m"}, {"stiffness", "1"}, {"friction", "1"}});
@@ -31,6 +37,9 @@ void add_bed(netloft::Plugin& plugin) {
   e.term<OnBed::Friction,
          netloft::reads_bed | netloft::reads_ground | netloft::reads_velocity | netloft::from_outside>(
       "friction", "friction of a bed that passes", "seabed.friction");
+  e.term<OnBed::Loss,
+         netloft::reads_bed | netloft::reads_velocity | netloft::needs_motion | netloft::from_outside>(
+      "loss", "what the bed loses as it is pressed in and gives way", "seabed.loss_factor");
   e.output_of_whole("normal_force", "N", "force of the bed on the node, along its normal",
                     [](auto& p, auto& d, auto& w, auto& s) { return OnBed::normal_force(p, d, w, s); });
 }

@@ -47,6 +47,19 @@ TEST(RopeBar, WeighsWhatItsOracleSays) {
   expect_kernel_matches_oracle<Bar, Bar::Weight>(kRope, kOneMetre, kWater, tile, true);
 }
 
+TEST(RopeBar, WeighsWhatAMetreOfItIsSaidToWeighInTheWater) {
+  Bar::Parameters p = kRope;
+  for (const double w : {28.0, -3.5}) {
+    p.weight_in_water = w;
+    TestTile<2> tile(kWater);
+    place_bars(tile, 0.5, 2);
+    expect_kernel_matches_oracle<Bar, Bar::Weight>(p, kOneMetre, kWater, tile, true);
+    EXPECT_NEAR(tile.force[2 * kLanes] + tile.force[5 * kLanes], w, 1e-12);
+  }
+  p.diameter = 0;
+  EXPECT_THROW(Bar::check(p, {1}), std::invalid_argument);
+}
+
 TEST(RopeBar, PullsItsEndsTogetherWhenStretchedByTenPercent) {
   TestTile<2> tile(kWater);
   for (std::size_t lane = 0; lane < kLanes; ++lane) tile.x[3 * kLanes + lane] = 1.1;

@@ -6,6 +6,8 @@
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
 
+#include <numbers>
+
 namespace {
 
 using namespace netloft;
@@ -71,6 +73,27 @@ TEST(SeabedBed, RubsByItsShareOfTheNormalForceAlongTheGroundThatPasses) {
   EXPECT_GT(rub.x, 0) << "aft, with the ground";
   m.ground = {};
   EXPECT_EQ(norm(OnBed::Friction::force(firm(), {2, 0}, {}, m)[0]), 0) << "what stands does not rub";
+}
+
+/// Pressed in at the frequency of the loss factor, it loses in a radian η times the energy of the spring.
+TEST(SeabedBed, LosesItsShareOfASwingInEveryRadian) {
+  OnBed::Parameters p = firm();
+  p.loss_factor = 0.2, p.loss_frequency = 1.5;
+  const double depth = 0.1, amplitude = 1e-3, omega = 2 * std::numbers::pi * p.loss_frequency;
+  MovingNodes<double, 1> m;
+  m.bed[0] = {.is_there = true, .height = -40}, m.x[0] = {0, 0, -40 - depth};
+  double lost = 0;
+  constexpr int kSteps = 4000;  // of one period
+  for (int i = 0; i < kSteps; ++i) {
+    const double v = amplitude * omega * std::cos(2 * std::numbers::pi * (i + 0.5) / kSteps);
+    m.v[0] = {0.3, 0, v};
+    const Vec3<double> f = OnBed::Loss::force(p, {2, 0}, {}, m)[0];
+    EXPECT_EQ(f.x, 0) << "along the bed there is friction";
+    lost -= f.z * v / (kSteps * p.loss_frequency);
+  }
+  EXPECT_NEAR(lost, 2 * std::numbers::pi * 0.2 * 0.5 * 6e4 * amplitude * amplitude, 1e-9);
+  m.x[0].z = -39.9;
+  EXPECT_EQ(norm(OnBed::Loss::force(p, {2, 0}, {}, m)[0]), 0) << "clear of the bed";
 }
 
 /// Grows from 0.5 ahead of x = 0 to 1.5 behind it; rougher to starboard.
