@@ -7,6 +7,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <limits>
+#include <stdexcept>
 
 namespace netloft::io {
 
@@ -15,6 +17,14 @@ namespace {
 // OpenBLAS 0.3.21 asks for 128 MiB at once (BUFFER_SIZE of x86-64, seen with strace); the rest is for the
 // smallest scene beside it.
 constexpr std::size_t kMebibyte = std::size_t{1} << 20, kRoom = 144 * kMebibyte;
+
+// Below it nobody has to think of memory: others have as much, twice.
+constexpr double kLittle = 0.25;
+
+// What a run takes at least of what is foreseen (io/case/README.md).
+constexpr double kSurely = 0.85;
+
+std::string gibibytes(double bytes) { return fmt::format("{:.3g} GiB", bytes / 0x1p30); }
 
 bool is_limited(int resource) {
   rlimit limit{};
@@ -33,6 +43,22 @@ std::string lack_of_memory() {
         kRoom / kMebibyte, std::strerror(errno));
   munmap(room, kRoom);
   return {};
+}
+
+std::string memory_text(const MemoryForecast& f, double within_reach) {
+  return fmt::format(
+      "memory: about {}, {} of it for the factor of the matrix{}; {}", gibibytes(f.total()),
+      gibibytes(f.factor), f.stability > 0 ? ", " + gibibytes(f.stability) + " to judge stability" : "",
+      within_reach < std::numeric_limits<double>::infinity() ? gibibytes(within_reach) + " are within reach"
+                                                             : "what is within reach is not known");
+}
+
+std::string note_of_memory(const MemoryForecast& f, double within_reach) {
+  if (f.total() <= kLittle * within_reach) return {};
+  if (kSurely * f.total() > within_reach)
+    throw std::runtime_error("not enough " + memory_text(f, within_reach) +
+                             "; a coarser mesh takes less, such as fewer nodes of a gear or cells of a part");
+  return memory_text(f, within_reach);
 }
 
 }  // namespace netloft::io

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/cli/memory_room.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/watchdog.hpp"
 #include "io/compare/mesh_error.hpp"
@@ -248,6 +249,17 @@ void refuse_for_motions(const Options& options) {
         "diff`"};
 }
 
+// Gears of as many unknowns take less than 300 MiB, and ordering their matrix twice would take a hundredth of
+// their time.
+constexpr std::int32_t kFewUnknowns = 20000;
+
+/// Where a run takes much of the memory there is; one that takes more is refused.
+void say_memory(Session& session) {
+  if (session.assembler().pattern().size < kFewUnknowns) return;
+  const std::string note = note_of_memory(foresee_memory(session.the_case()), memory_within_reach());
+  if (!note.empty()) session.terminal().say("netloft: " + note);
+}
+
 }  // namespace
 
 int run_command(const Options& options) {
@@ -260,6 +272,7 @@ int run_command(const Options& options) {
   if (const int code = session.open(); code != kDone) return code;
   context.plugins = session.registry().opened();
   context.plan_text = plan_text(session.plan(), session.plan_extras());
+  say_memory(session);
   if (session.loaded().analysis.kind == AnalysisKind::dynamics) {
     refuse_for_motions(options);
     so_far.part = output_file(options, session.loaded()) + ".part";
@@ -292,9 +305,13 @@ int run_command(const Options& options) {
 int plan_command(const Options& options) {
   Session session(options);
   if (const int code = session.open(); code != kDone) return code;
-  const PlanExtras extras = session.plan_extras();
-  std::puts(options.json ? plan_json(session.loaded().scene, session.plan(), extras).c_str()
-                         : plan_text(session.plan(), extras).c_str());
+  PlanExtras extras = session.plan_extras();
+  const MemoryForecast memory = foresee_memory(session.the_case());
+  extras.memory = memory.total(), extras.factor_memory = memory.factor,
+  extras.stability_memory = memory.stability;
+  std::puts(options.json
+                ? plan_json(session.loaded().scene, session.plan(), extras).c_str()
+                : (plan_text(session.plan(), extras) + memory_text(memory, memory_within_reach())).c_str());
   return kDone;
 }
 

@@ -60,11 +60,17 @@ int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Option
 PlanExtras Session::plan_extras() {
   const auto factorisation =
       make_factorisation(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
-  return {
-      loaded().analysis.solver,        factorisation->description(),
-      assembler().pattern().entries(), threads_for(options_),
-      assembler().threads_used(),      loaded().analysis.strategy,
-      case_.explain_strategy(),        plan().kind == AnalysisKind::dynamics ? case_.material_damping() : ""};
+  return {loaded().analysis.solver,
+          factorisation->description(),
+          assembler().pattern().entries(),
+          threads_for(options_),
+          assembler().threads_used(),
+          loaded().analysis.strategy,
+          case_.explain_strategy(),
+          plan().kind == AnalysisKind::dynamics ? case_.material_damping() : "",
+          0,
+          0,
+          0};
 }
 
 }  // namespace netloft::io

@@ -138,6 +138,10 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
                {"material_damping", extras.material_damping},
                {"attempts", extras.attempts},
                {"factorisation", extras.factorisation},
+               {"memory",
+                {{"foreseen", extras.memory},
+                 {"factor", extras.factor_memory},
+                 {"stability", extras.stability_memory}}},
                {"threads", {{"given", extras.threads_given}, {"used", extras.threads_used}}}});
 }
 

@@ -11,6 +11,8 @@ struct PlanExtras {
   int threads_given = 1, threads_used = 1;
   std::string strategy, attempts;  // how the equilibrium is found; what it tries and why, a line each
   std::string material_damping;    // loss factors that count in a motion, or why none does
+  double memory = 0, factor_memory = 0,
+         stability_memory = 0;  // that it will take, and of it [bytes]
 };
 
 /// The forces that each family of elements evaluates, and why the others are off.
