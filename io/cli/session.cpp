@@ -2,7 +2,6 @@
 #include "io/cli/session.hpp"
 
 #include "io/cli/error_json.hpp"
-#include "solvers/factorisation/factorisation.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -59,7 +58,7 @@ int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Option
 
 PlanExtras Session::plan_extras() {
   const auto factorisation =
-      make_factorisation(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+      case_.factorisations()(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   return {
       loaded().analysis.solver,        factorisation->description(),
       assembler().pattern().entries(), threads_for(options_),
