@@ -31,7 +31,7 @@ constexpr int kFromElsewhere = 100;  // iterations from a point that a user name
 Case::Case(CaseSource source, Registry& registry, MakeFactorisation make)
     : source_(std::move(source)),
       registry_(registry),
-      make_(make ? std::move(make) : keep_analyses(make_factorisation_with(source_.threads))) {
+      make_(make ? std::move(make) : keep_analyses(make_factorisation_with(source_.threads, source_.ranks))) {
 }
 
 Case::~Case() = default;
