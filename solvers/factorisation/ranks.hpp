@@ -46,9 +46,9 @@ class Ranks {
 
 /// Which factorisations are distributed: those of `from` unknowns and more, if there are ranks.
 struct RankUse {
-  /// On two ranks MUMPS is faster from here on than on one (README.md), and a factor begins to count in
-  /// memory.
-  static constexpr std::int32_t kFrom = 50'000;
+  /// From here on MUMPS on two ranks is faster than one process, for tangents that are positive definite
+  /// (README.md). memory.
+  static constexpr std::int32_t kFrom = 100'000;
   Ranks* ranks = nullptr;
   std::int32_t from = kFrom;
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One factorisation of a tangent of the hanging panel, by this process or by all that mpirun has started.
 //
-//   [mpirun -n N] bench_ranks CELLS definite|unsymmetric local|ranks [REPEATS]
+//   [mpirun -n N] bench_ranks CELLS definite|unsymmetric ranks|THREADS [REPEATS]
+//
+// REPEATS 0: analysis alone, of which the memory foreseen for more ranks than there are processors.
 //
 // Rank 0 prints one JSON object: unknowns, wall clock of analysis, of the fastest factorisation and of the
 // fastest solution [s], operations and entries of the factor, what was foreseen for the rank that takes most
@@ -16,7 +18,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <functional>
-#include <limits>
 #include <string>
 
 #include "solvers/factorisation/factorisation.hpp"
@@ -32,19 +33,19 @@ namespace {
 struct Task {
   int cells = 0;
   MatrixClass kind = MatrixClass::positive_definite;
-  bool on_ranks = false;
+  int threads = 0;  // 0: on ranks
   int repeats = 3;
 };
 
 Task task_of(int argc, char** argv) {
   if (argc < 4) {
-    std::fputs("bench_ranks CELLS definite|unsymmetric local|ranks [REPEATS]\n", stderr);
+    std::fputs("bench_ranks CELLS definite|unsymmetric ranks|THREADS [REPEATS]\n", stderr);
     std::exit(2);
   }
   Task task;
   task.cells = std::atoi(argv[1]);
   if (std::strcmp(argv[2], "unsymmetric") == 0) task.kind = MatrixClass::unsymmetric;
-  task.on_ranks = std::strcmp(argv[3], "ranks") == 0;
+  if (std::strcmp(argv[3], "ranks") != 0) task.threads = std::max(1, std::atoi(argv[3]));
   if (argc > 4) task.repeats = std::atoi(argv[4]);
   return task;
 }
@@ -67,7 +68,7 @@ std::size_t hash_of(const std::vector<double>& x) {
 
 struct Cost {
   double analyse = 0;
-  double factorise = std::numeric_limits<double>::infinity(), solve = factorise;  // [s]
+  double factorise = 1e9, solve = 1e9;  // [s]
   bool has_same_bits = true;
   std::size_t hash = 0;
   double error = 0;
@@ -98,7 +99,7 @@ Cost measure(Factorisation& factorisation, const TestMatrix& matrix, int repeats
     cost.hash = hash_of(x);
     cost.solve = std::min(cost.solve, time_of([&] { factorisation.solve(b, x); }));
   }
-  cost.error = without_slots(matrix).backward_error(x, b);
+  if (repeats > 0) cost.error = without_slots(matrix).backward_error(x, b);
   return cost;
 }
 
@@ -114,8 +115,8 @@ void run(const Task& task, Ranks* ranks) {
       tangent_of_panel(task.cells, is_symmetric ? 0 : 1,
                        is_symmetric ? MatrixKind::convex : MatrixKind::exact, 1e-3, registry);
   const double before = peak_bytes();
-  const auto factorisation =
-      ranks ? make_mumps_factorisation_on(*ranks, task.kind) : make_factorisation(task.kind);
+  const auto factorisation = ranks ? make_mumps_factorisation_on(*ranks, task.kind)
+                                   : make_factorisation_with(task.threads)(task.kind);
   const Cost cost = measure(*factorisation, matrix, task.repeats);
   std::printf(
       "{\"what\": \"%s\", \"unknowns\": %d, \"analyse\": %.4f, \"factorise\": %.4f, \"solve\": %.4f, "
@@ -133,7 +134,7 @@ void run(const Task& task, Ranks* ranks) {
 int main(int argc, char** argv) {
   using namespace netloft;
   const Task task = task_of(argc, argv);
-  if (!task.on_ranks) return run(task, nullptr), 0;
+  if (task.threads > 0) return run(task, nullptr), 0;
   Ranks ranks(test::plugin_folder() + "/mpi/mumps_mpi.so", launch_of_environment());
   if (ranks.rank() == 0) return run(task, &ranks), 0;
   const double before = peak_bytes();
