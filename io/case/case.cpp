@@ -31,7 +31,8 @@ constexpr int kFromElsewhere = 100;  // iterations from a point that a user name
 Case::Case(CaseSource source, Registry& registry, MakeFactorisation make)
     : source_(std::move(source)),
       registry_(registry),
-      make_(make ? std::move(make) : keep_analyses(make_factorisation_with(source_.threads))) {}
+      make_(make ? std::move(make) : keep_analyses(make_factorisation_with(source_.threads, source_.ranks))) {
+}
 
 Case::~Case() = default;
 
@@ -164,7 +165,7 @@ Solution Case::judge(std::span<const double> u, Assembler& assembler) const {
   Limits limits = loaded_.analysis.limits;
   limits.ask_growth = false;
   Solution s;
-  static_cast<Assessment&>(s) = assess_static(loaded_.scene, assembler, u, limits, make_factorisation);
+  static_cast<Assessment&>(s) = assess_static(loaded_.scene, assembler, u, limits, make_);
   s.u.assign(u.begin(), u.end());
   s.factorisation = "none";
   return s;

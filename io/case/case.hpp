@@ -5,6 +5,7 @@
 #include "framework/study/study.hpp"
 #include "io/scene/loaded_scene.hpp"
 #include "io/toml/diagnostics.hpp"
+#include "solvers/factorisation/ranks.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -22,7 +23,8 @@ class Meshes;
 struct CaseSource {
   std::filesystem::path file;
   std::vector<std::string> overrides;  // "path=value", as --set takes them
-  int threads = 1;                     // of the assembly
+  int threads = 1;                     // of the assembly and of large factorisations
+  RankUse ranks = {};                  // other processes for larger ones
 };
 
 /// Who looks on while a case is solved.
@@ -89,6 +91,8 @@ class Case {
   Assembler& assembler() { return *assembler_; }
   Registry& registry() { return registry_; }
   int threads() const { return source_.threads; }
+  /// Makes its factorisations: by its threads and ranks, with analyses in common.
+  const MakeFactorisation& factorisations() const { return make_; }
   double reading_seconds() const { return reading_seconds_; }
   double setup_seconds() const { return setup_seconds_; }
 

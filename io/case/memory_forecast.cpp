@@ -85,8 +85,8 @@ double left_by_limit(const Pages& now) {
 MemoryForecast foresee_memory(Case& the_case) {
   const SparsePattern& pattern = the_case.assembler().pattern();
   if (pattern.size == 0) return {.taken = pages().resident};
-  const auto factorisation = make_factorisation_with(the_case.threads())(
-      pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+  const auto factorisation = the_case.factorisations()(pattern.symmetric ? MatrixClass::positive_definite
+                                                                         : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   const double factor = factor_bytes_of(*factorisation), size = static_cast<double>(pattern.size);
   // What has an energy is judged by the factor of its tangent, and needs no other unknowns.

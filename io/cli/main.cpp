@@ -3,6 +3,7 @@
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
 #include "io/cli/last_words.hpp"
+#include "io/cli/launched.hpp"
 #include "io/cli/memory_room.hpp"
 #include "io/cli/prefix.hpp"
 
@@ -452,6 +453,10 @@ void add_run_command(CLI::App& app, Options& o) {
                 "keep the start and the shape after every stage of the solve, for the slider of view");
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
+  run->add_option("--ranks-from", o.ranks_from,
+                  "under mpirun: unknowns from which on all processes factorise together; else 100000")
+      ->check(CLI::Range(std::int32_t{1}, std::numeric_limits<std::int32_t>::max()))
+      ->type_name("UNKNOWNS");
 }
 
 void add_commands(CLI::App& app, Options& o) {
@@ -515,10 +520,12 @@ bool solves(const Options& o) {
   return std::find(kSolving.begin(), kSolving.end(), o.command) != kSolving.end();
 }
 
-int guarded(const Options& o) {
+int guarded(Options& o) {
   explain_crashes();
   if (const std::string lack = lack_of_memory(); solves(o) && !lack.empty()) return fail(o, lack, kOther);
   try {
+    const auto ranks = start_ranks(o, launch_of_environment());
+    o.ranks = ranks.get();
     return dispatch(o);
   } catch (const UsageError& e) {
     return fail(o, e.message, kWrongInput);
@@ -582,10 +589,26 @@ int after_printing(int code) {
   return code == kDone ? kOther : code;
 }
 
+constexpr const char* kDescription = "Netloft finds the shape and the forces of trawl gears.";
+
+/// A rank other than 0. Where the command line is none of a `run`, rank 0 says so.
+int serve(int argc, char** argv, const Launch& launch) {
+  Options o;
+  CLI::App app{kDescription, "netloft"};
+  add_commands(app, o);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError&) {
+    return kDone;
+  }
+  if (app.get_subcommands().front()->get_name() == "run") serve_ranks(launch);
+  return kDone;
+}
+
 int start(int argc, char** argv) {
   Options o;
   o.words.assign(argv, argv + argc);
-  CLI::App app{"Netloft finds the shape and the forces of trawl gears.", "netloft"};
+  CLI::App app{kDescription, "netloft"};
   app.set_version_flag("--version", std::string("netloft " NETLOFT_VERSION));
   add_commands(app, o);
   if (argc == 1) {
@@ -611,5 +634,7 @@ int start(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   netloft::io::guard_streams();
+  if (const auto launch = netloft::launch_of_environment(); launch.rank > 0)
+    return netloft::io::serve(argc, argv, launch);
   return netloft::io::after_printing(netloft::io::start(argc, argv));
 }

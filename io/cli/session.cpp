@@ -2,7 +2,6 @@
 #include "io/cli/session.hpp"
 
 #include "io/cli/error_json.hpp"
-#include "solvers/factorisation/factorisation.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -23,7 +22,7 @@ int threads_for(const Options& options) {
 }
 
 CaseSource source_of(const Options& options) {
-  CaseSource source{options.target, options.set, threads_for(options)};
+  CaseSource source{options.target, options.set, threads_for(options), {options.ranks, options.ranks_from}};
   const auto add = [&](const char* key, const std::string& specification) {
     if (specification.empty()) return;
     for (auto& word : overrides_of(key, specification)) source.overrides.push_back(std::move(word));
@@ -59,7 +58,7 @@ int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Option
 
 PlanExtras Session::plan_extras() {
   const auto factorisation =
-      make_factorisation(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+      case_.factorisations()(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   return {loaded().analysis.solver,
           factorisation->description(),
           assembler().pattern().entries(),

@@ -2,7 +2,6 @@
 #include "io/stability/run.hpp"
 
 #include "framework/problem/growth.hpp"
-#include "solvers/factorisation/factorisation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,7 @@ std::string solver_of(const std::string& found_by) { return found_by.substr(0, f
 
 Stability find_stability(Case& one, const Ended& e) {
   if (e.conservative || !e.claims_success()) return e.solution.stability;
-  const Growth growth = find_growth(one.assembler(), e.solution.x, make_factorisation, e.solution.x_low);
+  const Growth growth = find_growth(one.assembler(), e.solution.x, one.factorisations(), e.solution.x_low);
   if (std::isnan(growth.per_power)) return Stability::unknown;
   return growth.grows() ? Stability::unstable : Stability::stable;
 }

@@ -2,6 +2,7 @@
 #include "solvers/factorisation/factorisation.hpp"
 
 #include "solvers/factorisation/cholmod.hpp"
+#include "solvers/factorisation/distributed.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
@@ -28,8 +29,11 @@ std::unique_ptr<Factorisation> make(MatrixClass kind, int threads) {
 
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind) { return make(kind, 1); }
 
-MakeFactorisation make_factorisation_with(int threads) {
-  return [threads](MatrixClass kind) { return make(kind, threads); };
+MakeFactorisation make_factorisation_with(int threads, const RankUse& use) {
+  const auto make_local = [threads](MatrixClass kind) { return make(kind, threads); };
+  if (!use.ranks || use.ranks->size() < 2) return make_local;
+  return
+      [use, make_local](MatrixClass kind) { return make_distributed_factorisation(kind, use, make_local); };
 }
 
 }  // namespace netloft

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// MPI and parallel MUMPS as a module of their own: see ranks_module.hpp.
+#include "solvers/factorisation/ranks_module.hpp"
+
+#include <dmumps_c.h>
+#include <malloc.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <thread>
+
+namespace {
+
+/// What rank 0 asks of the others, as four numbers.
+struct Order {
+  int instance = 0, job = 0, symmetry = 0, is_last = 0;
+};
+constexpr int kNumbers = 4, kBegin = -1, kEnd = -2;
+
+MPI_Comm orders = MPI_COMM_NULL, work = MPI_COMM_NULL;
+std::map<int, std::unique_ptr<DMUMPS_STRUC_C>> instances;  // on ranks other than 0
+
+/// Registered before anything that may use MPI registers an end of its own, so it comes last.
+void finish() {
+  int is_over = 0;
+  MPI_Finalized(&is_over);
+  if (!is_over) MPI_Finalize();
+}
+
+/// MUMPS allocates afresh in every factorisation. What it frees stays in the process: large blocks by mmap,
+/// given back and cleared each time, make a factorisation of 10⁵ unknowns take twice as long.
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr int kNever = 0, kNoTrimming = -1;
+  mallopt(M_MMAP_MAX, kNever), mallopt(M_TRIM_THRESHOLD, kNoTrimming);
+#endif
+}
+
+const char* start(int* rank, int* size) {
+  keep_freed_memory();
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);  // a process without launcher needs no daemon
+  int is_running = 0, threads = MPI_THREAD_SINGLE;
+  MPI_Initialized(&is_running);
+  if (!is_running) {
+    if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &threads) != MPI_SUCCESS)
+      return "MPI does not start";
+    std::atexit(finish);
+    if (threads < MPI_THREAD_SERIALIZED) return "this MPI cannot be called from several threads by turns";
+  }
+  MPI_Comm_rank(MPI_COMM_WORLD, rank), MPI_Comm_size(MPI_COMM_WORLD, size);
+  MPI_Comm_dup(MPI_COMM_WORLD, &orders), MPI_Comm_dup(MPI_COMM_WORLD, &work);
+  return nullptr;
+}
+
+void run(DMUMPS_STRUC_C& mumps) {
+  if (mumps.job == kBegin) mumps.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(work));
+  dmumps_c(&mumps);
+  if (mumps.job == kBegin) std::fill_n(mumps.icntl, 4, 0);  // silent on every rank
+}
+
+/// Matches wait_for_order(): MPI_Bcast would not.
+void give(Order order) {
+  MPI_Request request;
+  MPI_Ibcast(&order, kNumbers, MPI_INT, 0, orders, &request);
+  MPI_Wait(&request, MPI_STATUS_IGNORE);
+}
+
+void call(int instance, void* mumps_of_rank_0) {
+  auto& mumps = *static_cast<DMUMPS_STRUC_C*>(mumps_of_rank_0);
+  give({instance, mumps.job, mumps.sym, 0});
+  run(mumps);
+}
+
+/// MPI waits by asking again and again; a rank without work leaves the processor to others. A sleep is short
+/// at first: jobs of one factorisation follow each other.
+Order wait_for_order() {
+  constexpr auto kShortest = std::chrono::microseconds(20), kLongest = std::chrono::microseconds(1000);
+  Order order;
+  MPI_Request request;
+  MPI_Ibcast(&order, kNumbers, MPI_INT, 0, orders, &request);
+  auto pause = kShortest;
+  for (int has_come = 0; MPI_Test(&request, &has_come, MPI_STATUS_IGNORE), !has_come;) {
+    std::this_thread::sleep_for(pause);
+    pause = std::min(2 * pause, kLongest);
+  }
+  return order;
+}
+
+void serve() {
+  for (;;) {
+    const Order order = wait_for_order();
+    if (order.is_last) break;
+    auto& mumps = instances[order.instance];
+    if (!mumps) mumps = std::make_unique<DMUMPS_STRUC_C>();
+    mumps->job = order.job, mumps->sym = order.symmetry, mumps->par = 1;
+    run(*mumps);
+    if (order.job == kEnd) instances.erase(order.instance);
+  }
+  instances.clear();
+}
+
+void stop() { give({0, 0, 0, 1}); }
+
+constexpr netloft::RanksModule kModule{MUMPS_VERSION, sizeof(DMUMPS_STRUC_C), start, call, serve, stop};
+
+}  // namespace
+
+extern "C" [[gnu::visibility("default")]] const netloft::RanksModule* netloft_ranks_v1() { return &kModule; }

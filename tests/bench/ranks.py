@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What several ranks gain and save: one factorisation of a panel by one process and by ranks of MPI.
+
+    ranks.py BUILD/bin/bench_ranks [--cells 316,577] [--ranks 1,2] [--foresee 4,16,64] [--repeats 3]
+
+Prints, for each size and class of matrix, wall clock of analysis, factorisation and solution, what memory the rank that takes most
+grew by, and what MUMPS foresaw for it. --foresee adds what MUMPS foresees for more ranks, by analyses alone. Then a fit of
+  T(n) = T(1) (s + (1 − s) / n)
+to the factorisations (Amdahl 1967), and what it says of 64 ranks. A rank needs a processor: with fewer, times mean nothing.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--cells", default="316,577", help="cells along one side; 3·CELLS² unknowns")
+    parser.add_argument("--ranks", default="1,2")
+    parser.add_argument("--foresee", default="")
+    parser.add_argument("--repeats", type=int, default=3)
+    return parser.parse_args()
+
+
+def numbers(text):
+    return [int(word) for word in text.split(",") if word]
+
+
+def measure(options, cells, kind, ranks, repeats):
+    """Negative `ranks`: the factorisation of one process by so many threads, without MPI."""
+    as_root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
+    launcher = ["mpirun", *as_root, "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks > 0 else []
+    ended = subprocess.run([*launcher, options.program, str(cells), kind, "ranks" if ranks > 0 else str(-ranks), str(repeats)],
+                           capture_output=True, text=True, env={**os.environ, "OMP_THREAD_LIMIT": "1"})
+    if ended.returncode:
+        sys.exit(ended.stdout + ended.stderr)
+    lines = [json.loads(line) for line in ended.stdout.splitlines()]
+    facts = next(line for line in lines if "what" in line)
+    facts["grown"] = max(line["grown_bytes"] for line in lines if "grown_bytes" in line)
+    return facts
+
+
+def row(facts, kind, who):
+    print(f"| {facts['unknowns']} | {kind} | {who} | {facts['analyse']:.2f} | {facts['factorise']:.2f} | {facts['solve']:.3f} | "
+          f"{facts['grown'] / 1e6:.0f} | {facts['foreseen_bytes'] / 1e6:.0f} | {facts['error']:.0e} |", flush=True)
+
+
+def serial_fraction(ranks, ratio):
+    """s of T(n)/T(1) = s + (1 − s) / n."""
+    return (ratio - 1 / ranks) / (1 - 1 / ranks)
+
+
+def fit(of_ranks, key):
+    one, n = of_ranks[1][key], max(of_ranks)
+    s = min(max(serial_fraction(n, of_ranks[n][key] / one), 0), 1)
+    return s, one * (s + (1 - s) / 64)
+
+
+def main():
+    options = arguments()
+    print("| unknowns | matrix | who | analysis [s] | factorisation [s] | solution [s] | grown by [MB] | foreseen [MB] | error |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    fits, foreseen = [], []
+    for cells in numbers(options.cells):
+        for kind in ("definite", "unsymmetric"):
+            alone = measure(options, cells, kind, -1, options.repeats)
+            row(alone, kind, alone["what"].split(",")[0])
+            if kind == "unsymmetric":
+                row(measure(options, cells, kind, -2, options.repeats), kind, alone["what"].split(",")[0] + ", 2 threads")
+            of_ranks = {}
+            for ranks in numbers(options.ranks):
+                of_ranks[ranks] = measure(options, cells, kind, ranks, options.repeats)
+                row(of_ranks[ranks], kind, f"MUMPS, {ranks} rank{'s' * (ranks > 1)}")
+            if 1 in of_ranks and len(of_ranks) > 1:
+                seconds, memory = fit(of_ranks, "factorise"), fit(of_ranks, "foreseen_bytes")
+                fits.append(f"{alone['unknowns']} {kind}: s = {seconds[0]:.2f} of time, 64 ranks {seconds[1]:.2f} s "
+                            f"({alone['factorise']:.2f} s by {alone['what'].split(',')[0]}); s = {memory[0]:.2f} of memory, "
+                            f"64 ranks {memory[1] / 1e6:.0f} MB")
+            for ranks in numbers(options.foresee):
+                facts = measure(options, cells, kind, ranks, 0)
+                foreseen.append(f"{facts['unknowns']} {kind}: {ranks} ranks, foreseen {facts['foreseen_bytes'] / 1e6:.0f} MB")
+    print("\n".join(["", *fits, *foreseen]))
+
+
+if __name__ == "__main__":
+    main()
