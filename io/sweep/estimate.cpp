@@ -351,6 +351,8 @@ class Estimator {
   StudyEstimate result_;
 };
 
+}  // namespace
+
 std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vector<std::string>& wanted,
                                         Diagnostics& diagnostics) {
   std::vector<std::string> names;
@@ -370,8 +372,6 @@ std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vect
     if (names[f].find("_by_part/") == std::string::npos) chosen.push_back(f);
   return chosen;
 }
-
-}  // namespace
 
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
                                       Diagnostics& diagnostics) {

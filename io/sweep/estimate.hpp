@@ -68,6 +68,11 @@ struct StudyEstimate {
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
                                       Diagnostics& diagnostics);
 
+/// Places of figures in a table: those that are named, or without names all but those of single parts. Names
+/// that are not there go to the diagnostics.
+std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vector<std::string>& wanted,
+                                        Diagnostics& diagnostics);
+
 /// For people, and as one JSON object.
 std::string estimate_text(const std::string& study, const StudyEstimate& estimate);
 std::string estimate_json(const std::string& study, const StudyEstimate& estimate);
