@@ -109,7 +109,7 @@ int plan_study(const Options& o) {
   CheckedScenes scenes;
   const fs::path at = fs::path(o.target).parent_path();
   if (!diagnostics.errors()) check_size(file, diagnostics);
-  if (!diagnostics.errors()) scenes = check_scenes(file, at, registry, diagnostics);
+  if (!file.scene.empty()) scenes = check_scenes(file, at, registry, diagnostics);
   if (diagnostics.errors())
     return tell_why_not(diagnostics, scenes.refused ? Case::State::refused : Case::State::wrong_input, o,
                         terminal);

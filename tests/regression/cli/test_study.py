@@ -459,6 +459,31 @@ class WrongStudies(Studies):
             self.assertIn(where, said)
             self.assertIn(what, said)
 
+    def test_errors_of_the_file_and_of_the_scene_are_said_at_once(self):
+        said = self.errors("""\
+scene = "scene.toml"
+figures = ["results/pul"]
+[variables.water]
+key = "water.densty"
+values = [1000, 1010]
+[variables.rope]
+key = "parts.rope.rope.density"
+values = ["2000 kg/m3", "-4000 kg/m3"]
+[variables.twine]
+key = "parts.net.twine.EA"
+range = ["8 kN", "12 kg"]
+[design]
+draws = -6
+sed = 2
+""")
+        for answer in ("s.toml:2:12", 'did you mean "results/pull"?', "s.toml:3:1", 'unknown key "densty"', "s.toml:6:1", "is outside",
+                       "s.toml:11:18", "is a mass", "s.toml:13:9", "design.draws", "s.toml:14:1", 'unknown key "sed"'):
+            self.assertIn(answer, said)
+        self.assertEqual(said.count(": error: "), 6, said)
+        said = self.errors('scene = "scene.toml"\n[variables.water]\nkey = "water.densty"\nvalues = [1000, 1010]\n[design]\ndraws = 3\n')
+        self.assertIn("there is no variable with a range to draw from", said)
+        self.assertIn('unknown key "densty"', said)
+
     def test_an_empty_design_is_located(self):
         self.assertIn("s.toml:1:1", self.errors('scene = "scene.toml"\n'))
         self.assertIn("s.toml:2:1: error: variables: is empty", self.errors('scene = "scene.toml"\n[variables]\n'))
