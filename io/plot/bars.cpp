@@ -57,7 +57,7 @@ class BarDrawing {
   }
 
   void draw_group(const BarChart::Group& group) {
-    picture_.text({kLeft, y_ + 11}, group.title, kText, kInk, Anchor::start);
+    picture_.text({kLeft + 5, y_ + 11}, group.title, kText, kInk, Anchor::start);
     y_ += kTitle;
     for (const auto& row : group.rows) {
       picture_.text({kLeft - 5, y_ + row_height() / 2 + 1}, row.name, kText, kInk, Anchor::end);

@@ -120,6 +120,20 @@ TEST_F(BranchTest, EndsAtAFoldWhichIsFoundBetweenTheValuesThatEncloseIt) {
     EXPECT_LT(std::stod(found[3]), load_of_fold());
   }
 }
+// dz/df by (1): 1/f', f' = 2 EA (1/l₀ − 1/l + z²/l³).
+TEST_F(BranchTest, HasTheTangentOfTheClosedForm) {
+  constexpr double kLittle = -1e-5;  // [N]
+  const auto here = opened({variable_.value_of(-10)}), near = opened({variable_.value_of(-10 + kLittle)});
+  const Solution at = here->solve();
+  Statistics spent;
+  const auto tangent = here->tangent_towards(*near, at.x, spent);
+  ASSERT_TRUE(tangent);
+  EXPECT_EQ(spent.factorisations, 1);
+  const double z = here->positions(at.x)[3 * 1 + 2], l = std::hypot(1, z);
+  EXPECT_NEAR(
+      here->positions(*tangent)[3 * 1 + 2] / kLittle * 2 * kEA * (1 / kL0 - 1 / l + z * z / (l * l * l)), 1,
+      1e-5);
+}
 // A longer wire between the same ends is slack, and nothing holds what is slack: without the tangent, which
 // moves its end out, steps are halved until the wire stays taut, and each of them takes ten times as many
 // factorisations.
