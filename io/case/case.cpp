@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/case/case.hpp"
 
+#include "framework/problem/correction.hpp"
 #include "framework/problem/settling.hpp"
 #include "framework/study/settings.hpp"
 #include "io/case/diagnosis.hpp"
@@ -154,6 +155,25 @@ Solution Case::solve_from(const std::vector<double>& u, const Watch& watch) {
   found.stages.insert(found.stages.begin(), near.stages.begin(), near.stages.end());
   found.statistics.add(near.statistics), found.work += near.work;
   return found;
+}
+
+// What a scene leaves open (Scene::settings) would have to move as well.
+std::optional<std::vector<double>> Case::tangent_towards(Case& near, const std::vector<double>& x,
+                                                         Statistics& spent) {
+  if (loaded_.analysis.settles || !loaded_.scene.settings.empty()) return std::nullopt;
+  StaticProblem here(*assembler_, make_, {}), there(*near.assembler_, make_, {});
+  const std::vector<double> u = assembler_->displacements_to(x), v = near.assembler_->displacements_to(x);
+  std::vector<double> at, r, r_near, du(u.size());
+  double energy = 0;
+  if (!here.recompute(u, at, r, energy) || !there.recompute(v, at, r_near, energy)) return std::nullopt;
+  for (std::size_t i = 0; i < r.size(); ++i) r_near[i] -= r[i];
+  const bool is_found = find_correction(here, u, r_near, du);  // (1)
+  spent.add(here.statistics()), spent.add(there.statistics());
+  if (!is_found) return std::nullopt;
+  for (std::size_t i = 0; i < v.size(); ++i) du[i] += v[i];
+  std::vector<double> dx = there.positions(du);
+  for (std::size_t i = 0; i < x.size(); ++i) dx[i] -= x[i];
+  return dx;
 }
 
 bool Case::has_topology_of(Case& other) {

@@ -62,6 +62,13 @@ class Case {
   Solution continue_from(const std::vector<double>& u, int iterations, const Watch& watch = {});
   /// The same, and where that does not converge, as solve() does.
   Solution solve_from(const std::vector<double>& u, const Watch& watch = {});
+  /// How the equilibrium x of this scene moves while the scene becomes `near`, whose values differ by a
+  /// little and whose topology is the same, to first order:
+  ///   K(x) dx = −(r_near(x) − r(x))                                                      (1)
+  /// over all dofs, those of holds included. Nothing if K has no factor or x cannot be evaluated there, and
+  /// where more than positions is looked for.
+  std::optional<std::vector<double>> tangent_towards(Case& near, const std::vector<double>& x,
+                                                     Statistics& spent);
   /// Whether displacements of another case can be used in this one: the same unknowns, numbered alike.
   bool has_topology_of(Case& other);
   /// What a point of the scene is worth that nobody says is an equilibrium, by an assembler of its own: where

@@ -342,6 +342,23 @@ void add_estimate_action(CLI::App& study, Options& o) {
         "NAME");
 }
 
+void add_sensitivity_action(CLI::App& study, Options& o) {
+  auto* action = add_study_action(
+      study, o, "sensitivity", "say which variables figures follow from: Sobol indices, with their errors");
+  add_study_folder(*action, o);
+  const auto named = [&](const char* flag, auto& values, const char* doc, const char* type) {
+    action->add_option(flag, values, doc)
+        ->check(CLI::Validator(not_empty, "", "not empty"))
+        ->type_name(type)
+        ->allow_extra_args(false);
+  };
+  named("--figure", o.study.figures, "a figure of the table, may be repeated; else all but those of parts",
+        "NAME");
+  named("--at", o.study.at, "a variable that is held; may be repeated, or with commas between; else all vary",
+        "NAME=VALUE");
+  named("-o,--output", o.output, "draw the indices as bars", "FILE.svg");
+}
+
 void add_study_command(CLI::App& app, Options& o) {
   auto* study = app.add_subcommand("study", "solve one scene many times, with other values");
   study->require_subcommand(1);
@@ -380,6 +397,7 @@ void add_study_command(CLI::App& app, Options& o) {
   add_study_folder(*add_study_action(*study, o, "collect", "put the results of all items into one table"), o);
   add_show_action(*study, o);
   add_estimate_action(*study, o);
+  add_sensitivity_action(*study, o);
 }
 
 void add_calibrate_command(CLI::App& app, Options& o) {

@@ -9,6 +9,7 @@
 #include "io/sweep/engine_script.hpp"
 #include "io/sweep/estimate.hpp"
 #include "io/sweep/path_run.hpp"
+#include "io/sweep/sensitivity.hpp"
 #include "io/sweep/study_plots.hpp"
 #include "io/sweep/study_table.hpp"
 #include "io/toml/document.hpp"
@@ -108,7 +109,7 @@ int plan_study(const Options& o) {
   CheckedScenes scenes;
   const fs::path at = fs::path(o.target).parent_path();
   if (!diagnostics.errors()) check_size(file, diagnostics);
-  if (!diagnostics.errors()) scenes = check_scenes(file, at, registry, diagnostics);
+  if (!file.scene.empty()) scenes = check_scenes(file, at, registry, diagnostics);
   if (diagnostics.errors())
     return tell_why_not(diagnostics, scenes.refused ? Case::State::refused : Case::State::wrong_input, o,
                         terminal);
@@ -404,6 +405,41 @@ int estimate_study(const Options& o) {
   return kDone;
 }
 
+// ---- sensitivity
+
+/// A picture is for a page.
+constexpr std::size_t kMostBarGroups = 12;
+
+void write_bars(const Options& o, const StudySensitivity& found) {
+  const BarChart bars = sensitivity_bars(found);
+  if (bars.groups.empty()) throw UsageError{"-o " + o.output + ": there is nothing to draw"};
+  if (bars.groups.size() > kMostBarGroups)
+    throw UsageError{
+        fmt::format("-o {}: {} figures do not fit on one picture, {} do; name them with --figure", o.output,
+                    bars.groups.size(), kMostBarGroups)};
+  write_whole(o.output, draw_svg(bars));
+}
+
+int analyse_sensitivity(const Options& o) {
+  Terminal terminal(o.color, o.json);
+  const Study study = read_study(o.target);
+  if (!o.output.empty() && fs::path(o.output).extension() != ".svg")
+    throw UsageError{"-o " + o.output + ": bars are drawn as .svg"};
+  Diagnostics diagnostics;
+  std::optional<StudySensitivity> found;
+  try {
+    found = sensitivity(collect_table(study, o.target), {o.study.at, o.study.figures}, diagnostics);
+  } catch (const StudyError& e) {
+    throw UsageError{e.what()};
+  }
+  if (!found) return tell_why_not(diagnostics, Case::State::wrong_input, o, terminal);
+  if (!o.output.empty()) write_bars(o, *found);
+  if (const std::string changed = what_changed(study, o.target); !changed.empty())
+    terminal.say("netloft: " + changed + "; indices are of what was planned");
+  std::puts((o.json ? sensitivity_json(study.name, *found) : sensitivity_text(study.name, *found)).c_str());
+  return kDone;
+}
+
 }  // namespace
 
 int study_command(const Options& o) {
@@ -412,6 +448,7 @@ int study_command(const Options& o) {
   if (o.study.action == "missing") return list_missing(o);
   if (o.study.action == "show") return show_study(o);
   if (o.study.action == "estimate") return estimate_study(o);
+  if (o.study.action == "sensitivity") return analyse_sensitivity(o);
   if (o.study.action == "submit") return write_script(o);
   return collect_study(o);
 }

@@ -28,14 +28,19 @@ class Inspection {
   Inspection(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
              Diagnostics& diagnostics)
       : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics) {
-    for (const DesignVariable& v : file.variables)
-      for (const FollowingKey& key : v.variable.keys) places_.emplace(key.path, v.variable.place);
+    for (std::size_t v = 0; v < file.variables.size(); ++v) {
+      if (!file.variables[v].is_sound) continue;
+      counts_.insert(v);
+      for (const FollowingKey& key : file.variables[v].variable.keys)
+        places_.emplace(key.path, file.variables[v].variable.place);
+    }
     for (const std::string& word : file.set) places_.emplace(path_of(word), file.set_place);
   }
 
   CheckedScenes inspect() {
-    if (!open({})) return std::move(found_);
-    for (std::size_t v = 0; v < file_.variables.size(); ++v) {
+    while (!open({}))
+      if (!leave_out_blamed()) return std::move(found_);
+    for (const std::size_t v : counts_) {
       const auto values = tried(file_.variables[v].variable);
       for (std::size_t i = 1; i < values.size(); ++i)
         if (!open({{v, values[i]}})) break;  // what is wrong with one value is mostly wrong with the others
@@ -47,7 +52,7 @@ class Inspection {
  private:
   bool open(const std::map<std::size_t, VariableValue>& others) {
     CaseSource source{folder_ / file_.scene, file_.set, 1};
-    for (std::size_t v = 0; v < file_.variables.size(); ++v) {
+    for (const std::size_t v : counts_) {
       const Variable& variable = file_.variables[v].variable;
       const auto other = others.find(v);
       for (auto& word : variable.overrides(other == others.end() ? tried(variable).front() : other->second))
@@ -56,9 +61,22 @@ class Inspection {
     Case the_case(source, registry_);
     const Case::State state = the_case.open();
     hand_on_faults(the_case.diagnostics(), places_, file_.scene_place, diagnostics_);
+    blamed_.clear();
+    for (const Diagnostic& fault : the_case.diagnostics().sorted())
+      if (fault.severity == Severity::error) blamed_.insert(the_case.diagnostics().where(fault.place));
     found_.refused |= state == Case::State::refused;
     if (state == Case::State::ready) learn(the_case);
     return state == Case::State::ready;
+  }
+
+  /// Leaves out the variables that the last scene blames. False: it blames none.
+  bool leave_out_blamed() {
+    const auto is_blamed = [&](std::size_t v) {
+      const auto& keys = file_.variables[v].variable.keys;
+      return std::any_of(keys.begin(), keys.end(),
+                         [&](const FollowingKey& key) { return blamed_.contains("--set " + key.path); });
+    };
+    return std::erase_if(counts_, is_blamed) > 0;
   }
 
   void learn(Case& the_case) {
@@ -94,6 +112,8 @@ class Inspection {
   Diagnostics& diagnostics_;
   std::map<std::string, Place> places_;  // of keys
   std::set<std::string> known_;          // figures
+  std::set<std::size_t> counts_;         // variables that the scene is tried with
+  std::set<std::string> blamed_;         // where the last scene has errors
   CheckedScenes found_;
 };
 

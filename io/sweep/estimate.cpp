@@ -42,8 +42,8 @@ class NumberEstimate {
  public:
   /// Of the coordinates the first `listed` are of variables with listed values; the others are drawn.
   NumberEstimate(const std::vector<Numbers>& points, const Numbers& values, const Numbers& place,
-                 std::size_t listed)
-      : points_(points), place_(place), listed_(listed), kriging_(points, values) {}
+                 std::size_t listed, const KrigingScales* scales = nullptr)
+      : points_(points), place_(place), listed_(listed), kriging_(points, values, scales) {}
 
   WithError run() const {
     const KrigingValue found = kriging_.at(place_);
@@ -210,9 +210,9 @@ class Estimator {
     return point;
   }
 
-  Known known_of(std::size_t f) const {
+  Known known_of(std::size_t f, const std::vector<const StudyRow*>& rows) const {
     std::map<Numbers, Numbers> samples;
-    for (const StudyRow* row : rows_)
+    for (const StudyRow* row : rows)
       if (std::isfinite(row->figures[f])) samples[coordinates_of(*row)].push_back(row->figures[f]);
     std::vector<std::pair<Numbers, Numbers>> all(samples.begin(), samples.end());
     std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
@@ -226,24 +226,69 @@ class Estimator {
   }
 
   EstimatedFigure estimate_figure(std::size_t f) {
-    EstimatedFigure figure{table_.figures[f].name, table_.figures[f].unit, {}, {}, {}, 0, {}};
-    const Known known = known_of(f);
+    EstimatedFigure figure{table_.figures[f].name, table_.figures[f].unit, {}, {}, {}, 0, 0, {}};
+    const Known known = known_of(f, rows_);
     figure.points = known.points.size();
     figure.why_not = why_not(known);
     if (!figure.why_not.empty()) return figure;
     if (!lies_in_hull(known.points, place_)) result_.is_extrapolated = true;
-    figure.value = estimate_number(known, 0.5);
     if (is_over_draws_)
-      figure.low = estimate_number(known, kBandLow), figure.high = estimate_number(known, kBandHigh);
+      estimate_over_draws(f, known, figure);
+    else
+      figure.value = estimate_number(known, nullptr);
     return figure;
   }
 
+  void estimate_over_draws(std::size_t f, const Known& known, EstimatedFigure& figure) const {
+    const auto scales = scales_of(known);
+    Numbers found, low, high;
+    for (const auto& [draw, rows] : rows_by_draw()) {
+      const Known of_draw = known_of(f, rows);
+      if (!why_too_few(of_draw).empty()) continue;
+      const WithError number = estimate_number(of_draw, scales ? &*scales : nullptr);
+      found.push_back(number.value);
+      low.push_back(number.value - number.error), high.push_back(number.value + number.error);
+    }
+    figure.draws = found.size();
+    if (found.empty()) {
+      figure.why_not = "no draw has this figure at three values of every variable";
+      return;
+    }
+    const auto at = [&](double p) {
+      const double y = quantile_of(found, p);
+      return WithError{y, std::max(quantile_of(high, p) - y, y - quantile_of(low, p))};  // (2)
+    };
+    figure.low = at(kBandLow), figure.value = at(0.5), figure.high = at(kBandHigh);
+  }
+
+  std::map<std::size_t, std::vector<const StudyRow*>> rows_by_draw() const {
+    std::map<std::size_t, std::vector<const StudyRow*>> rows;
+    for (const StudyRow* row : rows_) rows[row->draw].push_back(row);
+    return rows;
+  }
+
+  /// Lengths of correlation of the medians over the draws.
+  std::optional<KrigingScales> scales_of(const Known& known) const {
+    if (free_.empty()) return std::nullopt;
+    return Kriging(known.points, medians_of(known)).scales();
+  }
+
+  static Numbers medians_of(const Known& known) {
+    Numbers medians;
+    for (const Numbers& sample : known.samples) medians.push_back(quantile_of(sample, 0.5));
+    return medians;
+  }
+
   std::string why_not(const Known& known) const {
-    if (known.points.empty()) return "no point that counts has this figure";
     const std::size_t drawn = free_.size() - listed_;
-    if (drawn && count_draws() < drawn + 3)
+    if (!known.points.empty() && drawn && count_draws() < drawn + 3)
       return fmt::format("{} draws are too few for {} drawn variable{}", count_draws(), drawn,
                          drawn > 1 ? "s" : "");
+    return why_too_few(known);
+  }
+
+  std::string why_too_few(const Known& known) const {
+    if (known.points.empty()) return "no point that counts has this figure";
     for (std::size_t k = 0; k < free_.size(); ++k) {
       std::set<double> levels;
       for (const Numbers& point : known.points) levels.insert(point[k]);
@@ -261,11 +306,10 @@ class Estimator {
     return draws.size();
   }
 
-  WithError estimate_number(const Known& known, double p) const {
-    Numbers values;
-    for (const Numbers& sample : known.samples) values.push_back(quantile_of(sample, p));
+  WithError estimate_number(const Known& known, const KrigingScales* scales) const {
+    const Numbers values = medians_of(known);
     if (free_.empty()) return {values.front(), kSolveError * std::abs(values.front())};
-    return NumberEstimate(known.points, values, place_, listed_).run();
+    return NumberEstimate(known.points, values, place_, listed_, scales).run();
   }
 
   /// Events on the way to points that are nowhere further from the place than the next value.
@@ -307,6 +351,8 @@ class Estimator {
   StudyEstimate result_;
 };
 
+}  // namespace
+
 std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vector<std::string>& wanted,
                                         Diagnostics& diagnostics) {
   std::vector<std::string> names;
@@ -326,8 +372,6 @@ std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vect
     if (names[f].find("_by_part/") == std::string::npos) chosen.push_back(f);
   return chosen;
 }
-
-}  // namespace
 
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
                                       Diagnostics& diagnostics) {

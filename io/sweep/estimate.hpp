@@ -25,6 +25,7 @@ struct EstimatedFigure {
   WithError value;                     // over draws: their median
   std::optional<WithError> low, high;  // over draws: the ends of the band of study_plots.hpp
   std::size_t points = 0;              // it follows from so many
+  std::size_t draws = 0;               // over so many
   std::string why_not;                 // there is no estimate
 };
 
@@ -54,11 +55,23 @@ struct StudyEstimate {
 /// more than there are variables. Errors along variables add up, as those of a product of interpolations do.
 /// 10⁻⁹ is what solves converge to.
 ///
+/// Over draws, each draw is estimated at the place, y_d ± e_d, with the lengths of correlation of the medians
+/// at all points; the median and the ends of the band are quantiles Q of these, so that they are in order,
+/// with the error
+///   max(Q(y + e) − Q(y), Q(y) − Q(y − e))                                                         (2)
+/// which is as large as errors of e_d can make it. A draw with fewer than three points along a variable is
+/// left out.
+///
 /// What is wrong with the request goes to `diagnostics`, and then there is no estimate: variables that are
 /// not there or are missing, wrong units, places beyond the values of a variable or between its only two.
 /// Throws StudyError with a sentence if none of the points that would count has a stable equilibrium.
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
                                       Diagnostics& diagnostics);
+
+/// Places of figures in a table: those that are named, or without names all but those of single parts. Names
+/// that are not there go to the diagnostics.
+std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vector<std::string>& wanted,
+                                        Diagnostics& diagnostics);
 
 /// For people, and as one JSON object.
 std::string estimate_text(const std::string& study, const StudyEstimate& estimate);

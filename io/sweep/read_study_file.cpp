@@ -39,11 +39,13 @@ class StudyReader {
   void read_variables() {
     TableReader variables = root_.table("variables", Presence::required, "what is varied, a table each");
     for (const std::string& name : variables.keys()) {
+      const int errors = root_.diagnostics().errors();
       TableReader table = variables.table(name, Presence::required, "key, and values or range");
       DesignVariable read{read_variable(name, table), {}, false};
       check_name(read.variable);
       if (read.is_drawn())
         read.distribution = read_distribution(read.variable, table, {"uniform", "logarithmic", "normal"});
+      read.is_sound = root_.diagnostics().errors() == errors;
       study_.variables.push_back(std::move(read));
     }
     if (root_.has("variables") && study_.variables.empty())
@@ -65,7 +67,7 @@ class StudyReader {
 
   void refuse_shared_keys() {
     std::map<std::string, std::string> owners;
-    for (const auto& [variable, distribution, in_path] : study_.variables)
+    for (const auto& [variable, distribution, in_path, sound] : study_.variables)
       for (const FollowingKey& key : variable.keys) {
         const auto [owner, is_new] = owners.emplace(key.path, variable.name);
         if (!is_new)
@@ -84,11 +86,13 @@ class StudyReader {
                                                     .doc = "how draws fill the ranges",
                                                     .fallback = "latin-hypercube"});
     study_.drawing = draw == "sobol" ? Drawing::sobol : Drawing::latin_hypercube;
+    const int errors = root_.diagnostics().errors();
     study_.draws = static_cast<std::size_t>(design.integer(
         "draws", {.doc = "number of draws from the ranges", .lo = 0, .hi = kMostDraws, .fallback = 0}));
+    const bool draws_are_sound = root_.diagnostics().errors() == errors;
     study_.seed = static_cast<std::uint64_t>(
         design.integer("seed", {.doc = "another one draws otherwise", .lo = 0, .fallback = 1}));
-    check_draws(design);
+    if (draws_are_sound) check_draws(design);
     if (study_.combination == Combination::list) check_list();
   }
 
@@ -99,7 +103,9 @@ class StudyReader {
       root_.diagnostics().error(design.place(),
                                 "design.draws is missing or zero: variables with a range are drawn",
                                 "[design] draws = 50");
-    if (!some_are_drawn && study_.draws > 0)
+    const bool all_are_sound = std::all_of(study_.variables.begin(), study_.variables.end(),
+                                           [](const auto& v) { return v.is_sound; });
+    if (!some_are_drawn && all_are_sound && study_.draws > 0)
       design.error("draws", "there is no variable with a range to draw from");
   }
 

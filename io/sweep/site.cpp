@@ -41,11 +41,11 @@ class SiteReader {
  public:
   SiteReader(const StudyTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
 
-  Site read(const std::vector<std::string>& words) {
+  Site read(const std::vector<std::string>& words, SiteNeeds needs) {
     for (const std::string& some : words)
       for (const std::string& word : split_at_commas(some)) apply_override(root_, word, diagnostics_, "--at");
     refuse_unknown();
-    refuse_missing();
+    if (needs == SiteNeeds::all) refuse_missing();
     Site site;
     for (std::size_t v = 0; v < table_.columns.size(); ++v) site.push_back(read_value(v));
     return site;
@@ -156,8 +156,9 @@ std::vector<double> levels_of(const StudyTable& table, std::size_t column) {
   return levels;
 }
 
-Site read_site(const StudyTable& table, const std::vector<std::string>& words, Diagnostics& diagnostics) {
-  return SiteReader(table, diagnostics).read(words);
+Site read_site(const StudyTable& table, const std::vector<std::string>& words, Diagnostics& diagnostics,
+               SiteNeeds needs) {
+  return SiteReader(table, diagnostics).read(words, needs);
 }
 
 }  // namespace netloft::io

@@ -119,7 +119,7 @@ class Maker {
       put(variable, variable.values[combined.item[v]], item);
     }
     for (std::size_t v = 0; v < p.size(); ++v) {
-      const auto& [variable, distribution, in_path] = *drawn_[v];
+      const auto& [variable, distribution, in_path, sound] = *drawn_[v];
       put(variable, variable.value_of(quantile(distribution, *variable.interval, p[v])), item);
     }
     for (const Choice& choice : combined.points) {

@@ -17,6 +17,7 @@ struct DesignVariable {
   Variable variable;
   Distribution distribution;  // of a variable with an interval
   bool is_in_path = false;
+  bool is_sound = true;  // it was read without errors
   bool is_drawn() const { return variable.interval.has_value(); }
 };
 
@@ -36,7 +37,8 @@ struct StudyFile {
   std::vector<Place> figure_places;
 };
 
-/// Reads a study file; what is wrong goes to `diagnostics`, and then the result must not be used.
+/// Reads a study file; what is wrong goes to `diagnostics`, and then the result may only be used to find what
+/// else is wrong (check_study.hpp).
 StudyFile read_study_file(const std::filesystem::path& path, Diagnostics& diagnostics);
 
 }  // namespace netloft::io

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace netloft {
 
@@ -162,19 +163,23 @@ class Kriging::Model {
 
   KrigingValue at(const std::vector<double>& point) const {
     const Factorised& p = *process_;
-    Eigen::RowVectorXd x = Eigen::Map<const Eigen::RowVectorXd>(point.data(), low_.size());
-    x = ((x - low_).array() / extent_.array()).matrix();
-    const Matrix here = scaled(x, p.scales);
-    Vector near(p.at.rows());
-    for (Index i = 0; i < near.size(); ++i)
-      near[i] = correlation(p.scales.kind, (p.at.row(i) - here.row(0)).squaredNorm());
-    Vector trend = Vector::Ones(p.beta.size());
-    if (trend.size() > 1) trend.tail(x.size()) = x.transpose();
-    const double value = trend.dot(p.beta) + near.dot(p.weights);  // (3)
+    const auto [trend, near] = seen_from(point);
     const Vector lack = trend - p.solved_trend.transpose() * near;
     const double rest =
         1 + p.scales.scatter() - near.dot(p.factor.solve(near)) + lack.dot(p.information.solve(lack));  // (4)
-    return {mean_ + deviation_ * value, deviation_ * std::sqrt(p.variance * std::max(rest, 0.0))};
+    return {value_of(trend, near), deviation_ * std::sqrt(p.variance * std::max(rest, 0.0))};
+  }
+
+  double value_at(const std::vector<double>& point) const {
+    const auto [trend, near] = seen_from(point);
+    return value_of(trend, near);
+  }
+
+  KrigingScales scales() const {
+    KrigingScales scales{process_->scales.kind, {}, process_->scales.scatter()};
+    for (Index j = 0; j < low_.size(); ++j)
+      scales.lengths.push_back(std::exp(process_->scales.logs[static_cast<std::size_t>(j)]));
+    return scales;
   }
 
   std::vector<double> residuals_without(const std::vector<std::size_t>& group) const {
@@ -191,6 +196,24 @@ class Kriging::Model {
   }
 
  private:
+  /// f of a point, and its correlations κ with all that are known.
+  std::pair<Vector, Vector> seen_from(const std::vector<double>& point) const {
+    const Factorised& p = *process_;
+    Eigen::RowVectorXd x = Eigen::Map<const Eigen::RowVectorXd>(point.data(), low_.size());
+    x = ((x - low_).array() / extent_.array()).matrix();
+    const Matrix here = scaled(x, p.scales);
+    Vector near(p.at.rows());
+    for (Index i = 0; i < near.size(); ++i)
+      near[i] = correlation(p.scales.kind, (p.at.row(i) - here.row(0)).squaredNorm());
+    Vector trend = Vector::Ones(p.beta.size());
+    if (trend.size() > 1) trend.tail(x.size()) = x.transpose();
+    return {std::move(trend), std::move(near)};
+  }
+
+  double value_of(const Vector& trend, const Vector& near) const {
+    return mean_ + deviation_ * (trend.dot(process_->beta) + near.dot(process_->weights));  // (3)
+  }
+
   static Scales by_logarithms(const KrigingScales& known) {
     Scales scales{known.correlation, {}};
     for (const double length : known.lengths) scales.logs.push_back(std::log(length));
@@ -229,6 +252,14 @@ Kriging::~Kriging() = default;
 
 KrigingValue Kriging::at(const std::vector<double>& point) const {
   return model_ ? model_->at(point) : KrigingValue{mean_, 0};
+}
+
+double Kriging::value_at(const std::vector<double>& point) const {
+  return model_ ? model_->value_at(point) : mean_;
+}
+
+std::optional<KrigingScales> Kriging::scales() const {
+  return model_ ? std::optional(model_->scales()) : std::nullopt;
 }
 
 std::vector<double> Kriging::residuals_without(const std::vector<std::size_t>& group) const {

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace netloft {
@@ -49,6 +50,10 @@ class Kriging {
   Kriging& operator=(const Kriging&) = delete;
 
   KrigingValue at(const std::vector<double>& point) const;
+  /// m alone, in n operations where s takes n².
+  double value_at(const std::vector<double>& point) const;
+  /// ℓ and ν; nothing where all values are equal.
+  std::optional<KrigingScales> scales() const;
 
   /// The values at a group of points less what all other points say there, by (6) with ℓ and ν of all. There
   /// are others.

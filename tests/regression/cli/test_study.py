@@ -270,6 +270,55 @@ class EstimatedStudies(Studies):
         self.assertIn("plan STUDY.toml", self.study("estimate", "nowhere", "--at", "water=1005", code=2).err)
 
 
+class SensitiveStudies(Studies):
+    """Sobol indices of figures over the variables of a study."""
+
+    def setUp(self):
+        super().setUp()
+        self.whole_study()
+
+    def indices(self, *words):
+        return self.study("sensitivity", "s.study", "--json", *words).json()["figures"]
+
+    def test_a_weight_in_water_follows_from_densities_and_not_from_stiffness(self):
+        pull = self.indices("--figure", "results/pull")["results/pull"]["variables"]
+        self.assertEqual(list(pull), ["twine", "water", "rope"])
+        # The pull is linear in both densities, so that squares of its slopes over the ranges tell.
+        rows = {(r["water"], r["rope [kg/m3]"]): float(r["results/pull [N]"]) for r in self.rows() if r["draw"] == "1"}
+        water, rope = (rows["1030", "2000"] - rows["1000", "2000"]) ** 2, (rows["1000", "4000"] - rows["1000", "2000"]) ** 2
+        for name, square in (("water", water), ("rope", rope), ("twine", 0)):
+            for order in ("first", "total"):
+                index = pull[name][order]
+                self.assertAlmostEqual(index["value"], square / (water + rope), delta=index["error"] + 0.01)
+                self.assertLess(index["error"], 0.05)
+
+    def test_what_is_held_does_not_count(self):
+        said = self.study("sensitivity", "s.study", "--at", "water=1010,rope=3000 kg/m3", "--figure", "results/lowest_z").out
+        self.assertIn("s: Sobol indices over twine", said)
+        self.assertIn("at water 1010, at rope 3000 kg/m3", said)
+        self.assertIn("results/lowest_z [m]: mean", said)
+
+    def test_bars_are_drawn(self):
+        self.study("sensitivity", "s.study", "-o", "bars.svg", "--figure", "results/pull", "--figure", "results/lowest_z")
+        svg = (self.folder / "bars.svg").read_text()
+        self.assertEqual(svg.count("fill-opacity"), 2 * 3 * 2 + 2)  # figures, variables, first order and total; legend
+        for word in (">results/pull<", ">twine<", ">total<", ">part of the variance<"):
+            self.assertIn(word, svg)
+
+    def test_wrong_words_are_answered_all_at_once(self):
+        for words, answers in ((["--at", "watr=1005", "--figure", "results/pul"], ["--at watr", 'did you mean "water"?', 'did you mean "results/pull"?']),
+                               (["--at", "rope=2500 kg"], ["--at rope", "is a mass"]), (["--at", "water=1500"], ["is outside [1000, 1030]"]),
+                               (["--at", "water=1010,rope=3000 kg/m3,twine=10 kN"], ["no variable varies"]),
+                               (["-o", "bars.png"], ["bars are drawn as .svg"])):
+            said = self.study("sensitivity", "s.study", *words, code=2).err
+            for answer in answers:
+                self.assertIn(answer, said)
+        for record in self.records():
+            record.unlink()
+        self.assertIn("no point of this study has been computed", self.study("sensitivity", "s.study", code=2).err)
+        self.assertIn("plan STUDY.toml", self.study("sensitivity", "nowhere", code=2).err)
+
+
 class LostStudies(Studies):
     """Kills, full disks, garbage: one command goes on, and the table is the one of an undisturbed study."""
 
@@ -409,6 +458,31 @@ class WrongStudies(Studies):
             said = self.errors(changed(STUDY, change))
             self.assertIn(where, said)
             self.assertIn(what, said)
+
+    def test_errors_of_the_file_and_of_the_scene_are_said_at_once(self):
+        said = self.errors("""\
+scene = "scene.toml"
+figures = ["results/pul"]
+[variables.water]
+key = "water.densty"
+values = [1000, 1010]
+[variables.rope]
+key = "parts.rope.rope.density"
+values = ["2000 kg/m3", "-4000 kg/m3"]
+[variables.twine]
+key = "parts.net.twine.EA"
+range = ["8 kN", "12 kg"]
+[design]
+draws = -6
+sed = 2
+""")
+        for answer in ("s.toml:2:12", 'did you mean "results/pull"?', "s.toml:3:1", 'unknown key "densty"', "s.toml:6:1", "is outside",
+                       "s.toml:11:18", "is a mass", "s.toml:13:9", "design.draws", "s.toml:14:1", 'unknown key "sed"'):
+            self.assertIn(answer, said)
+        self.assertEqual(said.count(": error: "), 6, said)
+        said = self.errors('scene = "scene.toml"\n[variables.water]\nkey = "water.densty"\nvalues = [1000, 1010]\n[design]\ndraws = 3\n')
+        self.assertIn("there is no variable with a range to draw from", said)
+        self.assertIn('unknown key "densty"', said)
 
     def test_an_empty_design_is_located(self):
         self.assertIn("s.toml:1:1", self.errors('scene = "scene.toml"\n'))

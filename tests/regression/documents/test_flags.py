@@ -61,15 +61,17 @@ COMMANDS = (
     ("netloft import femnet gears/01_two_bars.don --divide -o divided.toml; ls divided.mesh", "divided.mesh"),
     ("netloft import femnet gears/09_hauling.don --motion -o moving.toml; grep dynamic moving.toml", "dynamic"),
     ("netloft import --check gears --color never", "01_two_bars"),
-    (f"netloft study plan study.toml {COMMON} -o ropes", '"points": 4'),
+    (f"netloft study plan study.toml {COMMON} -o ropes", '"points": 6'),
     (f"netloft study run ropes --items 1-2 --jobs 2 --threads 1 {COMMON}", '"computed": 2'),
-    ("netloft study collect ropes --color never --json; head -1 ropes/table.csv", '"converged": 4'),
+    ("netloft study collect ropes --color never --json; head -1 ropes/table.csv", '"converged": 6'),
     ("netloft study missing ropes && echo none", "none"),
     (f"netloft study submit ropes --engine slurm --chunk 2 {COMMON}; ls ropes/slurm.sh", "slurm.sh"),
     (f"netloft study submit ropes --engine parallel --jobs 2 {COMMON}; ls ropes/parallel.sh", "parallel.sh"),
     ("netloft study show ropes --figure results/sag_z --over density --by cells --color never --json -o sag.svg; ls sag.svg", "sag.svg"),
     ("netloft study show ropes --figure results/sag_z --over density --at cells=20 --output sag.html; ls sag.html", "sag.html"),
     ("netloft study estimate ropes --at density=2000 --at cells=20 --figure results/sag_z --color never --json", '"error"'),
+    ("netloft study sensitivity ropes --at cells=20 --figure results/sag_z --color never --json -o bars.svg; ls bars.svg", "bars.svg"),
+    ("netloft study sensitivity ropes --at cells=20 --output more.svg; ls more.svg", "more.svg"),
     (f"netloft calibrate calibration.toml {COMMON}", '"variables"'),
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),
@@ -120,7 +122,7 @@ class Flags(unittest.TestCase):
         shutil.copytree(library, cls.folder / "gear-library")
         (cls.folder / "study.toml").write_text(f'scene = "{ROPE}"\npath = ["density"]\n'
                                                '[variables.cells]\nkey = "parts.rope.cells"\nvalues = [10, 20]\n'
-                                               '[variables.density]\nkey = "parts.rope.rope.density"\nvalues = [2000, 3000]\n')
+                                               '[variables.density]\nkey = "parts.rope.rope.density"\nvalues = [2000, 2500, 3000]\n')
         (cls.folder / "calibration.toml").write_text(f'[scenes.one]\nscene = "{ROPE}"\n[variables.density]\n'
                                                      'key = "parts.rope.rope.density"\nrange = [2000, 3000]\n[[measured]]\n'
                                                      'scene = "one"\nfigure = "results/sag_z"\nvalue = -2.9\ndeviation = 0.1\n')

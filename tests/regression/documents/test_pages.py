@@ -76,7 +76,7 @@ class Pages(unittest.TestCase):
         shutil.copy(SOURCE / "gear-library/scenes/dead-weight-panel.toml", cls.folder / "scene.toml")
         (cls.folder / "gear.toml").write_text('include = ["gear-library/scenes/four-panel.toml"]\n')
         (cls.folder / "ropes.toml").write_text('scene = "gear-library/scenes/hanging-rope.toml"\n[variables.density]\n'
-                                               'key = "parts.rope.rope.density"\nvalues = [2000, 3000]\n')
+                                               'key = "parts.rope.rope.density"\nvalues = [2000, 2500, 3000]\n')
         (cls.folder / "calibration.toml").write_text('[scenes.one]\nscene = "gear-library/scenes/hanging-rope.toml"\n[variables.density]\n'
                                                      'key = "parts.rope.rope.density"\nrange = [2000, 3000]\n[[measured]]\n'
                                                      'scene = "one"\nfigure = "results/sag_z"\nvalue = -2.9\ndeviation = 0.1\n')

@@ -35,6 +35,22 @@ axes = "y"
 [results]
 z = { of = "truss.middle", take = "z" }
 )";
+/// A wire of steel that a force keeps taut.
+constexpr const char* kWire = R"([water]
+density = 0
+[parts.wire]
+type = "rope/bar"
+cells = 8
+length = 100
+sketch = [[0, 0, 0], [60, 0, -80]]
+rope = { diameter = "20 mm", EA = 2e7, EA_compression = 0, density = 7800 }
+[parts.load]
+type = "force/constant"
+on = "wire.end"
+force = { x = 30000, z = -20000 }
+[[hold]]
+on = "wire.start"
+)";
 constexpr double kEA = 1e4, kL0 = 1.0198039027185570;
 
 double load_of(double z) { return 2 * kEA * (1 / kL0 - 1 / std::hypot(1, z)) * z; }  // (1)
@@ -68,6 +84,7 @@ class BranchTest : public testing::Scratch {
       const Reached reached = branch.reach(the_case, values);
       EXPECT_EQ(reached.solution.status, SolveStatus::converged) << reached.solution.reason;
       heights.push_back(the_case->positions(reached.solution.x)[3 * 1 + 2]);
+      factorisations_.push_back(reached.solution.statistics.factorisations);
       for (const auto& event : reached.events) events_.push_back(event);
       was_continued_.push_back(reached.was_continued);
     }
@@ -77,6 +94,7 @@ class BranchTest : public testing::Scratch {
   Variable variable_;
   std::vector<std::string> events_;
   std::vector<bool> was_continued_;
+  std::vector<int> factorisations_;
 };
 
 TEST_F(BranchTest, IsFollowedWithoutEventsWhereItIsSmooth) {
@@ -101,6 +119,31 @@ TEST_F(BranchTest, EndsAtAFoldWhichIsFoundBetweenTheValuesThatEncloseIt) {
   if (found[3].matched) {
     EXPECT_LT(std::stod(found[3]), load_of_fold());
   }
+}
+// dz/df by (1): 1/f', f' = 2 EA (1/l₀ − 1/l + z²/l³).
+TEST_F(BranchTest, HasTheTangentOfTheClosedForm) {
+  constexpr double kLittle = -1e-5;  // [N]
+  const auto here = opened({variable_.value_of(-10)}), near = opened({variable_.value_of(-10 + kLittle)});
+  const Solution at = here->solve();
+  Statistics spent;
+  const auto tangent = here->tangent_towards(*near, at.x, spent);
+  ASSERT_TRUE(tangent);
+  EXPECT_EQ(spent.factorisations, 1);
+  const double z = here->positions(at.x)[3 * 1 + 2], l = std::hypot(1, z);
+  EXPECT_NEAR(
+      here->positions(*tangent)[3 * 1 + 2] / kLittle * 2 * kEA * (1 / kL0 - 1 / l + z * z / (l * l * l)), 1,
+      1e-5);
+}
+// A longer wire between the same ends is slack, and nothing holds what is slack: without the tangent, which
+// moves its end out, steps are halved until the wire stays taut, and each of them takes ten times as many
+// factorisations.
+TEST_F(BranchTest, LeadsAlongTheTangentWhereTheNextPointIsOnNoLine) {
+  write("s.toml", kWire);
+  variable_.name = "length", variable_.unit = "", variable_.keys = {{"parts.wire.length", 1, 0}};
+  follow({100, 130, 100, 160});
+  EXPECT_TRUE(events_.empty()) << events_[0];
+  EXPECT_EQ(was_continued_, (std::vector<bool>{false, true, true, true}));
+  for (const std::size_t i : {1u, 2u, 3u}) EXPECT_LE(factorisations_[i], 6) << i;
 }
 TEST_F(BranchTest, StaysOnTheOtherSideOnTheWayBack) {
   const auto z = follow({-40, -20, -1, 20});

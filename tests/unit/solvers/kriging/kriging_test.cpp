@@ -71,6 +71,18 @@ TEST(Kriging, HasTheValuesAtItsPoints) {
   const Kriging kriging(points, values_of(points));
   for (const Numbers& at : points) EXPECT_NEAR(kriging.at(at).value, height(at), 1e-4);
 }
+TEST(Kriging, WithTheScalesOfAnotherIsTheSame) {
+  const Points points = grid(5, 8);
+  const Kriging kriging(points, values_of(points));
+  const auto scales = kriging.scales();
+  ASSERT_TRUE(scales);
+  const Kriging again(points, values_of(points), &*scales);
+  const Numbers at{2.7, 81};
+  EXPECT_NEAR(again.at(at).value, kriging.at(at).value, 1e-9);
+  EXPECT_NEAR(again.at(at).deviation, kriging.at(at).deviation, 1e-9);
+  EXPECT_EQ(kriging.value_at(at), kriging.at(at).value);
+  EXPECT_FALSE(Kriging(points, Numbers(points.size(), 1.0)).scales());
+}
 TEST(Kriging, FindsASmoothFunctionBetweenFewPoints) {
   const Points points = grid(5, 8);
   const Kriging kriging(points, values_of(points));
