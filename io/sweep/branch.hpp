@@ -26,7 +26,7 @@ struct BranchOptions {
   int halvings = 5;     // of a step, before the branch is said to end
   // The part of a step over which residuals are differenced for a tangent. More loses the bed, which yields
   // by millimetres, less is lost in rounding: on four gears 2^-16 to 2^-20 take the fewest factorisations,
-  // and the 83-112 at sea two to eight times as many with 2^-12 and 2^-28.
+  // and the 83-112 at sea two to five times as many with 2^-12 and 2^-28.
   double little = 0x1p-20;
   // Where no two places lead on: a step that took more may have jumped, and is looked at again. Steps of the
   // 83-112 with 600 and 1000 nodes took 1 to 4.
