@@ -5,11 +5,15 @@
 #include "io/dynamics/checkpoint.hpp"
 #include "io/dynamics/xdmf.hpp"
 #include "io/hdf5/image.hpp"
+#include "io/report/fallen_boards.hpp"
 #include "io/report/picture.hpp"
 #include "io/scene/result_request.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace netloft::io {
 
@@ -69,6 +73,20 @@ class LossWatch {
   std::optional<NumericalLoss> loss_;
 };
 
+/// Boards that have lain over or pushed inward, each since when first.
+class BoardWatch {
+ public:
+  void note(double t, const std::vector<FallenBoard>& fallen) {
+    for (const auto& [board, sentence] : fallen)
+      if (seen_.insert(board).second) warnings_.push_back(fmt::format("at t = {:.6g} s {}", t, sentence));
+  }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::set<std::string> seen_;
+  std::vector<std::string> warnings_;
+};
+
 /// One run; the journal is made at the first output, because the content of an output is known only then.
 class MotionRun {
  public:
@@ -88,7 +106,7 @@ class MotionRun {
                              return false;
                            }};
     result_.march = case_.march(watch, options_.interrupt, from_ ? &*from_ : nullptr);
-    result_.loss = losses_.loss();
+    result_.loss = losses_.loss(), result_.warnings = boards_.warnings();
     if (!journal_) return std::move(result_);
     if (result_.outputs == outputs_before_) recall_last_output();
     finish();
@@ -121,7 +139,7 @@ class MotionRun {
 
   void write(const Snapshot& at) {
     const SeriesState state = describe(at);
-    losses_.note(at);
+    losses_.note(at), boards_.note(at.t, find_fallen_boards(loaded_, result_.gear));
     if (!journal_) begin_journal();
     if (result_.outputs == outputs_before_) journal_->require_layout(layout_);
     journal_->write(state, at.state ? pack_checkpoint(*at.state) : "");
@@ -284,6 +302,7 @@ class MotionRun {
   const RunContext& context_;
   const MotionOptions& options_;
   LossWatch losses_;
+  BoardWatch boards_;
   SeriesLayout layout_;
   std::optional<MarchState> from_;
   std::optional<SeriesJournal> journal_;
