@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -165,7 +166,9 @@ class MotionRun {
     auto value = row.begin();
     for (auto& scalar : result_.scalars) scalar.value = *value++;
     for (auto& [name, joules] : result_.energies) joules = *value++;
-    for (auto& figure : result_.gear) figure.value = *value++;
+    result_.gear.clear();
+    for (const auto& column : *gear_columns_)
+      result_.gear.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
   }
 
   /// Finds the content of an output by making one at the point of continuation.
@@ -249,12 +252,26 @@ class MotionRun {
     }
   }
 
+  /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
   void add_gear(const Answer& answer, SeriesState& state) {
     result_.gear = collect_gear(loaded_, case_.assembler(), answer);
-    for (const auto& figure : result_.gear) {
-      layout_.columns.push_back({kGear + figure.name, figure.unit, figure.doc});
-      state.row.push_back(figure.value);
+    if (!gear_columns_)
+      gear_columns_ = journal_ ? gear_columns_of(journal_->layout()) : columns_of(result_.gear);
+    for (const SeriesColumn& column : *gear_columns_) {
+      const NamedScalar* figure = find_scalar(result_.gear, column.name.substr(kGear.size()));
+      layout_.columns.push_back(column);
+      state.row.push_back(figure ? figure->value : std::numeric_limits<double>::quiet_NaN());
     }
+  }
+  static std::vector<SeriesColumn> columns_of(const std::vector<NamedScalar>& figures) {
+    std::vector<SeriesColumn> columns;
+    for (const auto& figure : figures) columns.push_back({kGear + figure.name, figure.unit, figure.doc});
+    return columns;
+  }
+  static std::vector<SeriesColumn> gear_columns_of(const SeriesLayout& layout) {
+    std::vector<SeriesColumn> columns = layout.columns;
+    std::erase_if(columns, [](const SeriesColumn& column) { return !column.name.starts_with(kGear); });
+    return columns;
   }
 
   /// If outputs lie between steps, forces are those of the end of a step.
@@ -304,6 +321,7 @@ class MotionRun {
   LossWatch losses_;
   BoardWatch boards_;
   SeriesLayout layout_;
+  std::optional<std::vector<SeriesColumn>> gear_columns_;  // known from the first output on
   std::optional<MarchState> from_;
   std::optional<SeriesJournal> journal_;
   std::size_t outputs_before_ = 0;  // that were in the journal already
