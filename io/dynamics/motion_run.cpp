@@ -193,8 +193,7 @@ class MotionRun {
     Solution solution;
     solution.x.assign(at.x.begin(), at.x.end()),
         solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
-    Answer answer = ask_elements(loaded_.scene, assembler, at.forces.x, at.forces.motion);
-    answer.x = solution.x;
+    const Answer& answer = answer_at(at.forces, solution.x);
     SeriesState state;
     layout_.changing.clear(), layout_.columns.clear();
     state.time = at.t;
@@ -211,6 +210,16 @@ class MotionRun {
       layout_.fixed.push_back(label_corners(loaded_, assembler));
     }
     return state;
+  }
+
+  /// What elements say where forces are known, which is the same for all outputs within a step, and positions
+  /// of the output.
+  const Answer& answer_at(const ForceMoment& forces, std::span<const double> x) {
+    if (!answered_at_ || *answered_at_ != forces.t)
+      answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion),
+      answered_at_ = forces.t;
+    answer_.x.assign(x.begin(), x.end());
+    return answer_;
   }
 
   void add_point_fields(const Snapshot& at, const Solution& solution, SeriesState& state) {
@@ -322,6 +331,8 @@ class MotionRun {
   BoardWatch boards_;
   SeriesLayout layout_;
   std::optional<std::vector<SeriesColumn>> gear_columns_;  // known from the first output on
+  Answer answer_;                                          // of answered_at_ [s]
+  std::optional<double> answered_at_;
   std::optional<MarchState> from_;
   std::optional<SeriesJournal> journal_;
   std::size_t outputs_before_ = 0;  // that were in the journal already
