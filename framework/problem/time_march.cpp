@@ -393,8 +393,10 @@ class March {
     tell(t, nullptr);
   }
 
-  /// At the end of the last step.
+  /// At the end of the last step, once for all outputs within it.
   void find_forces() {
+    if (forces_after_ == state_.steps) return;
+    forces_after_ = state_.steps;
     problem_.state().set(state_.t, state_.u, state_.v, state_.a);
     assembler_.evaluate(problem_.state().x(),
                         {.residual = residual_.data(), .motion = problem_.state().motion()});
@@ -494,6 +496,7 @@ class March {
   MovingState shown_;        // at the output
   std::vector<double> error_, residual_, shown_u_, corners_;
   double limit_ = 0, previous_ = 0, last_ = 0;
+  std::int64_t forces_after_ = -1;  // steps, that residual_ is of
   double begun_ = wall_seconds(), cpu_begun_ = cpu_seconds();
   bool is_over_ = false;
   MarchResult result_;

@@ -114,6 +114,7 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
   fmt::format_to(out, "  {} iterations, {} factorisations, {:.3g} s, {:.3g} CPU s; real-time factor {:.3g}\n",
                  b.iterations, b.factorisations, b.total_seconds, b.total_cpu_seconds, real_time_factor(r));
   text += start_text(loaded, r.march.start) + accuracy_text(r.march.accuracy) + loss_text(r.loss);
+  for (const auto& sentence : r.warnings) fmt::format_to(out, "  warning: {}\n", sentence);
   if (r.march.stable_step > 0)
     fmt::format_to(out, "  stable for steps up to {:.3g} s, with all members taut\n", r.march.stable_step);
   for (const auto& s : r.scalars)
@@ -147,6 +148,7 @@ std::string motion_json(const LoadedScene& loaded, const Plan& plan, const Motio
                      {"longest_step", r.march.longest},
                      {"stable_step", r.march.stable_step},
                      {"accuracy", accuracy_json(r.march.accuracy)},
+                     {"warnings", r.warnings},
                      {"numerical_loss", loss_json(r.loss)},
                      {"start", start_json(r.march.start)},
                      {"outputs", r.outputs},

@@ -5,11 +5,16 @@
 #include "io/dynamics/checkpoint.hpp"
 #include "io/dynamics/xdmf.hpp"
 #include "io/hdf5/image.hpp"
+#include "io/report/fallen_boards.hpp"
 #include "io/report/picture.hpp"
 #include "io/scene/result_request.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <set>
 
 namespace netloft::io {
 
@@ -69,6 +74,20 @@ class LossWatch {
   std::optional<NumericalLoss> loss_;
 };
 
+/// Boards that have lain over or pushed inward, each since when first.
+class BoardWatch {
+ public:
+  void note(double t, const std::vector<FallenBoard>& fallen) {
+    for (const auto& [board, sentence] : fallen)
+      if (seen_.insert(board).second) warnings_.push_back(fmt::format("at t = {:.6g} s {}", t, sentence));
+  }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::set<std::string> seen_;
+  std::vector<std::string> warnings_;
+};
+
 /// One run; the journal is made at the first output, because the content of an output is known only then.
 class MotionRun {
  public:
@@ -88,7 +107,7 @@ class MotionRun {
                              return false;
                            }};
     result_.march = case_.march(watch, options_.interrupt, from_ ? &*from_ : nullptr);
-    result_.loss = losses_.loss();
+    result_.loss = losses_.loss(), result_.warnings = boards_.warnings();
     if (!journal_) return std::move(result_);
     if (result_.outputs == outputs_before_) recall_last_output();
     finish();
@@ -121,7 +140,7 @@ class MotionRun {
 
   void write(const Snapshot& at) {
     const SeriesState state = describe(at);
-    losses_.note(at);
+    losses_.note(at), boards_.note(at.t, find_fallen_boards(loaded_, result_.gear));
     if (!journal_) begin_journal();
     if (result_.outputs == outputs_before_) journal_->require_layout(layout_);
     journal_->write(state, at.state ? pack_checkpoint(*at.state) : "");
@@ -147,7 +166,9 @@ class MotionRun {
     auto value = row.begin();
     for (auto& scalar : result_.scalars) scalar.value = *value++;
     for (auto& [name, joules] : result_.energies) joules = *value++;
-    for (auto& figure : result_.gear) figure.value = *value++;
+    result_.gear.clear();
+    for (const auto& column : *gear_columns_)
+      result_.gear.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
   }
 
   /// Finds the content of an output by making one at the point of continuation.
@@ -172,8 +193,7 @@ class MotionRun {
     Solution solution;
     solution.x.assign(at.x.begin(), at.x.end()),
         solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
-    Answer answer = ask_elements(loaded_.scene, assembler, at.forces.x, at.forces.motion);
-    answer.x = solution.x;
+    const Answer& answer = answer_at(at.forces, solution.x);
     SeriesState state;
     layout_.changing.clear(), layout_.columns.clear();
     state.time = at.t;
@@ -190,6 +210,16 @@ class MotionRun {
       layout_.fixed.push_back(label_corners(loaded_, assembler));
     }
     return state;
+  }
+
+  /// What elements say where forces are known, which is the same for all outputs within a step, and positions
+  /// of the output.
+  const Answer& answer_at(const ForceMoment& forces, std::span<const double> x) {
+    if (!answered_at_ || *answered_at_ != forces.t)
+      answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion),
+      answered_at_ = forces.t;
+    answer_.x.assign(x.begin(), x.end());
+    return answer_;
   }
 
   void add_point_fields(const Snapshot& at, const Solution& solution, SeriesState& state) {
@@ -231,12 +261,26 @@ class MotionRun {
     }
   }
 
+  /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
   void add_gear(const Answer& answer, SeriesState& state) {
     result_.gear = collect_gear(loaded_, case_.assembler(), answer);
-    for (const auto& figure : result_.gear) {
-      layout_.columns.push_back({kGear + figure.name, figure.unit, figure.doc});
-      state.row.push_back(figure.value);
+    if (!gear_columns_)
+      gear_columns_ = journal_ ? gear_columns_of(journal_->layout()) : columns_of(result_.gear);
+    for (const SeriesColumn& column : *gear_columns_) {
+      const NamedScalar* figure = find_scalar(result_.gear, column.name.substr(kGear.size()));
+      layout_.columns.push_back(column);
+      state.row.push_back(figure ? figure->value : std::numeric_limits<double>::quiet_NaN());
     }
+  }
+  static std::vector<SeriesColumn> columns_of(const std::vector<NamedScalar>& figures) {
+    std::vector<SeriesColumn> columns;
+    for (const auto& figure : figures) columns.push_back({kGear + figure.name, figure.unit, figure.doc});
+    return columns;
+  }
+  static std::vector<SeriesColumn> gear_columns_of(const SeriesLayout& layout) {
+    std::vector<SeriesColumn> columns = layout.columns;
+    std::erase_if(columns, [](const SeriesColumn& column) { return !column.name.starts_with(kGear); });
+    return columns;
   }
 
   /// If outputs lie between steps, forces are those of the end of a step.
@@ -284,7 +328,11 @@ class MotionRun {
   const RunContext& context_;
   const MotionOptions& options_;
   LossWatch losses_;
+  BoardWatch boards_;
   SeriesLayout layout_;
+  std::optional<std::vector<SeriesColumn>> gear_columns_;  // known from the first output on
+  Answer answer_;                                          // of answered_at_ [s]
+  std::optional<double> answered_at_;
   std::optional<MarchState> from_;
   std::optional<SeriesJournal> journal_;
   std::size_t outputs_before_ = 0;  // that were in the journal already

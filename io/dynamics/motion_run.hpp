@@ -26,6 +26,7 @@ struct MotionResult {
   // at the last output [J]; empty: no energy budget was kept
   std::vector<std::pair<std::string, double>> energies;
   std::optional<NumericalLoss> loss;  // none: no energy budget was kept
+  std::vector<std::string> warnings;  // of boards that lay over or pushed inward at an output of this run
   std::size_t outputs = 0;
   double resumed_from = 0;  // [s]
   std::string output_file;  // the .part if it was interrupted

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/answer.hpp"
 
+#include <algorithm>
+
 namespace netloft::io {
 
 namespace {
@@ -29,24 +31,40 @@ std::vector<std::int32_t> bodies_by_node(const Scene& scene) {
   return bodies;
 }
 
+/// Per part of a family and body whether an element of the part has a node on the body.
+std::vector<char> reached_bodies(const ElementFamily& family, std::span<const std::int32_t> body_of,
+                                 std::size_t bodies) {
+  std::vector<char> reached(bodies * family.parts().size());
+  for (std::size_t p = 0; p < family.parts().size(); ++p)
+    for (std::size_t e = family.part_begin()[p]; e < family.part_begin()[p + 1]; ++e)
+      for (int n = 0; n < family.nodes_per_element(); ++n)
+        if (const std::uint32_t node = family.node(e, n); node < body_of.size() && body_of[node] >= 0)
+          reached[p * bodies + static_cast<std::size_t>(body_of[node])] = 1;
+  return reached;
+}
+
+/// What acts on a body is listed whether or not it is zero just then, so that motions have a number for it at
+/// every output.
 void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, const Kinematics& motion,
                      Answer& answer) {
   if (scene.bodies.empty()) return;
   const ElementFamily& family = *assembler.families()[f];
   const auto groups = bodies_by_node(scene);
   const std::size_t bodies = scene.bodies.size();
+  const auto reached = reached_bodies(family, groups, bodies);
+  if (std::ranges::find(reached, 1) == reached.end()) return;
   std::vector<double> sums(3 * bodies * family.parts().size());
   for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
     if (!assembler.sum_term_at(answer.x, f, t, groups, bodies, sums, motion)) continue;
     for (std::size_t k = 0; k < sums.size() / 3; ++k) {
       const double* sum = &sums[3 * k];
-      if (sum[0] == 0 && sum[1] == 0 && sum[2] == 0) continue;
+      if (!reached[k]) continue;
       const std::uint32_t part = family.parts()[k / bodies];
       answer.body_forces.push_back({static_cast<std::uint32_t>(k % bodies),
                                     part,
                                     {scene.parts[part].name,
                                      family.active_terms()[t].name,
-                                     {-sum[0], -sum[1], -sum[2]},
+                                     {0.0 - sum[0], 0.0 - sum[1], 0.0 - sum[2]},
                                      family.active_terms()[t].traits}});
     }
   }

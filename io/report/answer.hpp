@@ -30,7 +30,7 @@ struct Answer {
   std::vector<double> x;
   FamilyOutputs outputs;
   std::vector<PartForce> forces;
-  std::vector<BodyForce> body_forces;  // but for those that are zero throughout
+  std::vector<BodyForce> body_forces;  // of all terms of parts with a node on the body
 };
 
 /// Evaluates all elements. Forces that cannot be evaluated at x are left out.

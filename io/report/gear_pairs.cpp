@@ -60,14 +60,20 @@ void add_means(const std::vector<std::string>& bodies, const std::string& own, s
 /// What spreads a gear: water and ground, outward on one of the two.
 void add_spreading(const std::vector<std::string>& bodies, const std::string& own,
                    std::vector<Figure>& figures) {
+  const auto acts = [&](const char* source) {
+    return std::ranges::any_of(bodies, [&](const auto& body) {
+      return find(figures, "body_forces/" + body + "/" + source + "/out");
+    });
+  };
+  if (!acts("water") && !acts("ground")) return;
   const auto outward = [&](const char* source) {
     return mean_of(figures, bodies, "body_forces/", std::string("/") + source + "/out");
   };
   const double water = outward("water"), ground = outward("ground");
-  if (water == 0 && ground == 0) return;
   figures.push_back(
       {own + "spread_force", "N", "force of water and ground outward, mean of the two", water + ground});
-  figures.push_back({own + "ground_share", "1", "share of the ground in that", ground / (water + ground)});
+  figures.push_back({own + "ground_share", "1", "share of the ground in that",
+                     ground == 0 ? 0 : ground / (water + ground)});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "io/report/run_result.hpp"
 
 #include "framework/problem/correction.hpp"
+#include "io/report/fallen_boards.hpp"
 #include "io/report/overload.hpp"
 
 #include "io/report/gear_figures.hpp"
@@ -184,6 +185,8 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
   for (auto& sentence : law_range_warnings(loaded.scene, result.law_use))
     result.warnings.push_back(std::move(sentence));
   for (auto& doubt : doubt_warnings(loaded, assembler, answer)) result.warnings.push_back(std::move(doubt));
+  for (auto& board : find_fallen_boards(loaded, result.gear))
+    result.warnings.push_back(std::move(board.sentence));
   result.outputs = std::move(answer.outputs), result.part_forces = std::move(answer.forces);
   collect_hold_forces(loaded, assembler, result);
   collect_balance(result);

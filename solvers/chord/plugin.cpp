@@ -12,7 +12,7 @@ namespace netloft {
 ///   (A + μ M) s = −r(u),  u ← u + t s,  G(t) = s·r(u + t s)                                  (1)
 ///   t = 1 if G(1) ≤ η |G(0)|, else where regula falsi finds |G(t)| ≤ η |G(0)|                (2)
 ///   A is made anew at u if G(0) is more than κ² times that of the step before, or |G(t)| > κ |G(0)|  (3)
-///   μ ← 0.1 μ after t > 0.9, 10 μ after t < 0.25                                             (4)
+///   μ ← 0.1 μ after t > 0.9, 10 μ after t < 0.25, and where s leads uphill or no t serves    (4)
 /// (2) is the line search of Matthies and Strang (Int. J. Numer. Meth. Eng. 14, 1979), which needs no energy:
 /// inertia and drag have none. ‖r‖ would not do, since it grows wherever slack twines tighten. −G(0) is the
 /// square of Newton's decrement, a length that no stiff twine dominates. A is the tangent, or its convex part
@@ -56,7 +56,8 @@ class Chords {
     while (problem_.progress(problem_.u(), energy_, r_, is_fresh_ ? "" : "old factor")) {
       if (keep_factor() && search_line()) continue;
       if (!renew_factor()) return Outcome::linear_solve;
-      if (!search_line()) return Outcome::step_too_short;
+      while (!search_line())
+        if (!raise_damping() || !renew_factor()) return Outcome::step_too_short;
     }
     return Outcome::stopped;
   }
@@ -70,11 +71,22 @@ class Chords {
     return find_slope() && decrement_ <= p_.contraction * p_.contraction * before;
   }
 
+  /// With as much damping as it takes: where the tangent is unsymmetric, no factor tells that s leads uphill.
   bool renew_factor() {
-    if (factorise_at_u(problem_, mu_) != Factor::ok) return false;
-    problem_.solve(r_, s_);
-    is_fresh_ = true, is_worn_ = false;
-    return find_slope();
+    do {
+      const Factor factor = factorise_at_u(problem_, mu_);
+      if (factor == Factor::failed) return false;
+      is_fresh_ = true, is_worn_ = false;
+      if (factor != Factor::ok) continue;
+      problem_.solve(r_, s_);
+      if (find_slope()) return true;
+    } while (raise_damping());
+    return false;
+  }
+  bool raise_damping() {
+    if (mu_ >= kLargestDamping) return false;
+    mu_ = std::clamp(10 * mu_, kFirstDamping, kLargestDamping);
+    return true;
   }
 
   /// −G(0); false: s does not lead downhill.
@@ -124,7 +136,7 @@ class Chords {
   /// (4)
   void adapt_damping(double t) {
     if (t > 0.9) mu_ = 0.1 * mu_ < kSmallestDamping ? 0 : 0.1 * mu_;
-    if (t < 0.25) mu_ = std::clamp(10 * mu_, kFirstDamping, kLargestDamping);
+    if (t < 0.25) raise_damping();
   }
 
   const Chord::Parameters& p_;

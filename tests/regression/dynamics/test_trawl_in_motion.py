@@ -1,0 +1,95 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A whole trawl that speeds up, turns and hauls: its doors stand, few steps are tried in vain, and killed it goes on to the same bits.
+
+    test_trawl_in_motion.py NETLOFT SOURCE_FOLDER
+"""
+import json
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+NETLOFT, SOURCE = sys.argv[1], Path(sys.argv[2])
+sys.path.insert(0, str(SOURCE / "tests" / "support"))
+from journal import Damaged, Journal
+from test_killed_motion import first_difference, series_of
+
+SCENE = SOURCE / "gear-library" / "scenes" / "dynamics" / "83-112-in-motion.toml"
+DOORS = "starboard-door", "port-door"
+
+
+def command(output, *settings, options=()):
+    words = [NETLOFT, "run", SCENE, "--threads", "1", "--json", "-o", output, *options]
+    return words + [word for setting in settings for word in ("--set", setting)]
+
+
+class TrawlInMotion(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.output = Path(self.folder.name) / "trawl.hdf"
+
+    def run_it(self, *settings, options=()):
+        ended = subprocess.run(command(self.output, *settings, options=options), capture_output=True, text=True, check=False)
+        self.assertEqual(ended.returncode, 0, ended.stderr[-1000:] + ended.stdout[-1000:])
+        return json.loads(ended.stdout)
+
+    def expect_doors_that_stand(self, spread_from, spread_to):
+        with h5py.File(self.output) as f:
+            gear = f["netloft/series/gear"]
+            for door in DOORS:
+                self.assertLess(np.degrees(np.abs(gear[f"bodies/{door}/heel"][()])).max(), 45)
+            spread = gear["pairs/door/spread"][()]
+        self.assertGreater(spread.min(), spread_from)
+        self.assertLess(spread.max(), spread_to)
+
+    def test_begins_with_doors_that_stand_and_spread(self):
+        for nodes in (100, 300, 1000):
+            with self.subTest(nodes=nodes):
+                answer = self.run_it(f"gear.nodes={nodes}", "analysis.duration=0.01")
+                self.assertEqual(answer["warnings"], [])
+                self.expect_doors_that_stand(50, 70)
+
+    def test_speeds_up_and_turns_in_few_tries(self):
+        """Newton's steps along unsymmetric tangents once led uphill, and steps in time were cut until they did not."""
+        answer = self.run_it("analysis.duration=40")
+        self.assertEqual(answer["warnings"], [])
+        self.expect_doors_that_stand(60, 70)
+        self.assertLess(answer["steps"] + answer["rejected_steps"], 40)
+
+    def test_says_that_doors_lie_over(self):
+        answer = self.run_it('ship.speed="2 kn"', 'ship.path.speed=["2 kn","3 kn","3 kn"]', "analysis.duration=0.01")
+        self.assertEqual(len(answer["warnings"]), 2)
+        for door, sentence in zip(DOORS, answer["warnings"]):
+            self.assertRegex(sentence, f"at t = 0 s {door} lies over, its top turned inward by 1[0-9][0-9]°")
+
+    def test_goes_on_to_the_same_bits_after_a_kill(self):
+        settings = "gear.nodes=100", "analysis.duration=20", "analysis.output_interval=0.1"
+        self.run_it(*settings)
+        wanted = series_of(self.output)
+        self.output.unlink()
+        part = Path(str(self.output) + ".part")
+        run = subprocess.Popen(command(self.output, *settings), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while run.poll() is None:
+            try:
+                if len(Journal(part).outputs) >= 60:
+                    break
+            except (OSError, Damaged):
+                time.sleep(1e-3)
+        run.send_signal(signal.SIGKILL)
+        run.wait()
+        self.assertTrue(part.exists())
+        answer = self.run_it(*settings, options=("--resume",))
+        self.assertGreater(answer["resumed_from"], 0)
+        self.assertIsNone(first_difference(series_of(self.output), wanted))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
