@@ -327,7 +327,7 @@ class OtherCommands(InFreshFolder):
         self.assertEqual((ended.code, ended.err, self.files()), (0, "", {}))
         for words in ("priour/triangle: 2048 elements", "not loaded:", "3168 unknowns", "symmetric", "factorisation: ", "threads: "):
             self.assertIn(words, ended.out)
-        self.assertRegex(ended.out, r"memory: about \S+ GiB, \S+ GiB of it for the factor of the matrix, .* within reach\n$")
+        self.assertRegex(ended.out, r"memory: about \S+ GiB, \S+ GiB of it for the factor of the matrix; .* within reach\n$")
         plan = self.netloft("plan", str(PANEL), "--json").json()
         self.assertEqual(plan["unknowns"], 3168)
         self.assertGreater(plan["memory"]["foreseen"], plan["memory"]["factor"] + plan["memory"]["stability"])
