@@ -33,10 +33,10 @@ class Polars(InFreshFolder):
         ended = self.netloft("draw", str(POLARS), "-o", "polars.svg")
         self.assertEqual(ended.code, 0, ended.err)
         svg = (self.folder / "polars.svg").read_text()
-        for words in ("cambered-low-aspect", ">lift<", ">drag<", "angle of attack"):
+        for words in ("cambered-low-aspect: lift", "high-lift-h2: drag", "angle of attack"):
             self.assertIn(words, svg)
         curves = [d.count("L") + d.count(" ") for d in re.findall(r"<poly?line points=\"([^\"]*)\"|<path d=\"([^\"]*)\"", svg) for d in d if d]
-        self.assertGreaterEqual(sum(n > 100 for n in curves), 2, "a smooth curve each of lift and drag")
+        self.assertGreaterEqual(sum(n > 100 for n in curves), 4, "a smooth curve each of lift and drag")
 
     def test_polars_over_two_angles_have_a_line_for_every_sideslip(self):
         self.assertEqual(self.draw(OVER_SLIP).code, 0)
