@@ -17,9 +17,10 @@ namespace netloft::seabed {
 ///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               h of plane.hpp (9)                   (4)
 ///   r = η/(2π f₀) k m L s(−g/ε) (∇g·v) ∇g,  s(y) = y² (3 − 2y), 0 below 0, 1 beyond 1            (5)
 /// (5) is what the bed loses as it is pressed in and gives way, by the loss factor η at the frequency f₀, as
-/// Kelvin and Voigt's solid. m and q, 1 if nothing is said, are factors of what the bed is made of at x and
-/// y. v_b is the velocity at which the ground passes; where it stands there is no friction, and a
-/// `seabed/plane` has the one that sticks. r lifts a footrope on bobbins or discs off the bed.
+/// Kelvin and Voigt's solid, but no more than (2) presses: a bed does not pull at what leaves it. m and q, 1
+/// if nothing is said, are factors of what the bed is made of at x and y. v_b is the velocity at which the
+/// ground passes; where it stands there is no friction, and a `seabed/plane` has the one that sticks. r lifts
+/// a footrope on bobbins or discs off the bed.
 struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
@@ -74,6 +75,11 @@ struct OnBed {
   static T depth_of(const Parameters& p, const MovingNodes<T, 1>& m) {
     return m.bed[0].below(m.x[0]) + T(p.radius) - m.x[0].z;
   }
+  /// f' of (2).
+  template <class T>
+  static T pressed_by(const Parameters& p, const T& depth) {
+    return depth < T(p.softness) ? depth * depth / T(2 * p.softness) : depth - T(0.5 * p.softness);
+  }
   template <class T>
   static Vec3<T> gap_slope(const MovingNodes<T, 1>& m) {
     const Bed& b = m.bed[0];
@@ -91,7 +97,7 @@ Points<T, 1> OnBed::Friction::force(const Parameters& p, const Data& d, const Wh
   const T depth = depth_of(p, m);
   if (!(depth > T(0))) return {Vec3<T>{}};
   const Vec3<T> up = gap_slope(m);
-  const T pressed = depth < T(p.softness) ? depth * depth / T(2 * p.softness) : depth - T(0.5 * p.softness);
+  const T pressed = pressed_by(p, depth);
   const Vec3<T> n = (1.0 / norm(up)) * up;
   const Vec3<T> over = m.v[0] - Vec3<T>{T(m.ground.x), T(m.ground.y), T(m.ground.z)};
   const Vec3<T> w = over - dot(over, n) * n;
@@ -110,8 +116,10 @@ Points<T, 1> OnBed::Loss::force(const Parameters& p, const Data& d, const Whole&
   if (!(depth > T(0))) return {Vec3<T>{}};
   const T y = depth < T(p.softness) ? depth / T(p.softness) : T(1);
   const Vec3<T> up = gap_slope(m);
-  const double loss = p.loss_factor / (2 * std::numbers::pi * p.loss_frequency) * stiffness_of(p, d);
-  return {-loss * factor(whole.stiffness, m.x[0]) * y * y * (3.0 - 2.0 * y) * dot(up, m.v[0]) * up};  // (5)
+  const T K = stiffness_of(p, d) * factor(whole.stiffness, m.x[0]);
+  const double time = p.loss_factor / (2 * std::numbers::pi * p.loss_frequency);
+  const T resists = time * y * y * (3.0 - 2.0 * y) * dot(up, m.v[0]), presses = pressed_by(p, depth);
+  return {-K * (resists < presses ? resists : presses) * up};  // (5)
 }
 
 }  // namespace netloft::seabed

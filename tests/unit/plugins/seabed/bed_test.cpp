@@ -92,6 +92,10 @@ TEST(SeabedBed, LosesItsShareOfASwingInEveryRadian) {
     lost -= f.z * v / (kSteps * p.loss_frequency);
   }
   EXPECT_NEAR(lost, 2 * std::numbers::pi * 0.2 * 0.5 * 6e4 * amplitude * amplitude, 1e-9);
+  m.v[0] = {0, 0, 100};
+  const State<1> s = node_over(m.bed[0], m.x[0].z);
+  EXPECT_NEAR(-OnBed::Loss::force(p, {2, 0}, {}, m)[0].z, OnBed::normal_force(p, {2, 0}, {}, s), 1e-9)
+      << "a bed does not pull";
   m.x[0].z = -39.9;
   EXPECT_EQ(norm(OnBed::Loss::force(p, {2, 0}, {}, m)[0]), 0) << "clear of the bed";
 }
