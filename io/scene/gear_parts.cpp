@@ -8,11 +8,11 @@
 #include "io/scene/inventory.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
+#include "io/scene/plan_contact.hpp"
 #include "io/scene/riding.hpp"
 #include "io/scene/ship_course.hpp"
 #include "io/scene/thickness.hpp"
 #include "io/toml/merge.hpp"
-#include "io/units/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,59 +78,6 @@ std::vector<std::string> meant_by(const std::string& name, const std::vector<std
   if (is_there(name)) return {name};
   const std::string starboard = "starboard-" + name, port = "port-" + name;
   return is_there(starboard) && is_there(port) ? std::vector{starboard, port} : std::vector<std::string>{};
-}
-
-const GearElements& contact_elements() {
-  return *std::ranges::find_if(gear_elements(),
-                               [](const auto& of) { return of.kind == std::string_view(kContact); });
-}
-
-/// What `[elements.NAME]` says of a part itself, not of how it touches the bed.
-Value without_contact(Value said) {
-  std::erase_if(said.as<Table>()->members,
-                [](const Member& member) { return member.key == contact_elements().key; });
-  return said;
-}
-
-/// What it says of how it touches the bed alone.
-Value only_contact(Value said) {
-  std::erase_if(said.as<Table>()->members,
-                [](const Member& member) { return member.key != contact_elements().key; });
-  return said;
-}
-
-/// Ropes that lie on the bed where a gear is towed over it.
-bool rests_on_bed(const io::Rope& rope) {
-  static const std::set<std::string> roles = {"footrope", "fishing-line", "ground-rope", "bridle",
-                                              "sweep",    "backstrap",    "door-leg"};
-  return roles.contains(rope.role);
-}
-
-/// Points of a board on which it stands.
-std::vector<std::string> shoes_of(const PlanBody& body) {
-  std::vector<std::string> shoes;
-  for (const char* point : {"toe", "heel"})
-    if (std::ranges::find(body.points, point) != body.points.end()) shoes.push_back(body.name + "." + point);
-  return shoes;
-}
-
-/// A length as the plan or the catalogue writes it [m]; 0 where that is no length, which is said elsewhere.
-double metres_of(const Value& value) {
-  if (const auto* number = value.as<double>()) return *number;
-  if (const auto* number = value.as<std::int64_t>()) return static_cast<double>(*number);
-  const auto* text = value.as<std::string>();
-  return text ? to_si(*text, "m").value : 0;
-}
-
-/// By how much the largest of the pieces that are strung along a rope lift it off the bed; 0: there are none.
-double radius_along(const NetPlan& plan, const std::string& rope) {
-  double widest = 0;
-  for (const Pieces& pieces : plan.pieces) {
-    const Table* numbers = pieces.along == rope ? pieces.piece.as<Table>() : nullptr;
-    const Member* diameter = numbers ? numbers->find("diameter") : nullptr;
-    if (diameter) widest = std::max(widest, metres_of(diameter->value));
-  }
-  return widest / 2;
 }
 
 /// What the part of a plan bears, where it says so.
