@@ -16,11 +16,11 @@ constexpr std::size_t kSignalStack = std::size_t{1} << 16;  // enough for AVX-51
 struct ThreadCalls {
   CallStack calls;
   std::atomic<bool> is_taken{false}, was_taken{false};
-  alignas(16) char signal_stack[kSignalStack];
+  alignas(16) char signal_stack[kSignalStack]{};
 };
 
-// Untouched pages of it cost nothing.
-ThreadCalls all_calls[kThreads];
+// Zeros from the start: pages of it that nobody touches cost nothing.
+constinit ThreadCalls all_calls[kThreads];
 
 /// Takes a place for this thread, and gives it back when the thread ends.
 class Place {

@@ -9,28 +9,34 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #if defined(__linux__)
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 #include <new>
+#include <string>
 
 namespace netloft {
 
 namespace {
 
 constexpr int kSeconds = 20;                 // for opening and describing, on a busy machine
-constexpr rlim_t kMemory = rlim_t{1} << 30;  // beyond what this program has
+constexpr rlim_t kMemory = rlim_t{1} << 30;  // beyond what the process of trials has
 constexpr char kCameBack = 'b', kNeedsMemory = 'm',
-               kIsLate = 'l';  // what a trial reports; nothing: it ended before
-int report = -1;               // where to, in the trial
+               kIsLate = 'l';             // what a trial reports; nothing: it ended before
+constexpr int kTalk = STDERR_FILENO + 1;  // its end of the talk with the program, in the process of trials
 
 /// What a plugin has to say before it dies is not for the user.
 void be_quiet() {
@@ -46,9 +52,14 @@ void die_of_signals() {
 #endif
 }
 
-[[noreturn]] void leave_with(char word) {
-  [[maybe_unused]] const auto written = write(report, &word, 1);
-  _exit(0);
+void report(char word) { [[maybe_unused]] const auto written = write(kTalk, &word, 1); }
+
+/// Files of the program that are open here, too, would stay locked until this process ends.
+void keep_only(int talk) {
+  if (talk != kTalk) dup2(talk, kTalk);
+#if defined(SYS_close_range)
+  syscall(SYS_close_range, kTalk + 1, ~0U, 0U);
+#endif
 }
 
 /// Address space of this process [bytes]; zero where the system does not say.
@@ -61,13 +72,21 @@ rlim_t memory_now() {
   return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
+/// Of what this process may use from now on. A limit that a user has set stays the upper one.
+template <class Resource>
+void limit(Resource resource, rlim_t most) {
+  rlimit now{};
+  if (getrlimit(resource, &now) != 0) return;
+  now.rlim_cur = std::min(most, now.rlim_max);
+  setrlimit(resource, &now);
+}
+
 void set_limits() {
-  const rlimit no_core{0, 0}, seconds{kSeconds, kSeconds};
-  setrlimit(RLIMIT_CORE, &no_core), setrlimit(RLIMIT_CPU, &seconds);
-  const rlim_t now = memory_now();
-  const rlimit memory{now + kMemory, now + kMemory};
-  if (now > 0) setrlimit(RLIMIT_AS, &memory);
-  std::set_new_handler([] { leave_with(kNeedsMemory); });
+  limit(RLIMIT_CORE, 0);
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  limit(RLIMIT_CPU, static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + kSeconds));
+  if (const rlim_t now = memory_now(); now > 0) limit(RLIMIT_AS, now + kMemory);
 }
 
 /// Reads a text to its end.
@@ -114,9 +133,7 @@ void read_words(const PluginContent& content) {
   for (const auto& s : content.strategies) read_words(s.parameters), read_text(s.strategy.doc);
 }
 
-[[noreturn]] void open_and_leave(const char* file) {
-  be_quiet();
-  die_of_signals();
+void open_and_read(const char* file) {
   set_limits();
   void* handle = dlopen(file, RTLD_NOW | RTLD_LOCAL);
   void* symbol = handle ? dlsym(handle, "netloft_plugin_v1") : nullptr;
@@ -127,7 +144,25 @@ void read_words(const PluginContent& content) {
     }
   } catch (...) {  // said when it is opened for good
   }
-  leave_with(kCameBack);
+}
+
+/// The process of trials: opens one file after another, until the program ends or one of them ends it.
+[[noreturn]] void try_files(int talk) {
+  keep_only(talk);
+  be_quiet();
+  die_of_signals();
+  std::set_new_handler([] {
+    report(kNeedsMemory);
+    _exit(0);
+  });
+  char file[PATH_MAX + 1];
+  for (;;) {
+    const auto length = read(kTalk, file, PATH_MAX);
+    if (length <= 0) _exit(0);
+    file[length] = '\0';
+    open_and_read(file);
+    report(kCameBack);
+  }
 }
 
 /// What the trial reports within the time it has; 0: it ended without a word.
@@ -165,19 +200,65 @@ int wait_for(pid_t child) {
   return status;
 }
 
+/// The process of trials and the program's end of the talk with it.
+class Trials {
+ public:
+  /// What the trial of a file reports; 0: the process ended without a word, or there is none.
+  char of(const std::string& file);
+  /// Ends the process. Returns its status.
+  int end();
+  bool is_running() const { return process_ > 0 && owner_ == getpid(); }
+  bool start();
+  bool is_fresh() const { return tried_ == 0; }
+
+ private:
+  pid_t process_ = -1, owner_ = -1;  // a fork of the program does not talk to the process of another
+  int talk_ = -1;
+  int tried_ = 0;
+};
+
+bool Trials::start() {
+  int ends[2];
+  if (talk_ >= 0) close(talk_);
+  talk_ = -1, tried_ = 0, process_ = -1;
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return false;
+  process_ = fork(), owner_ = getpid();
+  if (process_ == 0) try_files(ends[1]);
+  close(ends[1]);
+  talk_ = ends[0];
+  return process_ > 0;
+}
+
+char Trials::of(const std::string& file) {
+  ++tried_;
+  if (send(talk_, file.data(), file.size(), MSG_NOSIGNAL) < 0) return 0;
+  return read_report(talk_);
+}
+
+int Trials::end() {
+  kill(process_,
+       SIGKILL);  // what it has not said by now is of no interest; one that has ended keeps its status
+  const int status = wait_for(process_);
+  process_ = -1;
+  return status;
+}
+
 }  // namespace
 
 std::string fault_on_trial(const std::filesystem::path& file) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return {};
-  const pid_t child = fork();
-  if (child == 0) report = ends[1], open_and_leave(file.c_str());
-  close(ends[1]);
-  const char word = child > 0 ? read_report(ends[0]) : kCameBack;  // no room for a trial
-  close(ends[0]);
-  if (child < 0) return {};
-  kill(child, SIGKILL);  // what it has not said by now is of no interest; one that has ended keeps its status
-  return fault_of(word, wait_for(child));
+  static std::mutex one_at_a_time;
+  static Trials trials;
+  const std::lock_guard lock(one_at_a_time);
+  const std::string path = std::filesystem::absolute(file).string();
+  for (;;) {
+    if (!trials.is_running() && !trials.start()) return {};  // no room for a trial
+    const bool was_fresh = trials.is_fresh();
+    const char word = trials.of(path);
+    if (word == kCameBack) return {};
+    const std::string fault = fault_of(word, trials.end());
+    // Where others were opened before, one of them may be at fault: once more, alone.
+    if (was_fresh || word != 0) return fault;
+  }
 }
 
 }  // namespace netloft

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "io/hdf5/transfer.hpp"
 #include "io/hdf5/tree.hpp"
 
 namespace netloft::io {
@@ -70,7 +71,7 @@ Handle write_fixed(hid_t group, const std::string& name, hid_t type, hid_t memor
                    std::array<hsize_t, 2> extents, int rank) {
   const Handle space(H5Screate_simple(rank, extents.data(), nullptr), H5Sclose);
   Handle dataset = make_dataset(group, name, type, space, make_dataset_properties());
-  if (extents[0] > 0) check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+  if (extents[0] > 0) check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, make_transfer(dataset, memory_type), values));
   return dataset;
 }
 
