@@ -62,7 +62,7 @@ class Drawing {
     for (std::size_t i = 0; i < plot_.series.size(); ++i) draw_series(i);
     draw_frame();
     draw_legend();
-    return picture_.finish(kWidth, legend_top() + kLegendLine * double(plot_.series.size()) + kMargin);
+    return picture_.finish(kWidth, legend_top() + kLegendLine * double(legend_lines()) + kMargin);
   }
 
  private:
@@ -71,6 +71,12 @@ class Drawing {
   static double bottom() { return kTop + kInnerHeight; }
   static double right() { return kWidth - kRight; }
   static double legend_top() { return bottom() + kAxisRoom; }
+  std::size_t legend_lines() const { return plot_.series.size() + (has_hollow() ? 1 : 0); }
+  bool has_hollow() const {
+    return std::ranges::any_of(plot_.series, [](const PlotSeries& series) {
+      return std::ranges::any_of(series.points, &PlotSeries::Point::is_hollow);
+    });
+  }
   static const char* colour(std::size_t series) { return kColours[series % kColours.size()]; }
 
   void draw_ticks() {
@@ -139,10 +145,10 @@ class Drawing {
 
   void draw_series(std::size_t i) {
     const PlotSeries& series = plot_.series[i];
-    const auto points = places_of(series.points);
     if (series.is_line)
-      picture_.path(series.curve.empty() ? points : places_of(series.curve), colour(i), 1.4);
-    for (const auto& at : points) picture_.marker(at, i, colour(i));
+      picture_.path(places_of(series.curve.empty() ? series.points : series.curve), colour(i), 1.4);
+    for (const auto& point : series.points)
+      for (const auto& at : places_of({point})) picture_.marker(at, i, colour(i), point.is_hollow);
   }
 
   void draw_legend() {
@@ -152,6 +158,10 @@ class Drawing {
       picture_.marker({kLeft + 11, at}, i, colour(i));
       picture_.text({kLeft + 28, at + 3.5}, plot_.series[i].name, kText, kInk, Anchor::start);
     }
+    if (!has_hollow()) return;
+    const double at = legend_top() + kLegendLine * (double(plot_.series.size()) + 0.5);
+    picture_.marker({kLeft + 11, at}, 0, kInk, true);
+    picture_.text({kLeft + 28, at + 3.5}, plot_.hollow, kText, kInk, Anchor::start);
   }
 
   const LinePlot& plot_;

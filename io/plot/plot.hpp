@@ -9,6 +9,7 @@ namespace netloft::io {
 struct PlotSeries {
   struct Point {
     double x, y;
+    bool is_hollow = false;  // its marker, for what LinePlot::hollow says
   };
   /// Two ends above one x, between which the plot is shaded.
   struct Span {
@@ -36,6 +37,7 @@ struct LinePlot {
   std::vector<PlotSeries> series;
   std::vector<PlotMark> marks = {};
   AxisScale x_scale = AxisScale::logarithmic, y_scale = AxisScale::logarithmic;
+  std::string hollow = {};  // what hollow markers mean, for the last line of the legend; where there are some
 };
 
 /// The plot as a self-contained SVG: white ground, colours that colour-blind readers can distinguish (Okabe

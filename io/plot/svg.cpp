@@ -116,9 +116,10 @@ void SvgPicture::area(const std::vector<PicturePoint>& outline, const char* colo
   body_ += fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", list, colour, opacity);
 }
 
-void SvgPicture::marker(PicturePoint at, std::size_t shape, const char* colour) {
-  body_ += fmt::format("{} fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"0.6\"/>\n", marker_shape(at, shape),
-                       colour);
+void SvgPicture::marker(PicturePoint at, std::size_t shape, const char* colour, bool is_hollow) {
+  constexpr const char* kGround = "#ffffff";
+  body_ += fmt::format("{} fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", marker_shape(at, shape),
+                       is_hollow ? kGround : colour, is_hollow ? colour : kGround, is_hollow ? 1.2 : 0.6);
 }
 
 void SvgPicture::words(PicturePoint at, const std::string& markup, double size, const char* colour,
@@ -145,7 +146,7 @@ void SvgPicture::number(PicturePoint at, double value, bool as_power, double siz
   const std::string markup =
       as_power ? fmt::format("10<tspan dy=\"{}\" font-size=\"{}\">{}{}</tspan>", -0.38 * size, 0.72 * size,
                              exponent < 0 ? "\u2212" : "", std::abs(exponent))
-               : fmt::format("{:g}", value);
+               : fmt::format("{:g}", value + 0.0);  // no sign for a zero
   words(at, markup, size, "#222222", anchor);
 }
 

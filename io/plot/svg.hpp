@@ -20,7 +20,7 @@ class SvgPicture {
   /// A closed area without an outline; `opacity` from 0 to 1.
   void area(const std::vector<PicturePoint>& outline, const char* colour, double opacity);
   /// One of eight shapes that differ even without their colour; after the eighth they repeat.
-  void marker(PicturePoint at, std::size_t shape, const char* colour);
+  void marker(PicturePoint at, std::size_t shape, const char* colour, bool is_hollow = false);
   void text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor);
   /// Text that reads upwards; `halo`: with a white rim that separates it from lines behind.
   void rotated_text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor,

@@ -104,12 +104,14 @@ class Plotter {
     if (const auto values = values_of(v); values.size() > 1) held_[v] = values.front().text;
   }
 
+  bool is_wanted(const StudyRow& row) const {
+    return std::all_of(held_.begin(), held_.end(),
+                       [&](const auto& h) { return row.values[h.first].text == h.second; });
+  }
+
   void choose_rows() {
     for (const StudyRow& row : table_.rows)
-      if (row.record.status == "converged" && std::all_of(held_.begin(), held_.end(), [&](const auto& h) {
-            return row.values[h.first].text == h.second;
-          }))
-        rows_.push_back(&row);
+      if (row.record.status == "converged" && is_wanted(row)) rows_.push_back(&row);
     if (rows_.empty()) throw StudyError("no point that would be drawn has a stable equilibrium");
   }
 
@@ -143,7 +145,8 @@ class Plotter {
                   {},
                   {},
                   AxisScale::linear,
-                  AxisScale::linear};
+                  AxisScale::linear,
+                  "some of the draws have no stable equilibrium here"};
     if (by_ == table_.columns.size()) {
       plot.series.push_back(series("", figure.name, f));
     } else {
@@ -160,20 +163,33 @@ class Plotter {
     return text;
   }
 
+  bool is_of_line(const StudyRow& row, const std::string& value) const {
+    return by_ == table_.columns.size() || row.values[by_].text == value;
+  }
+
+  /// How many points of one line there are at every x, with an equilibrium or without.
+  std::map<double, std::size_t> draws_of(const std::string& value) const {
+    std::map<double, std::size_t> draws;
+    for (const StudyRow& row : table_.rows)
+      if (is_wanted(row) && is_of_line(row, value)) ++draws[row.values[over_].number.value_or(NAN)];
+    return draws;
+  }
+
   /// Rows of one line.
   PlotSeries series(const std::string& value, const std::string& label, std::size_t f) const {
     PlotSeries series{label, {}};
     std::map<double, std::vector<double>> samples;  // by x
     for (const StudyRow* row : rows_)
-      if ((by_ == table_.columns.size() || row->values[by_].text == value) && std::isfinite(row->figures[f]))
+      if (is_of_line(*row, value) && std::isfinite(row->figures[f]))
         samples[row->values[over_].number.value_or(NAN)].push_back(row->figures[f]);
     series.is_line = is_listed(over_);
+    const std::map<double, std::size_t> drawn = draws_of(value);
     for (const auto& [x, sample] : samples) {
       if (!series.is_line) {
         for (const double y : sample) series.points.push_back({x, y});
         continue;
       }
-      series.points.push_back({x, quantile_of(sample, 0.5)});
+      series.points.push_back({x, quantile_of(sample, 0.5), sample.size() < drawn.at(x)});
       if (sample.size() > 1)
         series.band.push_back({x, quantile_of(sample, kBandLow), quantile_of(sample, kBandHigh)});
     }

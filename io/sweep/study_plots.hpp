@@ -19,7 +19,8 @@ inline constexpr double kBandLow = 0.05, kBandHigh = 0.95;
 /// A plot of each figure: lines are medians over the draws, bands have nine tenths of them. Over a variable
 /// that is drawn there is a marker for every row. Listed variables that are neither on the axis nor told
 /// apart by lines are held at one value, which the title says. Points without a stable equilibrium are left
-/// out. Throws StudyError with a sentence where a name is wrong or there is nothing to draw.
+/// out; where some of the draws have none, the marker is hollow. Throws StudyError with a sentence where a
+/// name is wrong or there is nothing to draw.
 std::vector<LinePlot> plots_of(const StudyTable& table, const PlotRequest& request);
 
 }  // namespace netloft::io

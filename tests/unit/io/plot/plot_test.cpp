@@ -139,6 +139,23 @@ TEST(Plot, WritesTicksOfOneAxisInOneManner) {
   EXPECT_EQ(svg.find(">\u22121<"), std::string::npos);
 }
 
+TEST(Plot, ExplainsHollowMarkersWhereThereAreSome) {
+  LinePlot plot;
+  plot.hollow = "half of them";
+  plot.series = {{"s", {{1, 1}, {2, 2}}}};
+  EXPECT_EQ(count(draw_svg(plot), "half of them"), 0u);
+  const std::size_t white = count(draw_svg(plot), "fill=\"#ffffff\"");
+  plot.series.front().points.back().is_hollow = true;
+  EXPECT_EQ(count(draw_svg(plot), "half of them"), 1u);
+  EXPECT_EQ(count(draw_svg(plot), "fill=\"#ffffff\""), white + 2);  // that marker, and the one in the legend
+}
+
+TEST(SvgPicture, GivesZeroNoSign) {
+  SvgPicture picture;
+  picture.number({0, 0}, -0.0, false, 10, Anchor::end);
+  EXPECT_NE(picture.finish(10, 10).find(">0</text>"), std::string::npos);
+}
+
 TEST(SvgPicture, WritesPowersOfTenAsSuch) {
   SvgPicture picture;
   picture.number({0, 0}, 1e-3, true, 10, Anchor::end);

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every program of tests/bench that is a script, on the least that it takes: what nobody runs ends by running no more.
+
+Nothing is said here of what they measure. Each has to end with 0 and to print a row with numbers.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM, SOURCE = Path(os.environ["NETLOFT_PROGRAM"]), Path(os.environ["NETLOFT_SOURCE_DIR"])
+BENCH, LIBRARY = SOURCE / "tests/bench", SOURCE / "gear-library"
+FLUME = LIBRARY / "scenes/83-112-flume-3.0kn.toml"
+COMMANDS = {  # what it is called with
+    "start_up.py": (PROGRAM, "--times", "1"),
+    "memory.py": (PROGRAM, FLUME, "--nodes", "200"),
+    "calibration_coverage.py": (PROGRAM, LIBRARY, "--draws", "1"),
+    "error_bars.py": (PROGRAM, LIBRARY, "--nodes", "60", "--times", "2", "--only", "1"),
+    "sensitivity.py": (PROGRAM, SOURCE / "tests/stability", "--draw", "3", "--case", "flat-sketch", "--of", "auto"),
+    "motions.py": (PROGRAM, SOURCE, "--scenes", "pendulum", "--schemes", "newmark", "--accuracies", "1e-1"),
+    "large_study.py": (PROGRAM, LIBRARY / "studies/83-112-speed-depth.toml", "--draws", "1", "--nodes", "100", "--engines", "pool", "--jobs", "1"),
+    "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
+    "estimates.py": (PROGRAM, "ropes", "--places", "1"),
+    "ranks.py": (PROGRAM.parent / "bench_ranks", "--cells", "8", "--ranks", "1", "--repeats", "1"),
+}
+# Minutes on the least that they take, and an independent integrator that is not built everywhere.
+NOT_HERE = {"time_schemes.py", "real_time.py", "stability_limit.py"}
+NUMBERS = re.compile(r"\d.*\s\|?\s*\d")
+
+
+class Benches(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        keeper = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(keeper.cleanup)
+        cls.folder = Path(keeper.name)
+        (cls.folder / "codend.toml").write_text(f'include = ["{LIBRARY}/scenes/codend-from-plan.toml"]\n')
+        (cls.folder / "ropes.toml").write_text(f'scene = "{LIBRARY}/scenes/hanging-rope.toml"\n[variables.density]\n'
+                                               'key = "parts.rope.rope.density"\nvalues = [2000, 2500, 3000, 3500]\n')
+        for step in ("plan ropes.toml -o ropes", "run ropes"):
+            subprocess.run([PROGRAM, "study", *step.split()], cwd=cls.folder, check=True, capture_output=True)
+
+    def test_all_are_called(self):
+        self.assertEqual({file.name for file in BENCH.glob("*.py")}, COMMANDS.keys() | NOT_HERE)
+
+
+for name, words in COMMANDS.items():
+    def test(self, name=name, words=words):
+        if name == "ranks.py" and not (words[0].exists() and shutil.which("mpirun")):
+            self.skipTest("no bench_ranks or no mpirun")
+        ended = subprocess.run([sys.executable, "-B", BENCH / name, *words], cwd=self.folder, capture_output=True, text=True, timeout=300)
+        self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+        self.assertRegex(ended.stdout, NUMBERS)
+    setattr(Benches, "test_" + name.removesuffix(".py"), test)
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
