@@ -213,7 +213,7 @@ class March {
     if (limits_.interrupt && limits_.interrupt->load())
       return end(MarchStatus::interrupted, "interrupted at t = " + seconds(state_.t));
     if (cpu_seconds() - cpu_begun_ > limits_.seconds)
-      return end(MarchStatus::failed, "the time limit was reached at t = " + seconds(state_.t));
+      return end(MarchStatus::out_of_time, "the time limit was reached at t = " + seconds(state_.t));
     return is_over_;
   }
 
@@ -371,8 +371,8 @@ class March {
   /// From here on nothing depends on how the march has come here but through what is kept.
   void keep() {
     problem_.algebra().forget_factor();
-    if (settings_.budget) budget_.refresh();
     state_.memory = assembler_.memory();
+    if (settings_.budget && !state_.memory.empty()) budget_.refresh();  // else forces are what they were
     if (settings_.budget) state_.budget = budget_.sums();
     state_.judged = judge_.sums();
     find_forces();
@@ -409,13 +409,18 @@ class March {
       shown_.set(t, state_.u, state_.v, state_.a);
       return;
     }
-    Course course;
     std::vector<double> v(state_.u.size()), a(v);
     shown_u_.resize(v.size());
-    for (std::size_t i = 0; i < v.size(); ++i) {
-      course.knots = {{previous_, {next_.u[i]}, {next_.v[i]}}, {last_, {state_.u[i]}, {state_.v[i]}}};
+    Course course;
+    course.knots = {{previous_, {}, {}}, {last_, {}, {}}};
+    Course::Knot &begin = course.knots[0], &end = course.knots[1];
+    for (std::size_t i = 0; i < v.size(); i += 3) {  // three unknowns as if they were a place
+      const std::size_t some = std::min<std::size_t>(3, v.size() - i);
+      std::copy_n(&next_.u[i], some, begin.d.begin()), std::copy_n(&next_.v[i], some, begin.v.begin());
+      std::copy_n(&state_.u[i], some, end.d.begin()), std::copy_n(&state_.v[i], some, end.v.begin());
       const Course::Moment m = course.at(t);
-      shown_u_[i] = m.d[0], v[i] = m.v[0], a[i] = m.a[0];
+      std::copy_n(m.d.begin(), some, &shown_u_[i]);
+      std::copy_n(m.v.begin(), some, &v[i]), std::copy_n(m.a.begin(), some, &a[i]);
     }
     shown_.set(t, shown_u_, v, a);
   }

@@ -75,7 +75,7 @@ struct StepRecord {
   double seconds;  // wall time so far
 };
 
-enum class MarchStatus { finished, stopped, failed, interrupted };
+enum class MarchStatus { finished, stopped, failed, out_of_time, interrupted };
 const char* name_of(MarchStatus status);
 
 /// How far the beginning was from an equilibrium: forces at rest there, by node.

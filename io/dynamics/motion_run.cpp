@@ -199,7 +199,8 @@ class MotionRun {
     state.time = at.t;
     state.points = assembler.node_positions(solution.x);
     add_point_fields(at, solution, state);
-    for (auto& cell : gather_outputs(loaded_, assembler, answer.outputs))
+    if (!fields_) fields_.emplace(loaded_, assembler);
+    for (auto& cell : fields_->gather(answer.outputs))
       layout_.changing.push_back(cell.spec), state.fields.push_back(std::move(cell.values));
     add_row(at, solution, answer.outputs, state);
     add_gear(answer, state);
@@ -216,11 +217,14 @@ class MotionRun {
   /// of the output.
   const Answer& answer_at(const ForceMoment& forces, std::span<const double> x) {
     if (!answered_at_ || *answered_at_ != forces.t)
-      answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion),
+      answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion, has_figures()),
       answered_at_ = forces.t;
     answer_.x.assign(x.begin(), x.end());
     return answer_;
   }
+
+  /// Sums of forces have a use in figures of gears and bodies alone.
+  bool has_figures() const { return loaded_.gear || !loaded_.scene.bodies.empty(); }
 
   void add_point_fields(const Snapshot& at, const Solution& solution, SeriesState& state) {
     const Assembler& assembler = case_.assembler();
@@ -329,6 +333,7 @@ class MotionRun {
   const MotionOptions& options_;
   LossWatch losses_;
   BoardWatch boards_;
+  std::optional<OutputFields> fields_;
   SeriesLayout layout_;
   std::optional<std::vector<SeriesColumn>> gear_columns_;  // known from the first output on
   Answer answer_;                                          // of answered_at_ [s]

@@ -30,6 +30,23 @@ void write_columns(Tree& tree, const std::vector<SeriesColumn>& columns, const R
     tree.write_reals(kRoot + "/series/" + columns[k].name, rows.column(k), columns[k].unit, columns[k].doc);
 }
 
+/// Cells as XDMF has them where they are of several kinds: type, number of nodes unless the type implies it,
+/// nodes.
+std::vector<std::int64_t> mixed_cells(const Mesh& mesh) {
+  constexpr std::int64_t kPolyvertex = 1, kPolyline = 2, kXdmfTriangle = 4;
+  std::vector<std::int64_t> mixed;
+  for (std::size_t c = 0; c < mesh.n_cells(); ++c) {
+    const auto first = mesh.connectivity.begin() + mesh.offsets[c],
+               last = mesh.connectivity.begin() + mesh.offsets[c + 1];
+    if (const auto nodes = last - first; nodes == 3)
+      mixed.push_back(kXdmfTriangle);
+    else
+      mixed.insert(mixed.end(), {nodes == 1 ? kPolyvertex : kPolyline, nodes});
+    mixed.insert(mixed.end(), first, last);
+  }
+  return mixed;
+}
+
 /// The numbers of the last output stand where those of a finished motion do.
 void write_last_row(Tree& tree, const SeriesJournal& journal) {
   if (journal.size() == 0) return;
@@ -104,6 +121,9 @@ void fold_series(const SeriesJournal& journal, hid_t file, const std::string& fi
   });
   Tree tree(file, file_name);
   write_columns(tree, layout.columns, rows);
+  if (journal.size() > 1)
+    tree.write_ints(kRoot + "/xdmf/cells", mixed_cells(layout.mesh), "1",
+                    "cells as the index for viewers, NAME.xdmf, refers to them");
 }
 
 void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,

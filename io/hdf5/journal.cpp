@@ -4,13 +4,14 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+
+#include "io/hdf5/checksum.hpp"
 
 namespace netloft::io {
 namespace fs = std::filesystem;
@@ -20,11 +21,6 @@ namespace {
 constexpr std::string_view kMagic = "\x89NLJ\r\n\x1a\n";
 constexpr std::uint32_t kFormat = 1;
 constexpr std::size_t kHead = 16, kTail = 4;
-
-std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-}
 
 template <class Number>
 void put(std::string& bytes, Number value) {

@@ -27,6 +27,15 @@ std::string explain(const std::string& reason) {
   return reason;
 }
 
+Handle open_hdf5(const fs::path& path) {
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id >= 0) return Handle(id, H5Fclose);
+  const std::string reason = hdf5_message();
+  if (H5Fis_hdf5(path.c_str()) == 0)
+    throw FileError("cannot read " + path.string() + ": it is not an HDF5 file, nor the journal of a motion");
+  throw FileError("cannot read " + path.string() + ": " + explain(reason));
+}
+
 Handle open_file(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw FileError("cannot read " + path.string() + ": there is no such file");
@@ -34,12 +43,7 @@ Handle open_file(const fs::path& path) {
   if (!fs::is_regular_file(path, ignored))
     throw FileError("cannot read " + path.string() + ": it is a pipe, a device or similar, not a file");
   check_seal(path);
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (id >= 0) return Handle(id, H5Fclose);
-  const std::string reason = hdf5_message();
-  if (H5Fis_hdf5(path.c_str()) == 0)
-    throw FileError("cannot read " + path.string() + ": it is not an HDF5 file, nor the journal of a motion");
-  throw FileError("cannot read " + path.string() + ": " + explain(reason));
+  return open_hdf5(path);
 }
 
 std::string parent_of(const std::string& path) {
@@ -109,6 +113,14 @@ herr_t append_name(hid_t, const char* name, const H5L_info_t*, void* data) {
 Reader::Reader(fs::path path) : path_(std::move(path)) {
   silence_hdf5();
   file_ = is_journal(path_) ? unfold(path_) : open_file(path_);
+}
+
+Reader::Reader(fs::path path, Handle file) : path_(std::move(path)), file_(std::move(file)) {}
+
+Reader Reader::of_own(fs::path path) {
+  silence_hdf5();
+  Handle file = open_hdf5(path);
+  return {std::move(path), std::move(file)};
 }
 
 void Reader::require_known_format() const {

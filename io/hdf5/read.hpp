@@ -16,6 +16,8 @@ namespace netloft::io {
 class Reader {
  public:
   explicit Reader(std::filesystem::path path);
+  /// A finished result that this program has written just now: checksums are not compared.
+  static Reader of_own(std::filesystem::path path);
 
   /// Throws FileError if /netloft was written in a newer format than this program knows; an older one is read
   /// as far as it goes.
@@ -52,6 +54,7 @@ class Reader {
   std::vector<double> field(Location location, const std::string& name, std::size_t step) const;
 
  private:
+  Reader(std::filesystem::path path, Handle file);
   Handle dataset(const std::string& path) const;
   Handle object(const std::string& path) const;
   std::string describe_neighbours(const std::string& path) const;

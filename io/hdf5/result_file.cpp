@@ -26,6 +26,11 @@ void ResultFile::write_state(double time, std::span<const double> points,
   with_context("cannot write " + part_path().string(), [&] { grid_->write_state(time, points, fields); });
 }
 
+void ResultFile::flush() {
+  if (grid_) with_context("cannot write " + part_path().string(), [&] { grid_->write_blocks(); });
+  part_.flush();
+}
+
 void ResultFile::finish_grid() {
   if (grid_) with_context("cannot write " + part_path().string(), [&] { grid_->finish(); });
   grid_.reset();

@@ -48,7 +48,7 @@ class ResultFile {
 
   /// Access to everything but the grid; written out at the next flush().
   Tree& tree() { return tree_; }
-  void flush() { part_.flush(); }
+  void flush();
 
   /// Flushes, closes, and gives the file its final name; nothing can be written afterwards.
   void finish();

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -14,6 +13,7 @@
 #include <optional>
 #include <string_view>
 
+#include "io/hdf5/checksum.hpp"
 #include "io/hdf5/locked_file.hpp"
 
 namespace netloft::io {
@@ -45,18 +45,13 @@ void read_at(int fd, std::uint64_t place, char* to, std::size_t size) {
   }
 }
 
-std::uint32_t checksum(std::uint32_t before, std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(before, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-}
-
 /// The checksum of bytes of a file, going on from one of others.
 std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std::uint32_t sum) {
   std::string block(std::min<std::uint64_t>(length, kBlock), '\0');
   while (length > 0) {
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(length, kBlock));
     read_at(fd, place, block.data(), size);
-    sum = checksum(sum, std::string_view(block).substr(0, size));
+    sum = checksum(std::string_view(block).substr(0, size), sum);
     place += size, length -= size;
   }
   return sum;
@@ -96,7 +91,7 @@ std::string table_of(const SealedFile& file) {
   table +=
       hexadecimal(file.between, 8) + " 0 " + std::to_string(file.length) + " " + std::string(kBetween) + "\n";
   table += std::string(kLastWord) + hexadecimal(file.length, 16) + " ";
-  return table + hexadecimal(checksum(0, table), 8) + "\n";
+  return table + hexadecimal(checksum(table), 8) + "\n";
 }
 
 /// Takes a number and the blank behind it from the front of a text.
@@ -146,7 +141,7 @@ std::optional<SealedFile> read_seal(int fd) {
   std::string table(size - length, '\0');
   read_at(fd, length, table.data(), table.size());
   const std::string_view summed = std::string_view(table).substr(0, table.size() - 9);
-  if (!summed.starts_with(kTitle) || checksum(0, summed) != sum)
+  if (!summed.starts_with(kTitle) || checksum(summed) != sum)
     throw FileError("it is damaged: the checksums at its end do not match their own");
   return parse(summed.substr(kTitle.size(), table.size() - kLastLine - kTitle.size()), length);
 }

@@ -11,6 +11,9 @@
 namespace netloft::io {
 namespace {
 
+// Numbers that are written by one call: 1 MB, a small part of what a motion takes in memory.
+constexpr std::size_t kBlock = std::size_t{1} << 17;
+
 [[noreturn]] void reject(const std::string& reason) { throw std::invalid_argument("result mesh: " + reason); }
 
 void require_consistent(const Mesh& mesh) {
@@ -71,7 +74,8 @@ Handle write_fixed(hid_t group, const std::string& name, hid_t type, hid_t memor
                    std::array<hsize_t, 2> extents, int rank) {
   const Handle space(H5Screate_simple(rank, extents.data(), nullptr), H5Sclose);
   Handle dataset = make_dataset(group, name, type, space, make_dataset_properties());
-  if (extents[0] > 0) check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, make_transfer(dataset, memory_type), values));
+  if (extents[0] > 0)
+    check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, make_transfer(dataset, memory_type), values));
   return dataset;
 }
 
@@ -200,15 +204,20 @@ void VtkHdf::write_state(double time, std::span<const double> points,
   require_sizes(points, fields);
   if (times_.size() == states_) reject("more states than the " + std::to_string(states_) + " announced");
   const std::size_t slot = slot_of(times_.size());
-  arrays_[0].write(slot, points.data());
-  for (std::size_t i = 0; i < fields.size(); ++i) arrays_[i + 1].write(slot, fields[i].data());
+  arrays_[0].add(slot, points);
+  for (std::size_t i = 0; i < fields.size(); ++i) arrays_[i + 1].add(slot, fields[i]);
   times_.push_back(time);
+}
+
+void VtkHdf::write_blocks() {
+  for (SlotArray& array : arrays_) array.write_block();
 }
 
 void VtkHdf::finish() {
   if (times_.size() != states_)
     reject(std::to_string(times_.size()) + " states instead of the " + std::to_string(states_) +
            " announced");
+  write_blocks();
   const Handle times =
       write_fixed(steps_, "Values", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, times_.data(), {times_.size(), 1}, 1);
   put_labels(times, "s", "Time of each state, or the load step of a static run");
@@ -227,19 +236,24 @@ void VtkHdf::require_sizes(std::span<const double> points,
   }
 }
 
-Handle VtkHdf::SlotArray::select(std::size_t slot) const {
-  const std::array<hsize_t, 2> start = {slot * rows, 0};
-  const std::array<hsize_t, 2> count = {rows, columns};
-  Handle space(H5Dget_space(dataset), H5Sclose);
-  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
-  return space;
+void VtkHdf::SlotArray::add(std::size_t slot, std::span<const double> values) {
+  if (size() == 0) return;
+  const bool follows = slot == first + block.size() / size();
+  if (!follows || block.size() + size() > kBlock) write_block();
+  if (block.empty()) first = slot;
+  block.insert(block.end(), values.begin(), values.end());
 }
 
-void VtkHdf::SlotArray::write(std::size_t slot, const double* values) {
-  if (size() == 0) return;
-  const hsize_t length = size();
-  const Handle memory(H5Screate_simple(1, &length, nullptr), H5Sclose);
-  check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, select(slot), H5P_DEFAULT, values));
+void VtkHdf::SlotArray::write_block() {
+  if (block.empty()) return;
+  const std::array<hsize_t, 2> start = {first * rows, 0};
+  const std::array<hsize_t, 2> count = {block.size() / columns, columns};
+  const hsize_t length = block.size();
+  const Handle space(H5Dget_space(dataset), H5Sclose),
+      memory(H5Screate_simple(1, &length, nullptr), H5Sclose);
+  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
+  check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, block.data()));
+  block.clear();
 }
 
 }  // namespace netloft::io

@@ -56,20 +56,26 @@ class VtkHdf {
   /// `points` 3n [m]; `fields` in the order of `changing`.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
-  /// Writes the times. Throws std::invalid_argument unless there were as many states as were announced.
+  /// Writes what is still kept of states.
+  void write_blocks();
+  /// The same, and writes the times. Throws std::invalid_argument unless there were as many states as were
+  /// announced.
   void finish();
 
  private:
-  /// A dataset of slots; rows of `columns` numbers.
+  /// A dataset of slots; rows of `columns` numbers. Slots that follow each other are kept until they are a
+  /// block, and written by one call: HDF5 first reads what lies around a write of less than 64 kB.
   struct SlotArray {
     std::string name;
     std::size_t rows;
     std::size_t columns;
     Handle dataset;
+    std::vector<double> block = {};
+    std::size_t first = 0;  // slot of the block
 
     std::size_t size() const { return rows * columns; }
-    void write(std::size_t slot, const double* values);
-    Handle select(std::size_t slot) const;
+    void add(std::size_t slot, std::span<const double> values);
+    void write_block();
   };
 
   void write_topology(const Mesh& mesh);

@@ -73,10 +73,11 @@ void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, co
 }  // namespace
 
 Answer ask_elements(const Scene& scene, Assembler& assembler, std::span<const double> x,
-                    const Kinematics& motion) {
+                    const Kinematics& motion, bool with_forces) {
   Answer answer{{x.begin(), x.end()}, FamilyOutputs(assembler.families().size()), {}, {}};
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
     assembler.outputs(x, f, answer.outputs[f], motion);
+    if (!with_forces) continue;
     add_forces(scene, assembler, f, motion, answer);
     add_body_forces(scene, assembler, f, motion, answer);
   }

@@ -33,8 +33,9 @@ struct Answer {
   std::vector<BodyForce> body_forces;  // of all terms of parts with a node on the body
 };
 
-/// Evaluates all elements. Forces that cannot be evaluated at x are left out.
+/// Evaluates all elements; without `with_forces` their outputs alone, which takes a part of the time. Forces
+/// that cannot be evaluated at x are left out.
 Answer ask_elements(const Scene& scene, Assembler& assembler, std::span<const double> x,
-                    const Kinematics& motion = {});
+                    const Kinematics& motion = {}, bool with_forces = true);
 
 }  // namespace netloft::io

@@ -67,8 +67,7 @@ std::array<double, 6> corners_on_panel(const PanelPlaces& panel, std::span<const
   return corners;
 }
 
-/// The cells of the elements of each family. Elements that stand on the netting of other parts, such as the
-/// catch in a cod-end, have no cells of their own: theirs are those between the same nodes.
+/// The cells of the elements of each family.
 class CellsOfFamilies {
  public:
   static constexpr std::size_t kNoCell = std::numeric_limits<std::size_t>::max();
@@ -185,23 +184,31 @@ StaticField label_corners(const LoadedScene& loaded, const Assembler& assembler)
           corners};
 }
 
-std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler& assembler,
-                                      const FamilyOutputs& outputs_of) {
+OutputFields::OutputFields(const LoadedScene& loaded, const Assembler& assembler) {
   const CellsOfFamilies cells(loaded, assembler);
-  std::vector<CellField> fields;
+  count_ = cells.count();
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
-    const auto own = cells.of(f);
+    cells_.push_back(cells.of(f));
     const auto& outputs = assembler.families()[f]->type().outputs;
-    for (std::size_t k = 0; k < outputs.size() && !own.empty(); ++k) {
-      auto at = std::find_if(fields.begin(), fields.end(),
-                             [&](const CellField& c) { return c.spec.name == outputs[k].name; });
-      if (at == fields.end())
-        at = fields.insert(at, {{outputs[k].name, outputs[k].unit, outputs[k].doc, Location::kCell, 1, false},
-                                std::vector<double>(cells.count(), kNone)});
-      for (std::size_t e = 0; e < own.size(); ++e)
-        if (own[e] != CellsOfFamilies::kNoCell && std::isnan(at->values[own[e]]))
-          at->values[own[e]] = outputs_of[f][k][e];
+    for (std::size_t k = 0; k < outputs.size() && !cells_[f].empty(); ++k) {
+      const auto at = std::find_if(specs_.begin(), specs_.end(),
+                                   [&](const FieldSpec& spec) { return spec.name == outputs[k].name; });
+      sources_.push_back({f, k, static_cast<std::size_t>(at - specs_.begin())});
+      if (at == specs_.end())
+        specs_.push_back({outputs[k].name, outputs[k].unit, outputs[k].doc, Location::kCell, 1, false});
     }
+  }
+}
+
+std::vector<CellField> OutputFields::gather(const FamilyOutputs& outputs) const {
+  std::vector<CellField> fields;
+  for (const FieldSpec& spec : specs_) fields.push_back({spec, std::vector<double>(count_, kNone)});
+  for (const auto& [family, output, field] : sources_) {
+    const std::vector<std::size_t>& cells = cells_[family];
+    const auto& from = outputs[family][output];
+    std::vector<double>& to = fields[field].values;
+    for (std::size_t e = 0; e < cells.size(); ++e)
+      if (cells[e] != CellsOfFamilies::kNoCell && std::isnan(to[cells[e]])) to[cells[e]] = from[e];
   }
   return fields;
 }

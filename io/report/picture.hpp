@@ -27,9 +27,23 @@ std::optional<std::pair<FieldSpec, std::vector<double>>> rotation_field(const Lo
 /// Labels of points and cells: the part they belong to, and the position of a point on its panel.
 std::vector<StaticField> label_points(const LoadedScene& loaded);
 StaticField label_cells(const LoadedScene& loaded, const Assembler& assembler);
-/// Outputs of all families, those of one name in one field; elements without that output have no value.
-std::vector<CellField> gather_outputs(const LoadedScene& loaded, const Assembler& assembler,
-                                      const FamilyOutputs& outputs_of);
+/// Gathers outputs of all families, those of one name in one field; elements without that output have no
+/// value. Elements that stand on the netting of other parts, such as the catch in a cod-end, have no cells of
+/// their own: theirs are those between the same nodes. Which these are is found once.
+class OutputFields {
+ public:
+  OutputFields(const LoadedScene& loaded, const Assembler& assembler);
+  std::vector<CellField> gather(const FamilyOutputs& outputs) const;
+
+ private:
+  struct Source {
+    std::size_t family, output, field;  // the output of a family, and the field it goes to
+  };
+  std::vector<FieldSpec> specs_;
+  std::vector<Source> sources_;
+  std::vector<std::vector<std::size_t>> cells_;  // of every family, of its elements
+  std::size_t count_ = 0;                        // of cells
+};
 /// Where the corners of a cell lie on the panel that the cell belongs to; nodes on seams belong to several
 /// panels. Along a twine of diamond netting u = V + U or v = V - U is constant, so that twines can be drawn
 /// from it.

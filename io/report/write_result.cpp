@@ -44,7 +44,7 @@ StateFields fields_at(const LoadedScene& loaded, const Assembler& assembler, std
   state.values = {std::move(displacement), std::move(left), std::move(held)};
   if (auto rotations = rotation_field(loaded, assembler, x))
     state.specs.push_back(rotations->first), state.values.push_back(std::move(rotations->second));
-  for (auto& cell : gather_outputs(loaded, assembler, outputs))
+  for (auto& cell : OutputFields(loaded, assembler).gather(outputs))
     state.specs.push_back(cell.spec), state.values.push_back(std::move(cell.values));
   return state;
 }

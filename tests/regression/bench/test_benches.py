@@ -17,6 +17,7 @@ BENCH, LIBRARY = SOURCE / "tests/bench", SOURCE / "gear-library"
 FLUME = LIBRARY / "scenes/83-112-flume-3.0kn.toml"
 COMMANDS = {  # what it is called with
     "start_up.py": (PROGRAM, "--times", "1"),
+    "frames.py": (PROGRAM, SOURCE, "1"),
     "memory.py": (PROGRAM, FLUME, "--nodes", "200"),
     "calibration_coverage.py": (PROGRAM, LIBRARY, "--draws", "1"),
     "error_bars.py": (PROGRAM, LIBRARY, "--nodes", "60", "--times", "2", "--only", "1"),

@@ -163,6 +163,19 @@ class KilledMotion(unittest.TestCase):
                 self.assertEqual(item.text, self.whole.name)
                 np.testing.assert_array_equal(rows_of(item, data), self.wanted[name][i], name)
 
+    def test_has_an_index_that_points_at_its_cells(self):
+        """By XDMF's numbers of shapes: 1 several points, 2 a line of several points, both followed by how many; 4 a triangle."""
+        cells = ElementTree.parse(self.whole.with_suffix(".xdmf")).getroot().find("./Domain/Grid/Grid/Topology")
+        item = cells.find("DataItem")
+        numbers = np.frombuffer(self.whole.read_bytes(), "<i8", int(item.get("Dimensions")), int(item.get("Seek")))
+        with h5py.File(self.whole) as f:
+            nodes, first = f["VTKHDF/Connectivity"][()], f["VTKHDF/Offsets"][()]
+        self.assertEqual(int(cells.get("NumberOfElements")), len(first) - 1)
+        wanted = []
+        for begin, end in zip(first, first[1:]):
+            wanted += {1: [1, 1], 2: [2, 2], 3: [4]}[end - begin] + list(nodes[begin:end])
+        self.assertEqual(list(numbers), wanted)
+
     def test_says_that_there_is_nothing_to_go_on_from(self):
         run = subprocess.run(command(Path(self.folder.name) / "none.hdf", "--resume"), capture_output=True, text=True,
                              check=False)

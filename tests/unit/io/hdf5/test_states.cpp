@@ -49,12 +49,14 @@ TEST_F(States, OneStateNeedsNoHistory) {
   EXPECT_EQ(reader.integers("/VTKHDF/Steps/PointOffsets"), (std::vector<std::int64_t>{0}));
 }
 
-TEST_F(States, AreAsManyAsWereAnnounced) {
-  std::vector<double> times(200);
+TEST_F(States, AreAsManyAsWereAnnouncedAndMoreThanOneBlock) {
+  std::vector<double> times(2000);  // 2.3 MB of positions
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = 0.01 * static_cast<double>(i);
   const Reader reader = written(times);
   EXPECT_EQ(reader.times(), times);
-  EXPECT_EQ(reader.points(100), kSheet.points(times[100]));
+  for (std::size_t i = 0; i < times.size(); i += 13)
+    ASSERT_EQ(reader.points(i), kSheet.points(times[i])) << i;
+  EXPECT_EQ(reader.points(1999), kSheet.points(times[1999]));
 }
 
 TEST_F(States, MoreOrFewerThanAnnouncedAreRefused) {

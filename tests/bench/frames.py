@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a frame (an output) of a motion costs in processor time of the whole program, the result at the end included.
+
+    frames.py NETLOFT SOURCE_FOLDER [PAIRS]
+
+The panel of gear-library/scenes/dynamics/panel-in-current.toml in 31 x 31 cells, 1024 nodes, goes through the same time in the
+same steps with many frames and with two, in turn, on one thread. A frame costs the difference between the least times of both over
+the frames that one has more; beside it stands by how much the times of one kind differ, over the same frames.
+
+between steps         dense output: positions between two ends of steps
+at ends, implicit     equal steps of generalized-alpha, an output at every one
+at ends, explicit     equal steps of central differences, an output at every fourth one
+"""
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+NETLOFT, SOURCE = sys.argv[1], Path(sys.argv[2])
+PAIRS = int(sys.argv[3]) if len(sys.argv) > 3 else 5
+SCENE = SOURCE / "gear-library" / "scenes" / "dynamics" / "panel-in-current.toml"
+WAYS = {
+    "between steps": ({"duration": 0.1, "dense": "true"}, 1e-4),
+    "at ends, implicit": ({"duration": 0.3, "adaptive": "false", "step": 1e-3}, 1e-3),
+    "at ends, explicit": ({"integrator": "central-difference", "duration": 0.02, "adaptive": "false", "step": 2e-5}, 8e-5),
+}
+
+
+def run(folder, settings, interval):
+    """Processor time of the program [s], its frames and its steps."""
+    words = [NETLOFT, "run", SCENE, "--json", "--threads", "1", "--overwrite", "-o", Path(folder) / "out.hdf",
+             "--set", "parts.net.cells=[31,31]", "--set", f"analysis.output_interval={interval}"]
+    for key, value in settings.items():
+        words += ["--set", f"analysis.{key}={value}"]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode:
+        raise SystemExit(done.stderr + done.stdout)
+    answer = json.loads(done.stdout)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, answer["outputs"], answer["steps"]
+
+
+def measure(folder, settings, interval):
+    """Milliseconds a frame, how far runs of one kind are apart over the frames, frames and steps."""
+    with_frames, without = [], []
+    for _ in range(PAIRS):
+        many, frames, steps = run(folder, settings, interval)
+        few, ends, same = run(folder, settings, 0)
+        assert steps == same or settings.get("dense"), "both go through time in the same steps"
+        with_frames.append(many), without.append(few)
+    apart = max(max(times) - min(times) for times in (with_frames, without))
+    return [1e3 * seconds / (frames - ends) for seconds in (min(with_frames) - min(without), apart)], frames, steps
+
+
+if __name__ == "__main__":
+    os.environ |= {"OMP_NUM_THREADS": "1", "OMP_THREAD_LIMIT": "1"}
+    print("| frames | how many | steps | ms a frame | runs apart |\n|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as there:
+        for name, (how, every) in WAYS.items():
+            (cost, apart), number, taken = measure(there, how, every)
+            print(f"| {name} | {number} | {taken} | {cost:.2f} | {apart:.2f} |", flush=True)
