@@ -16,6 +16,8 @@ class SingleThreadScope {
   SingleThreadScope(const SingleThreadScope&) = delete;
   SingleThreadScope& operator=(const SingleThreadScope&) = delete;
   ~SingleThreadScope();
+  /// In this thread.
+  static bool is_open();
 
  private:
   int max_active_levels_ = -1;

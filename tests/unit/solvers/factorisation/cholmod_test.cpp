@@ -4,7 +4,10 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "solvers/factorisation/foreseen_memory.hpp"
+#include "solvers/factorisation/suitesparse_scope.hpp"
 #include "tests/unit/solvers/factorisation/solving.hpp"
 
 namespace netloft {
@@ -114,6 +117,22 @@ TEST(Cholmod, LeavesTheThreadsOfTheProgramAsTheyWere) {
   const int before = levels();
   error_of_solving(*make_cholmod_factorisation(), make_net_matrix({}));
   EXPECT_EQ(levels(), before);
+}
+
+/// How parallel regions begin, by GCC's convention.
+using Begin = void (*)(void (*)(void*), void*, unsigned, unsigned);
+
+TEST(SingleThreadScope, MakesAPlainCallOfAParallelRegionOfCholmod) {
+  const auto begin = reinterpret_cast<Begin>(dlsym(RTLD_DEFAULT, "GOMP_parallel"));  // as CHOLMOD finds it
+  ASSERT_NE(begin, nullptr);
+  Dl_info found{}, own{};
+  ASSERT_NE(dladdr(reinterpret_cast<void*>(begin), &found), 0);
+  ASSERT_NE(dladdr(reinterpret_cast<void*>(&make_cholmod_factorisation), &own), 0);
+  EXPECT_STREQ(found.dli_fname, own.dli_fname) << "the runtime's own is found first";
+  std::atomic<int> calls = 0;
+  const SingleThreadScope scope;
+  begin([](void* data) { ++*static_cast<std::atomic<int>*>(data); }, &calls, 4, 0);
+  EXPECT_EQ(calls, 1);
 }
 
 }  // namespace
