@@ -3,8 +3,6 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
-
 namespace netloft {
 
 using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6>;
@@ -71,7 +69,7 @@ void NodeMasses::invert(Node& n) const {
 }
 
 bool NodeMasses::accelerate(std::span<const double> residual, std::span<double> a, bool massless_rest) {
-  if (!massless_rest && massless_node()) return false;
+  if (!massless_rest && !massless_nodes().empty()) return false;
   divide(residual, a);
   for (double& v : a) v = -v;
   return true;
@@ -102,62 +100,11 @@ std::vector<double> NodeMasses::diagonal() const {
   return all;
 }
 
-std::optional<std::uint32_t> NodeMasses::massless_node() const {
+std::vector<std::uint32_t> NodeMasses::massless_nodes() const {
+  std::vector<std::uint32_t> all;
   for (const Node& n : nodes_)
-    if (!n.has_mass) return n.nodes[0];
-  return std::nullopt;
-}
-
-namespace {
-
-double dot(const std::vector<double>& x, const std::vector<double>& y) {
-  double sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i];
-  return sum;
-}
-
-/// Numbers in [-1, 1) that look random and are always the same (Knuth's MMIX generator).
-void fill(std::vector<double>& x) {
-  std::uint64_t seed = 1;
-  for (double& v : x) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    v = static_cast<double>(static_cast<std::int64_t>(seed)) * 0x1p-63;
-  }
-}
-
-}  // namespace
-
-double highest_frequency(const NodeMasses& masses, std::size_t unknowns,
-                         const std::function<void(std::span<const double>, std::span<double>)>& stiffness) {
-  constexpr int kSteps = 60;
-  std::vector<double> q(unknowns), before(unknowns, 0.0), w(unknowns), mass_q(unknowns);
-  std::vector<double> alpha, beta;
-  fill(q);
-  for (int k = 0; k < kSteps; ++k) {
-    masses.multiply(q, mass_q);
-    const double length = std::sqrt(dot(q, mass_q));  // in the inner product of M
-    if (!(length > 0) || (k > 0 && length < 1e-12 * std::abs(alpha[0]))) break;
-    if (k > 0) beta.push_back(length);
-    for (std::size_t i = 0; i < unknowns; ++i) q[i] /= length, mass_q[i] /= length;
-    stiffness(q, w);
-    alpha.push_back(dot(q, w));
-    masses.divide(w, w);
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      const double next = w[i] - alpha.back() * q[i] - (k > 0 ? beta.back() * before[i] : 0);
-      before[i] = q[i], q[i] = next;
-    }
-  }
-  if (alpha.empty()) return 0;
-  const Eigen::Map<const Eigen::VectorXd> diagonal(alpha.data(), static_cast<Eigen::Index>(alpha.size()));
-  beta.resize(alpha.size() - 1);
-  const Eigen::Map<const Eigen::VectorXd> beside(beta.data(), static_cast<Eigen::Index>(beta.size()));
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-  ritz.computeFromTridiagonal(diagonal, beside);
-  const Eigen::Index last = diagonal.size() - 1;
-  masses.multiply(q, mass_q);
-  const double residual =
-      std::sqrt(std::max(0.0, dot(q, mass_q))) * std::abs(ritz.eigenvectors()(last, last));
-  return std::sqrt(std::max(0.0, ritz.eigenvalues()(last) + residual));
+    if (!n.has_mass) all.push_back(n.nodes[0]);
+  return all;
 }
 
 }  // namespace netloft

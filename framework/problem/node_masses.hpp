@@ -25,8 +25,8 @@ class NodeMasses {
   std::vector<double> diagonal() const;
   /// Whether masses couple nodes: then no block is the truth.
   bool coupled() const { return coupled_ > 0; }
-  /// A node with an unknown and no mass.
-  std::optional<std::uint32_t> massless_node() const;
+  /// Nodes with unknowns and no mass, and origins of bodies without inertia.
+  std::vector<std::uint32_t> massless_nodes() const;
 
  private:
   /// Unknowns of one node, or of origin and rotation of one body.
@@ -51,11 +51,5 @@ class NodeMasses {
   std::vector<double> blocks_;
   double coupled_ = 0;
 };
-
-/// Highest angular frequency of M⁻¹ K [rad/s], from above but for rounding: the largest Ritz value of a few
-/// Lanczos steps in the inner product of M, and its residual (Lanczos 1950; Parlett, The Symmetric Eigenvalue
-/// Problem, 1980, chapter 13). `stiffness` is y = K x.
-double highest_frequency(const NodeMasses& masses, std::size_t unknowns,
-                         const std::function<void(std::span<const double>, std::span<double>)>& stiffness);
 
 }  // namespace netloft

@@ -193,11 +193,21 @@ int TransientProblem::solve_step(const StepProblem& asked, double* u) {
   return NETLOFT_OUTSIDE_DOMAIN;
 }
 
+Pencil TransientProblem::pencil(Pencil::Apply stiffness) const {
+  using In = std::span<const double>;
+  using Out = std::span<double>;
+  return {size(), std::move(stiffness), [this](In x, Out y) { masses_.multiply(x, y); },
+          [this](In x, Out y) { masses_.divide(x, y); }};
+}
+
 double TransientProblem::highest_frequency() {
   if (!masses_.update(assembler_.start())) return 0;
-  return netloft::highest_frequency(masses_, size(), [&](std::span<const double> x, std::span<double> y) {
-    algebra_.interface().multiply(algebra_.interface().host, NETLOFT_NONE, 1, x.data(), y.data());
-  });
+  netloft_problem& p = algebra_.interface();
+  HighestMode mode = find_highest_mode(pencil([&p](std::span<const double> x, std::span<double> y) {
+    p.multiply(p.host, NETLOFT_NONE, 1, x.data(), y.data());
+  }));
+  stiffest_ = std::move(mode.shape);
+  return mode.omega;
 }
 
 double TransientProblem::highest_frequency_at(std::span<const double> u) {
@@ -207,16 +217,17 @@ double TransientProblem::highest_frequency_at(std::span<const double> u) {
   if (!masses_.update(x) ||
       p.evaluate(p.host, NETLOFT_WANT_TANGENT, u.data(), nullptr, nullptr) != NETLOFT_OK)
     return 0;
-  return netloft::highest_frequency(masses_, size(), [&](std::span<const double> in, std::span<double> out) {
+  const Pencil now = pencil([&p](std::span<const double> in, std::span<double> out) {
     p.multiply(p.host, NETLOFT_EXACT, 0, in.data(), out.data());
   });
+  return highest_frequency_near(now, stiffest_);
 }
 
 std::string TransientProblem::obstacle_to_explicit(const Scene& scene) {
   if (!masses_.update(assembler_.start())) return assembler_.fault_sentence(scene);
   if (masses_.coupled()) return "masses couple nodes, which no explicit scheme can divide by";
-  if (const auto node = masses_.massless_node())
-    return scene.node_name(*node) + " has no mass, which no explicit scheme can divide by";
+  if (const auto nodes = masses_.massless_nodes(); !nodes.empty())
+    return scene.node_name(nodes.front()) + " has no mass, which no explicit scheme can divide by";
   return "";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/problem/highest_frequency.hpp"
 #include "framework/problem/moving_state.hpp"
 #include "framework/problem/node_masses.hpp"
 #include "framework/problem/static_problem.hpp"
@@ -40,7 +41,9 @@ class TransientProblem {
   Balance balance() { return algebra_.balance(state_.x(), residual_); }
   /// Highest angular frequency that the linear stiffness and the masses at the start allow [rad/s].
   double highest_frequency();
-  /// The same of the tangent where it rests at displacements u, which need not bound other states.
+  /// The same of the tangent where it rests at displacements u, which need not bound other states. Begins at
+  /// the mode that highest_frequency() has found, which has to be called before; so it is the same whenever a
+  /// march gets here.
   double highest_frequency_at(std::span<const double> u);
   /// What makes explicit schemes impossible here; empty: nothing.
   std::string obstacle_to_explicit(const Scene& scene);
@@ -68,6 +71,7 @@ class TransientProblem {
   int accelerate_at(double t, std::span<const double> u, std::span<const double> v, std::span<double> a,
                     bool massless_rest);
   int evaluate();
+  Pencil pencil(Pencil::Apply stiffness) const;
 
   Assembler& assembler_;
   MovingState state_;
@@ -81,6 +85,7 @@ class TransientProblem {
   netloft_motion interface_{};
   Statistics statistics_;
   double least_load_ = 0;
+  std::vector<double> stiffest_;  // shape of the mode of highest_frequency()
   std::string trouble_;
   char message_[256] = "";
   std::vector<double> zero_, residual_, mass_;

@@ -6,6 +6,7 @@
 #include "framework/study/settings.hpp"
 #include "io/case/diagnosis.hpp"
 #include "io/case/idle_choices.hpp"
+#include "io/case/inertia.hpp"
 #include "io/case/material_damping.hpp"
 #include "io/case/meshes.hpp"
 #include "io/case/stretch_damping.hpp"
@@ -24,6 +25,13 @@
 namespace netloft::io {
 
 namespace {
+
+/// Throws SceneError for what a motion cannot move.
+void require_inertia(const LoadedScene& loaded, const Plan& plan, Registry& registry, Assembler& assembler) {
+  const bool is_explicit = registry.integrator(loaded.analysis.dynamics.integrator).is_explicit();
+  auto faults = find_missing_inertia(loaded.scene, plan, registry, assembler, is_explicit);
+  if (!faults.empty()) throw SceneError(std::move(faults));
+}
 
 constexpr int kFromElsewhere = 100;  // iterations from a point that a user names, before it is given up
 
@@ -70,6 +78,7 @@ Case::State Case::assemble() {
     if (moves) std::erase(plan_.not_loaded, registry_.integrator(analysis.dynamics.integrator).origin->name);
     assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
     meshes_ = std::make_unique<Meshes>(source_, loaded_, registry_);
+    if (moves) require_inertia(loaded_, plan_, registry_, *assembler_);
   } catch (const SceneError& error) {
     for (const auto& fault : error.faults) diagnostics_.error(loaded_.place_of(fault.part), fault.message);
     return State::wrong_input;

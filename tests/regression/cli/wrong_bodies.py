@@ -38,6 +38,8 @@ on = "warp.start"
 heel = { of = "clump", take = "heel" }
 """
 
+IN_MOTION = '[analysis]\nkind = "dynamic"\nduration = 1\n'
+IN_MOTION_BY_SET = ["--set", "analysis.kind=dynamic", "--set", "analysis.duration=1"]
 EYE = 'points = ["warp.end", "clump.eye"]'
 POINTS = "points = { eye = [0, 0, 0.5], foot = [0.1, 0, -0.5] }"
 
@@ -92,6 +94,12 @@ ALL = [
     beside("force at no point", '[parts.more]\ntype = "force/body"\non = "clump.fot"\n', "34:6", '"clump" has no "fot"', 'did you mean "clump.foot"?'),
     beside("force on no body", '[parts.more]\ntype = "force/body"\nat = [0, 0, 0]\n', "33:8", "force/body stands on a rigid body", "[bodies.more]"),
     beside("force of a mass", '[parts.more]\ntype = "force/body"\non = "clump"\nforce = { x = "3 kg" }\n', "35:15", "force.x"),
+    beside("motion of a body without inertia", IN_MOTION, "15:1",
+           'the body "clump" has no moment of inertia about some axis, and nothing bounds how fast it would move; these keys give it: body.inertia_x, '),
+    body("motion of a body with inertia about two axes", "volume = 0.1 }", "volume = 0.1, inertia_x = 20, inertia_y = 20 }" , "15:1",
+         "these keys give it: body.inertia_z, body.turning_x", args=IN_MOTION_BY_SET),
+    body("motion of a body without mass", 'mass = "800 kg", volume = 0.1', "drag_x = 1", "15:1",
+         'the body "clump" has no mass', args=IN_MOTION_BY_SET),
     beside("a body named as a part", '[bodies.tail]\ntype = "body/solid"\nat = [0, 0, 0]\n', "32:1", 'there is a part named "tail" already'),
     beside("two bodies at one point", '[bodies.more]\ntype = "body/solid"\nat = [0, 0, -6]\npoints = { top = [0, 0, 0] }\n[[join]]\npoints = ["more.top", "clump.foot"]\n',
            "32:1", '"more.top" is joined to a point of the body "clump"', "put a short rope between them"),

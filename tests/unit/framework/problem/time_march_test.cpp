@@ -596,7 +596,7 @@ TEST(EnergyMomentum, KeepsMomentaAndEnergyWhereNothingActs) {
   EXPECT_LT(numerical, 1e-9 * kinetic);
 }
 
-TEST(HighestFrequency, IsThatOfTheSpring) {
+TEST(TransientProblem, HasTheFrequencyOfTheSpring) {
   const Oscillator o;
   Moving m(o.scene());
   TransientProblem p(m.assembler, 0, {&m.solver_type, m.solver_block.data()}, make_factorisation, m.limits);
