@@ -23,10 +23,14 @@ bool is_component_name(const std::string& name) {
          (slash == std::string::npos || is_word(std::string_view(name).substr(slash + 1)));
 }
 
+const char* example_of(const std::string& key) {
+  if (key == "integrator") return "newmark:corrector=fixed-point";
+  return key == "solver" ? "newton:method=classic" : "auto:restarts=6";
+}
+
 [[noreturn]] void refuse(const std::string& key, const std::string& specification, const std::string& why) {
   throw std::invalid_argument("--" + key + " " + specification + ": " + why +
-                              "; write NAME or NAME:key=value,key=value, such as " +
-                              (key == "solver" ? "newton:method=classic" : "auto:restarts=6"));
+                              "; write NAME or NAME:key=value,key=value, such as " + example_of(key));
 }
 
 }  // namespace

@@ -14,22 +14,30 @@ namespace netloft::io {
 
 namespace {
 
-double read_tolerance(const std::string& word, const std::string& all) {
+/// What --tolerance and --accuracy take: numbers of decades.
+struct Decades {
+  std::string option, what, example;
+};
+const Decades kTolerances{"--tolerance", "tolerance", "1e-10:1e-2"};
+const Decades kAccuracies{"--accuracy", "accuracy", "1e-3:1e-1"};
+
+double read_one(const std::string& word, const std::string& all, const Decades& d) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
   if (word.empty() || *end || !(value >= 1e-16 && value <= 1))
-    throw UsageError{"--tolerance " + all + ": \"" + word +
-                     "\" is no tolerance; write LO:HI with numbers from 1e-16 to 1, such as 1e-10:1e-2"};
+    throw UsageError{d.option + " " + all + ": \"" + word + "\" is no " + d.what +
+                     "; write LO:HI with numbers from 1e-16 to 1, such as " + d.example};
   return value;
 }
 
-/// A tolerance per decade from the loosest to the tightest.
-std::vector<double> read_tolerances(const std::string& range) {
+/// One per decade from the loosest to the tightest.
+std::vector<double> read_decades(const std::string& range, const Decades& d) {
   const auto colon = range.find(':');
-  const double low = read_tolerance(range.substr(0, colon), range);
-  const double high = colon == std::string::npos ? low : read_tolerance(range.substr(colon + 1), range);
+  const double low = read_one(range.substr(0, colon), range, d);
+  const double high = colon == std::string::npos ? low : read_one(range.substr(colon + 1), range, d);
   if (low > high)
-    throw UsageError{"--tolerance " + range + " is reversed: the tighter one comes first, as in 1e-10:1e-2"};
+    throw UsageError{d.option + " " + range + " is reversed: the tighter one comes first, as in " +
+                     d.example};
   const int steps = static_cast<int>(std::round(std::log10(high / low)));
   std::vector<double> tolerances;
   for (int i = 0; i < steps; ++i) tolerances.push_back(high * std::pow(10.0, -i));
@@ -38,7 +46,7 @@ std::vector<double> read_tolerances(const std::string& range) {
 }
 
 std::vector<Method> read_methods(const std::vector<std::string>& words) {
-  if (words.empty()) throw UsageError{"--solver or --strategy: name at least one to compare"};
+  if (words.empty()) throw UsageError{"--solver, --strategy or --integrator: name at least one to compare"};
   std::vector<Method> methods;
   for (const auto& word : words) {
     if (std::count(words.begin(), words.end(), word) > 1)
@@ -48,20 +56,42 @@ std::vector<Method> read_methods(const std::vector<std::string>& words) {
   return methods;
 }
 
+/// Motions have nothing in common with equilibria that could stand in one table.
+bool compares_motions(const std::vector<Method>& methods) {
+  const auto integrators =
+      std::count_if(methods.begin(), methods.end(), [](const Method& m) { return m.kind() == "integrator"; });
+  if (integrators != 0 && integrators != static_cast<std::ptrdiff_t>(methods.size()))
+    throw UsageError{"--integrator compares motions, --solver and --strategy equilibria: one or the other"};
+  return integrators > 0;
+}
+
 ComparisonTask read_task(const CompareOptions& o) {
   ComparisonTask task;
-  task.methods = read_methods(o.methods), task.tolerances = read_tolerances(o.tolerance);
+  task.methods = read_methods(o.methods), task.is_of_motions = compares_motions(task.methods);
+  task.tolerances = task.is_of_motions
+                        ? read_decades(o.accuracy.empty() ? kAccuracies.example : o.accuracy, kAccuracies)
+                        : read_decades(o.tolerance, kTolerances);
   task.repeats = o.repeats, task.reference = o.reference;
+  if (task.is_of_motions && !o.cells.empty())
+    throw UsageError{"--cells gives the meshes of equilibria; motions are compared on one mesh"};
+  if (!task.is_of_motions && !o.accuracy.empty())
+    throw UsageError{"--accuracy is that of motions; solvers and strategies take --tolerance"};
   if (!o.cells.empty()) task.cells = read_cell_list(o.cells);
   return task;
 }
 
-void check_kind(const LoadedScene& loaded) {
-  if (loaded.analysis.kind == AnalysisKind::dynamics)
+void check_kind(const LoadedScene& loaded, bool is_of_motions) {
+  const bool moves = loaded.analysis.kind == AnalysisKind::dynamics;
+  if (moves && !is_of_motions)
     throw UsageError{
-        "compare measures how solvers find an equilibrium, and this scene goes through time: run it with "
-        "kind = "
-        "\"static\", or compare two motions with `netloft diff`"};
+        "--solver and --strategy find an equilibrium, and this scene goes through time: compare "
+        "--integrator, or "
+        "run it with kind = \"static\""};
+  if (!moves && is_of_motions)
+    throw UsageError{
+        "--integrator goes through time, and this scene is static: compare --solver or --strategy"};
+  if (is_of_motions && !loaded.analysis.dynamics.start_file.empty())
+    throw UsageError{"compare begins motions where the scene does, and analysis.start names a result"};
 }
 
 /// Opens the scene once with every method, and on every mesh, so that all that is wrong is said at first.
@@ -72,7 +102,8 @@ class Inspection {
 
   int check(const CaseSource& source, const ComparisonTask& task) {
     std::vector<Method> words = task.methods;
-    if (!task.reference.empty()) words.push_back({task.reference});
+    is_of_motions_ = task.is_of_motions;
+    if (!task.reference.empty()) words.push_back({(is_of_motions_ ? "integrator " : "") + task.reference});
     for (const auto& method : words)
       if (const int code = open(source_for(source, method, task.tolerances.front())); code != kDone)
         return code;
@@ -95,7 +126,7 @@ class Inspection {
     Case one(source, registry_);
     const Case::State state = one.open();
     if (state == Case::State::ready) {
-      check_kind(one.loaded());
+      check_kind(one.loaded(), is_of_motions_);
       if (!one.loaded().scene.settings.empty())
         throw UsageError{
             "compare wants a scene in which nothing is left open, and this one looks for a length of "
@@ -110,6 +141,7 @@ class Inspection {
   const Options& options_;
   Registry& registry_;
   Terminal& terminal_;
+  bool is_of_motions_ = false;
 };
 
 void write_files(const Comparison& result, const CompareOptions& o) {

@@ -75,38 +75,41 @@ void add_scene_options(CLI::App& command, Options& o) {
       ->type_name("NAME[:key=value,…]");
 }
 
+/// Methods are compared in the order in which they are typed, whatever their kinds.
+void add_method_option(CLI::App& command, CompareOptions& c, const std::string& name, const std::string& word,
+                       const std::string& doc) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [&c, word](const std::vector<std::string>& all) {
+            for (const auto& one : all) c.methods.push_back(word + one);
+          },
+          doc + "; may be repeated")
+      ->trigger_on_parse()
+      ->check(CLI::Validator(not_empty, "", "not empty"))
+      ->type_name("NAME[:key=value,…]")
+      ->allow_extra_args(false);
+}
+
 void add_compare_command(CLI::App& app, Options& o) {
   CompareOptions& c = o.compare;
-  auto* command = app.add_subcommand("compare", "speed against error of several solvers on one scene");
+  auto* command =
+      app.add_subcommand("compare", "speed against error of several solvers or integrators on one scene");
   add_input_options(*command, o);
-  command
-      ->add_option_function<std::vector<std::string>>(
-          "--strategy",
-          [&c](const std::vector<std::string>& all) {
-            for (const auto& one : all) c.methods.push_back("strategy " + one);
-          },
-          "a strategy to compare, as run takes it; may be repeated")
-      ->trigger_on_parse()
-      ->check(CLI::Validator(not_empty, "", "not empty"))
-      ->type_name("NAME[:key=value,…]")
-      ->allow_extra_args(false);
-  command
-      ->add_option_function<std::vector<std::string>>(
-          "--solver",
-          [&c](const std::vector<std::string>& all) {
-            c.methods.insert(c.methods.end(), all.begin(), all.end());
-          },
-          "a solver to compare, as run takes it; may be repeated")
-      ->trigger_on_parse()
-      ->check(CLI::Validator(not_empty, "", "not empty"))
-      ->type_name("NAME[:key=value,…]")
-      ->allow_extra_args(false);
+  command->add_option("--accuracy", c.accuracy, "accuracies of motions, one per decade; else 1e-3:1e-1")
+      ->type_name("LO:HI");
+  add_method_option(*command, c, "--integrator", "integrator ",
+                    "an integrator to compare on a scene that moves, such as newmark");
+  add_method_option(*command, c, "--strategy", "strategy ", "a strategy to compare, as run takes it");
+  add_method_option(*command, c, "--solver", "", "a solver to compare, as run takes it");
   command->add_option("--tolerance", c.tolerance, "tolerances, one per decade; else 1e-10:1e-2")
       ->type_name("LO:HI");
   command->add_option("--cells", c.cells, "meshes for the discretisation error: cells across, or of one part")
       ->check(CLI::Validator(not_empty, "", "not empty"))
       ->type_name("[PART=]N,N,…");
-  command->add_option("--reference", c.reference, "solver that errors are measured against; else another one")
+  command
+      ->add_option("--reference", c.reference,
+                   "solver or integrator that errors are measured against; else another one")
       ->type_name("NAME[:key=value,…]");
   command->add_option("--repeats", c.repeats, "runs of each, of which the cheapest counts; else 3")
       ->check(CLI::Range(1, 1000));

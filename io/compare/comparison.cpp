@@ -44,15 +44,17 @@ class Comparing {
         task_(task),
         watch_(watch),
         own_(source, registry),
-        references_(source, registry, task.reference, watch) {
+        references_(source, registry, task.reference, watch),
+        paths_(source, registry, task.reference, task.tolerances.back(), watch) {
     if (own_.open() != Case::State::ready) throw std::runtime_error(own_.diagnostics().render(false));
   }
 
   Comparison run() {
     describe();
     for (const Method& method : task_.methods)
-      if (!is_interrupted()) out_.methods.push_back(run_method(method));
-    if (!is_interrupted()) time_factorisation();
+      if (!is_interrupted())
+        out_.methods.push_back(task_.is_of_motions ? run_in_time(method) : run_method(method));
+    if (!is_interrupted() && !task_.is_of_motions) time_factorisation();
     if (task_.cells && !is_interrupted()) find_discretisation();
     out_.is_interrupted = is_interrupted();
     return std::move(out_);
@@ -64,7 +66,7 @@ class Comparing {
   void describe() {
     out_.scene = own_.loaded().scene.name, out_.mesh = mesh_of(own_.loaded());
     out_.unknowns = own_.plan().unknowns, out_.repeats = task_.repeats;
-    out_.size = size_of(own_.loaded().scene);
+    out_.size = size_of(own_.loaded().scene), out_.is_of_motions = task_.is_of_motions;
   }
 
   MethodResult run_method(const Method& method) {
@@ -75,6 +77,17 @@ class Comparing {
     if (result.reference && !result.other)
       for (Trial& t : result.trials)
         if (!t.x.empty()) t.error = distance(t.x, result.reference->answer.x);
+    return result;
+  }
+
+  MethodResult run_in_time(const Method& method) {
+    MethodResult result{
+        method, run_trials(source_, registry_, method, task_.tolerances, task_.repeats, watch_), {}, {}};
+    if (!is_interrupted()) result.reference = paths_.find_for(method, result.trials.front().is_damped);
+    for (Trial& t : result.trials)
+      if (t.converged() && result.reference)
+        t.error =
+            path_distance(own_.loaded().scene, own_.assembler().numbering(), t.path, result.reference->path);
     return result;
   }
 
@@ -131,6 +144,7 @@ class Comparing {
   const Watch& watch_;
   Case own_;
   ReferenceAnswers references_;
+  ReferencePaths paths_;
   Comparison out_;
 };
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/compare/discretisation.hpp"
-#include "io/compare/reference.hpp"
+#include "io/compare/reference_path.hpp"
 
 namespace netloft::io {
 
 /// The methods, tolerances and meshes that a comparison runs.
 struct ComparisonTask {
+  bool is_of_motions = false;      // methods are integrators
   std::vector<Method> methods;     // at least one
-  std::vector<double> tolerances;  // decreasing
+  std::vector<double> tolerances;  // decreasing; accuracies, if methods are integrators
   int repeats = 3;                 // runs of every trial; the cheapest counts
-  std::string reference;           // solver asked for references; empty: one other than the method
-  std::optional<CellList> cells;   // meshes for the discretisation error
+  std::string reference;  // solver or integrator asked for references; empty: one other than the method
+  std::optional<CellList> cells;  // meshes for the discretisation error
 };
 
 /// The distance of a method's answer from a reference that is a different equilibrium.
@@ -31,6 +32,7 @@ struct MethodResult {
 
 /// Speed against error of several methods on one scene.
 struct Comparison {
+  bool is_of_motions = false;
   std::string scene, mesh;  // "32 x 32 cells of net"
   std::size_t unknowns = 0;
   double factorisation_seconds = 0;  // processor time of one numeric factorisation of the same tangent

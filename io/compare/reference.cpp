@@ -32,9 +32,8 @@ std::optional<ReferenceAnswer> solve_for_reference(const CaseSource& source, Reg
 }  // namespace
 
 std::string plugin_of(const Method& method) {
-  return method.specification.starts_with("strategy ")
-             ? kSolver
-             : method.specification.substr(0, method.specification.find_first_of(":/"));
+  const std::string name = method.name();
+  return method.kind() == "strategy" ? kSolver : name.substr(0, name.find_first_of(":/"));
 }
 
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,

@@ -13,6 +13,10 @@ struct ReferenceAnswer {
   double tolerance = 0;     // the tolerance to which that solver converged by itself
   Stability stability = Stability::unknown;
   Polished answer;
+  // of a motion: its path, and whether loss factors count in it; answer.uncertainty is the largest distance
+  // from the path of another integrator at the same accuracy
+  std::vector<std::vector<double>> path = {};
+  bool is_damped = true;
 };
 
 /// Solvers to ask for a reference for `method`, the best first. Those of its own plugin come last, so that no
@@ -39,7 +43,7 @@ class ReferenceAnswers {
 
   const CaseSource& source_;
   Registry& registry_;
-  std::string wanted_;
+  std::string wanted_;  // specification of a solver
   const Watch& watch_;
   std::map<std::string, std::optional<ReferenceAnswer>> found_;
 };

@@ -22,20 +22,22 @@ std::string cell(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string status_of(const Trial& t) { return t.tried ? name_of(t.status) : "not tried"; }
+std::string status_of(const Trial& t) { return t.outcome(); }
 
 std::string trial_csv(const Comparison& c, const MethodResult& m, const Trial& t) {
-  return fmt::format("solver,{},{},,{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(m.method.specification),
-                     t.tolerance, c.unknowns, status_of(t), cell(t.error), cell(t.estimate),
-                     t.tried ? cell(t.cpu_seconds) : "",
-                     t.tried ? cell(t.cpu_seconds / c.factorisation_seconds) : "", t.statistics.iterations,
-                     t.statistics.factorisations, t.statistics.residuals, t.statistics.solves,
-                     m.reference ? cell(m.reference->method.specification) : "", m.other ? "yes" : "no");
+  return fmt::format(
+      "{},{},{},,{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.is_of_motions ? "motion" : "solver",
+      cell(m.method.specification), t.tolerance, c.unknowns, status_of(t), cell(t.error), cell(t.estimate),
+      t.tried ? cell(t.cpu_seconds) : "",
+      t.tried && c.factorisation_seconds > 0 ? cell(t.cpu_seconds / c.factorisation_seconds) : "",
+      t.statistics.iterations, t.statistics.factorisations, t.statistics.residuals, t.statistics.solves,
+      m.reference ? cell(m.reference->method.specification) : "", m.other ? "yes" : "no",
+      c.is_of_motions ? std::to_string(t.steps) : "", c.is_of_motions ? std::to_string(t.rejected) : "");
 }
 
 std::string mesh_csv(const MeshResult& level) {
   const Trial& t = level.trial;
-  return fmt::format("discretisation,,{},{},{},{},{},{},{},,{},{},{},{},,\n", t.tolerance, level.cells,
+  return fmt::format("discretisation,,{},{},{},{},{},{},{},,{},{},{},{},,,,\n", t.tolerance, level.cells,
                      level.unknowns, status_of(t), cell(level.error), cell(t.estimate), cell(t.cpu_seconds),
                      t.statistics.iterations, t.statistics.factorisations, t.statistics.residuals,
                      t.statistics.solves);
@@ -58,6 +60,44 @@ Json trial_json(const Comparison& c, const Trial& t) {
           {"residual", t.residual},
           {"largest_load", t.load},
           {"energy", t.energy}};
+}
+
+Json motion_trial_json(const Trial& t) {
+  return {{"accuracy", t.tolerance},
+          {"status", status_of(t)},
+          {"reason", t.reason},
+          {"error", t.error},
+          {"cpu_seconds", t.cpu_seconds},
+          {"steps", t.steps},
+          {"rejected_steps", t.rejected},
+          {"iterations", t.statistics.iterations},
+          {"factorisations", t.statistics.factorisations},
+          {"residuals", t.statistics.residuals},
+          {"solves", t.statistics.solves}};
+}
+
+Json path_reference_json(const std::optional<ReferenceAnswer>& r) {
+  if (!r) return nullptr;
+  return {{"integrator", r->method.name()},
+          {"independent", r->independent},
+          {"accuracy", r->tolerance},
+          {"material_damping", r->is_damped},
+          {"distance_of_another", r->answer.uncertainty}};
+}
+
+Json motion_json(const MethodResult& m) {
+  Json trials = Json::array();
+  for (const Trial& t : m.trials) trials.push_back(motion_trial_json(t));
+  return {
+      {"integrator", m.method.name()}, {"trials", trials}, {"reference", path_reference_json(m.reference)}};
+}
+
+/// Of a comparison of motions.
+Json motions_json(const Comparison& c, const char* status) {
+  Json methods = Json::array();
+  for (const auto& m : c.methods) methods.push_back(motion_json(m));
+  return {{"status", status},     {"scene", c.scene}, {"mesh", c.mesh},        {"unknowns", c.unknowns},
+          {"repeats", c.repeats}, {"size", c.size},   {"integrators", methods}};
 }
 
 Json reference_json(const std::optional<ReferenceAnswer>& r) {
@@ -110,7 +150,7 @@ Json discretisation_json(const std::optional<Discretisation>& d) {
 std::string comparison_csv(const Comparison& c) {
   std::string text =
       "kind,method,tolerance,cells,unknowns,status,error_m,estimate_m,cpu_s,in_factorisations,iterations,"
-      "factorisations,residuals,solves,reference,other_equilibrium\n";
+      "factorisations,residuals,solves,reference,other_equilibrium,steps,rejected_steps\n";
   for (const auto& m : c.methods)
     for (const Trial& t : m.trials) text += trial_csv(c, m, t);
   if (c.discretisation)
@@ -119,9 +159,11 @@ std::string comparison_csv(const Comparison& c) {
 }
 
 std::string comparison_json(const Comparison& c) {
+  const char* status = c.is_interrupted ? "interrupted" : c.any_converged() ? "done" : "not converged";
+  const auto dumped = [](const Json& all) { return all.dump(2, ' ', false, Json::error_handler_t::replace); };
+  if (c.is_of_motions) return dumped(motions_json(c, status));
   Json methods = Json::array();
   for (const auto& m : c.methods) methods.push_back(method_json(c, m));
-  const char* status = c.is_interrupted ? "interrupted" : c.any_converged() ? "done" : "not converged";
   const Json all = {{"status", status},
                     {"scene", c.scene},
                     {"mesh", c.mesh},
@@ -131,7 +173,7 @@ std::string comparison_json(const Comparison& c) {
                     {"factorisation_seconds", c.factorisation_seconds},
                     {"methods", methods},
                     {"discretisation", discretisation_json(c.discretisation)}};
-  return all.dump(2, ' ', false, Json::error_handler_t::replace);
+  return dumped(all);
 }
 
 }  // namespace netloft::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/compare/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,12 +26,23 @@ std::string with_times_signs(std::string text) {
   return text;
 }
 
+/// " (lost at 1e-01, 1e-02)": a motion that is lost, or out of time, has no point.
+std::string lost_at(const MethodResult& m) {
+  std::string text;
+  for (const Trial& t : m.trials)
+    if (!t.converged()) text += fmt::format("{}{:.0e}", text.empty() ? " (lost at " : ", ", t.tolerance);
+  if (!text.empty()) text += ")";
+  return m.reference ? text : text + " (no reference)";
+}
+
 PlotSeries series_of(const Comparison& c, const MethodResult& m) {
-  PlotSeries series{m.method.specification, {}};
+  PlotSeries series{c.is_of_motions ? m.method.name() : m.method.specification, {}};
   for (const Trial& t : m.trials)
     if (t.converged() && std::isfinite(t.error))
       add(series.points, {std::max(t.error, floor_of(c)), t.cpu_seconds});
-  if (m.other)
+  if (c.is_of_motions)
+    series.name += lost_at(m);
+  else if (m.other)
     series.name += " (other equilibrium)";
   else if (series.points.empty())
     series.name += m.reference ? " (not converged)" : " (no reference)";
@@ -40,7 +53,8 @@ PlotSeries series_of(const Comparison& c, const MethodResult& m) {
 
 LinePlot comparison_plot(const Comparison& c) {
   LinePlot plot{with_times_signs(c.scene + ", " + c.mesh),
-                "solver error: largest node distance [m]",
+                c.is_of_motions ? "error of the path: largest node distance [m]"
+                                : "solver error: largest node distance [m]",
                 "CPU time [s]",
                 {},
                 {}};

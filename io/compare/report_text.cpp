@@ -19,12 +19,13 @@ std::string number(double value, const char* format = "{:.2e}") {
 std::size_t width_of_methods(const Comparison& c) {
   std::size_t width = 6;
   for (const auto& m : c.methods) width = std::max(width, m.method.specification.size());
+  if (c.is_of_motions) width = std::max<std::size_t>(10, width - std::string_view("integrator ").size());
   return width;
 }
 
 void trial_text(const Comparison& c, const MethodResult& m, const Trial& t, std::size_t width, Out out) {
   fmt::format_to(out, "{:<{}} {:>9} {:<13} {:>10} {:>10} {:>9} {:>9} {:>7} {:>7} {:>7}\n",
-                 m.method.specification, width, fmt::format("{:.0e}", t.tolerance), name_of(t.status),
+                 m.method.specification, width, fmt::format("{:.0e}", t.tolerance), t.outcome(),
                  number(t.error), number(t.estimate), number(t.cpu_seconds, "{:.4f}"),
                  number(t.cpu_seconds / c.factorisation_seconds, "{:.1f}"), t.statistics.iterations,
                  t.statistics.factorisations, t.statistics.residuals);
@@ -60,7 +61,7 @@ void other_text(const MethodResult& m, Out out) {
 void failure_text(const MethodResult& m, Out out) {
   for (const Trial& t : m.trials)
     if (t.tried && !t.converged())
-      fmt::format_to(out, "{}: {} at {:.0e}: {}\n", m.method.specification, name_of(t.status), t.tolerance,
+      fmt::format_to(out, "{}: {} at {:.0e}: {}\n", m.method.specification, t.outcome(), t.tolerance,
                      t.reason);
 }
 
@@ -81,6 +82,42 @@ void solvers_text(const Comparison& c, Out out) {
   for (const auto& m : c.methods) {
     if (m.reference || !c.is_interrupted) reference_text(m, out);
     other_text(m, out);
+    failure_text(m, out);
+  }
+}
+
+void path_reference_text(const MethodResult& m, Out out) {
+  if (!m.reference) {
+    fmt::format_to(out, "{}: no reference because every other integrator loses the motion\n",
+                   m.method.name());
+    return;
+  }
+  const ReferenceAnswer& r = *m.reference;
+  fmt::format_to(out, "{}: the reference is {} at an accuracy of {:.0e}", m.method.name(), r.method.name(),
+                 r.tolerance);
+  if (!r.is_damped) fmt::format_to(out, ", without the damping of materials, as this one");
+  if (std::isfinite(r.answer.uncertainty))
+    fmt::format_to(out, "; another integrator's path at that accuracy is {:.1e} m away from it",
+                   r.answer.uncertainty);
+  if (!r.independent) fmt::format_to(out, "; it is of the same plugin");
+  fmt::format_to(out, "\n");
+}
+
+void motions_text(const Comparison& c, Out out) {
+  const std::size_t width = width_of_methods(c);
+  fmt::format_to(out,
+                 "error: largest distance of a node at any output to the path of another integrator [m]\n"
+                 "{:<{}} {:>9} {:<11} {:>10} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}\n",
+                 "integrator", width, "accuracy", "status", "error", "CPU [s]", "steps", "rejected", "iter.",
+                 "fact.", "resid.");
+  for (const auto& m : c.methods)
+    for (const Trial& t : m.trials)
+      fmt::format_to(out, "{:<{}} {:>9} {:<11} {:>10} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}\n", m.method.name(),
+                     width, fmt::format("{:.0e}", t.tolerance), t.outcome(), number(t.error),
+                     number(t.cpu_seconds, "{:.4f}"), t.steps, t.rejected, t.statistics.iterations,
+                     t.statistics.factorisations, t.statistics.residuals);
+  for (const auto& m : c.methods) {
+    if (m.reference || !c.is_interrupted) path_reference_text(m, out);
     failure_text(m, out);
   }
 }
@@ -110,7 +147,7 @@ std::string comparison_text(const Comparison& c) {
   const Out out = std::back_inserter(text);
   fmt::format_to(out, "{}: {}, {} unknowns; the cheapest of {} run{} each\n", c.scene, c.mesh, c.unknowns,
                  c.repeats, c.repeats == 1 ? "" : "s");
-  solvers_text(c, out);
+  c.is_of_motions ? motions_text(c, out) : solvers_text(c, out);
   if (c.discretisation) discretisation_text(*c.discretisation, out);
   return text;
 }

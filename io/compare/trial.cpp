@@ -20,11 +20,39 @@ Trial trial_of(Solution&& s, double tolerance) {
   return t;
 }
 
+const char* word_for(MarchStatus status) {
+  switch (status) {
+    case MarchStatus::finished:
+      return "finished";
+    case MarchStatus::interrupted:
+      return "interrupted";
+    case MarchStatus::out_of_time:
+      return "out of time";
+    default:
+      return "lost";
+  }
+}
+
+/// Positions at every output stay in memory; no file is written.
+Trial trial_in_time(Case& fresh, double tolerance, const Watch& watch) {
+  Trial t;
+  MarchWatch look;
+  look.on_output = [&t](const Snapshot& at) { t.path.emplace_back(at.x.begin(), at.x.end()); };
+  MarchResult result = fresh.march(look, watch.interrupt);
+  t.tolerance = tolerance, t.reason = std::move(result.reason), t.of_motion = word_for(result.status);
+  t.status = result.status == MarchStatus::finished ? SolveStatus::converged : SolveStatus::not_converged;
+  t.cpu_seconds = result.statistics.total_cpu_seconds, t.statistics = result.statistics;
+  t.steps = result.steps, t.rejected = result.rejected;
+  t.is_damped = !fresh.material_damping().starts_with("off: ");
+  return t;
+}
+
 Trial run_once(const CaseSource& source, Registry& registry, const Method& method, double tolerance,
                const Watch& watch) {
   Case fresh(source_for(source, method, tolerance), registry);
   if (fresh.open() != Case::State::ready)
     throw std::runtime_error(method.specification + ": " + fresh.diagnostics().render(false));
+  if (method.kind() == "integrator") return trial_in_time(fresh, tolerance, watch);
   return trial_of(fresh.solve(watch), tolerance);
 }
 
@@ -36,15 +64,22 @@ Trial not_tried(double tolerance) {
 
 }  // namespace
 
+std::string Method::kind() const {
+  for (const char* word : {"strategy", "integrator"})
+    if (specification.starts_with(std::string(word) + " ")) return word;
+  return "solver";
+}
+
+std::string Method::name() const {
+  return kind() == "solver" ? specification : specification.substr(kind().size() + 1);
+}
+
 CaseSource source_for(const CaseSource& source, const Method& method, double tolerance) {
   CaseSource with = source;
-  constexpr std::string_view kStrategyPrefix = "strategy ";
-  const bool is_strategy = method.specification.starts_with(kStrategyPrefix);
-  const auto overrides = is_strategy
-                             ? overrides_of("strategy", method.specification.substr(kStrategyPrefix.size()))
-                             : overrides_of("solver", method.specification);
+  const auto overrides = overrides_of(method.kind(), method.name());
   with.overrides.insert(with.overrides.end(), overrides.begin(), overrides.end());
-  with.overrides.push_back(fmt::format("analysis.tolerance={:e}", tolerance));
+  with.overrides.push_back(
+      fmt::format("analysis.{}={:e}", method.kind() == "integrator" ? "accuracy" : "tolerance", tolerance));
   return with;
 }
 
@@ -62,7 +97,7 @@ std::vector<Trial> run_trials(const CaseSource& source, Registry& registry, cons
                               const std::vector<double>& tolerances, int repeats, const Watch& watch) {
   std::vector<Trial> trials;
   for (const double tolerance : tolerances)
-    trials.push_back(trials.empty() || trials.back().converged()
+    trials.push_back(trials.empty() || trials.back().converged() || method.kind() == "integrator"
                          ? run_trial(source, registry, method, tolerance, repeats, watch)
                          : not_tried(tolerance));
   return trials;

@@ -12,6 +12,7 @@ from program import GOOD, SOURCE, InFreshFolder, changed
 
 SCENES = SOURCE / "gear-library" / "scenes"
 ROPE, PANEL = str(SCENES / "hanging-rope.toml"), str(SCENES / "dead-weight-panel.toml")
+PENDULUM = str(SCENES / "dynamics" / "elastic-pendulum.toml")
 COARSE = ["--set", "parts.net.cells=[8,8]"]
 BARS = ["--set", "parts.rope.cells=40"]
 
@@ -124,10 +125,9 @@ class Comparisons(InFreshFolder):
         self.assertEqual(stuck.code, 3)
         self.assertIn("no reference", stuck.out)
 
-    def test_motions_are_refused(self):
-        motion = str(SCENES / "dynamics" / "elastic-pendulum.toml")
-        self.assertIn("this scene goes through time", self.refused(motion, "--solver", "newton"))
-        self.assertIn("this scene goes through time", self.netloft("refine", motion).err)
+    def test_solvers_are_not_compared_on_motions(self):
+        self.assertIn("this scene goes through time", self.refused(PENDULUM, "--solver", "newton"))
+        self.assertIn("this scene goes through time", self.netloft("refine", PENDULUM).err)
 
     def test_a_refined_rope_tends_to_its_catenary(self):
         ended = self.netloft("refine", ROPE, "--cells", "20,40,80", "--json")
@@ -196,6 +196,66 @@ class Comparisons(InFreshFolder):
     def test_nodes_by_number_are_other_nodes_on_another_mesh(self):
         self.write("scene.toml", changed(GOOD, ('of = "net"', 'of = "net.node-3"'), ("min z", "z")))
         self.assertIn("scene.toml:30:19: ", self.refused("scene.toml", "--solver", "newton", "--cells", "2,4"))
+
+
+class Motions(InFreshFolder):
+    def compare(self, *words):
+        return self.netloft("compare", PENDULUM, *words, "--repeats", "1", "--set", "analysis.duration=1",
+                            "--set", "analysis.output_interval=0.1")
+
+    def report(self, *words):
+        ended = self.compare("--json", *words)
+        self.assertEqual(ended.code, 0, ended.err)
+        return ended.json()
+
+    def test_are_held_against_the_path_of_another_integrator(self):
+        report = self.report("--integrator", "energy-momentum", "--integrator", "generalized-alpha", "--accuracy", "1e-4:1e-1")
+        for method in report["integrators"]:
+            trials, reference = method["trials"], method["reference"]
+            self.assertTrue(reference["independent"])
+            self.assertNotEqual(reference["integrator"], method["integrator"])
+            self.assertAlmostEqual(reference["accuracy"], 1e-5)
+            self.assertEqual([round(math.log10(t["accuracy"])) for t in trials], [-1, -2, -3, -4])
+            self.assertTrue(all(t["status"] == "finished" and t["factorisations"] > 0 for t in trials))
+            self.assertLess(trials[-1]["error"], 0.1 * trials[0]["error"])
+            self.assertLess(reference["distance_of_another"], trials[-1]["error"])
+
+    def test_errors_are_those_of_the_paths_that_runs_write(self):
+        report = self.report("--integrator", "generalized-alpha", "--reference", "energy-momentum", "--accuracy", "1e-2")
+        paths = []
+        for name, accuracy in (("generalized-alpha", "1e-2"), ("energy-momentum", "1e-3")):
+            out = self.folder / (name + ".hdf")
+            ended = self.netloft("run", PENDULUM, "--set", "analysis.duration=1", "--set", "analysis.output_interval=0.1",
+                                 "--set", "analysis.integrator=" + name, "--set", "analysis.accuracy=" + accuracy, "-o", out)
+            self.assertEqual(ended.code, 0, ended.err)
+            with h5py.File(out) as f:
+                count, steps = f["VTKHDF/NumberOfPoints"][0], f["VTKHDF/Steps/PointOffsets"][()]
+                paths.append([f["VTKHDF/Points"][first:first + count] for first in steps])
+        apart = max(((a - b)**2).sum(axis=1).max()**0.5 for a, b in zip(*paths))
+        self.assertAlmostEqual(report["integrators"][0]["trials"][0]["error"], apart, delta=1e-9 * apart)
+
+    def test_that_are_lost_are_called_lost(self):
+        """Steps that are far too long for the paper's fixed point, which no control of errors shortens."""
+        ended = self.compare("--integrator", "newmark:corrector=fixed-point", "--integrator", "energy-momentum", "--accuracy",
+                             "1e-1", "--set", "analysis.adaptive=false", "--set", "analysis.step=0.1", "--plot", "a.svg",
+                             "--csv", "a.csv")
+        self.assertEqual(ended.code, 0, ended.err)
+        self.assertRegex(ended.out, r"newmark:corrector=fixed-point +1e-01 lost +- ")
+        self.assertIn("newmark:corrector=fixed-point: lost at 1e-01: ", ended.out)
+        self.assertIn("newmark:corrector=fixed-point (lost at 1e-01)", (self.folder / "a.svg").read_text())
+        rows = list(csv.DictReader(io.StringIO((self.folder / "a.csv").read_text())))
+        self.assertEqual([(r["kind"], r["status"]) for r in rows], [("motion", "lost"), ("motion", "finished")])
+
+    def test_wrong_input(self):
+        words = ["--integrator", "newmark"]
+        for more, sentence in ((["--solver", "newton"], "one or the other"), (["--cells", "8,16"], "--cells"),
+                               (["--accuracy", "2"], "is no accuracy"), (["--accuracy", "1e-1:1e-3"], "reversed"),
+                               (["--integrator", "newmark"], "given twice"), (["--integrator", "newmark:x=1"], "x")):
+            ended = self.netloft("compare", PENDULUM, *words, *more)
+            self.assertEqual((ended.code, ended.out), (2, ""), more)
+            self.assertIn(sentence, ended.err)
+        self.assertIn("this scene is static", self.netloft("compare", PENDULUM, *words, "--set", "analysis.kind=static").err)
+        self.assertIn("--accuracy is that of motions", self.netloft("compare", ROPE, "--solver", "newton", "--accuracy", "1e-2").err)
 
 
 class Errors(InFreshFolder):

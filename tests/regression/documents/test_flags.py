@@ -49,6 +49,7 @@ COMMANDS = (
     ("netloft draw rope.hdf --log --elements --dimensions -o tension.png; ls tension.png", "tension.png"),
     (f"netloft compare {ROPE} {SCENE} --strategy direct --solver newton --solver lbfgs --tolerance 1e-6:1e-6 --cells rope=10,20 "
      "--reference newton --repeats 1 --csv table.csv --plot work.svg; head -1 table.csv work.svg", "work.svg"),
+    (f"netloft compare {MOTION} --set analysis.duration=0.1 --integrator newmark --accuracy 1e-1:1e-1 --repeats 1 {COMMON}", "newmark"),
     ("netloft diff rope.hdf coarse.hdf --json", '"after"'),
     (f"netloft refine {ROPE} {SCENE} --strategy direct --solver newton --cells 10,20", "sag_z"),
     ("netloft refine trawl.toml --nodes 150,300", "headline"),

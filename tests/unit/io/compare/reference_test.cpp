@@ -36,6 +36,16 @@ TEST(Reference, IsNeverTheMethodItself) {
     for (const auto& other : asked(word, kAll)) EXPECT_NE(other, word);
 }
 
+TEST(Method, IsASolverUnlessItBeginsWithAnotherWord) {
+  EXPECT_EQ(Method{"newton:method=classic"}.kind(), "solver");
+  EXPECT_EQ(Method{"a b"}.kind(), "solver");
+  EXPECT_EQ(Method{"a b"}.name(), "a b");
+  EXPECT_EQ(Method{"strategy auto:restarts=6"}.kind(), "strategy");
+  EXPECT_EQ(Method{"strategy auto:restarts=6"}.name(), "auto:restarts=6");
+  EXPECT_EQ(Method{"integrator newmark"}.kind(), "integrator");
+  EXPECT_EQ(plugin_of({"integrator newmark:corrector=fixed-point"}), "newmark");
+}
+
 TEST(Reference, IsWhatIsAskedFor) {
   EXPECT_EQ(asked("newton", kAll, "lbfgs:memory=3"), (std::vector<std::string>{"lbfgs:memory=3"}));
 }

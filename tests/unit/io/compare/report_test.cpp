@@ -60,7 +60,7 @@ TEST(ComparisonCsv, HasAsManyCellsInEveryRow) {
     std::size_t commas = 0;
     bool quoted = false;
     for (const char c : line) quoted ^= c == '"', commas += c == ',' && !quoted;
-    EXPECT_EQ(commas, 15u) << line;
+    EXPECT_EQ(commas, 17u) << line;
     EXPECT_FALSE(contains(line, "nan")) << line;
   }
   EXPECT_EQ(rows, 1u + 4 + 2);
@@ -83,6 +83,35 @@ TEST(ComparisonPlot, DrawsNoErrorsOfAnotherEquilibrium) {
   EXPECT_EQ(plot.series[1].name, "lbfgs (other equilibrium)");
   ASSERT_EQ(plot.marks.size(), 2u);
   EXPECT_EQ(plot.marks[0].label, "8 cells");
+}
+
+Comparison motions() {
+  Comparison c = sample();
+  c.is_of_motions = true, c.factorisation_seconds = 0, c.discretisation.reset();
+  c.methods[0].method = {"integrator newmark"}, c.methods[1].method = {"integrator energy-momentum"};
+  c.methods[1].other.reset();
+  for (MethodResult& m : c.methods)
+    for (Trial& t : m.trials) t.of_motion = t.converged() ? "finished" : "lost", t.steps = 7, t.rejected = 2;
+  c.methods[1].trials[0].error = 0.25;
+  c.methods[0].reference->method = {"integrator energy-momentum"};
+  return c;
+}
+
+TEST(ComparisonOfMotions, NamesTheLostInTableAndPlot) {
+  const std::string text = comparison_text(motions());
+  EXPECT_TRUE(contains(text, "energy-momentum: lost at 1e-06: because")) << text;
+  EXPECT_TRUE(contains(text, "newmark: the reference is energy-momentum at an accuracy of 1e-09")) << text;
+  const LinePlot plot = comparison_plot(motions());
+  EXPECT_EQ(plot.series[1].name, "energy-momentum (lost at 1e-06)");
+  ASSERT_EQ(plot.series[1].points.size(), 1u);
+  EXPECT_EQ(plot.series[1].points[0].x, 0.25);
+}
+
+TEST(ComparisonOfMotions, CountsStepsInCsvAndJson) {
+  EXPECT_TRUE(contains(comparison_csv(motions()), "motion,integrator newmark,0.01,,216,finished,0.5,,0.02,,"))
+      << comparison_csv(motions());
+  EXPECT_TRUE(contains(comparison_csv(motions()), ",7,2\n"));
+  EXPECT_TRUE(contains(comparison_json(motions()), "\"steps\": 7")) << comparison_json(motions());
 }
 
 TEST(ComparisonJson, HasNullForWhatIsNotKnown) {
