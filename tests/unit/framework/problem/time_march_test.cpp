@@ -596,6 +596,44 @@ TEST(EnergyMomentum, KeepsMomentaAndEnergyWhereNothingActs) {
   EXPECT_LT(numerical, 1e-9 * kinetic);
 }
 
+struct FlyingScheme {
+  const char *name, *integrator;
+  Values parameters;
+  double step;  // [s]
+};
+class FreeFlight : public testing::TestWithParam<FlyingScheme> {};
+
+/// Members pull both their ends alike, so the sum of all momenta is that of the start whatever a scheme does
+/// in time. Only energy-momentum keeps the moment of momenta, too (above).
+TEST_P(FreeFlight, KeepsLinearMomentumWhereNothingActs) {
+  const FlyingScheme& scheme = GetParam();
+  Moving m(flying(), "newton", 1, scheme.integrator);
+  MarchState from = state_at_rest(m.assembler);
+  for (std::size_t i = 0; i < from.v.size(); ++i) from.v[i] = std::sin(7.0 * static_cast<double>(i + 1));
+  std::vector<Momenta> all;
+  double least = 1e9, most = -1e9;
+  m.watch.on_output = [&](const Snapshot& s) {
+    all.push_back(momenta_of(s, m.assembler));
+    least = std::min(least, s.budget->totals().kinetic), most = std::max(most, s.budget->totals().kinetic);
+  };
+  const MarchResult r = m.run(scheme.integrator, scheme.parameters, steps_of(scheme.step, 5), &from);
+  ASSERT_EQ(r.status, MarchStatus::finished) << r.reason;
+  for (const Momenta& at : all)
+    for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(at.linear[k], all[0].linear[k], 1e-8) << k;
+  EXPECT_GT(most - least, 0.01 * most);  // members have pulled
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Schemes, FreeFlight,
+    testing::Values(
+        FlyingScheme{"Newmark", "newmark", {}, 1e-3},
+        FlyingScheme{"NewmarkOfThePaper", "newmark", {{"chi", -0.3}}, 1e-3},
+        FlyingScheme{"GeneralizedAlpha", "generalized-alpha", {{"spectral_radius", 0.8}}, 1e-3},
+        FlyingScheme{"GeneralizedAlphaThatDampsMost", "generalized-alpha", {{"spectral_radius", 0.0}}, 1e-3},
+        FlyingScheme{"CentralDifferences", "central-difference", {}, 1e-3},
+        FlyingScheme{"EnergyMomentumThatDamps", "energy-momentum", {{"spectral_radius", 0.3}}, 1e-2}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
 TEST(TransientProblem, HasTheFrequencyOfTheSpring) {
   const Oscillator o;
   Moving m(o.scene());
