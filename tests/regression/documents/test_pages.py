@@ -29,6 +29,7 @@ STANDS_FOR = (
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
     (r"\bSIZE\b", "small"), (r"^\./bootstrap ", "netloft "), (r"io/compare/work-precision", "work-precision"))
 COARSER = (
+    (r"^(netloft compare .*)--accuracy \S+", r"\1--accuracy 1e-1:1e-1 --repeats 1 --set analysis.duration=0.5"),
     (r"^(netloft compare .*)--tolerance \S+", r"\1--tolerance 1e-3:1e-2"), (r"^(netloft compare .*)--cells \S+", r"\1--cells 4,8,16"),
     (r"^(netloft compare .*(scene|panel)\.toml)", r"\1 --set parts.net.cells=[4,4] --repeats 1"),
     (r"^(netloft compare .*)--set parts\.net\.cells=\[8,8\]", r"\1"), (r"^(netloft refine .*)--nodes \S+", r"\1--nodes 150,300"),
