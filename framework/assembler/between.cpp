@@ -55,18 +55,52 @@ struct Chord {
   double l0, l1, l;
 };
 
+/// A member at both ends of a step and in its middle: rope that is paid out or hauled has other rest lengths.
+struct MemberOfStep {
+  const netloft_member &before, &middle, &after;
+  bool grows() const { return before.rest_length != after.rest_length; }
+};
+
+/// T̄ and k of (1) and (4), and the way s that is stretched, with its derivative with l₁.
+struct MeanOfMember {
+  MeanTension tension;
+  MeanStiffness stiffness;
+  double way, way_slope;
+};
+
+/// Where the rest length L grows from L₀ to L₁, the tension is the mean over the strain λ − 1, λ = l/L. With
+/// ψ = L φ(λ), L̄ = ½ (L₀ + L₁) and λ̄, φ̄ alike,
+///   T̄ = (φ(λ₁) − φ(λ₀))/(λ₁ − λ₀),  s = L̄ (λ₁ − λ₀)                                     (5)
+///   ψ(l₁, L₁) − ψ(l₀, L₀) = T̄ (l₁ − l₀) + (φ̄ − T̄ λ̄)(L₁ − L₀)                            (6)
+/// exactly; the second part is the work of the drum. With the rest length of the middle alone, a step that
+/// pays out more than the rope is stretched would take it for slack before.
+MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
+  if (!m.grows())
+    return {mean_tension(m.middle, before, after), mean_stiffness(m.middle, before, after), after - before,
+            1};
+  netloft_member one = m.middle;
+  one.rest_length = 1;
+  const double L1 = m.after.rest_length, L = 0.5 * (m.before.rest_length + L1);
+  const double early = before / m.before.rest_length, late = after / L1;
+  const MeanTension mean = mean_tension(one, early, late);
+  const MeanStiffness stiff = mean_stiffness(one, early, late);
+  return {{mean.T, mean.slope / L1}, {stiff.k / L, stiff.slope / (L * L1)}, L * (late - early), L / L1};
+}
+
 /// What is added to the force in the middle and to its slope there, of one member.
 struct Correction {
   Vector force;
   Eigen::Matrix3d slope;
 };
 
-Correction correct(const netloft_member& m, const Chord& w, const StepEnds& ends, double memory) {
-  MeanTension mean = mean_tension(m, w.l0, w.l1);
+Correction correct(const MemberOfStep& step, const Chord& w, const StepEnds& ends, double memory) {
+  const MeanOfMember of = mean_of(step, w.l0, w.l1);
+  const netloft_member& m = step.middle;
+  MeanTension mean = of.tension;
   if (ends.damping > 0) {
-    const MeanStiffness s = mean_stiffness(m, w.l0, w.l1);
-    const double late = w.l1 - w.l0 - ends.length * memory, half = 0.5 * ends.damping;
-    mean.T += half * s.k * late, mean.slope += half * (s.k + s.slope * late);  // (4)
+    const MeanStiffness& s = of.stiffness;
+    const double late = of.way - ends.length * memory, half = 0.5 * ends.damping;
+    mean.T += half * s.k * late, mean.slope += half * (s.k * of.way_slope + s.slope * late);  // (4)
   }
   const double sum = w.l0 + w.l1, T = tension_at(m, w.l), over = T / w.l;
   const Vector d = (w.before + w.after) / sum, t1 = w.after / w.l1, t = w.middle / w.l;
@@ -144,9 +178,14 @@ int Assembler::add_mean_of_members(std::size_t family, std::size_t tile, const n
   const auto& element = f.type().element;
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   const auto nodes = static_cast<std::size_t>(f.nodes_per_element());
-  w.members.resize(kLanes * element.member_count);
-  if (element.members(f.self(), t.time, t.first, t.count, w.members.data()) != NETLOFT_OK)
-    return NETLOFT_ERROR;
+  const double half = 0.5 * request.between->length;
+  for (const auto& [members, time] : {std::pair{&w.members_before, t.time - half},
+                                      {&w.members, t.time},
+                                      {&w.members_after, t.time + half}}) {
+    members->resize(kLanes * element.member_count);
+    if (element.members(f.self(), time, t.first, t.count, members->data()) != NETLOFT_OK)
+      return NETLOFT_ERROR;
+  }
   const EndsOfTile ends{w.before.data(), w.after.data(), t.x};
   double* force = request.residual ? w.force.open(dofs, t.count) : nullptr;
   const bool has_slope = request.values && request.matrix != MatrixKind::metric;
@@ -154,11 +193,12 @@ int Assembler::add_mean_of_members(std::size_t family, std::size_t tile, const n
   double* slope = has_slope ? w.open_tangent(symmetric, dofs, t.count) : nullptr;
   for (std::size_t lane = 0; lane < t.count; ++lane)
     for (std::size_t k = 0; k < element.member_count; ++k) {
-      const netloft_member& m = w.members[lane * element.member_count + k];
+      const std::size_t at = lane * element.member_count + k;
+      const netloft_member& m = w.members[at];
       const Chord chord(m, ends, nodes, lane);
       if (!chord.has_length() || (m.EA == 0 && m.EA_compression == 0)) continue;
-      const Correction by =
-          correct(m, chord, *request.between, stretch_rates_[family].kept(tile)[k * kLanes + lane]);
+      const Correction by = correct({w.members_before[at], m, w.members_after[at]}, chord, *request.between,
+                                    stretch_rates_[family].kept(tile)[k * kLanes + lane]);
       for (std::size_t p = 0; p < nodes; ++p) {
         for (std::size_t axis = 0; force && axis < 3; ++axis)
           force[(3 * p + axis) * kLanes + lane] +=
@@ -261,19 +301,23 @@ bool Assembler::remember_stretch(std::size_t family, const FamilyGroup& group, s
   const std::size_t count = f.type().element.member_count;
   const auto lanes = static_cast<std::uint32_t>(std::min(kLanes, f.size() - tile * kLanes));
   gather_ends(group, tile, ends, w);
-  w.members.resize(kLanes * count);
-  if (f.type().element.members(f.self(), time, static_cast<std::uint32_t>(tile * kLanes), lanes,
-                               w.members.data()) != NETLOFT_OK)
-    return false;
+  for (const auto& [members, at] :
+       {std::pair{&w.members_before, time - ends.length}, {&w.members_after, time}}) {
+    members->resize(kLanes * count);
+    if (f.type().element.members(f.self(), at, static_cast<std::uint32_t>(tile * kLanes), lanes,
+                                 members->data()) != NETLOFT_OK)
+      return false;
+  }
   const EndsOfTile all{w.before.data(), w.after.data(), w.after.data()};
   double* kept = stretch_rates_[family].all().data() + tile * count * kLanes;
   for (std::size_t lane = 0; lane < lanes; ++lane)
     for (std::size_t k = 0; k < count; ++k) {
-      const netloft_member& m = w.members[lane * count + k];
+      const netloft_member &m = w.members_after[lane * count + k], &m0 = w.members_before[lane * count + k];
       const Chord chord(m, all, static_cast<std::size_t>(f.nodes_per_element()), lane);
       double& rate = kept[k * kLanes + lane];
-      const bool bears = is_taut(m, chord.l0) && is_taut(m, chord.l1);
-      rate = bears ? rate + memory * ((chord.l1 - chord.l0) / ends.length - rate) : 0;  // (4)
+      const bool bears = is_taut(m0, chord.l0) && is_taut(m, chord.l1);
+      const double way = mean_of({m0, m, m}, chord.l0, chord.l1).way;
+      rate = bears ? rate + memory * (way / ends.length - rate) : 0;  // (4)
     }
   return true;
 }

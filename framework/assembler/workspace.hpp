@@ -45,7 +45,7 @@ struct Assembler::Workspace {
   }
   std::vector<double> scratch, element;
   std::vector<double> before, after, energies, forces;  // for mean forces of steps; else empty
-  std::vector<netloft_member> members;
+  std::vector<netloft_member> members, members_before, members_after;
   double energy[kLanes] = {};
   char message[sizeof ElementFault::message] = "";
   ElementFault fault;

@@ -68,16 +68,29 @@ bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const 
   return true;
 }
 
-/// (7): half of it at the old place and half at the new one, or up to the middle of a step at the old place
-/// and from there at the new one.
+/// (7): half of it at the old place and half at the new one; of a step by mean forces what energies change by
+/// and mean forces do not.
 bool EnergyBudget::add_winches(double reached) {
-  const bool in_halves = reached == next_.t;
   double early[2], late[2];
-  if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, reached, late[0], false) ||
-      !find_energies(next_.x, in_halves ? now_.t : reached, early[1], false) ||
-      !find_energies(next_.x, next_.t, late[1], false))
+  if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, next_.t, late[0], false) ||
+      !find_energies(next_.x, now_.t, early[1], false) || !find_energies(next_.x, next_.t, late[1], false))
     return false;
-  winches_ += (in_halves ? 0.5 : 1.0) * (late[0] - early[0] + late[1] - early[1]);
+  if (reached == next_.t) {
+    winches_ += 0.5 * (late[0] - early[0] + late[1] - early[1]);
+    return true;
+  }
+  if (early[0] == late[0] && early[1] == late[1]) return true;
+  std::vector<double> u(zero_.size());
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.5 * (now_.q[i] + next_.q[i]);
+  force_.assign(scratch_.size(), 0.0), middle_ = now_.x;
+  assembler_.place(u, middle_, reached);
+  const StepEnds ends{now_.x.data(), next_.x.data(), next_.t - now_.t, 0};
+  if (!assembler_.evaluate(middle_, {.conservative_only = true,
+                                     .residual = force_.data(),
+                                     .motion = {.time = reached},
+                                     .between = &ends}))
+    return false;
+  winches_ += late[1] - early[0] - done(force_, force_);
   return true;
 }
 

@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
         Hard{"ANetInAGust", "gust.toml", 1e-2, {"parts.net.cells=[3,3]", "parts.weights.number=4"}},
         Hard{"AWinch",
              "snap.toml",
-             5e-3,
+             4e-3,
              {"analysis.duration=0.5", "parts.rope.rope.length_share={t=[0,1],share=[1,0.7]}"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
