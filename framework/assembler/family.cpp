@@ -36,6 +36,26 @@ int ElementFamily::output(netloft_tile& tile, double* values) const {
   return type_->element.output(self_, &tile, values);
 }
 
+std::span<double> ElementFamily::table(std::uint32_t scene_part, std::string_view parameter) const {
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    for (const auto& one : type_->parameters)
+      if (parts_[p] == scene_part && one.kind == NETLOFT_TABLE && parameter == one.name)
+        return parameters_[p].table(one);
+  return {};
+}
+
+void ElementFamily::add_corners_in_time(std::vector<double>& times) const {
+  for (const auto& one : type_->parameters) {
+    if (one.kind != NETLOFT_TABLE || std::string_view(one.column_units[0]) != "s") continue;
+    std::size_t columns = 0;
+    while (one.columns[columns]) ++columns;
+    for (const auto& block : parameters_) {
+      const auto numbers = block.table(one);
+      for (std::size_t i = 0; i < numbers.size(); i += columns) times.push_back(numbers[i]);
+    }
+  }
+}
+
 void ElementFamily::gather_parameters(const Scene& scene) {
   std::vector<SceneFault> faults;
   for (const auto part : parts_) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <string_view>
 
 namespace netloft {
 
@@ -47,6 +48,11 @@ class ElementFamily {
   /// Calls one of the element's terms, or asks for its outputs; plugin_call.hpp then names the element.
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
+
+  /// The numbers of a table that a scene part gives, as its elements read them; empty: there is none.
+  std::span<double> table(std::uint32_t scene_part, std::string_view parameter) const;
+  /// Adds the times at which tables in time have a corner [s].
+  void add_corners_in_time(std::vector<double>& times) const;
 
   /// The shared unknowns of a part: one node per part, none if the type has no shared unknowns.
   struct GlobalNode {

@@ -238,6 +238,14 @@ double ParameterBlock::number(const netloft_parameter& p) const {
   return static_cast<double>(v);
 }
 
+std::span<double> ParameterBlock::table(const netloft_parameter& p) const {
+  netloft_table stored;
+  std::memcpy(&stored, reinterpret_cast<const char*>(bytes_.get()) + p.offset, sizeof stored);
+  for (const auto& flat : tables_)
+    if (flat->data() == stored.values) return *flat;
+  return {};
+}
+
 Value ParameterBlock::fallback(std::span<const netloft_parameter> table, const netloft_parameter& p) const {
   switch (p.kind) {
     case NETLOFT_INTEGER:

@@ -58,6 +58,8 @@ class ParameterBlock {
   void clear(const ByteRange& range);
   /// The value of a real, integer, choice or boolean parameter as stored.
   double number(const netloft_parameter& parameter) const;
+  /// The numbers of a table as stored, row by row, which may change while a plugin reads none of them.
+  std::span<double> table(const netloft_parameter& parameter) const;
 
  private:
   void store(const netloft_parameter& parameter, const Value& value);

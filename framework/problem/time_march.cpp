@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/time_march.hpp"
 
+#include "framework/problem/shared_unknowns.hpp"
 #include "framework/registry/plugin_call.hpp"
 
 #include <algorithm>
@@ -52,9 +53,13 @@ class March {
         other_start_(state_),
         next_(state_),
         shown_(assembler, settings.mass_damping),
+        winches_(scene, assembler, limits.tolerance),
         error_(state_.u.size()),
         residual_(assembler.numbering().dofs()),
-        corners_(find_corners()) {}
+        mean_forces_(residual_.size()),
+        corners_(find_corners()) {
+    winches_.set_state(state_.winches);
+  }
 
   MarchResult run() {
     if (begin() && begin_other())
@@ -68,7 +73,7 @@ class March {
 
   /// Goes on to a time or beyond it, without outputs; false: it has failed, or was interrupted.
   bool reach(double t) {
-    assembler_.set_memory(state_.memory);
+    assembler_.set_memory(state_.memory), winches_.restore();
     bool moves = true;
     while (moves && state_.t < t && !has_ended()) moves = shorten_rotations() && make_step();
     if (state_.t < t) return false;
@@ -80,6 +85,7 @@ class March {
  private:
   bool begin() {
     result_.status = MarchStatus::finished;
+    winches_.restore();
     if (!state_.memory.empty()) assembler_.set_memory(state_.memory);
     problem_.set_least_load(state_.least_load);
     if (integrator_.type->is_explicit())
@@ -122,7 +128,7 @@ class March {
       other_ = std::make_unique<March>(scene_, assembler_, integrator_, solver_, make_, limits_,
                                        other_settings_, nobody_, &state_.other[0]);
       if (!other_->begin()) lose_other();
-      assembler_.set_memory(own);
+      assembler_.set_memory(own), winches_.restore();
     }
     if (state_.outputs == 0) write_checkpoint(state_.t);
     return true;
@@ -138,7 +144,7 @@ class March {
     if (!other_ || !other_->has_output_at(t)) return true;
     const std::vector<double> own = assembler_.memory();
     const bool is_there = other_->reach(t);
-    assembler_.set_memory(own);
+    assembler_.set_memory(own), winches_.restore();
     if (!is_there && other_->result_.status == MarchStatus::interrupted) return !has_ended();
     if (!is_there) return lose_other(), true;
     show(t), other_->show(t);
@@ -235,7 +241,23 @@ class March {
     }
   }
 
+  /// With winches, until their speeds and what they bear agree.
   int try_step(double h) {
+    if (winches_.empty()) return try_once(h);
+    for (winches_.begin(state_.t, h);;) {
+      const int status = try_once(h);
+      if (status != NETLOFT_OK) return status;
+      if (!problem_.find_step_forces(state_.t + h, next_.u, next_.v, next_.a, residual_))
+        return NETLOFT_ERROR;
+      forces_after_ = -1;
+      const auto verdict = winches_.judge(residual_);
+      if (verdict == Winches::Verdict::settled) return NETLOFT_OK;
+      if (verdict == Winches::Verdict::lost) return winches_are_lost_ = true, NETLOFT_OUTSIDE_DOMAIN;
+    }
+  }
+
+  int try_once(double h) {
+    winches_are_lost_ = false;
     std::fill(error_.begin(), error_.end(), 0.0);
     netloft_motion& m = problem_.interface();
     m.t = state_.t, m.h = h;
@@ -243,6 +265,8 @@ class March {
     m.u_new = next_.u.data(), m.v_new = next_.v.data(), m.a_new = next_.a.data(), m.error = error_.data();
     const int status = call_step(m);
     if (status != NETLOFT_OK) return status;
+    for (std::size_t i = 0; i < error_.size(); ++i)
+      if (is_shared(assembler_, i)) error_[i] = 0;  // of another unit, and without a memory
     double sum = 0;
     for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
     return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
@@ -278,12 +302,21 @@ class March {
     result_.shortest = state_.steps == 1 ? h : std::min(result_.shortest, h);
     result_.longest = std::max(result_.longest, h);
     if (is_looked_at() && !keep_account()) return fail_at_fault();
+    if (!find_mean_forces()) return fail_at_fault();
+    if (!winches_.empty()) winches_.accept();
+    if (const std::string why = winches_.obstacle(); !why.empty()) return fail_at(why);
     if (!problem_.accept(state_.u)) return fail_at("an element does not tell its members");
     problem_.state().set(t, state_.u, state_.v, state_.a);
     if (!assembler_.remember(problem_.state().x(), problem_.state().motion())) return fail_at_fault();
     if (settings_.judged && judge_.is_lost(t >= settings_.duration))
       return fail_at(judge_.sentence() + "; " + fastest_node());
     return true;
+  }
+
+  /// Of the step that was made, before elements remember its end; for outputs within it.
+  bool find_mean_forces() {
+    has_means_ = problem_.is_between() && output_time(state_.outputs) <= state_.t;
+    return !has_means_ || problem_.find_step_forces(state_.t, state_.u, state_.v, state_.a, mean_forces_);
   }
 
   void note_error(double t, double error) {
@@ -336,6 +369,9 @@ class March {
   /// Ends of steps: outputs, corners of what moves the scene, the end.
   std::vector<double> find_corners() const {
     std::vector<double> all = scene_.corners_in_time();
+    for (const auto& family : assembler_.families()) family->add_corners_in_time(all);
+    for (const Winch& winch : scene_.winches)
+      for (const auto& row : winch.tension) all.push_back(row[0]);
     if (!settings_.dense)
       for (std::size_t i = 0; i < output_count(); ++i) all.push_back(output_time(i));
     all.push_back(settings_.duration);
@@ -376,6 +412,8 @@ class March {
     if (settings_.budget) state_.budget = budget_.sums();
     state_.judged = judge_.sums();
     find_forces();
+    if (state_.steps == 0) winches_.note_rest(residual_);
+    state_.winches = winches_.state();
     problem_.note_loads(residual_);
     state_.least_load = problem_.least_load();
     ++state_.outputs;
@@ -427,13 +465,16 @@ class March {
 
   void tell(double t, const MarchState* state) {
     if (!watch_.on_output) return;
-    watch_.on_output({t,
-                      shown_u_,
-                      shown_.x(),
-                      shown_.v(),
-                      {state_.t, problem_.state().x(), residual_, problem_.state().motion()},
-                      settings_.budget ? &budget_ : nullptr,
-                      state});
+    const std::vector<WinchMoment> winches = winches_.moments(t);
+    watch_.on_output(
+        {t,
+         shown_u_,
+         shown_.x(),
+         shown_.v(),
+         {state_.t, problem_.state().x(), has_means_ ? mean_forces_ : residual_, problem_.state().motion()},
+         settings_.budget ? &budget_ : nullptr,
+         state,
+         winches});
   }
   void tell_of_step() {
     if (is_over_ || !watch_.on_step) return;
@@ -445,6 +486,7 @@ class March {
 
   std::string trouble() const {
     if (problem_.message()[0]) return problem_.message();
+    if (winches_are_lost_) return "no speed of the winches goes with what they bear";
     if (!problem_.trouble().empty()) return problem_.trouble();
     return integrator_.type->is_explicit() ? "motions grow without bound" : "the step does not settle";
   }
@@ -499,11 +541,12 @@ class March {
   EnergyJudge judge_;
   MarchState state_, next_;  // next_: the end of the step that is tried; after it, the state before
   MovingState shown_;        // at the output
-  std::vector<double> error_, residual_, shown_u_, corners_;
+  Winches winches_;
+  std::vector<double> error_, residual_, mean_forces_, shown_u_, corners_;
   double limit_ = 0, previous_ = 0, last_ = 0;
   std::int64_t forces_after_ = -1;  // steps, that residual_ is of
   double begun_ = wall_seconds(), cpu_begun_ = cpu_seconds();
-  bool is_over_ = false;
+  bool is_over_ = false, winches_are_lost_ = false, has_means_ = false;
   MarchResult result_;
   MarchSettings other_settings_;
   MarchWatch nobody_;

@@ -3,6 +3,7 @@
 #include <limits>
 #include "framework/problem/energy_judge.hpp"
 #include "framework/problem/transient_problem.hpp"
+#include "framework/problem/winches.hpp"
 
 namespace netloft {
 
@@ -36,6 +37,7 @@ struct MarchState {
   std::vector<double> memory;               // of the elements
   std::vector<double> budget;               // sums of it [J]
   std::vector<double> judged;               // sums of who judges it [J]
+  std::vector<double> winches;              // Winches::state()
   double error_sum = 0, largest_error = 0;  // of steps, over the longest element
   double largest_at = 0;                    // time of the largest [s]
   std::uint64_t largest_of = 0;             // and its node
@@ -51,7 +53,9 @@ struct MarchState {
 };
 
 /// Where forces are asked for, at the end of a step: positions between two ends are smooth but in balance
-/// with nothing, and a stiff twine turns their smallest error into a force.
+/// with nothing, and a stiff twine turns their smallest error into a force. Where the forces of a step are
+/// means over it, so are the reactions: they are what the momentum of the step came from, while forces at its
+/// end ring from step to step with what is too fast for it.
 struct ForceMoment {
   double t;                             // [s]
   std::span<const double> x, residual;  // over all dofs: positions [m], reactions of held ones [N]
@@ -66,6 +70,7 @@ struct Snapshot {
   ForceMoment forces;            // at t if a step ends there, else at the end of the step around t
   const EnergyBudget* budget;    // null if it is not kept; of the last step's end if outputs are dense
   const MarchState* state;       // to go on from; null: go on from that of an earlier snapshot
+  std::span<const WinchMoment> winches = {};
 };
 
 /// A step that was made.
@@ -123,8 +128,8 @@ struct MarchWatch {
 };
 
 /// Goes through time from `from`, or from the start at rest if that is null. Steps end at outputs (unless
-/// they are dense) and where a guide or the current has a corner. With error control, a step is rejected if
-/// its estimate exceeds the accuracy, and the next one is
+/// they are dense) and where a guide, the current or a table in time has a corner. With error control, a step
+/// is rejected if its estimate exceeds the accuracy, and the next one is
 ///   h ← h · 0.9 (accuracy/error)^(1/order), within [1/5, 2] h                              (1)
 /// Where the error of a step is of order p in h, sums over the steps of a path fall with the power (p − 1)/p
 /// of what is allowed for one. Paths shall be as accurate as is asked, so that below a, 1e-2,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/transient_problem.hpp"
 
+#include "framework/problem/shared_unknowns.hpp"
 #include "framework/registry/plugin_call.hpp"
 
 #include <algorithm>
@@ -43,6 +44,15 @@ const char* trouble_of(netloft_outcome outcome, StaticProblem::Stop stop) {
       return "the solver failed in a step";
   }
 }
+
+}  // namespace
+
+namespace {
+
+/// At the end of a step in whose middle its equation holds. Twice the middle less the beginning would ring
+/// from step to step for ever. A quarter of a step beyond the middle, what is off falls by √½ from step to
+/// step, λ² + λ/2 + 1/2 = 0, and a value that moves evenly is a quarter of a step behind.
+double end_of_shared(double middle, double h, double v) { return middle + 0.25 * h * v; }
 
 }  // namespace
 
@@ -147,7 +157,8 @@ int TransientProblem::solve_between(const double* v0, double cv, const double* a
   mean_.t = step.t, mean_.u = middle, mean_.v.resize(size()), mean_.a.resize(size());
   for (std::size_t i = 0; i < size(); ++i)
     mean_.v[i] = v[i] + step.cv * middle[i], mean_.a[i] = a[i] + step.ca * middle[i];
-  for (std::size_t i = 0; i < size() && status == NETLOFT_OK; ++i) u[i] = 2 * middle[i] - m.u[i];
+  for (std::size_t i = 0; i < size() && status == NETLOFT_OK; ++i)
+    u[i] = is_shared(assembler_, i) ? end_of_shared(middle[i], m.h, m.v[i]) : 2 * middle[i] - m.u[i];
   return status;
 }
 
@@ -161,12 +172,22 @@ const MeanStep* TransientProblem::mean_step(std::span<const double> u) {
   if (!is_between_) return nullptr;
   mean_.reactions.clear();
   if (!assembler_.is_guided()) return &mean_;
-  place_end(u);
   mean_.reactions.resize(residual_.size());
+  return find_mean_forces(u, mean_.reactions) ? &mean_ : nullptr;
+}
+
+bool TransientProblem::find_mean_forces(std::span<const double> u, std::span<double> residual) {
+  place_end(u);
   state_.set(mean_.t, mean_.u, mean_.v, mean_.a);
-  const bool has_forces = assembler_.evaluate(
-      state_.x(), {.residual = mean_.reactions.data(), .motion = state_.motion(), .between = &ends_.ends});
-  return has_forces ? &mean_ : nullptr;
+  return assembler_.evaluate(
+      state_.x(), {.residual = residual.data(), .motion = state_.motion(), .between = &ends_.ends});
+}
+
+bool TransientProblem::find_step_forces(double t, std::span<const double> u, std::span<const double> v,
+                                        std::span<const double> a, std::span<double> residual) {
+  if (is_between_) return find_mean_forces(u, residual);
+  state_.set(t, u, v, a);
+  return assembler_.evaluate(state_.x(), {.residual = residual.data(), .motion = state_.motion()});
 }
 
 bool TransientProblem::accept(std::span<const double> u) {

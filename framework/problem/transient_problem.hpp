@@ -54,6 +54,10 @@ class TransientProblem {
   const MeanStep* mean_step(std::span<const double> u);
   /// Whether the forces of the last step were means.
   bool is_between() const { return is_between_; }
+  /// The forces that the last step was made with, over all dofs [N]: their means over it, or those at its end
+  /// (t, u, v, a). False: see the assembler's fault().
+  bool find_step_forces(double t, std::span<const double> u, std::span<const double> v,
+                        std::span<const double> a, std::span<double> residual);
   /// A step that ends at displacements u is accepted: members remember it if its forces were means. False:
   /// an element does not tell its members.
   bool accept(std::span<const double> u);
@@ -68,6 +72,7 @@ class TransientProblem {
                     double* u);
   int solve_step(const StepProblem& step, double* u);
   void place_end(std::span<const double> u);
+  bool find_mean_forces(std::span<const double> u, std::span<double> residual);
   int accelerate_at(double t, std::span<const double> u, std::span<const double> v, std::span<double> a,
                     bool massless_rest);
   int evaluate();

@@ -130,6 +130,18 @@ struct Setting {
   double factor = 1;       // by which the data were multiplied since the scene was read
 };
 
+/// A rope that runs over a winch which holds a tension while the scene moves (problem/winches.hpp).
+struct Winch {
+  std::string part;         // the rope
+  std::string parameter;    // of it, a table in time of what its lengths are multiplied by
+  std::uint32_t block = 0;  // node of the scene, held along all axes
+  double length = 0;        // of the rope where that factor is one [m]
+  std::vector<std::array<double, 2>> tension = {};  // t [s], wanted at the block [N]; straight between
+  double max_speed = 0;                             // of rope that is paid out or hauled [m/s]
+  double band = 0;       // beyond the dead band, deviation at which it runs as fast as it can [N]
+  double dead_band = 0;  // deviation at which it still stands [N]
+};
+
 /// The model: parts on nodes in water, with holds, guides and bodies. It is plain data, made by the reader of
 /// a file.
 struct Scene {
@@ -150,6 +162,7 @@ struct Scene {
   std::vector<NodeLabel> labels;  // per node
   std::vector<Part> parts;
   std::vector<Setting> settings = {};
+  std::vector<Winch> winches = {};
 
   /// Whether a node cannot move: it is held along all axes and belongs to no body.
   bool stands_still(std::uint32_t node) const {

@@ -297,6 +297,7 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
       return none;
     }
     from = &at_rest.emplace(state_at_rest(*assembler_, u));
+    at_rest->winches = Winches::state_at_rest(s.factors);
   }
   MarchResult result = netloft::march(loaded_.scene, *assembler_, {&integrator, scheme.data()},
                                       {&solver, steps.data()}, make_, limits, a.dynamics.march, watch, from);

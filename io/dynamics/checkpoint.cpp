@@ -9,7 +9,8 @@ namespace netloft::io {
 std::string pack_checkpoint(const MarchState& s) {
   ByteWriter to;
   to.put(s.t), to.put(s.h);
-  for (const auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged}) to.put_array(*values);
+  for (const auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged, &s.winches})
+    to.put_array(*values);
   to.put(s.least_load);
   to.put(s.error_sum), to.put(s.largest_error), to.put(s.largest_at), to.put(s.largest_of);
   to.put(std::uint64_t{s.outputs});
@@ -25,7 +26,7 @@ MarchState unpack_checkpoint(const std::string& bytes) {
   ByteReader from(bytes);
   MarchState s;
   s.t = from.real(), s.h = from.real();
-  for (auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged}) *values = from.reals();
+  for (auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged, &s.winches}) *values = from.reals();
   s.least_load = from.real();
   s.error_sum = from.real(), s.largest_error = from.real(), s.largest_at = from.real();
   s.largest_of = from.integer();

@@ -3,6 +3,7 @@
 
 #include "framework/problem/energy_judge.hpp"
 #include "io/dynamics/checkpoint.hpp"
+#include "io/dynamics/warp_figures.hpp"
 #include "io/dynamics/xdmf.hpp"
 #include "io/hdf5/image.hpp"
 #include "io/report/fallen_boards.hpp"
@@ -179,13 +180,16 @@ class MotionRun {
     std::vector<double> residual(assembler.numbering().dofs());
     EnergyBudget budget(assembler, loaded_.analysis.dynamics.march.mass_damping);
     const bool keeps = loaded_.analysis.dynamics.march.budget;
+    std::vector<WinchMoment> winches;
+    for (const Winch& winch : loaded_.scene.winches) winches.push_back({winch.part});
     describe({from.t,
               from.u,
               state.x(),
               state.v(),
               {from.t, state.x(), residual, state.motion()},
               keeps ? &budget : nullptr,
-              nullptr});
+              nullptr,
+              winches});
   }
 
   SeriesState describe(const Snapshot& at) {
@@ -203,7 +207,7 @@ class MotionRun {
     for (auto& cell : fields_->gather(answer.outputs))
       layout_.changing.push_back(cell.spec), state.fields.push_back(std::move(cell.values));
     add_row(at, solution, answer.outputs, state);
-    add_gear(answer, state);
+    add_gear(at, answer, state);
     add_moment_of_forces(at, state);
     if (layout_.mesh.n_points == 0) {
       layout_.mesh = make_mesh(loaded_, assembler), layout_.fixed = label_points(loaded_);
@@ -266,8 +270,9 @@ class MotionRun {
   }
 
   /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
-  void add_gear(const Answer& answer, SeriesState& state) {
+  void add_gear(const Snapshot& at, const Answer& answer, SeriesState& state) {
     result_.gear = collect_gear(loaded_, case_.assembler(), answer);
+    add_warp_figures(loaded_, case_.assembler(), at, result_.gear);
     if (!gear_columns_)
       gear_columns_ = journal_ ? gear_columns_of(journal_->layout()) : columns_of(result_.gear);
     for (const SeriesColumn& column : *gear_columns_) {

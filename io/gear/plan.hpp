@@ -84,6 +84,16 @@ struct Panel {
   std::array<double, 2> twines_at(double across, double deep) const;
 };
 
+constexpr double kWinchSpeed = 2;    // [m/s]; trawl winches haul some 80 to 120 m in a minute
+constexpr double kWinchBand = 0.05;  // of the tension
+
+/// How a winch holds a tension in a motion (framework/problem/winches.hpp).
+struct HeldTension {
+  std::vector<std::array<double, 2>> tension;  // t [s], at the block [N]; empty: that of the start
+  double max_speed = 0;                        // [m/s]
+  double band = 0, dead_band = 0;              // [N]
+};
+
 /// A rope, wire or chain. One in the middle is given in full length; it starts in the middle and ends on both
 /// sides.
 struct Rope {
@@ -99,7 +109,8 @@ struct Rope {
   Place role_place;
   std::array<std::string, 2> between;        // points at its ends; empty: none
   std::vector<std::array<double, 2>> winch;  // t [s], and how much more of it is out than at the start [m]
-  Place winch_place;
+  std::optional<HeldTension> held;           // instead of the lengths of `winch`
+  Place winch_place, tension_place;
   bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
   Place place, between_place;
 };

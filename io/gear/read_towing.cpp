@@ -103,13 +103,48 @@ void add_paid_out(const std::vector<double>& t, const std::vector<double>& v, Ro
   }
 }
 
+const RealSpec kTension{.unit = "N", .doc = "at the block, held by the winch", .range = {0, 1e9, true}};
+
+/// One tension, or a row of them beside `t`; that of the warp at its start if it has one.
+void read_tensions(TableReader& winch, const Rope& warp, HeldTension& held) {
+  if (!winch.has("t")) {
+    if (winch.has("tension")) held.tension.push_back({0, winch.real("tension", kTension)});
+  } else if (const auto t = read_times(winch); !t.empty()) {
+    const auto wanted = winch.reals(
+        "tension", {.unit = "N", .doc = kTension.doc, .range = kTension.range, .count = exactly(t.size())});
+    for (std::size_t i = 0; i < std::min(t.size(), wanted.size()); ++i)
+      held.tension.push_back({t[i], wanted[i]});
+  }
+  if (held.tension.empty() || !warp.tension) return;
+  if (std::abs(held.tension[0][1] - *warp.tension) > 1e-9 * *warp.tension)
+    winch.error("tension", "begins with another value than warp.tension, with which the length is found");
+  else if (warp.tension_port && held.tension.size() > 1)
+    winch.error("tension", "is of both warps, and warp.tension_port differs", "leave out one of them");
+}
+
+/// `winch = { tension, max_speed, band, dead_band }`.
+void read_held(TableReader& winch, Rope& warp) {
+  HeldTension held;
+  read_tensions(winch, warp, held);
+  const double first = !held.tension.empty() ? held.tension[0][1] : warp.tension.value_or(0);
+  held.max_speed = winch.real("max_speed", {.unit = "m/s",
+                                            .doc = "at which it can pay out and haul",
+                                            .range = {0, 50, true},
+                                            .fallback = kWinchSpeed});
+  held.band = winch.real("band", {.unit = "N",
+                                  .doc = "deviation of the tension at which it runs at max_speed",
+                                  .range = {0, 1e9, true},
+                                  .fallback = kWinchBand * first});
+  held.dead_band = winch.real("dead_band", {.unit = "N",
+                                            .doc = "deviation of the tension at which it still stands",
+                                            .range = {0, 1e9},
+                                            .fallback = 0.0});
+  warp.held = std::move(held);
+}
+
 /// `winch = { t, length }` or `{ t, speed }`, of both warps.
-void read_winch(TableReader& winch, Rope& warp) {
+void read_lengths(TableReader& winch, Rope& warp) {
   const auto t = read_times(winch);
-  warp.winch_place = winch.place();
-  if (winch.has("length") == winch.has("speed"))
-    return winch.error(winch.has("speed") ? "speed" : "length",
-                       "or speed says how the winch runs; give one of them");
   if (winch.has("speed")) {
     const RealsSpec spec{.unit = "m/s",
                          .doc = "paying out; negative: hauling",
@@ -130,6 +165,30 @@ void read_winch(TableReader& winch, Rope& warp) {
       return winch.error(winch.has("speed") ? "speed" : "length", "hauls more warp than there is");
 }
 
+void read_winch(TableReader& winch, Rope& warp) {
+  warp.winch_place = winch.place();
+  std::vector<const char*> given;
+  for (const char* key : {"length", "speed", "tension"})
+    if (winch.has(key)) given.push_back(key);
+  if (given.size() > 1)
+    return winch.error(given.back(), std::string("stands beside ") + given.front() +
+                                         ", and either says how the winch runs; give one of them");
+  const bool runs_by_tension = given.empty() ? warp.tension.has_value() : winch.has("tension");
+  if (given.empty() && !runs_by_tension)
+    return winch.error("length",
+                       "is missing, and so are speed and tension: one of them says how the winch runs");
+  if (runs_by_tension) return read_held(winch, warp);
+  if (warp.tension)
+    return winch.error(given.front(), "stands beside warp.tension, by which the length at the start is found",
+                       "run it with the tension once, and write the length that it found");
+  for (const char* key : {"max_speed", "band", "dead_band"})
+    if (winch.has(key)) {
+      winch.raw(key);
+      winch.error(key, "is of a winch that holds a tension, and this one follows a table");
+    }
+  read_lengths(winch, warp);
+}
+
 Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogue) {
   Rope rope;
   rope.name = rope.role = kWarp, rope.place = rope.role_place = warp.place();
@@ -139,18 +198,15 @@ Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogu
   const RealSpec length{.unit = "m", .doc = "from the block", .range = {0, 1e5, true}};
   rope.length = warp.real("length", length);
   if (warp.has("length_port")) rope.length_port = warp.real("length_port", length);
-  const RealSpec tension{.unit = "N", .doc = "at the block, held by the winch", .range = {0, 1e9, true}};
-  if (warp.has("tension")) rope.tension = warp.real("tension", tension);
+  rope.tension_place = warp.place("tension");
+  if (warp.has("tension")) rope.tension = warp.real("tension", kTension);
   if (warp.has("tension_port")) {
-    rope.tension_port = warp.real("tension_port", tension);
+    rope.tension_port = warp.real("tension_port", kTension);
     if (!warp.has("tension"))
       warp.error("tension_port", "stands alone; of the warp to starboard nothing is said",
                  "tension beside it, or tension alone for both");
   }
   if (warp.has("winch")) {
-    if (warp.has("tension"))
-      warp.error("winch", "stands beside tension, by which the length at the start is found",
-                 "run it with the tension once, and write the length that it found");
     TableReader winch = warp.table("winch");
     read_winch(winch, rope);
   }

@@ -163,6 +163,8 @@ void warps(const std::vector<NamedScalar>& figures, Out out) {
          {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegrees},
          {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegrees}},
         out);
+  table(figures, "warps at the block",
+        {{"tension [N]", "warps/", "/tension"}, {"out [m/s]", "warps/", "/paying_out", "{:.3f}"}}, out);
 }
 
 /// Writes what ropes pull with and where they lie.

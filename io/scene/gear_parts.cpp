@@ -552,15 +552,26 @@ void GearParts::hold_blocks() {
   draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
 }
 
-/// Of a warp with a tension the length is found. It starts at its block.
+/// Of a warp with a tension the length is found, and its winch holds the tension in a motion. It starts at
+/// its block.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const GearRope& rope = gear_.ropes[r];
-    if (!rope.rope->tension) continue;
-    const double wanted =
-        rope.is_mirrored ? rope.rope->tension_port.value_or(*rope.rope->tension) : *rope.rope->tension;
-    draft_.out.scene.settings.push_back({"length of " + rope.name, rope.name, "rest_length", "m",
-                                         scene_node(mesh_.ropes[r].nodes.front()), wanted});
+    const io::Rope& plan = *rope.rope;
+    if (!plan.tension && !plan.held) continue;
+    const std::uint32_t block = scene_node(mesh_.ropes[r].nodes.front());
+    if (!plan.tension && plan.held->tension.empty()) continue;  // which is said
+    const double first = plan.tension ? *plan.tension : plan.held->tension.front()[1],
+                 wanted = rope.is_mirrored ? plan.tension_port.value_or(first) : first;
+    if (plan.tension)
+      draft_.out.scene.settings.push_back(
+          {"length of " + rope.name, rope.name, "rest_length", "m", block, wanted});
+    const HeldTension held = plan.held ? *plan.held : HeldTension{{}, kWinchSpeed, kWinchBand * first, 0};
+    Winch winch{rope.name, made("ropes").of->key + std::string(".length_share"), block,
+                rope.is_mirrored ? plan.length_port.value_or(plan.length) : plan.length};
+    winch.tension = held.tension.size() > 1 ? held.tension : std::vector<std::array<double, 2>>{{0, wanted}};
+    winch.max_speed = held.max_speed, winch.band = held.band, winch.dead_band = held.dead_band;
+    draft_.out.scene.winches.push_back(std::move(winch));
   }
 }
 

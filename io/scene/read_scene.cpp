@@ -3,7 +3,6 @@
 
 #include "framework/registry/nearest.hpp"
 #include "framework/scene/pairs.hpp"
-#include "framework/study/settings.hpp"
 #include "io/gear/check.hpp"
 #include "io/gear/read_plan.hpp"
 #include "io/scene/analysis.hpp"
@@ -28,6 +27,7 @@
 #include "io/scene/thickness.hpp"
 #include "io/scene/tow.hpp"
 #include "io/scene/waves.hpp"
+#include "io/scene/winches.hpp"
 #include "io/units/units.hpp"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ class SceneReader {
       check_guides(), check_waves();
     read_results();
     if (!bottom_.empty() && diagnostics_.errors() == 0) lay_bottom();
-    if (!out_.scene.settings.empty()) check_winches();
+    if (plan_) ready_winches(*plan_, registry_, out_, diagnostics_);
     if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry();
     root_.finish();
     out_.files = meshes_.files();
@@ -565,7 +565,7 @@ class SceneReader {
     };
     if (plan_->ship && !plan_->ship->path.empty()) refuse("ship.path", plan_->ship->path_place);
     for (const auto& rope : plan_->ropes)
-      if (!rope.winch.empty()) refuse("ship.warp.winch", rope.winch_place);
+      if (!rope.winch.empty() || rope.held) refuse("ship.warp.winch", rope.winch_place);
   }
 
   void check_hold_name(const HoldEntry& entry, TableReader& table) {
@@ -622,35 +622,6 @@ class SceneReader {
           "take",
           "nothing of " + in_quotes(request.of) + " is held there, so there is no " + request.quantity,
           "reactions are of what a [[hold]] holds");
-  }
-
-  Place place_of_tension() {
-    const auto inner = [](const Value* table, const char* key) -> const Value* {
-      const Member* member = table && table->as<Table>() ? table->as<Table>()->find(key) : nullptr;
-      return member ? &member->value : nullptr;
-    };
-    const Value* tension = inner(inner(root_.raw("ship"), "warp"), "tension");
-    return tension ? tension->place : plan_->ship->place;
-  }
-
-  /// What can look for the length of a rope.
-  void check_winches() {
-    const bool moves = out_.analysis.kind == AnalysisKind::dynamics;
-    const auto error = [&](const std::string& message, const std::string& cure) {
-      diagnostics_.error(place_of_tension(), "ship.warp.tension " + message, cure);
-    };
-    if (moves || out_.analysis.settles)
-      error(moves ? "is found with an equilibrium, and this is a motion"
-                  : "is found by a solver of equilibria, and " + in_quotes(out_.analysis.solver) +
-                        " goes through time",
-            moves ? "the length that `netloft run` finds for the equilibrium, as warp.length"
-                  : "another solver in [analysis]");
-    for (const Setting& setting : out_.scene.settings)
-      if (!(amount_of(out_.scene, setting) > 0)) {
-        error("asks for another length of rope, and elements.ropes.type has none",
-              "an element with a rest length, such as rope/bar");
-        return;
-      }
   }
 
   /// What the bed is made of, under all parts that rest on it.

@@ -55,7 +55,17 @@ class ShipInMotion(unittest.TestCase):
                 ("ship.warp.winch={t=[0,1],length=[200,100]}", "begins with another value than warp.length"),
                 ("ship.warp.winch={t=[0,1],length=[240,100],speed=[0,1]}", "give one of them"),
                 ("ship.warp.winch={t=[0,100],speed=[-3,-3]}", "hauls more warp than there is"),
-                ("ship.warp.tension=\"12 kN\"", "stands beside tension"),
+                ("ship.warp.tension=\"12 kN\"", "stands beside warp.tension"),
+                ("ship.warp.winch={}", "is missing, and so are speed and tension"),
+                ("ship.warp.winch={tension=12000,length=[240,100],t=[0,1]}", "winch.tension: stands beside length"),
+                ("ship.warp.winch={tension=-1}", "is outside (0, 1e9] N"),
+                ("ship.warp.winch={t=[0,1],tension=[12000]}", "ship.warp.winch.tension"),
+                ("ship.warp.winch={tension=12000,max_speed=0}", "is outside (0, 50] m/s"),
+                ("ship.warp.winch={tension=12000,band=0}", "ship.warp.winch.band"),
+                ("ship.warp.winch={tension=12000,dead_band=-1}", "ship.warp.winch.dead_band"),
+                ("ship.warp.winch={t=[0,1],length=[240,200],max_speed=1}", "is of a winch that holds a tension"),
+                ("ship.warp={length=240,tension=12000,winch={tension=13000}}", "begins with another value than warp.tension"),
+                ("ship.warp={length=240,tension=12000,tension_port=13000,winch={t=[0,9],tension=[12000,13000]}}", "is of both warps"),
                 ("gear.extent=half", "the ship turns")):
             with self.subTest(setting=setting):
                 ended = self.run_it(setting)

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+
+#include <algorithm>
+
+namespace netloft {
+
+/// Whether an unknown is one that elements share, such as the front of a catch: it is no place, it has no
+/// mass, and its equation holds at every moment, so that what it was before does not matter.
+inline bool is_shared(const Assembler& assembler, std::size_t i) {
+  if (assembler.is_place(i)) return false;
+  const std::uint32_t node = assembler.numbering().node(static_cast<std::int32_t>(i));
+  return std::ranges::none_of(assembler.body_nodes(), [&](const auto& body) { return body[1] == node; });
+}
+
+}  // namespace netloft

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Winches that hold a tension in a motion, against closed forms, and what they do in the energy budget.
+#include "io/case/case.hpp"
+#include "tests/folders.hpp"
+#include "tests/verification/solving.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace netloft {
+namespace {
+
+constexpr double kMass = 5, kGravity = 9.81, kLength = 30;  // [kg], [m/s2], [m]
+
+/// A ball on a light rope that hangs from a winch, in air.
+std::vector<std::string> hanging_ball(std::vector<std::string> more) {
+  std::vector<std::string> all = {"parts.rope.length=\"30 m\"",
+                                  "parts.rope.sketch=[[0,0,0],[0,0,-30]]",
+                                  "parts.rope.rope.density=0.1",
+                                  "parts.rope.rope.EA=\"5 MN\"",
+                                  "analysis.integrator=energy-momentum",
+                                  "analysis.start=equilibrium",
+                                  "analysis.solver=chord",
+                                  "analysis.tolerance=1e-9",
+                                  "analysis.duration=2",
+                                  "analysis.output_interval=0.25"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+/// The scene with a winch at the start of its rope.
+std::unique_ptr<io::Case> open_with(const std::string& scene, const std::vector<std::string>& overrides,
+                                    Winch winch, bool at_end = false) {
+  auto c = std::make_unique<io::Case>(io::CaseSource{test::source_folder() + "/" + scene, overrides, 1},
+                                      test::shipped_plugins());
+  const auto state = c->open([&](io::LoadedScene& loaded) {
+    Part& rope = loaded.scene.parts[0];
+    winch.part = rope.name, winch.parameter = "rope.length_share",
+    winch.block = at_end ? rope.nodes.back() : rope.nodes.front();
+    rope.parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};
+    loaded.scene.winches.push_back(winch);
+  });
+  if (state != io::Case::State::ready) throw std::invalid_argument(c->diagnostics().render(false));
+  return c;
+}
+
+struct Moment {
+  double t, length, speed, tension, z, numerical, given;
+};
+struct Marched {
+  std::vector<Moment> moments;
+  std::vector<MarchState> states;
+  MarchResult result;
+};
+
+Marched march(io::Case& c, const MarchState* from = nullptr) {
+  Marched m;
+  MarchWatch watch;
+  watch.on_output = [&](const Snapshot& s) {
+    const WinchMoment& w = s.winches[0];
+    const auto place = c.assembler().node_position(c.loaded().scene.parts[0].nodes.back(), s.x);
+    double given = 0;
+    for (const double g : s.budget->totals().given) given += std::abs(g);
+    m.moments.push_back({s.t, w.length, w.speed, w.tension, place[2], s.budget->totals().numerical, given});
+    if (s.state) m.states.push_back(*s.state);
+  };
+  m.result = c.march(watch, nullptr, from);
+  EXPECT_EQ(m.result.status, MarchStatus::finished) << m.result.reason;
+  return m;
+}
+
+Winch winch_of(double tension, double max_speed, double band, double dead_band = 0) {
+  return {"", "", 0, kLength, {{0, tension}}, max_speed, band, dead_band};
+}
+
+const std::string kBall = "gear-library/scenes/dynamics/elastic-pendulum.toml";
+
+/// m dv/dt = W − T* − B v/v_max: with τ = m v_max/B, v = (W − T*)/m τ (1 − exp(−t/τ)).
+class BallOnAWinch : public testing::TestWithParam<double> {};
+
+TEST_P(BallOnAWinch, FallsAndRisesAsTheForcesOnItSay) {
+  const double tension = GetParam() * kMass * kGravity, max_speed = 10, band = 2,
+               tau = kMass * max_speed / band;
+  const auto c =
+      open_with(kBall, hanging_ball({"analysis.accuracy=1e-4"}), winch_of(tension, max_speed, band));
+  const double a = kGravity - tension / kMass, start = c->loaded().scene.positions[2];
+  const Marched m = march(*c);
+  ASSERT_EQ(m.moments.size(), 9u);
+  for (const Moment& at : m.moments) {
+    const double v = a * tau * (1 - std::exp(-at.t / tau)), way = a * tau * at.t - tau * v;
+    EXPECT_NEAR(start - kLength - at.z, way, 2e-3 * (1 + std::abs(way))) << at.t;
+    EXPECT_NEAR(at.length - kLength, way, 2e-3 * (1 + std::abs(way))) << at.t;
+    if (at.t > 0.5) EXPECT_NEAR(at.tension, tension, band);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Tensions, BallOnAWinch, testing::Values(0.8, 1.0, 1.15));
+
+TEST(Winches, RunNoFasterThanTheyCan) {
+  const auto c = open_with(kBall, hanging_ball({}), winch_of(0.5 * kMass * kGravity, 0.1, 2));
+  for (const Moment& at : march(*c).moments) {
+    if (at.t == 0) continue;
+    EXPECT_DOUBLE_EQ(at.speed, 0.1);
+    EXPECT_NEAR(at.length, kLength + 0.1 * at.t, 1e-9);
+  }
+}
+
+TEST(Winches, StandWithinTheirDeadBand) {
+  const auto c = open_with(kBall, hanging_ball({}), winch_of(kMass * kGravity + 1, 2, 2, 1.5));
+  for (const Moment& at : march(*c).moments) EXPECT_EQ(at.length, kLength);
+}
+
+/// A line from the bed to a block that heaves.
+std::unique_ptr<io::Case> heaving(const Winch& winch, const std::vector<std::string>& more) {
+  std::vector<std::string> all = {"parts.line.sketch=[[0,0,-30],[0,0,0]]",
+                                  "parts.line.length=29.86",
+                                  "parts.line.cells=8",
+                                  "water.current=[0,0,0]",
+                                  "hold[1].displacement={t=[0,1,2,3,4,5,6],z=[0,0.5,0,-0.5,0,0.5,0]}",
+                                  "analysis.start=equilibrium",
+                                  "analysis.integrator=energy-momentum",
+                                  "analysis.duration=6",
+                                  "analysis.output_interval=0.25"};
+  all.insert(all.end(), more.begin(), more.end());
+  return open_with("tests/bench/motions/heave.toml", all, winch, true);
+}
+
+/// The winch gives and takes what the ship does: T = T* + B w/v_max with w of the block, and the line is as
+/// long as it is from the bed to the block at that tension.
+TEST(Winches, GiveAndTakeWhatAShipHeaves) {
+  const double wanted = 2000, max_speed = 3, band = 300, EA = 424e3;
+  const auto c = heaving({"", "", 0, 29.86, {{0, wanted}}, max_speed, band, 0}, {"analysis.accuracy=1e-3"});
+  double shortest = 100, longest = 0;
+  for (const Moment& at : march(*c).moments) {
+    if (at.t == 0) continue;
+    EXPECT_NEAR(at.tension, wanted + band * at.speed / max_speed, 2e-3 * band) << at.t;
+    EXPECT_NEAR(at.length, (30 + at.z) / (1 + at.tension / EA), 5e-3) << at.t;
+    shortest = std::min(shortest, at.length), longest = std::max(longest, at.length);
+  }
+  EXPECT_NEAR(longest - shortest, 1, 0.02);
+}
+
+/// Without damping of the scheme, what winch and block do goes into the line and the water, at any step.
+TEST(Winches, DoWorkThatTheBudgetHas) {
+  for (const char* step : {"analysis.step=0.05", "analysis.step=0.025"}) {
+    const auto c = heaving({"", "", 0, 29.86, {{0, 2500}}, 3, 300, 0},
+                           {"analysis.adaptive=false", "analysis.solver=newton", "analysis.tolerance=1e-11",
+                            "analysis.energy-momentum.spectral_radius=1", step});
+    const Moment end = march(*c).moments.back();
+    EXPECT_GT(end.given, 100) << step;
+    EXPECT_LT(std::abs(end.numerical), 1e-6 * end.given) << step;
+  }
+}
+
+TEST(Winches, GoOnToTheSameBits) {
+  const auto make = [] { return heaving({"", "", 0, 29.86, {{0, 1800}, {3, 2400}}, 3, 300, 50}, {}); };
+  const auto whole = make(), half = make();
+  const Marched all = march(*whole);
+  ASSERT_GT(all.states.size(), 10u);
+  const Marched rest = march(*half, &all.states[8]);
+  EXPECT_EQ(rest.result.u, all.result.u);
+  EXPECT_EQ(rest.moments.back().length, all.moments.back().length);
+  EXPECT_EQ(rest.moments.back().tension, all.moments.back().tension);
+}
+
+/// Lengths in time have corners where a winch starts and stops: steps end there, and errors fall with
+/// accuracy.
+TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
+  std::vector<std::vector<double>> ends;
+  for (const char* accuracy : {"1e-1", "1e-2", "1e-3", "1e-5"}) {
+    io::Case c(
+        {test::source_folder() + "/" + kBall,
+         {"parts.rope.rope.length_share={t=[0.333,0.777],share=[1,0.8]}",
+          "parts.rope.sketch=[[0,0,0],[0.2,0,-1]]", "parts.rope.rope.EA=500",
+          "parts.rope.rope.loss_factor=0.2", "analysis.integrator=energy-momentum", "analysis.duration=1.3",
+          "analysis.output_interval=0", std::string("analysis.accuracy=") + accuracy},
+         1},
+        test::shipped_plugins());
+    ASSERT_EQ(c.open(), io::Case::State::ready) << c.diagnostics().render(false);
+    int at_corners = 0;
+    MarchWatch watch;
+    watch.on_step = [&](const StepRecord& step, std::span<const double>) {
+      at_corners += step.t == 0.333 || step.t == 0.777;
+      return false;
+    };
+    ends.push_back(c.march(watch).u);
+    EXPECT_EQ(at_corners, 2) << accuracy;
+  }
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double square = 0;
+    for (std::size_t i = 0; i < ends[k].size(); ++i)
+      square += (ends[k][i] - ends[3][i]) * (ends[k][i] - ends[3][i]);
+    errors.push_back(std::sqrt(square));
+  }
+  EXPECT_LT(errors[1], 0.3 * errors[0]) << errors[0] << " " << errors[1];
+  EXPECT_LT(errors[2], 0.1 * errors[1]) << errors[1] << " " << errors[2];
+}
+
+TEST(Winches, SayThatARopeIsHauledIn) {
+  const auto c =
+      open_with(kBall, hanging_ball({"analysis.duration=60"}), winch_of(2 * kMass * kGravity, 1, 2));
+  const MarchResult r = c->march({});
+  EXPECT_EQ(r.status, MarchStatus::failed);
+  EXPECT_NE(r.reason.find("has hauled in all of it"), std::string::npos) << r.reason;
+}
+
+}  // namespace
+}  // namespace netloft
