@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/law_watch.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +18,6 @@ using Vector = std::array<double, 3>;
 Vector row(const double* field, std::size_t lane) {
   return {field[lane], field[NETLOFT_LANES + lane], field[2 * NETLOFT_LANES + lane]};
 }
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
 
 Vector across(const Vector& flow, const Vector& direction) {
   const double along = dot(flow, direction);

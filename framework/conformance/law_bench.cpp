@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/conformance/law_bench.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 
 namespace netloft::conformance {
@@ -12,8 +14,6 @@ constexpr const char* kNames[] = {
     "no flow", "along the direction", "across the direction", "nearly along", "nearly across", "slow", "",
     ""};
 constexpr double kNearly = 1e-6, kLeastReach = 0.01;
-
-double dot(const double (&a)[3], const double (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 void normalise(double (&a)[3]) {
   const double length = std::sqrt(dot(a, a));

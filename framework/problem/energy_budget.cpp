@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/energy_budget.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 
 namespace netloft {
 
 namespace {
-
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 /// What resists a rate and no flow of water; it has no memory, so that any point can be asked.
 bool is_damper(const netloft_term& term) {

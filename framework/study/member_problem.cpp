@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/study/member_problem.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include "framework/assembler/pattern.hpp"
 #include "framework/registry/plugin_call.hpp"
 
@@ -29,12 +31,6 @@ std::vector<netloft_member> members_of(const ElementFamily& family) {
 }
 
 bool bears(const netloft_member& member) { return member.EA != 0 || member.EA_compression != 0; }
-
-double largest_of(std::span<const double> v) {
-  double largest = 0;
-  for (const double a : v) largest = std::max(largest, std::abs(a));
-  return largest;
-}
 
 bool all_finite(std::span<const double> v) {
   double sum = 0;

@@ -2,6 +2,7 @@
 #include "io/case/diagnosis.hpp"
 
 #include <fmt/format.h>
+#include <netloft/vectors.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,6 @@ constexpr double kNone = 1e-6, kCounts = 1e-3;
 constexpr double kFolded = std::numbers::pi * 5 / 6;
 
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double norm(const Point& a) { return std::sqrt(dot(a, a)); }
 Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/projection.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,8 +10,6 @@
 namespace netloft::io {
 
 namespace {
-
-double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Projection axes_of(const ViewAngles& angles) {
   const double a = angles.azimuth * std::numbers::pi / 180, e = angles.elevation * std::numbers::pi / 180;

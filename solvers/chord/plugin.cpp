@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <netloft/solver.hpp>
+#include <netloft/vectors.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +28,6 @@ struct Chord {
 };
 
 namespace {
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 // Damping never needs to exceed the linear stiffness by much; below the lower end it no longer matters.
 constexpr double kLargestDamping = 64, kSmallestDamping = 1e-8, kFirstDamping = 1e-3;

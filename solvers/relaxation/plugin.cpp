@@ -7,8 +7,6 @@ NETLOFT_PLUGIN("relaxation", "0.1.0", "dynamic relaxation") {
   using P = Relaxation::Parameters;
   auto& relaxation = plugin.solver<Relaxation>(
       "relaxation", "dynamic relaxation with kinetic damping and fitted masses; factorises nothing");
-  relaxation.real("mass", &P::mass, "1", "fitted masses over those for which the linear stiffness is stable",
-                  {.lo = 0.5, .hi = 1e6, .fallback = 0.6});
   relaxation.integer("steps", &P::steps,
                      "steps of the motion that make one iteration, after which progress is judged", 1,
                      1000000, 1000);

@@ -5,17 +5,19 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace netloft::relaxation {
 
 namespace {
 
-/// (5) is stable below 4; a little less catches what grows before it has grown.
-constexpr double kLargestRate = 3.6, kWantedRate = 2;
-/// Lighter masses than this share of the heaviest would let fly what the linear stiffness does not hold.
-constexpr double kLightest = 1e-6;
-/// Where no motion of such masses finds forces, none will.
-constexpr double kMostHeavier = 1e12;
+/// (5), and what masses are raised to beyond it: half of that, as (1) begins with at the most.
+constexpr double kLargestRate = 4, kWantedRate = 2;
+/// Lighter masses than this fraction of the heaviest would let fly what the linear stiffness does not hold:
+/// half of the digits.
+constexpr double kLightest = 0x1p-26;
+/// Where no motion of such masses finds forces, none will: a step then moves nothing by more than rounding.
+constexpr double kMostHeavier = 1 / std::numeric_limits<double>::epsilon();
 
 class Motion {
  public:
@@ -52,7 +54,7 @@ class Motion {
     problem_.row_sums(Matrix::none, 1, m_);
     const double heaviest = m_.empty() ? 0 : *std::max_element(m_.begin(), m_.end());
     const double least = heaviest > 0 ? kLightest * heaviest : 1;
-    for (double& m : m_) m = 0.5 * p_.mass * std::max(m, least);
+    for (double& m : m_) m = 0.5 * std::max(m, least);
   }
 
   /// One step of the motion. False: there are no forces wherever it leads.
@@ -121,7 +123,7 @@ class Motion {
   /// Tries again from where the motion began, more slowly.
   bool return_to_rest() {
     std::copy(rest_.begin(), rest_.end(), problem_.u().begin());
-    make_heavier(4);
+    make_heavier(kLargestRate);
     if (!evaluate() || heavier_ > kMostHeavier) return false;
     start_from_rest();
     return true;

@@ -6,7 +6,7 @@ namespace netloft::relaxation {
 
 /// Dynamic relaxation with kinetic damping: a fictitious motion, brought to rest whenever its kinetic energy
 /// peaks, ends in balance. It sees residuals alone. The step of its time is 1.
-///   m_i = ½ f Σ_j |M_ij|                                                                (1)
+///   m_i = ½ Σ_j |M_ij|                                                                  (1)
 ///   v ← v − r/m,   u ← u + v;   from rest, v = −½ r/m                                   (2)
 ///   T = ½ Σ m_i v_i²                                                                    (3)
 ///   T past its peak: u ← u − q v,   q = (T₀ − T₁)/(2 T₀ − T₁ − T₋₁);   then from rest      (4)
@@ -18,15 +18,14 @@ namespace netloft::relaxation {
 /// steps, v that of T₀: (4) is the top of the parabola through them.
 ///
 /// M is the linear stiffness, assembled once. Masses in proportion to the stiffness that is there would
-/// vanish where netting is slack; M is what it will have when taut. By Gershgorin, (1) keeps λ of M below
-/// 2/f. Where the tangent outgrows M (pressure, drag, springs that stiffen) the stability limit (5), measured
+/// vanish where netting is slack; M is what it will have when taut. By Gershgorin, (1) keeps λ of M below 2.
+/// Where the tangent outgrows M (pressure, drag, springs that stiffen) the stability limit (5), measured
 /// along the motion (P. Underwood, "Dynamic relaxation", in Computational Methods for Transient Analysis,
 /// 1983), tells, and all masses are raised.
 ///
 /// A step costs one evaluation, and arrival takes thousands: `steps` of them make one iteration of the host.
 struct Relaxation {
   struct Parameters {
-    double mass = 0;
     std::int64_t steps = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);

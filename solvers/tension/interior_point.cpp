@@ -8,17 +8,6 @@ namespace netloft::tension {
 
 namespace {
 
-// Over the load: a smaller μ is lost in rounding.
-constexpr double kLeastMu = 1e-12;
-// l/l₀ below which a member has no direction.
-constexpr double kCollapsed = 1e-9;
-// Of EA that is left to the cone where a member is as stiff in compression as in tension: (4) needs some.
-constexpr double kLeftToCone = 0.5;
-// Of the least damping, below which none is left.
-constexpr double kNoDamping = 1e-3;
-// After so many tiny steps in a row the method gives up.
-constexpr int kTinySteps = 5;
-
 /// What is no number stays none.
 double at_most_whole(double step) { return step > 1 ? 1 : step; }
 
@@ -42,19 +31,16 @@ InteriorPoint::InteriorPoint(const Parameters& parameters, netloft_members& memb
 InteriorPoint::Ending InteriorPoint::solve(std::span<double> u, double load) {
   load_ = load;
   begin(u);
-  for (int tiny = 0, i = 0; tiny < kTinySteps; ++i) {
-    if (!evaluate(u)) return Ending::no_forces;
+  while (evaluate(u)) {
     if (has_converged()) return Ending::converged;
-    if (i >= p_.iterations || !members_.progress(largest_residual(), "interior point"))
-      return Ending::called_off;
+    if (!members_.progress(largest_residual(), "interior point")) return Ending::called_off;
     if (!factorise()) return Ending::no_factor;
     const double a = find_step();
-    if (!std::isfinite(a)) return Ending::no_step;
+    if (!std::isfinite(a) || (is_short(a) && is_most_damped())) return Ending::no_step;
     take(a, u);
     adapt_damping(a);
-    tiny = a <= p_.tiny_step ? tiny + 1 : 0;
   }
-  return Ending::tiny_steps;
+  return Ending::no_forces;
 }
 
 /// On the path of (2), wherever the nodes are; (1) need not hold.
@@ -67,32 +53,6 @@ void InteriorPoint::begin(std::span<const double> u) {
     const double scale = load_ / cone::determinant(z);
     for (std::size_t i = 0; i < 4; ++i) states_[e].y[i] = scale * mirrored[i];
   }
-  set_compression();
-}
-
-/// The bound of (7), and whether compression decides where members come to rest.
-void InteriorPoint::set_compression() {
-  const double mean = members_.symmetric() ? mean_compression_stiffness() / load_ : 0;
-  most_compression_ = 0, central_ = 0;
-  if (!(mean > 0)) return;
-  const bool is_little = mean <= p_.most_compression;
-  most_compression_ = (is_little ? p_.most_compression : p_.little_compression) * load_;
-  if (is_little && mean > p_.deciding_compression) central_ = p_.centrality;
-}
-
-/// EA_c, the mean over all length of bars [N].
-double InteriorPoint::mean_compression_stiffness() const {
-  double sum = 0, length = 0;
-  for (std::size_t e = 0; e < members_.size(); ++e) {
-    const double own = members_[e].number * members_[e].rest_length;
-    sum += own * members_[e].EA_compression, length += own;
-  }
-  return sum / length;
-}
-
-double InteriorPoint::E_c(std::size_t e) const {
-  const Member& m = members_[e];
-  return std::min({m.EA_compression, most_compression_, (1 - kLeftToCone) * m.EA});
 }
 
 cone::Point InteriorPoint::z_of(std::size_t e) const {
@@ -101,24 +61,7 @@ cone::Point InteriorPoint::z_of(std::size_t e) const {
 }
 
 bool InteriorPoint::has_converged() const {
-  return mu_ <= p_.mu * load_ && largest_residual() <= p_.forces * load_ &&
-         (mu_ <= kLeastMu * load_ || largest_law_error() <= p_.law * load_);
-}
-
-bool InteriorPoint::is_near() const {
-  return has_forces_ && mu_ <= p_.near * load_ && largest_residual() <= p_.near * load_;
-}
-
-/// By how much T is off the tension that the length of its member stands for, members side by side together,
-/// but for what rounding of the positions is worth there [N].
-double InteriorPoint::largest_law_error() const {
-  double largest = 0;
-  for (std::size_t e = 0; e < members_.size(); ++e) {
-    const double off = std::abs(EA(e) * std::max(0.0, strain(e)) - states_[e].y[0]);
-    const double rounding = EA(e) * members_.rounding() / members_[e].rest_length;
-    largest = std::max(largest, members_[e].number * (off - rounding));
-  }
-  return largest;
+  return mu_ <= p_.tolerance * load_ && largest_residual() <= p_.tolerance * load_;
 }
 
 /// z·y of a bar, the mean over all length of bars.
@@ -126,21 +69,20 @@ double InteriorPoint::mean_complementarity() const {
   double sum = 0, length = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const double own = members_[e].number * members_[e].rest_length;
-    sum += own * cone::dot(z_of(e), states_[e].y), length += own;
+    sum += own * dot(z_of(e), states_[e].y), length += own;
   }
   return sum / length;
 }
 
-/// Matrix of (3), r + Σ n c (q + p) and the scaling of all members; false where there are no forces.
+/// Matrix of (3), r + Σ n c q and the scaling of all members; false where there are no forces.
 bool InteriorPoint::evaluate(std::span<const double> u) {
-  has_forces_ = false, is_convex_ = is_indefinite_;
   members_.find_chords(u, w_);
   if (!members_.evaluate(u, residual_)) return false;
   set_members();
   members_.set_matrix(blocks_);
   members_.add_forces(forces_, residual_);
   mu_ = mean_complementarity();
-  return has_forces_ = all_finite(residual_) && std::isfinite(mu_);
+  return all_finite(residual_) && std::isfinite(mu_);
 }
 
 void InteriorPoint::set_members() {
@@ -148,7 +90,7 @@ void InteriorPoint::set_members() {
   for (std::size_t e = 0; e < members_.size(); ++e) set_member(e);
 }
 
-/// K and q + p of (3).
+/// K and q of (3).
 void InteriorPoint::set_member(std::size_t e) {
   const double l0 = members_[e].rest_length;
   const cone::Point& y = states_[e].y;
@@ -160,41 +102,16 @@ void InteriorPoint::set_member(std::size_t e) {
           (H.squared(i + 1, j + 1) - H.squared(0, i + 1) * H.squared(0, j + 1) / pivot) / l0 +
           (i == j ? damping_ / l0 : 0);
   forces_[e] = {-y[1], -y[2], -y[3]};
-  if (E_c(e) > 0) add_compression(e);
 }
 
-/// (7) and (8); what has no length has no direction to be compressed in.
-void InteriorPoint::add_compression(std::size_t e) {
-  const double l0 = members_[e].rest_length, l = std::sqrt(dot(w_[e], w_[e]));
-  if (!(l > kCollapsed * l0)) return;
-  const double strain = l / l0 - 1, stiffness = E_c(e) / l0, a = strain / (1 + strain),
-               across = is_convex_ ? std::max(0.0, a) : a;
-  const Vector t{w_[e][0] / l, w_[e][1] / l, w_[e][2] / l};
-  for (std::size_t i = 0; i < 3; ++i) {
-    forces_[e][i] += E_c(e) * strain * t[i];
-    for (std::size_t j = 0; j < 3; ++j)
-      blocks_[e][3 * i + j] += stiffness * ((1 - across) * t[i] * t[j] + (i == j ? across : 0));
-  }
-}
-
-/// With the convex part of (8) if need be. Where other forces make that indefinite, too, it is factorised as
-/// what it is from now on.
+/// Where other forces make it indefinite, it is factorised as what it is from now on.
 bool InteriorPoint::factorise() {
-  if (is_indefinite_) return members_.factorise_indefinite() == Factor::ok;
-  Factor factor = members_.factorise();
-  if (factor == Factor::not_positive && most_compression_ > 0) {
-    make_convex();
-    factor = members_.factorise();
+  if (!is_indefinite_) {
+    const Factor factor = members_.factorise();
+    if (factor != Factor::not_positive) return factor == Factor::ok;
+    is_indefinite_ = true;
   }
-  if (factor != Factor::not_positive) return factor == Factor::ok;
-  is_indefinite_ = true;
   return members_.factorise_indefinite() == Factor::ok;
-}
-
-void InteriorPoint::make_convex() {
-  is_convex_ = true;
-  set_members();
-  members_.set_matrix(blocks_);
 }
 
 /// (5) and (6): the step and its length.
@@ -202,7 +119,7 @@ double InteriorPoint::find_step() {
   predict();
   const double reached = at_most_whole(longest_step());
   const double sigma = (1 - reached) * (1 - reached) * (1 - reached);
-  correct(std::max(sigma * mu_, central_ * largest_residual()));
+  correct(sigma * mu_);
   return at_most_whole(p_.to_boundary * longest_step());
 }
 
@@ -278,13 +195,9 @@ void InteriorPoint::take(double a, std::span<double> u) {
 /// Drag may leave slack members with no place to be, or push them out of any: D holds them where steps become
 /// short.
 void InteriorPoint::adapt_damping(double a) {
-  const double least = p_.least_damping * load_, most = p_.most_damping * load_;
-  if (a < p_.short_step) {
-    damping_ = std::clamp(p_.damping_factor * damping_, least, most);
-  } else if (a > p_.long_step) {
-    damping_ /= p_.damping_factor;
-    if (damping_ < kNoDamping * least) damping_ = 0;
-  }
+  const double least = p_.tolerance * load_;
+  if (is_short(a)) damping_ = std::clamp(p_.factor * damping_, least, p_.most_damping * load_);
+  if (a > 0.5) damping_ = damping_ < p_.factor * least ? 0 : damping_ / p_.factor;
 }
 
 }  // namespace netloft::tension

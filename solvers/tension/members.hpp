@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <netloft/strategy.hpp>
+#include <netloft/vectors.hpp>
 
 #include <array>
 #include <cmath>
@@ -10,14 +11,6 @@ namespace netloft::tension {
 
 using Member = netloft_member;
 using Vector = std::array<double, 3>;
-
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-inline double largest_of(std::span<const double> v) {
-  double largest = 0;
-  for (const double a : v) largest = std::max(largest, std::abs(a));
-  return largest;
-}
 
 /// Not an infinity and not a number among them.
 inline bool all_finite(std::span<const double> v) {

@@ -9,14 +9,8 @@ namespace netloft::tension {
 
 namespace {
 
-// μ never leaves this range: below, rounding of the matrix; above, steps no longer depend on anything else.
-constexpr double kLeastDamping = 1e-13;
-
-double norm_of(std::span<const double> v) {
-  double sum = 0;
-  for (const double a : v) sum += a * a;
-  return std::sqrt(sum);
-}
+// A smaller μ is lost in rounding of the matrix.
+constexpr double kLeastDamping = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -123,7 +117,7 @@ bool MixedNewton::assemble() {
 
 /// For the matrices after this one.
 void MixedNewton::follow_residual() {
-  const double before = std::exchange(norm_, norm_of({residual_.data(), step_.size()}));
+  const double before = std::exchange(norm_, norm({residual_.data(), step_.size()}));
   if (before > 0) set_damping(damping_ * std::clamp(norm_ / before, 1 / p_.factor, p_.factor));
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,10 +12,6 @@ namespace netloft::tension::cone {
 /// Points of R⁴ and the cone K of those with x₀ ≥ ‖x̄‖, x̄ being the other three. Notation and formulas after
 /// L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010), sections 4 and 5.
 using Point = std::array<double, 4>;
-
-inline double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-}
 
 /// J x: x₀, −x̄.
 inline Point mirrored(const Point& x) { return {x[0], -x[1], -x[2], -x[3]}; }

@@ -21,64 +21,37 @@ const char* beginning(const Study& study) {
 
 }  // namespace
 
-// Lengths of steps are over a whole step; forces and stiffnesses are over the load, all that drives the gear.
+// The load is all that drives the gear [N].
 void Only::describe(StrategyTable<Only>& t) {
   using P = Parameters;
   t.needs(NETLOFT_STUDY_MEMBERS);
-  t.integer("iterations", &P::iterations, "limit of the interior point, beside that of the analysis", 1,
-            100000, 200);
-  t.real("mu", &P::mu, "1", "complementarity that is left at the end, over the load",
-         {.lo = 1e-12, .hi = 1, .fallback = 1e-9});
-  t.real("forces", &P::forces, "1", "largest residual that is left at the end, over the load",
-         {.lo = 1e-14, .hi = 1, .fallback = 1e-6});
-  t.real("law", &P::law, "1",
-         "by how much a tension may be off the length of its member at the end, over the load; stiff members "
-         "need a "
-         "smaller complementarity for it",
-         {.lo = 1e-14, .hi = 1, .fallback = 1e-5});
-  t.real("near", &P::near, "1",
-         "residual and complementarity over the load from which a solver may go on where the method has not "
-         "converged",
-         {.lo = 1e-14, .hi = 1, .fallback = 1e-5});
+  t.real(
+      "tolerance", &P::tolerance, "1",
+      "largest residual and complementarity that are left at the end, over the load; also the first damping",
+      {.lo = 1e-12, .hi = 1, .fallback = 1e-7});
   t.real("room", &P::room, "1", "how far inside the cone members start, in strain",
          {.lo = 1e-6, .hi = 10, .fallback = 0.1});
   t.real("to_boundary", &P::to_boundary, "1", "part of the way to the boundary of the cone that a step takes",
          {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
-  t.real("short_step", &P::short_step, "1", "a step below this raises the damping of all members",
-         {.lo = 0, .hi = 1, .fallback = 0.05});
-  t.real("long_step", &P::long_step, "1", "a step above this lowers it again",
-         {.lo = 0, .hi = 1, .fallback = 0.5});
-  t.real("tiny_step", &P::tiny_step, "1", "five steps in a row that are no longer than this end the method",
-         {.lo = 0, .hi = 1, .fallback = 0.02});
-  t.real("damping_factor", &P::damping_factor, "1", "factor by which damping rises and falls",
-         {.lo = 1.1, .hi = 1e3, .fallback = 10});
-  t.real("least_damping", &P::least_damping, "1", "first damping, over the load",
-         {.lo = 0, .hi = 1, .fallback = 1e-6});
-  t.real("most_damping", &P::most_damping, "1", "largest damping, over the load",
+  t.real(
+      "factor", &P::factor, "1",
+      "by which damping rises after a step shorter than its inverse, and falls after one of more than half "
+      "the length",
+      {.lo = 1.1, .hi = 1e3, .fallback = 10});
+  t.real("most_damping", &P::most_damping, "1",
+         "largest damping, over the load: where steps are short even so, the method ends",
          {.lo = 0, .hi = 1, .fallback = 1e-2});
-  t.real("most_compression", &P::most_compression, "1",
-         "bound of the stiffness in compression, over the load, where its mean is not above this",
-         {.lo = 0, .hi = 1, .fallback = 0.1});
-  t.real("little_compression", &P::little_compression, "1",
-         "the same bound where the mean is above most_compression", {.lo = 0, .hi = 1, .fallback = 0.01});
-  t.real("deciding_compression", &P::deciding_compression, "1",
-         "mean stiffness in compression over the load above which it decides where members come to rest",
-         {.lo = 0, .hi = 1, .fallback = 0.02});
-  t.real("centrality", &P::centrality, "1",
-         "least complementarity that is aimed at, over the largest residual, where compression decides",
-         {.lo = 0, .hi = 1, .fallback = 0.03});
 }
 
 void Only::run(const Parameters& parameters, Study& study) {
   if (!(study.load() > 0)) return;
-  bool is_near = false;
-  Displacements u = study.with_members({.name = "tension only"}, study.start(),
-                                       [&](netloft_members& members, std::span<double> there) {
-                                         InteriorPoint method(parameters, members);
-                                         method.solve(there, study.load());
-                                         is_near = method.is_near();
-                                       });
-  if (is_near) solve_from(study, std::move(u));
+  bool has_converged = false;
+  Displacements u = study.with_members(
+      {.name = "tension only"}, study.start(), [&](netloft_members& members, std::span<double> there) {
+        InteriorPoint method(parameters, members);
+        has_converged = method.solve(there, study.load()) == InteriorPoint::Ending::converged;
+      });
+  if (has_converged) solve_from(study, std::move(u));
 }
 
 std::string Only::explain(const Parameters&, Study& study) {

@@ -3,6 +3,7 @@
 // Sums over vectors of unknowns, for authors of solvers and strategies. Every sum is taken in one fixed
 // order, so that results are the same on every machine.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -21,6 +22,13 @@ inline double dot(std::span<const double> a, std::span<const double> b) {
 
 /// ‖a‖₂
 inline double norm(std::span<const double> a) { return std::sqrt(dot(a, a)); }
+
+/// maxᵢ |aᵢ|
+inline double largest_of(std::span<const double> a) {
+  double largest = 0;
+  for (const double v : a) largest = std::max(largest, std::abs(v));
+  return largest;
+}
 
 /// y ← y + a x
 inline void axpy(double a, std::span<const double> x, std::span<double> y) {

@@ -8,7 +8,7 @@ namespace netloft::automatic {
 struct Options {
   std::int64_t starts = 0, restarts = 0;
   double restart_work = 0, slice = 0, growth = 0;
-  double perturbation = 0, far = 0, counts = 0;
+  double perturbation = 0;
   bool everywhere = false;
   const char* without = nullptr;
 };

@@ -29,10 +29,5 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
   s.real("perturbation", &Options::perturbation, "1",
          "of an unstable equilibrium that is left, over the size of an element",
          {.lo = 0, .hi = 10, .fallback = 0.02});
-  s.real("far", &Options::far, "1", "perturbation of a start anew, over the size of an element",
-         {.lo = 0, .hi = 100, .fallback = 1});
-  s.real("counts", &Options::counts, "1",
-         "largest force borne by compression over the largest load above which there may be other shapes",
-         {.lo = 0, .hi = 1, .fallback = 1e-3});
   s.text("without", &Options::without, "parts to leave out, such as restarts+tension-stages", "");
 }

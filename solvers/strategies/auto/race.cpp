@@ -39,7 +39,7 @@ Race::Race(Study& study, const Options& options)
 
 Stage Race::run() {
   for (int turn = 0; turn < options_.starts && !is_decided(); ++turn) {
-    if (turn > 0) start_ = perturbed(start_, options_.far * study_.element_size(), turn);
+    if (turn > 0) start_ = perturbed(start_, study_.element_size(), turn);
     run_from_start();
   }
   return best_;

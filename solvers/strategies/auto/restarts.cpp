@@ -19,7 +19,7 @@ double borne_by_compression(Study& study, const Stage& at) {
 bool may_have_other_shapes(Study& study, const Options& options, const Stage& at) {
   if (options.everywhere) return !study.remembers();
   return study.conservative() && study.resists_compression() && !study.remembers() &&
-         borne_by_compression(study, at) > options.counts;
+         borne_by_compression(study, at) > kOnlyAStart;
 }
 
 /// Where the gear would be if nothing resisted compression: what is in compression is folded there.
@@ -31,9 +31,8 @@ Displacements without_compression(Study& study, const Stage& best, double work) 
   return study.solve(ask, best.u).u;
 }
 
-Displacements start_of(Study& study, const Options& options, int turn, const Stage& best, double work) {
-  return turn == 1 ? without_compression(study, best, work)
-                   : perturbed(best.u, options.far * study.element_size(), turn);
+Displacements start_of(Study& study, int turn, const Stage& best, double work) {
+  return turn == 1 ? without_compression(study, best, work) : perturbed(best.u, study.element_size(), turn);
 }
 
 }  // namespace
@@ -46,7 +45,7 @@ void restart(Study& study, const Options& options, const Stage& first, double wo
   for (int turn = 1; turn <= options.restarts && left > 0 && study.work_left() > 0; ++turn) {
     const double before = study.work_left();
     const double most = std::min(left, before);
-    const auto start = start_of(study, options, turn, best, most);
+    const auto start = start_of(study, turn, best, most);
     const double rest = most - (before - study.work_left());
     if (!(rest > 0)) return;
     Stage next = study.call("direct", "", {.name = "restart", .work = rest}, start);

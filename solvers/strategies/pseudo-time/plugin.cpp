@@ -5,6 +5,9 @@ namespace {
 
 using namespace netloft;
 
+/// The budget of work ends the motion.
+constexpr unsigned kAsManyAsItTakes = 10000000;
+
 /// Follows the motion that the linear stiffness resists, M u̇ = −r(u), in implicit steps to where it comes to
 /// rest, then solves the scene itself from there. Unlike a step of Newton's method a motion passes by
 /// equilibria that are unstable. What has gone many times the gear's size, round and round or away, does not
@@ -13,7 +16,6 @@ struct PseudoTime {
   struct Parameters {
     const char* solver = nullptr;
     double path = 0;
-    std::int64_t steps = 0;
   };
 
   static void run(const Parameters& p, Study& study) {
@@ -21,7 +23,7 @@ struct PseudoTime {
                                       .solver = p.solver,
                                       .parameters = "method=implicit",
                                       .path = p.path,
-                                      .iterations = static_cast<unsigned>(p.steps)},
+                                      .iterations = kAsManyAsItTakes},
                                      study.start());
     if (motion.ending == Ending::unsettled || study.work_left() == 0) return;
     const Stage stage = study.solve({.name = "from where it comes to rest"}, motion.u);
@@ -45,5 +47,4 @@ NETLOFT_PLUGIN("pseudo-time", "0.1.0", "Along a motion to where it comes to rest
          "what has gone so many times the gear's size does not come to rest: motions of hard cases that did "
          "had gone up to 6.3 times that, most others 20 to 80 times",
          {.lo = 0, .hi = 1e6, .fallback = 10});
-  s.integer("steps", &P::steps, "steps at most", 1, 1000000, 20000);
 }

@@ -158,12 +158,12 @@ TEST(AStudy, LetsTheUsersOwnParametersHoldOverThoseOfTheStrategy) {
       << "that of another solver";
 }
 
-/// Iterations of the first stage of the strategy `pseudo-time`, which is asked for one.
+/// Iterations of the first stage of the strategy `pseudo-time`, which is asked to end after hardly any path.
 int iterations_of_called_strategy(std::map<std::string, Values> given) {
   const Solution s = study(
       taut_bars(),
       [](Study& of) {
-        of.call("pseudo-time", "steps=1", {.name = "pseudo-time", .work = 100}, perturbed(of.start(), 0.3));
+        of.call("pseudo-time", "path=1e-9", {.name = "pseudo-time", .work = 100}, perturbed(of.start(), 0.3));
       },
       1000, {}, std::move(given));
   return s.stages.at(0).statistics.iterations;
@@ -171,7 +171,7 @@ int iterations_of_called_strategy(std::map<std::string, Values> given) {
 
 TEST(AStudy, GivesTheUsersOwnParametersToAStrategyThatIsCalled) {
   EXPECT_EQ(iterations_of_called_strategy({}), 1);
-  EXPECT_GT(iterations_of_called_strategy({{"pseudo-time/pseudo-time", {{"steps", std::int64_t{50}}}}}), 1);
+  EXPECT_GT(iterations_of_called_strategy({{"pseudo-time/pseudo-time", {{"path", 10.0}}}}), 1);
 }
 
 TEST(AStudy, LendsItsSceneToAnotherStrategy) {
