@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/tension/strategies.hpp"
 
+#include <algorithm>
+
 namespace netloft::tension {
 
 namespace {
@@ -13,6 +15,12 @@ void solve_from(Study& study, Displacements u) {
 
 std::string counted(std::size_t members) {
   return std::to_string(members) + (members == 1 ? " member" : " members");
+}
+
+/// Where all members resist compression as they do tension, there is nothing to be found out about them.
+bool some_can_be_slack(const netloft_members& members) {
+  return std::any_of(members.member, members.member + members.count,
+                     [](const netloft_member& m) { return m.EA_compression < m.EA; });
 }
 
 const char* beginning(const Study& study) {
@@ -48,6 +56,7 @@ void Only::run(const Parameters& parameters, Study& study) {
   bool has_converged = false;
   Displacements u = study.with_members(
       {.name = "tension only"}, study.start(), [&](netloft_members& members, std::span<double> there) {
+        if (!some_can_be_slack(members)) return;
         InteriorPoint method(parameters, members);
         has_converged = method.solve(there, study.load()) == InteriorPoint::Ending::converged;
       });

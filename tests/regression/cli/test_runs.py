@@ -88,6 +88,12 @@ class Runs(InFreshFolder):
             self.assertIn("from a coarser mesh", solved[then])
         for report in answers.values():
             self.assertAlmostEqual(report["energy"], answers[""]["energy"], delta=1e-6 * abs(report["energy"]))
+        # Where no twine gives way in compression there are none to be found slack.
+        stiff = self.netloft("run", *panel, "--strategy", "coarse-to-fine:by=direct,then=tension/only", "--json",
+                             "--set", "parts.net.twine.EA_compression=10 kN")
+        stages = {s["name"]: s["factorisations"] for s in json.loads(stiff.out)["stages"]}
+        self.assertEqual(stages["tension only"], 0)
+        self.assertGreater(stages["from a coarser mesh"], 0)
         wrong = self.netloft("run", *panel, "--strategy", "coarse-to-fine:then=nowhere")
         self.assertNotEqual(wrong.code, 0)
         self.assertIn('there is no plugin "nowhere"', wrong.err + wrong.out)
