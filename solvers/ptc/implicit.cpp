@@ -9,6 +9,16 @@ namespace netloft::ptc {
 
 namespace {
 
+constexpr double kShortestStep = 1e-8, kLongestStep = 1e13;
+// A step is solved when a correction is this share of it, and is given up after so many.
+constexpr double kSolved = 0.01;
+constexpr int kCorrections = 8;
+// After few corrections the next step is longer, after many shorter, after one that is taken back even more.
+constexpr int kFew = 4, kMany = 6;
+constexpr double kLonger = 2, kShorter = 0.67, kTakenBack = 0.25;
+// What drives a step may grow so much while it is made.
+constexpr double kMostGrowth = 2;
+
 class ImplicitSteps {
  public:
   ImplicitSteps(const PseudoTransient::Parameters& parameters, Problem& problem)
@@ -45,11 +55,11 @@ class ImplicitSteps {
 
   /// Solves (3).
   bool take_step() {
-    for (std::int64_t corrections = 1; corrections <= p_.corrections; ++corrections) {
+    for (int corrections = 1; corrections <= kCorrections; ++corrections) {
       if (!correct() || problem_.step_length(s_) > p_.reach) return false;
-      if (problem_.step_length(s_) > p_.solved * problem_.step_length(moved_)) continue;
+      if (problem_.step_length(s_) > kSolved * problem_.step_length(moved_)) continue;
       if (!follows_motion()) return false;
-      if (2 * corrections <= p_.corrections) delta_ = std::min(kLongestStep, delta_ * p_.growth);
+      adapt_step(corrections);
       return true;
     }
     return false;
@@ -68,12 +78,18 @@ class ImplicitSteps {
 
   /// (5)
   bool follows_motion() {
-    return problem_.step_length(moved_) <= p_.reach && dot(moved_, r_) >= 2 * dot(moved_, r_before_);
+    return problem_.step_length(moved_) <= p_.reach &&
+           dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_);
+  }
+
+  void adapt_step(int corrections) {
+    if (corrections <= kFew) delta_ = std::min(kLongestStep, delta_ * kLonger);
+    if (corrections > kMany) delta_ *= kShorter;
   }
 
   bool take_back() {
     note_ = "taken back";
-    delta_ /= p_.growth;
+    delta_ *= kTakenBack;
     std::copy(before_.begin(), before_.end(), problem_.u().begin());
     return evaluate_here() && delta_ > kShortestStep;
   }

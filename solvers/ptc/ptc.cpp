@@ -11,6 +11,8 @@ namespace {
 
 /// Energies this close cannot be told apart: rounding of a sum of many terms.
 constexpr double kEnergyNoise = 1e-13;
+constexpr double kShortestStep = 1e-8, kLongestStep = 1e12;
+constexpr double kTakenBack = 0.25;
 
 class Continuation {
  public:
@@ -43,7 +45,7 @@ class Continuation {
     Factor factor = problem_.factorise(Matrix::exact, 1 / delta_);
     if (factor == Factor::not_positive) factor = factorise_convex_part();
     while (factor == Factor::singular && delta_ > kShortestStep)
-      factor = problem_.factorise(Matrix::exact, 1 / (delta_ /= p_.growth));
+      factor = problem_.factorise(Matrix::exact, 1 / (delta_ *= kTakenBack));
     if (factor != Factor::ok) return false;
     problem_.solve(r_, s_);
     for (double& v : s_) v = -v;
@@ -55,7 +57,7 @@ class Continuation {
     if (problem_.evaluate(problem_.u(), Matrix::convex) != Evaluation::ok) return Factor::failed;
     Factor factor = problem_.factorise(Matrix::convex, 1 / delta_);
     while (factor == Factor::not_positive && delta_ > kShortestStep)  // by rounding alone
-      factor = problem_.factorise(Matrix::convex, 1 / (delta_ /= p_.growth));
+      factor = problem_.factorise(Matrix::convex, 1 / (delta_ *= 0.01));
     return factor;
   }
 
@@ -80,13 +82,13 @@ class Continuation {
   /// (2); r_trial_ is the residual before the step.
   void adapt_step() {
     const double ratio = norm(r_trial_) / norm(r_);
-    delta_ = std::min(kLongestStep, delta_ * std::clamp(ratio, 1.0, p_.growth));
+    delta_ = std::min(kLongestStep, delta_ * std::clamp(ratio, p_.shrink, p_.growth));
   }
 
   /// The matrix and the loads that the host keeps are those of the trial; the next step wants those of u.
   bool take_back() {
     note_ = "taken back";
-    delta_ /= p_.growth;
+    delta_ *= kTakenBack;
     return evaluate_here() && delta_ > kShortestStep;
   }
 

@@ -15,32 +15,30 @@ namespace netloft::ptc {
 ///
 /// Where it deviates:
 /// - where K + M/δ is symmetric and not positive definite, the convex part K₊ of K takes the place of K;
-/// - a step is taken back, and δ divided by `growth`, that moves a node farther than `reach` largest
-/// elements, leads to
+/// - a step is taken back, and δ quartered, that moves a node farther than `reach` largest elements, leads to
 ///   where there are no forces or, where r has an energy, raises both energy and ‖r‖. Without an energy, ‖r‖
 ///   may rise as it likes: on stiff ropes it must, and taking such steps back never arrived;
-/// - a step that is taken never makes δ shorter, and longer by no more than `growth`: where netting falls
-/// into
-///   shape, ‖r‖ grows for a while, which says little of how long the next step may be.
+/// - one step changes δ by no more than `growth` and no less than `shrink`: where netting falls into shape,
+/// ‖r‖
+///   grows for a while, which says little of how long the next step may be.
 ///
 /// That is the method "linearly-implicit". The method "implicit" solves each step for what it is, by
 /// Newton's method, and so follows the motion where one linear solve a step strays: through netting that
 /// flickers between slack and taut, and off equilibria that are not stable.
 ///   M (u′ − u)/δ + r(u′) = 0                                                             (3)
-///   (K(v) + M/δ) s = −M (v − u)/δ − r(v),   v ← v + s,   until |s| ≤ `solved` |v − u|    (4)
+///   (K(v) + M/δ) s = −M (v − u)/δ − r(v),   v ← v + s,   until |s| is 1 % of |v − u|     (4)
 ///   d·r(u′) ≥ 2 d·r(u),   d = u′ − u                                                      (5)
 /// (3) is the implicit Euler method; for an energy it is the proximal point algorithm (R. T. Rockafellar,
-/// SIAM J. Control Optim. 14 (1976) 877-898). δ is multiplied by `growth` where half of the `corrections` (4)
-/// are enough, and divided by it where all do not get there; so it grows without bound near a stable
-/// equilibrium, where (4) is Newton's method. After E. Hairer and G. Wanner, Solving Ordinary
+/// SIAM J. Control Optim. 14 (1976) 877-898). δ doubles where few corrections (4) are enough, falls by a
+/// third where many are needed, and is quartered where they do not get there; so it grows without bound near
+/// a stable equilibrium, where (4) is Newton's method. After E. Hairer and G. Wanner, Solving Ordinary
 /// Differential Equations II (1996), IV.8. By (3), d·r(u′) = −d·M d/δ: (5) is κ δ ≥ −1/2 for the
 /// curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, Euler's step leads onto the very equilibrium that
 /// the motion leaves.
 struct PseudoTransient {
   struct Parameters {
     std::int64_t method = 0;
-    double step = 0, growth = 0, reach = 0, solved = 0;
-    std::int64_t corrections = 0;
+    double step = 0, growth = 0, shrink = 0, reach = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);
 };

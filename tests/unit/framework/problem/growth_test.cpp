@@ -62,12 +62,11 @@ TEST(GrowthOfMatrices, IsThatOfACirculatoryPair) {
   EXPECT_EQ(growth_of({2, -sine, cosine, sine}), 0) << "its symmetric part is positive";
 }
 
-// All eigenvalues are 1, and yet what goes down the chain grows until it has left it, by 3^19; all are -0.1, and
-// it grows for ever, but no eigenvector is known well enough to say so.
-TEST(GrowthOfMatrices, IsMarginalWhereEachFeedsTheNextOne) {
-  const ThreeDiagonals C(20, 0, 1, 0), passes(20, -3, 1, 0), grows(20, -3, -0.1, 0);
-  EXPECT_EQ(growth_without_mass(passes, C).verdict, GrowthVerdict::none);
-  EXPECT_EQ(growth_without_mass(grows, C).verdict, GrowthVerdict::marginal);
+// All eigenvalues are 1, and yet what goes down the chain grows until it has left it, by 3^19. (Of a chain of
+// 60 the growth of 3^59 is beyond what double precision tells from an instability.)
+TEST(GrowthOfMatrices, PassesWhereEachFeedsTheNextOne) {
+  EXPECT_LE(growth_of({20, -3, 1, 0}), kGrows);
+  EXPECT_GT(growth_of({20, -3, -0.1, 0}), kGrows);
 }
 
 /// A full matrix of numbers in [-1, 1] with `shift` on its diagonal.
@@ -386,7 +385,7 @@ TEST(GrowthWithMass, AsksNoMotionWhereItsEnergyFalls) {
 // Against all eigenvalues of the full problem.
 TEST(GrowthWithMass, IsFoundWhereverSomeEigenvalueGrows) {
   constexpr int kSize = 30;
-  int grow = 0, decay = 0, unsure = 0;
+  int grow = 0, decay = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const ThreeDiagonals K = random_matrix(kSize, 6, seed), C = random_matrix(kSize, 0.15 * seed, seed + 100);
     std::vector<double> M(C.values.size());
@@ -407,14 +406,12 @@ TEST(GrowthWithMass, IsFoundWhereverSomeEigenvalueGrows) {
     } else if (most > 0.02) {
       EXPECT_NE(g.verdict, GrowthVerdict::none) << seed << ": " << most;
     } else if (most <= 0) {
-      EXPECT_FALSE(g.grows()) << seed << ": " << most;
-      unsure += g.verdict == GrowthVerdict::marginal;
+      EXPECT_EQ(g.verdict, GrowthVerdict::none) << seed << ": " << most;
     }
     ++(most > 0.1 ? grow : decay);
   }
   EXPECT_GT(grow, 10);
   EXPECT_GT(decay, 10);
-  EXPECT_LT(10 * unsure, 40);
 }
 
 /// A float of 5 kg at the head of a spring along x, which something pushes sideways as it turns; it may move
