@@ -5,9 +5,17 @@
 
 namespace netloft::newton {
 
-Directions::Directions(const Newton::Parameters& parameters, const Problem& problem,
-                       NegativeCurvature& curvature)
-    : p_(parameters), curvature_(curvature), s_(problem.size()) {}
+namespace {
+
+// Whether K is nearly definite is only asked where damping is below this: elsewhere the iterate is far away.
+constexpr double kHardlyDamped = 1e-6;
+// Least fraction θ of the convex part that is tried.
+constexpr double kLeastConvexPart = 1.0 / 4096;
+
+}  // namespace
+
+Directions::Directions(const Problem& problem, NegativeCurvature& curvature)
+    : curvature_(curvature), s_(problem.size()) {}
 
 std::optional<Direction> Directions::find_short_undamped(Iterate& iterate) {
   Problem& problem = iterate.problem();
@@ -31,14 +39,17 @@ std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double dam
   }
   if (factor != Factor::not_positive) return {};
   if (auto found = find_nearly_definite(iterate, damping)) return found;
-  return find_convex(iterate, damping);
+  return find_partly_convex(iterate, damping);
 }
 
 /// K + σ M with a tiny σ keeps Newton's step but for the few directions in which K curves downwards, which
 /// (6) leaves by; a convex part changes it in all. It costs four factorisations where K is far from definite,
-/// so that once it was, K is not asked again before it is positive definite.
+/// so that once it was, or was not asked, K is not asked again before it is positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
-  if (!iterate.is_conservative() || !tests_near_definite_ || damping > kNearlyDefinite) return {};
+  if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kHardlyDamped) {
+    tests_near_definite_ = false;
+    return {};
+  }
   const auto sigma = curvature_.factorise_nearly_definite(iterate.problem());
   tests_near_definite_ = sigma.has_value();
   if (!sigma) return {};
@@ -47,26 +58,34 @@ std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, doub
   return direction;
 }
 
-std::optional<Direction> Directions::find_convex(Iterate& iterate, double damping) {
+std::optional<Direction> Directions::find_partly_convex(Iterate& iterate, double damping) {
   Problem& problem = iterate.problem();
   if (problem.evaluate(problem.u(), Matrix::convex) != Evaluation::ok) return {};
-  double shift = std::max(damping, kLeastDamping);
-  Factor factor = problem.factorise(Matrix::convex, shift);
-  while (factor == Factor::not_positive && shift < kMostDamping)  // by rounding alone
-    factor = problem.factorise(Matrix::convex, shift = raised(shift, p_.factor));
-  if (factor != Factor::ok) return {};
+  if (factorise_partly_convex(problem, std::max(damping, 1e-10)) != Factor::ok) return {};
   return solve(iterate, damping, "convex part");
+}
+
+/// K + θ (K₊ − K), with half the θ of the last time or as much more as it takes, by powers of two.
+Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
+  for (convex_part_ = std::max(0.5 * convex_part_, kLeastConvexPart); convex_part_ < 1; convex_part_ *= 2)
+    if (const Factor factor = problem.factorise_between(convex_part_, shift); factor != Factor::not_positive)
+      return factor;
+  Factor factor = problem.factorise(Matrix::convex, shift);
+  while (factor == Factor::not_positive && shift < kLargestDamping)
+    factor = problem.factorise(Matrix::convex, shift = std::max(shift * 100, 1e-8));
+  return factor;
 }
 
 /// Raises μ until s leads downhill.
 std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double damping) {
-  for (const char* note = "";; note = "more damping", damping = raised(damping, p_.factor)) {
+  for (const char* note = "";;
+       note = "more damping", damping = std::clamp(damping * 10, 1e-4, kLargestDamping)) {
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
     if (factor == Factor::ok) {
       const Direction direction = solve(iterate, damping, note);
       if (iterate.slope({s_}) < 0) return direction;
     }
-    if (damping >= kMostDamping || factor == Factor::failed) return {};
+    if (damping >= kLargestDamping || factor == Factor::failed) return {};
   }
 }
 

@@ -6,14 +6,16 @@
 
 #include "solvers/newton/iterate.hpp"
 #include "solvers/newton/negative_curvature.hpp"
-#include "solvers/newton/newton.hpp"
 
 namespace netloft::newton {
+
+/// Most damping μ: the step is then hardly longer than 1/64 of −M⁻¹ r, that of a gear without slack.
+constexpr double kLargestDamping = 64;
 
 /// A step s of (2) of Newton, and the matrix it belongs to.
 struct Direction {
   std::span<const double> s;
-  double damping = 0;            // μ, or as much as was asked for where the convex part has taken its place
+  double damping = 0;            // μ, or as much as was asked for where convex parts have taken its place
   bool nearly_definite = false;  // K is not positive definite, and K + μ M is, with a μ next to nothing
   const char* note = "";
 };
@@ -21,7 +23,7 @@ struct Direction {
 /// Finds steps s along which the merit falls.
 class Directions {
  public:
-  Directions(const Newton::Parameters& parameters, const Problem& problem, NegativeCurvature& curvature);
+  Directions(const Problem& problem, NegativeCurvature& curvature);
 
   /// Newton's own step, if it leads downhill and moves no node by more than the length of an element.
   std::optional<Direction> find_short_undamped(Iterate& iterate);
@@ -31,13 +33,14 @@ class Directions {
  private:
   std::optional<Direction> find_symmetric(Iterate& iterate, double damping);
   std::optional<Direction> find_nearly_definite(Iterate& iterate, double damping);
-  std::optional<Direction> find_convex(Iterate& iterate, double damping);
+  std::optional<Direction> find_partly_convex(Iterate& iterate, double damping);
   std::optional<Direction> find_unsymmetric(Iterate& iterate, double damping);
+  Factor factorise_partly_convex(Problem& problem, double shift);
   Direction solve(Iterate& iterate, double damping, const char* note = "");
 
-  const Newton::Parameters& p_;
   NegativeCurvature& curvature_;
   std::vector<double> s_;
+  double convex_part_ = 1;           // θ of the last time
   bool tests_near_definite_ = true;  // K was positive definite the last time, or nearly so
 };
 

@@ -5,6 +5,23 @@
 
 namespace netloft::newton {
 
+namespace {
+
+// Round-offs by which a step may go uphill by (7).
+constexpr double kRoundOffs = 10;
+// A straight step that ends before this t is compared with a curved one.
+constexpr double kShort = 0.9;
+// The t at which r'' is found by differences where the straight search found no t at all.
+constexpr double kNear = 1e-2;
+// A curved step is taken where it gains so many times what the straight one does.
+constexpr double kCurvedGain = 1.5;
+// Newton's own step is accepted at once where it leaves so much of the residual.
+constexpr double kHalved = 0.5;
+// (7) leads nowhere once more than so many steps in a row have not halved the decrease they predict.
+constexpr int kMostWithoutHalving = 5;
+
+}  // namespace
+
 std::span<const double> CurvedStep::find(Iterate& iterate, std::span<const double> s, double t) {
   second_derivative_.assign(s.size(), 0.0), a_.resize(s.size());
   for (const double side : {t, -t}) {
@@ -27,7 +44,7 @@ Step Globalisation::take(Iterate& iterate, const Direction& direction) {
 
 Step Globalisation::take_at_round_off(Iterate& iterate, const Direction& direction) {
   Step step;
-  if (iterate.try_move_if_residual_below({direction.s}, 1))
+  if (iterate.try_move_if_residual_below(1, {direction.s}, 1))
     step = {Step::Rule::residual, 1};
   else if (direction.damping == 0)
     step = take_by_slope(iterate, direction.s);
@@ -36,7 +53,7 @@ Step Globalisation::take_at_round_off(Iterate& iterate, const Direction& directi
 }
 
 Step Globalisation::take_newton_step(Iterate& iterate, std::span<const double> s) {
-  if (iterate.problem().step_length(s) <= 1 && iterate.try_move_if_residual_below({s}, 1))
+  if (iterate.problem().step_length(s) <= 1 && iterate.try_move_if_residual_below(kHalved, {s}, 1))
     return {Step::Rule::residual, 1};
   return take_by_slope(iterate, s);
 }
@@ -47,9 +64,7 @@ Step Globalisation::take_by_slope(Iterate& iterate, std::span<const double> s) {
   if (!iterate.is_conservative() || first.slope >= 0) return {};
   record_predicted_decrease(-first.slope);
   if (has_stalled()) return {};
-  const SlopeSearch search{.noise = kEnergyRoundOff * std::abs(iterate.energy()),
-                           .flatness = p_.flatness,
-                           .refinement = refinement_of(p_)};
+  const SlopeSearch search{.noise = kRoundOffs * kEnergyRoundOff * std::abs(iterate.energy())};
   const auto found = search([&](double t) { return iterate.merit(path, t); }, first);
   if (!found || !iterate.try_move(path, found->t)) return {};
   return {Step::Rule::slope, found->t};
@@ -58,7 +73,7 @@ Step Globalisation::take_by_slope(Iterate& iterate, std::span<const double> s) {
 /// (5), (4), and where (4) ends short, (8), too, if that gains much more.
 Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction) {
   Path path{direction.s};
-  const LineSearch search{.flatness = p_.flatness, .refinement = refinement_of(p_)};
+  const LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
   const Sample first{0, iterate.energy(), iterate.slope(path)};
   const auto along = [&](const Path& some) {
     return search([&](double t) { return iterate.merit(some, t); }, first);
@@ -66,11 +81,11 @@ Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction)
   auto found = try_whole_step(iterate, path);
   last_went_uphill_ = found && found->value > iterate.energy();
   if (!found) found = along(path);
-  const bool is_whole = found && found->t == 1;
-  if (!is_whole && iterate.is_conservative() && iterate.problem().symmetric()) {
-    const Path curved{direction.s, curved_.find(iterate, direction.s, found ? found->t : kDifference)};
+  if (!(found && found->t > kShort) && iterate.is_conservative() && iterate.problem().symmetric()) {
+    const Path curved{direction.s, curved_.find(iterate, direction.s, found ? found->t : kNear)};
     const auto bent = curved.a.empty() ? std::nullopt : along(curved);
-    if (bent && (!found || bent->value < found->value)) path = curved, found = bent;
+    const double gain = found ? iterate.energy() - found->value : 0;
+    if (bent && (!found || iterate.energy() - bent->value > kCurvedGain * gain)) path = curved, found = bent;
   }
   // Tolerances are a part of the last reactions evaluated. A force without an energy may have no value at t.
   if (!found) iterate.evaluate(Matrix::none);
@@ -87,15 +102,15 @@ std::optional<Sample> Globalisation::try_whole_step(Iterate& iterate, const Path
   return whole && whole->value <= most ? whole : std::nullopt;
 }
 
-/// −r·s is what a step s would lower a linear energy by. It has to halve within as many steps as a search may
-/// spend on one, or the steps go round in rounding.
+/// −r·s is what a step s would lower a linear energy by. It has to halve now and then, or the steps go round
+/// in rounding.
 void Globalisation::record_predicted_decrease(double decrease) {
   const bool has_halved = decrease < 0.5 * least_decrease_;
   if (has_halved) least_decrease_ = decrease;
   steps_without_halving_ = has_halved ? 0 : steps_without_halving_ + 1;
 }
 
-bool Globalisation::has_stalled() const { return steps_without_halving_ > p_.refinements; }
+bool Globalisation::has_stalled() const { return steps_without_halving_ > kMostWithoutHalving; }
 
 void Globalisation::reset_stall_count() {
   least_decrease_ = std::numeric_limits<double>::infinity(), steps_without_halving_ = 0;

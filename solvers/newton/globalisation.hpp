@@ -10,11 +10,6 @@
 
 namespace netloft::newton {
 
-/// How all searches along a line go on.
-inline Refinement refinement_of(const Newton::Parameters& p) {
-  return {.margin = p.margin, .most = static_cast<int>(p.refinements)};
-}
-
 /// What became of a direction.
 struct Step {
   enum class Rule { none, energy, residual, slope };
@@ -61,7 +56,7 @@ class Globalisation {
   CurvedStep curved_;
   bool last_went_uphill_ = false;
   double least_decrease_ = std::numeric_limits<double>::infinity();  // −r·s of the steps by (7)
-  std::int64_t steps_without_halving_ = 0;                           // it, in a row
+  int steps_without_halving_ = 0;                                    // it, in a row
 };
 
 }  // namespace netloft::newton

@@ -13,22 +13,31 @@ namespace netloft::newton {
 
 namespace {
 
-/// More than half a step means that the model is trusted; a shorter one that it reaches too far.
-double adapted(double damping, const Step& step, double factor) {
+// Less damping than this no longer matters.
+constexpr double kSmallestDamping = 1e-12;
+
+double lowered(double damping, double factor) {
+  return damping * factor < kSmallestDamping ? 0 : damping * factor;
+}
+double raised(double damping, double factor) { return std::clamp(damping * factor, 1e-6, kLargestDamping); }
+
+/// A whole step means that the model is trusted; a short one that it reaches too far.
+double adapted(double damping, const Step& step) {
   const double t = step.length;
-  if (step.rule == Step::Rule::residual) return lowered(damping, factor);
+  if (step.rule == Step::Rule::residual) return lowered(damping, 0.1);
   if (step.rule != Step::Rule::energy) return damping;
-  return t > 0.5 ? lowered(damping, factor) : raised(damping, 1 / (2 * t));
+  if (t > 0.9) return lowered(damping, 0.1);
+  if (t > 0.5) return lowered(damping, 0.5);
+  return t < 0.25 ? raised(damping, t < 0.1 ? 4 : 2) : damping;
 }
 
 class Globalised {
  public:
   Globalised(const Newton::Parameters& parameters, Problem& problem)
       : iterate_(problem),
-        curvature_(problem, refinement_of(parameters)),
-        directions_(parameters, problem, curvature_),
+        curvature_(problem),
+        directions_(problem, curvature_),
         globalisation_(parameters, problem.size()),
-        factor_(parameters.factor),
         damping_(parameters.damping) {
     step_.reserve(problem.size());
   }
@@ -42,11 +51,11 @@ class Globalised {
       if (!direction) return Outcome::linear_solve;
       note = direction->note;
       const Step step = globalisation_.take(iterate_, *direction);
-      damping_ = adapted(direction->damping, step, factor_);
+      damping_ = adapted(direction->damping, step);
       if (direction->nearly_definite && leave_saddle(direction->damping)) continue;
       if (step || (step.is_at_round_off && fall_back())) continue;
-      if (damping_ >= kMostDamping) return Outcome::step_too_short;
-      damping_ = raised(damping_, factor_);
+      if (damping_ >= kLargestDamping) return Outcome::step_too_short;
+      damping_ = raised(damping_, 16);
     }
     return Outcome::stopped;
   }
@@ -86,7 +95,7 @@ class Globalised {
 
   bool may_fall_back() {
     const bool has_fallen_back_here = fell_back_at_ && *fell_back_at_ == iterate_.count();
-    return !has_fallen_back_here && iterate_.is_conservative() &&
+    return damping_ != 0 && !has_fallen_back_here && iterate_.is_conservative() &&
            iterate_.problem().symmetric();
   }
 
@@ -115,7 +124,7 @@ class Globalised {
   NegativeCurvature curvature_;
   Directions directions_;
   Globalisation globalisation_;
-  double factor_, damping_;
+  double damping_;
   std::optional<std::size_t> fell_back_at_;  // count of points
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <netloft/solver.hpp>
-#include <netloft/vectors.hpp>
 
 #include <optional>
 #include <span>
@@ -13,6 +12,8 @@ namespace netloft::newton {
 
 /// Energies that differ by less than this fraction of them are equal: rounding of a sum of many terms.
 constexpr double kEnergyRoundOff = 1e-13;
+
+double dot(std::span<const double> a, std::span<const double> b);
 
 /// u(t) = u + t s + ½ t² a; straight where `a` is empty.
 struct Path {
@@ -52,8 +53,8 @@ class Iterate {
   /// Moves u to u(t) and evaluates the tangent there, unless there are no forces. False: u and the tangent
   /// are what they were.
   bool try_move(const Path& path, double t);
-  /// The same, unless ‖r‖ there is more than here.
-  bool try_move_if_residual_below(const Path& path, double t);
+  /// The same, unless ‖r‖ there is more than `ratio` of that here.
+  bool try_move_if_residual_below(double ratio, const Path& path, double t);
 
  private:
   void move_trial(const Path& path, double t);

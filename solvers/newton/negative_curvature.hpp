@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,24 +9,12 @@
 
 namespace netloft::newton {
 
-/// The ends of damping μ: less than the least no longer matters; with the most, that of the linear stiffness
-/// itself, a step cannot raise a convex energy. K is nearly definite where K + σ M is positive definite with
-/// a σ of at most kNearlyDefinite.
-constexpr double kLeastDamping = 1e-7, kNearlyDefinite = 1e-4, kMostDamping = 1;
-
-inline double raised(double damping, double factor) {
-  return std::clamp(damping * factor, kLeastDamping, kMostDamping);
-}
-inline double lowered(double damping, double factor) {
-  return damping < factor * kLeastDamping ? 0 : damping / factor;
-}
-
 /// The way off a saddle: where K + σ M is positive definite with a small σ (K is nearly definite) and K is
 /// not, along the direction of least curvature, (6) of Newton.
 class NegativeCurvature {
  public:
   /// Memory for the directions is reserved, and touched by the first of them.
-  NegativeCurvature(const Problem& problem, const Refinement& refinement);
+  explicit NegativeCurvature(const Problem& problem);
 
   /// σ such that K + σ M is positive definite, and factorised; none where K is not nearly definite.
   std::optional<double> factorise_nearly_definite(Problem& problem);
@@ -38,7 +25,6 @@ class NegativeCurvature {
   bool leave_along(std::span<const double> v, Iterate& iterate);
 
  private:
-  Refinement refinement_;
   double sigma_;  // of the last K that was nearly definite
   LeastCurvature curvature_;
   std::vector<double> downhill_;  // ±v, one element long

@@ -60,7 +60,7 @@ int iterations_of(double steepness) {
   Valley valley(steepness);
   Problem problem(valley.interface);
   const Newton::Parameters p{
-      .damping = 0, .factor = 10, .flatness = 0.2, .uphill = 2, .margin = 0.1, .refinements = 4};
+      .damping = 0, .decrease = 1e-4, .flatness = 0.2, .uphill = 2, .shortest_step = 1e-4};
   EXPECT_EQ(solve_globalised(p, problem), Outcome::stopped);
   EXPECT_NEAR(valley.u[0], 3, 1e-6);
   return valley.iterations;
