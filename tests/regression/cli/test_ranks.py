@@ -144,7 +144,8 @@ class OnRanks(InFreshFolder):
                     self.assertNotEqual(f["netloft/status"].attrs["outcome"], "converged")
 
     def test_ranks_without_work_leave_the_processor_to_others(self):
-        process = self.started(2, *LONG[:-4], "--threads", "1")  # all matrices are small
+        # All matrices are small, and the run takes some seconds.
+        process = self.started(2, *LONG[:-4], "--set", "parts.net.cells=[160,160]", "--threads", "1")
         self.wait_for_line(process)
         helper = self.ranks_of(process)[1]
         used = [int(n) for n in Path(f"/proc/{helper}/stat").read_text().rsplit(")", 1)[1].split()[11:13]]
