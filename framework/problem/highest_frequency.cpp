@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/highest_frequency.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -19,12 +21,6 @@ constexpr double kOthers = 0.1, kResidual = 0.05;
 /// Over the largest α: what is left of β by rounding where the vectors so far hold all modes that the first
 /// one had. Going on from there gives copies of modes, over which the QR algorithm may not converge.
 constexpr double kExhausted = 1e-10;
-
-double dot(const std::vector<double>& x, const std::vector<double>& y) {
-  double sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i];
-  return sum;
-}
 
 /// Numbers in [-1, 1) that look random and are always the same (Knuth's MMIX generator).
 std::vector<double> noise(std::size_t size) {

@@ -45,10 +45,6 @@ const char* trouble_of(netloft_outcome outcome, StaticProblem::Stop stop) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// At the end of a step in whose middle its equation holds. Twice the middle less the beginning would ring
 /// from step to step for ever. A quarter of a step beyond the middle, what is off falls by √½ from step to
 /// step, λ² + λ/2 + 1/2 = 0, and a value that moves evenly is a quarter of a step behind.

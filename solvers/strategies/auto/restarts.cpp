@@ -16,6 +16,7 @@ double borne_by_compression(Study& study, const Stage& at) {
   return study.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
 
+/// Compression below what a start may be off by cannot be distinguished from none.
 bool may_have_other_shapes(Study& study, const Options& options, const Stage& at) {
   if (options.everywhere) return !study.remembers();
   return study.conservative() && study.resists_compression() && !study.remembers() &&

@@ -4,6 +4,7 @@
 The flags are those that the help of the program lists, and the commands stand below: a flag of the help that no command types, and a
 command that types a flag of no help, are failures. Each command has to end with 0 and to leave or to say what follows it.
 """
+import json
 import os
 import re
 import shlex
@@ -157,6 +158,15 @@ class Flags(unittest.TestCase):
             for command, flag in typed_flags(line):
                 known = flags_in_help(*command.split())
                 self.assertIn(flag, {*known, *known.values()}, line)
+
+    def test_the_table_of_solvers_has_the_parameters_that_the_program_has(self):
+        page = (SOURCE / "io/scene/SCENE.md").read_text()
+        for solver in ("newton", "ptc", "relaxation", "lbfgs"):
+            cell = re.search(rf"^\| `{solver}` \| (.*) \|$", page, re.MULTILINE)[1]
+            listed = set(re.findall(r"`(\w+)`", cell))
+            described = json.loads(self.type(f"netloft describe {solver} --json").stdout)
+            self.assertTrue(listed, solver)
+            self.assertLessEqual(listed, {p["name"] for p in described["parameters"]}, solver)
 
     def test_a_flag_that_nobody_types_is_noticed(self):
         self.assertNotIn(("run", "--frobnicate"), set().union(*(typed_flags(line) for line, _ in COMMANDS)))

@@ -158,7 +158,7 @@ TEST(AStudy, LetsTheUsersOwnParametersHoldOverThoseOfTheStrategy) {
       << "that of another solver";
 }
 
-/// Iterations of the first stage of the strategy `pseudo-time`, which is asked to end after hardly any path.
+/// Iterations of the first stage of the strategy `pseudo-time`, whose path may have hardly any length.
 int iterations_of_called_strategy(std::map<std::string, Values> given) {
   const Solution s = study(
       taut_bars(),
