@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "io/units/known_words.hpp"
+
 namespace netloft::io {
 namespace {
 
@@ -94,6 +96,11 @@ ut_status visit_galilean(const ut_unit*, double scale, const ut_unit* underlying
 
 UnitSystem::UnitSystem(const std::string& database) {
   const std::lock_guard guard(library_lock());
+  read(database);
+}
+
+void UnitSystem::read(const std::string& database) const {
+  was_read_ = true;
   ut_set_error_message_handler(ut_ignore);
   system_ = ut_read_xml(database.empty() ? nullptr : database.c_str());
   if (!system_) {
@@ -111,12 +118,18 @@ UnitSystem::~UnitSystem() {
 
 const UnitSystem& UnitSystem::shared() {
   // Never taken apart: freeing its thousands of units takes longer than reading them.
-  static const UnitSystem& system = *new UnitSystem;
+  static const UnitSystem& system =
+      std::getenv("UDUNITS2_XML_PATH") ? *new UnitSystem : *new UnitSystem(WhenNeeded{});
   return system;
 }
 
 std::optional<Unit> UnitSystem::parse(const std::string& word) const {
   const std::lock_guard guard(library_lock());
+  if (!was_read_) {
+    const auto known = known_words().find(word);
+    if (known != known_words().end()) return known->second;
+    read({});
+  }
   ut_unit* parsed = system_ ? ut_parse(system_, word.c_str(), UT_ASCII) : nullptr;
   if (!parsed) return std::nullopt;
   Unit unit;

@@ -20,24 +20,32 @@ struct Unit {
 /// The UDUNITS-2 database, with words of the trade that it lacks or defines differently.
 class UnitSystem {
  public:
-  /// `database` is the path of udunits2.xml; empty: UDUNITS2_XML_PATH, then the installed one.
+  /// Reads the database at the path `database` of udunits2.xml; empty: UDUNITS2_XML_PATH, then the installed
+  /// one.
   explicit UnitSystem(const std::string& database = {});
   ~UnitSystem();
   UnitSystem(const UnitSystem&) = delete;
   UnitSystem& operator=(const UnitSystem&) = delete;
 
-  /// The instance that all callers use.
+  /// The instance that all callers use. It reads its database when the first word is met that is no common
+  /// one (known_words.hpp); at once, if UDUNITS2_XML_PATH names another than the installed one.
   static const UnitSystem& shared();
 
-  /// Empty if the database was read; otherwise a sentence about the error.
+  /// A sentence about the error if the database could not be read; empty if it was, or has not been needed.
   const std::string& trouble() const { return trouble_; }
 
   /// One word with its prefix, such as "mm". None: UDUNITS does not know it, or it is a logarithm.
   std::optional<Unit> parse(const std::string& word) const;
 
  private:
-  ut_system* system_ = nullptr;
-  std::string trouble_;
+  struct WhenNeeded {};
+  explicit UnitSystem(WhenNeeded) {}
+  void read(const std::string& database) const;
+
+  // Written under the lock of the library.
+  mutable bool was_read_ = false;
+  mutable ut_system* system_ = nullptr;
+  mutable std::string trouble_;
 };
 
 }  // namespace netloft::io

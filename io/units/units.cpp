@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "framework/registry/nearest.hpp"
+#include "io/units/common_words.hpp"
 #include "io/units/expression.hpp"
 #include "io/units/in_quotes.hpp"
 #include "io/units/udunits.hpp"
@@ -87,20 +88,11 @@ std::vector<std::string> words_of(const std::string& unit) {
 }
 
 const std::vector<std::string>& common_units() {
-  static const std::vector<std::string> units = {"m",      "mm",       "cm",     "km",     "um",
-                                                 "in",     "ft",       "fathom", "nmi",    "nautical_mile",
-                                                 "kg",     "g",        "t",      "tonne",  "lb",
-                                                 "N",      "kN",       "MN",     "daN",    "kgf",
-                                                 "tonf",   "lbf",      "Pa",     "kPa",    "MPa",
-                                                 "GPa",    "bar",      "s",      "min",    "h",
-                                                 "hour",   "day",      "kn",     "kt",     "knot",
-                                                 "m/s",    "km/h",     "deg",    "degree", "rad",
-                                                 "radian", "rpm",      "Hz",     "J",      "W",
-                                                 "kW",     "tex",      "Rtex",   "denier", "K",
-                                                 "degC",   "%",        "N.m",    "metre",  "meter",
-                                                 "newton", "kilogram", "second", "foot",   "inch",
-                                                 "pound",  "pascal",   "minute", "knots",  "fathoms",
-                                                 "percent"};
+  static const std::vector<std::string> units = [] {
+    std::vector<std::string> all(std::begin(kCommonWords), std::end(kCommonWords));
+    all.insert(all.end(), {"m/s", "km/h", "N.m"});
+    return all;
+  }();
   return units;
 }
 
@@ -141,13 +133,13 @@ std::optional<Unit> parse_wanted(const UnitSystem& units, std::string_view si_un
 
 /// Takes a text apart into a number and a unit that is known.
 Quantity take_apart(const UnitSystem& units, std::string_view text, Written& written, Unit& unit) {
-  if (!units.trouble().empty()) return refuse(units.trouble());
   if (Quantity bad = split(in_ascii(trim(text)), written); !bad.ok()) return bad;
   for (const std::string& word : words_of(written.unit))
     if (std::string hint = ambiguity(word); !hint.empty())
       return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " has more than one meaning",
                     hint);
   const auto [parsed, unknown] = parse_unit(units, written.unit);
+  if (!parsed && !units.trouble().empty()) return refuse(units.trouble());
   if (!parsed) return refuse_unknown(text, written.unit, unknown);
   unit = *parsed;
   return {};
@@ -158,6 +150,7 @@ Quantity read_checked(const UnitSystem& units, std::string_view text, std::strin
   Unit unit;
   if (Quantity bad = take_apart(units, text, written, unit); !bad.ok()) return bad;
   const auto wanted = parse_wanted(units, si_unit);
+  if (!wanted && !units.trouble().empty()) return refuse(units.trouble());
   if (!wanted) return refuse("the wanted unit " + in_quotes(si_unit) + " is not known to UDUNITS-2");
   if (unit.dimension != wanted->dimension)
     return refuse(in_quotes(text) + " is " + named(unit.dimension, describe(unit.dimension).unit) + "; " +

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "io/units/common_words.hpp"
+#include "io/units/known_words.hpp"
 #include "io/units/udunits.hpp"
 
 namespace netloft::io {
@@ -165,6 +167,17 @@ TEST(Units, SayWhichDatabaseIsMissing) {
 TEST(Units, KnowNothingWithoutADatabase) {
   const UnitSystem none("/nowhere/udunits2.xml");
   EXPECT_FALSE(none.parse("m"));
+}
+TEST(Units, AreTheSameByWordsKnownAndByTheDatabase) {
+  const UnitSystem database;
+  for (const char* word : kCommonWords) {
+    const auto unit = database.parse(word);
+    ASSERT_TRUE(unit && known_words().contains(word)) << word;
+    const Unit& known = known_words().at(word);
+    EXPECT_EQ(known.dimension, unit->dimension) << word;
+    EXPECT_EQ(known.scale, unit->scale) << word;
+    EXPECT_EQ(known.offset, unit->offset) << word;
+  }
 }
 TEST(Units, MayBeReadFromSeveralThreads) {
   std::vector<std::thread> threads;
