@@ -158,7 +158,7 @@ class SceneReader {
                       "]: by Tauti's rule twines are scaled less than lengths",
                   is_whole ? "model_scale = " + format(keys.model_twine_scale) + ", or more"
                            : "model_twine_scale = 1, or more; none for Froude's rule");
-    tauti_.emplace(keys.model_scale, keys.model_twine_scale);
+    tauti_ = TautiModel{keys.model_scale, keys.model_twine_scale};
     out_.scene.water.viscosity *= tauti_->viscosity_of_netting();
   }
 
