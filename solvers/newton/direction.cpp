@@ -43,8 +43,8 @@ std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double dam
 }
 
 /// K + σ M with a tiny σ keeps Newton's step but for the few directions in which K curves downwards, which
-/// (6) leaves by; a convex part changes it in all. It costs four factorisations where K is far from definite,
-/// so that once it was, or was not asked, K is not asked again before it is positive definite.
+/// (6) leaves by; a convex part changes it in all. It costs four factorisations where K is far from definite:
+/// after a no this is asked again only once K + μ M has been positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
   if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kHardlyDamped) {
     tests_near_definite_ = false;

@@ -14,7 +14,7 @@ namespace netloft::newton {
 struct Step {
   enum class Rule { none, energy, residual, slope };
   Rule rule = Rule::none;        // by which u has moved
-  double length = 0;             // t of (4)
+  double length = 0;             // t, by whichever rule
   bool is_at_round_off = false;  // what the step promises to gain is less than the energy's round-off
   explicit operator bool() const { return rule != Rule::none; }
 };
@@ -36,7 +36,7 @@ class Globalisation {
  public:
   Globalisation(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
-  /// Moves u along s, as (4) wants it or, at round-off, by the residual or as (7) does.
+  /// Moves u along s: by (5), else (4), else (8); at round-off by the residual, else (7).
   Step take(Iterate& iterate, const Direction& direction);
   /// At round-off, once more with Newton's own step s.
   Step take_newton_step(Iterate& iterate, std::span<const double> s);

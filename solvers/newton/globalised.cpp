@@ -45,6 +45,7 @@ class Globalised {
   Outcome run() {
     if (!iterate_.evaluate()) return Outcome::left_domain;
     const char* note = "";
+    // `report` is false when the host says stop: the iteration has arrived, or a limit is reached.
     for (bool first = true; iterate_.report(note); first = false) {
       if (!iterate_.split_residual()) return Outcome::left_domain;
       const auto direction = find_direction(first);
@@ -67,8 +68,9 @@ class Globalised {
     return directions_.find(iterate_, damping_);
   }
 
-  /// (6), after the step by K + σ M: with the factor that gave it, from where it has led. The step goes along
-  /// the valley and does not change by much across which direction the valley is a ridge.
+  /// (6), after the step by K + σ M: with the factor that gave it, from where it has led. Over that step the
+  /// direction in which K curves most downwards changes little, so that the old factor finds it at the new
+  /// point.
   bool leave_saddle(double sigma) {
     const auto v = curvature_.find_direction(iterate_.problem(), sigma);
     return v && leave_along(*v);

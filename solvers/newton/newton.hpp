@@ -11,8 +11,9 @@ namespace netloft::newton {
 ///   F'(q_i) (q_{i+1} − q_i) = −F(q_i)                                                   (1)
 ///
 /// "globalised", for problems whose forces have an energy E, all or in part. g is its gradient and r = g + d,
-/// where d are the forces without an energy (drag). K is the tangent, the derivative of r; K₊ its convex
-/// part, as elements give it; M the linear stiffness, s·K₊s ≤ s·Ms.
+/// where d are the forces without an energy (drag). K is the tangent, the derivative of r; K₊ a positive
+/// semi-definite part of it, as elements give it; M the linear stiffness, which is constant and bounds that
+/// part, s·K₊s ≤ s·Ms.
 ///   (K + θ (K₊ − K) + μ M) s = −r, θ of 0, 2⁻¹², … ½, 1 so that it is positive definite   (2)
 ///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
 ///   t by (L) of line_search.hpp: m falls by a fraction of its slope, and is nearly flat   (4)
@@ -25,10 +26,10 @@ namespace netloft::newton {
 /// the gear.
 ///
 /// Direction. The first step is Newton's own, θ = μ = 0, if it leads downhill and moves no node by more than
-/// the length of an element: the start may be an equilibrium but for a little. Else μ begins at `damping`; it
-/// falls after a whole step and rises after a short one. With θ = 1 and μ = 1 the step cannot raise a convex
-/// energy (Levenberg 1944, in the metric of the linear stiffness). An unsymmetric K is not asked whether it
-/// is positive definite: μ rises until s leads downhill.
+/// the length of an element: the start may be an equilibrium but for a little; μ is then 0. Else μ begins at
+/// `damping`; it falls after a whole step and rises after a short one. With θ = 1 and μ = 1 the step cannot
+/// raise a convex energy (Levenberg 1944, in the metric of the linear stiffness). An unsymmetric K is not
+/// asked whether it is positive definite: μ rises until s leads downhill.
 ///
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3). (5) lets an iterate
 /// cross the kinks between slack and taut, one step at a time, by a relaxed test as in the watchdog technique
@@ -42,7 +43,8 @@ namespace netloft::newton {
 ///
 /// Negative curvature. Where all forces have an energy, little damping is left, K is indefinite and K + σ M
 /// with a σ of 1e-7, 1e-6, … 1e-4 is not, K is nearly definite: K + σ M is then the matrix of (2), and (6)
-/// leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979).
+/// leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979). At round-off, where no step
+/// is accepted, the same is tried once at every point, however much damping is left.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;

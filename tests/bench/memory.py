@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How near is the memory that `netloft plan` foresees to what `netloft run` takes?
 
-    memory.py NETLOFT SCENE.toml [--nodes 3400,34000,340000] [--set KEY=VALUE] [--threads 1]
+    memory.py NETLOFT SCENE.toml [--nodes 3400,34000,340000 | --nodes as-it-is] [--set KEY=VALUE] [--threads 1]
 
 Prints, for every mesh, unknowns, the memory foreseen, the largest that the run had (resident), and their ratio.
 """
@@ -23,7 +23,8 @@ def main():
     options = parser.parse_args()
     print(f"{'nodes':>8} {'unknowns':>9} {'foreseen [MiB]':>15} {'taken [MiB]':>12} {'ratio':>6}   status")
     for nodes in options.nodes.split(","):
-        words = [word for one in [f"gear.nodes={nodes}", *options.set] for word in ("--set", one)] + ["--threads", options.threads, "--json"]
+        sizes = [] if nodes == "as-it-is" else [f"gear.nodes={nodes}"]
+        words = [word for one in [*sizes, *options.set] for word in ("--set", one)] + ["--threads", options.threads, "--json"]
         plan = json.loads(subprocess.run([options.netloft, "plan", options.scene, *words], capture_output=True, text=True, check=True).stdout)
         with tempfile.TemporaryDirectory() as folder:
             with open(folder + "/out", "w") as out:

@@ -201,7 +201,7 @@ def page(numbers, lines):
             f"{steer}: {count['option']} in option tables, {count['constant']} constants with a name, {count['bare']} without one. "
             "`tests/bench/steering.py SOURCE_FOLDER --write` makes this page,",
             "with `--lines` it prints the lines, too; its head says what is read and what is not."]
-    heads = {"option": ("In option tables: `netloft describe COMPONENT`", "option"),
+    heads = {"option": ("In option tables: `netloft describe auto`", "option"),
              "constant": ("Constants", "name"), "bare": ("Without a name", ""),
              "rounding": ("Not counted: rounding", "name"), "formula": ("Not counted: formulas", "name"),
              "cost of the machine": ("Not counted: what operations cost, and memory", "name")}

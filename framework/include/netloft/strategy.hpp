@@ -89,12 +89,15 @@ struct Stage {
   Displacements growing = {};                    // a disturbance that grows; empty: not known
   double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; it swings only where there is a frequency
 
-  /// Forces were evaluated where it ended. False: elements have none at `u`, or a strategy that was called
-  /// has solved no stage of the variant it was called for, and `u` is its start.
+  /// Forces were evaluated where it ended, which is a point of the variant that was asked for. False:
+  /// elements are not defined at `u`, or a strategy that was called has solved no stage of that variant, and
+  /// `u` is its start.
   bool has_forces() const { return load > 0; }
   /// Forces balance, whether or not it is stable.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
   bool has_converged() const { return ending == Ending::converged; }
+  /// Its work was used up, and some was done: what has nothing to solve ends out of work, too.
+  bool was_cut_off() const { return ending == Ending::out_of_work && spent > 0; }
   /// It swings as it grows: followed in time it comes to rest nowhere near.
   bool flutters() const { return ending == Ending::unstable && growth_frequency > 0; }
   /// Largest residual over the largest load.
@@ -133,7 +136,10 @@ class Study {
   Stage solve(const Ask& ask, Displacements u) {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
-  /// Lets another strategy bring a variant to equilibrium from `u`.
+  /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work). The
+  /// stage that comes back is its answer, of several the one that the host chose; without an answer it is the
+  /// point of that variant that came closest to balance, with the ending that it had; and without any such
+  /// point its start, out of work.
   Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
     return ended(ask, std::move(u),
                  [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });

@@ -27,14 +27,15 @@ struct Row {
   bool (*suits)(const Kind& kind);
 };
 
-/// In the order in which they are tried, which was chosen on draws of the hard cases; each row says when.
+/// In the order in which they are tried, which was chosen on draws of the hard cases; `suits` says for which
+/// scenes.
 const Row kTable[] = {
     {{"relaxed", "relaxed", "", "relaxed", "elements stick and slide, which no tangent foresees"},
      [](const Kind& k) { return k.sticks; }},
     // The coarser mesh by this strategy again, and so on to the coarsest that is worth its price; what the
     // user says of `auto` holds there, too.
-    // From there it is nodes between slack members that Newton's method would take long over: which members
-    // those are is found for all of them at once.
+    // What is left then is to find out which members are slack, one by one by Newton's method; tension/only
+    // finds it for all at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0,then=tension/only", "direct",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
      [](const Kind& k) { return k.has_meshes && k.has_loaded_members && !k.sticks; }},

@@ -22,7 +22,7 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
          "work of all restarts over the work that led to the first equilibrium",
          {.lo = 0, .hi = 1e6, .fallback = 1});
   s.real("slice", &Options::slice, "1",
-         "work of the first slice of each attempt, in factorisations of its tangent",
+         "work of the first slice of each attempt, in Newton iterations of the scene as it is written",
          {.lo = 1, .hi = 1e9, .fallback = 200});
   s.real("growth", &Options::growth, "1", "work of a slice over that of the slice before",
          {.lo = 1.1, .hi = 100, .fallback = 4});

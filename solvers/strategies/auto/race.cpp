@@ -17,15 +17,15 @@ Displacements start_with_forces(Study& study, const Options& options) {
   return perturbed(study.start(), options.perturbation * study.element_size());
 }
 
-/// The saddle displaced along what grows there, so that no node moves by more than `length`: to one side on
-/// turn 0, to the other on turn 1. Where it is not known what grows, two different perturbations.
-Displacements beside(const Stage& saddle, double length, int turn) {
+/// The saddle displaced along what grows there, so that no node moves by more than `length`, to side 0 or
+/// side 1. Where it is not known what grows, two different perturbations.
+Displacements beside(const Stage& saddle, double length, int side) {
   double largest = 0;
   for (const double g : saddle.growing) largest = std::max(largest, std::abs(g));
-  if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, length, turn);
-  const double side = turn == 0 ? 1 : -1;
+  if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, length, side);
+  const double amplitude = (side == 0 ? length : -length) / largest;
   Displacements u = saddle.u;
-  for (std::size_t i = 0; i < u.size(); ++i) u[i] += side * length / largest * saddle.growing[i];
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += amplitude * saddle.growing[i];
   return u;
 }
 
@@ -38,8 +38,8 @@ Race::Race(Study& study, const Options& options)
       start_(start_with_forces(study, options)) {}
 
 Stage Race::run() {
-  for (int turn = 0; turn < options_.starts && !is_decided(); ++turn) {
-    if (turn > 0) start_ = perturbed(start_, study_.element_size(), turn);
+  for (int start = 0; start < options_.starts && !is_decided(); ++start) {
+    if (start > 0) start_ = perturbed(start_, study_.element_size(), start);
     run_from_start();
   }
   return best_;
@@ -48,12 +48,12 @@ Stage Race::run() {
 void Race::run_from_start() {
   runners_.clear();
   for (const Attempt& attempt : attempts_for(study_, options_)) runners_.push_back({attempt});
-  const auto has_ended = [](const Runner& r) { return r.has_ended; };
-  for (double slice = options_.slice; !std::all_of(runners_.begin(), runners_.end(), has_ended);
+  const auto is_out = [](const Runner& r) { return r.is_out; };
+  for (double slice = options_.slice; !std::all_of(runners_.begin(), runners_.end(), is_out);
        slice *= options_.growth)
     for (Runner& runner : runners_) {
       if (is_decided()) return;
-      if (!runner.has_ended) run_slice(runner, slice);
+      if (!runner.is_out) run_slice(runner, slice);
       if (runner.is_near && !is_decided()) run_slice(runner, options_.growth * slice);
     }
 }
@@ -63,9 +63,8 @@ bool Race::is_decided() const { return best_.has_converged() || study_.work_left
 void Race::run_slice(Runner& runner, double slice) {
   const double work = std::min(slice, study_.work_left() - over_at_);
   Stage stage = start_or_go_on(runner, work);
-  // What has solved nothing ends out of work, too, without having spent any: there is nothing in it.
-  runner.has_ended = stage.ending != Ending::out_of_work || stage.spent == 0;
-  if (!runner.has_ended && stage.has_forces()) runner.cut_off_at = stage.u;
+  runner.is_out = !stage.was_cut_off();
+  if (!runner.is_out && stage.has_forces()) runner.cut_off_at = stage.u;
   runner.is_near = runner.cut_off_at && stage.imbalance() <= kOnlyAStart;
   stage = off_saddle(std::move(stage), work);
   if (stage.flutters()) look_on_for_as_much_again();
@@ -92,11 +91,11 @@ Stage Race::off_saddle(Stage saddle, double work) {
   const double length = options_.perturbation * study_.element_size();
   const char* const strategy = study_.conservative() ? "direct" : "pseudo-time";
   if (saddle.ending != Ending::unstable || saddle.flutters()) return saddle;
-  for (const int turn : {0, 1}) {
+  for (const int side : {0, 1}) {
     if (study_.work_left() <= over_at_) break;
     const Ask ask{.name = "off an unstable equilibrium",
                   .work = std::min(work, study_.work_left() - over_at_)};
-    Stage next = study_.call(strategy, "", ask, beside(saddle, length, turn));
+    Stage next = study_.call(strategy, "", ask, beside(saddle, length, side));
     if (next.has_converged() || next.flutters()) return next;
     if (next.ending == Ending::unstable && study_.work_left() > 0) saddle = std::move(next);
   }

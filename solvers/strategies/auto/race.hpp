@@ -7,28 +7,27 @@
 
 namespace netloft::automatic {
 
-/// Attempts run in slices of work, all of one length before any of the next longer one:
+/// Attempts run in slices of work, all of one length before any of the next longer one but for what is nearly
+/// in balance:
 ///   w₀, g w₀, g² w₀, …                                                                   (1)
 /// so that none can use up the budget before the others have had a try, and the one that succeeds with work w
-/// costs at most about n g w with n attempts (as in M. Luby, A. Sinclair and D. Zuckerman, Optimal speedup of
-/// Las Vegas algorithms, Inf. Process. Lett. 47, 1993). One that was cut off at a point of the scene itself
-/// goes on from there; one that ended by itself is not tried again from the same start. Where all have ended
-/// so, they begin anew from a perturbed start. Once an equilibrium is met about which the gear swings, more
-/// and more, another is looked for with as much work again as the race has cost until then.
+/// costs at most about n w g² / (g − 1) with n attempts, where no saddle is met (as in M. Luby, A. Sinclair
+/// and D. Zuckerman, Optimal speedup of Las Vegas algorithms, Inf. Process. Lett. 47, 1993). README.md tells
+/// the rules.
 class Race {
  public:
   Race(Study& study, const Options& options);
 
   /// The first stage that converged; else an unstable equilibrium, of several the one that balances best;
-  /// else an empty stage, and nothing is answered.
+  /// else an empty stage.
   Stage run();
 
  private:
   struct Runner {
     Attempt attempt;
-    bool has_ended = false;                        // by itself
+    bool is_out = false;                           // not tried again from the same start
     bool is_near = false;                          // cut off where the scene is nearly in balance
-    std::optional<Displacements> cut_off_at = {};  // in the scene itself; else it begins anew
+    std::optional<Displacements> cut_off_at = {};  // a point of the scene itself; else it begins again
   };
 
   void run_from_start();

@@ -32,8 +32,8 @@ Displacements without_compression(Study& study, const Stage& best, double work) 
   return study.solve(ask, best.u).u;
 }
 
-Displacements start_of(Study& study, int turn, const Stage& best, double work) {
-  return turn == 1 ? without_compression(study, best, work) : perturbed(best.u, study.element_size(), turn);
+Displacements start_of(Study& study, int shape, const Stage& best, double work) {
+  return shape == 1 ? without_compression(study, best, work) : perturbed(best.u, study.element_size(), shape);
 }
 
 }  // namespace
@@ -43,10 +43,10 @@ void restart(Study& study, const Options& options, const Stage& first, double wo
   if (!may_have_other_shapes(study, options, first)) return;
   Stage best = first;
   double left = options.restart_work * work;
-  for (int turn = 1; turn <= options.restarts && left > 0 && study.work_left() > 0; ++turn) {
+  for (int shape = 1; shape <= options.restarts && left > 0 && study.work_left() > 0; ++shape) {
     const double before = study.work_left();
     const double most = std::min(left, before);
-    const auto start = start_of(study, turn, best, most);
+    const auto start = start_of(study, shape, best, most);
     const double rest = most - (before - study.work_left());
     if (!(rest > 0)) return;
     Stage next = study.call("direct", "", {.name = "restart", .work = rest}, start);
