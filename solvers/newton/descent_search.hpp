@@ -13,7 +13,7 @@ struct DescentSearch {
   int refinements = 4;                 // evaluations spent once (D) has failed
   double least = 0.1, most = 0.9;      // a new t within its bracket
 
-  /// `merit(t)` gives a Sample, or nothing where there are no forces. Empty: m does not fall at all.
+  /// `merit(t)` gives a Sample, or nothing where elements are not defined. Empty: m does not fall at all.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start, double noise) const {
     const auto falls = [&](const Sample& s) { return s.slope < 0 && s.value <= start.value + noise; };

@@ -67,8 +67,8 @@ std::optional<Direction> Directions::find_partly_convex(Iterate& iterate, double
 
 /// K + θ (K₊ − K), with half the θ of the last time or as much more as it takes, by powers of two.
 Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
-  for (convex_part_ = std::max(0.5 * convex_part_, kLeastConvexPart); convex_part_ < 1; convex_part_ *= 2)
-    if (const Factor factor = problem.factorise_between(convex_part_, shift); factor != Factor::not_positive)
+  for (convex_share_ = std::max(0.5 * convex_share_, kLeastConvexPart); convex_share_ < 1; convex_share_ *= 2)
+    if (const Factor factor = problem.factorise_between(convex_share_, shift); factor != Factor::not_positive)
       return factor;
   Factor factor = problem.factorise(Matrix::convex, shift);
   while (factor == Factor::not_positive && shift < kLargestDamping)

@@ -40,7 +40,7 @@ class Directions {
 
   NegativeCurvature& curvature_;
   std::vector<double> s_;
-  double convex_part_ = 1;           // θ of the last time
+  double convex_share_ = 1;          // θ of the last time
   bool tests_near_definite_ = true;  // K + μ M was positive definite the last time, or K nearly so
 };
 

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "solvers/newton/direction.hpp"
-#include "solvers/newton/globalisation.hpp"
 #include "solvers/newton/iterate.hpp"
 #include "solvers/newton/methods.hpp"
 #include "solvers/newton/negative_curvature.hpp"
+#include "solvers/newton/step_rules.hpp"
 
 namespace netloft::newton {
 
@@ -37,7 +37,7 @@ class Globalised {
       : iterate_(problem),
         curvature_(problem),
         directions_(problem, curvature_),
-        globalisation_(parameters, problem.size()),
+        rules_(parameters, problem.size()),
         damping_(parameters.damping) {
     step_.reserve(problem.size());
   }
@@ -51,7 +51,7 @@ class Globalised {
       const auto direction = find_direction(first);
       if (!direction) return Outcome::linear_solve;
       note = direction->note;
-      const Step step = globalisation_.take(iterate_, *direction);
+      const Step step = rules_.take(iterate_, *direction);
       damping_ = adapted(direction->damping, step);
       if (direction->nearly_definite && leave_saddle(direction->damping)) continue;
       if (step || (step.is_at_round_off && fall_back())) continue;
@@ -78,7 +78,7 @@ class Globalised {
 
   bool leave_along(std::span<const double> v) {
     if (!curvature_.leave_along(v, iterate_)) return false;
-    globalisation_.reset_stall_count();
+    rules_.reset_stall_count();
     return true;
   }
 
@@ -108,12 +108,12 @@ class Globalised {
 
   bool take_undamped() {
     solve_for_step();
-    return static_cast<bool>(globalisation_.take_newton_step(iterate_, step_));
+    return static_cast<bool>(rules_.take_newton_step(iterate_, step_));
   }
 
   bool take_shifted() {
     solve_for_step();
-    return static_cast<bool>(globalisation_.take_by_slope(iterate_, step_));
+    return static_cast<bool>(rules_.take_by_slope(iterate_, step_));
   }
 
   void solve_for_step() {
@@ -125,7 +125,7 @@ class Globalised {
   std::vector<double> step_;  // of fall_back; reserved
   NegativeCurvature curvature_;
   Directions directions_;
-  Globalisation globalisation_;
+  StepRules rules_;
   double damping_;
   std::optional<std::size_t> fell_back_at_;  // count of points
 };

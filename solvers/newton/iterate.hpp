@@ -46,12 +46,12 @@ class Iterate {
 
   /// s = −A⁻¹ r with the last factor A.
   void solve(std::span<double> s);
-  /// r at u(t); nothing where there are no forces.
+  /// r at u(t); nothing where elements are not defined.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
   /// (3) and its derivative.
   std::optional<Sample> merit(const Path& path, double t);
-  /// Moves u to u(t) and evaluates the tangent there, unless there are no forces. False: u and the tangent
-  /// are what they were.
+  /// Moves u to u(t) and evaluates the tangent there, unless elements are not defined there. False: u and the
+  /// tangent are what they were.
   bool try_move(const Path& path, double t);
   /// The same, unless ‖r‖ there is more than `ratio` of that here.
   bool try_move_if_residual_below(double ratio, const Path& path, double t);

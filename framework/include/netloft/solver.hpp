@@ -4,8 +4,9 @@
 //
 //   static Outcome solve(const Parameters&, Problem&);
 //
-// that moves `problem.u()` towards r(u) = 0. It reports every accepted point with `progress`, which says
-// whether to go on. The host counts, times and judges; a solver has nothing to say about convergence.
+// that moves `problem.u()` towards r(u) = 0. Once per iteration it reports where u is with `progress`, which
+// says whether to go on; u is the same as before where no step was accepted. The host counts, times and
+// judges; a solver has nothing to say about convergence.
 #pragma once
 #include <netloft/plugin.h>
 #include <netloft/parameters.hpp>
@@ -20,7 +21,7 @@
 namespace netloft {
 
 enum class Outcome {
-  stopped = NETLOFT_STOPPED,
+  stopped = NETLOFT_STOPPED,  // because `progress` said so: it has arrived, or a limit is reached
   step_too_short = NETLOFT_STEP_TOO_SHORT,
   linear_solve = NETLOFT_LINEAR_SOLVE,
   left_domain = NETLOFT_LEFT_DOMAIN,

@@ -23,18 +23,19 @@ struct Step {
 class CurvedStep {
  public:
   /// Memory for `size` unknowns is reserved, and touched by the first search.
-  explicit CurvedStep(std::size_t size) { second_derivative_.reserve(size), a_.reserve(size); }
-  /// By differences of r over ± t s, with the last factor. Empty where there are no forces.
+  explicit CurvedStep(std::size_t size) { minus_second_derivative_.reserve(size), a_.reserve(size); }
+  /// By differences of r over ± t s, with the last factor. Empty where elements are not defined at one of
+  /// these points.
   std::span<const double> find(Iterate& iterate, std::span<const double> s, double t);
 
  private:
-  std::vector<double> second_derivative_, a_;
+  std::vector<double> minus_second_derivative_, a_;
 };
 
-/// How far to go along a direction.
-class Globalisation {
+/// Which step along a direction is accepted: the rules (4) to (8) of Newton.
+class StepRules {
  public:
-  Globalisation(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
+  StepRules(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
   /// Moves u along s: by (5), else (4), else (8); at round-off by the residual, else (7).
   Step take(Iterate& iterate, const Direction& direction);

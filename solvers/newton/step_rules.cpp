@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solvers/newton/globalisation.hpp"
+#include "solvers/newton/step_rules.hpp"
 
 #include <cmath>
 
@@ -23,18 +23,18 @@ constexpr int kMostWithoutHalving = 5;
 }  // namespace
 
 std::span<const double> CurvedStep::find(Iterate& iterate, std::span<const double> s, double t) {
-  second_derivative_.assign(s.size(), 0.0), a_.resize(s.size());
+  minus_second_derivative_.assign(s.size(), 0.0), a_.resize(s.size());
   for (const double side : {t, -t}) {
     const auto r = iterate.residual_at({s}, side);
     if (!r) return {};
     for (std::size_t i = 0; i < s.size(); ++i)
-      second_derivative_[i] += (iterate.residual()[i] - (*r)[i]) / (t * t);
+      minus_second_derivative_[i] += (iterate.residual()[i] - (*r)[i]) / (t * t);
   }
-  iterate.problem().solve(second_derivative_, a_);
+  iterate.problem().solve(minus_second_derivative_, a_);
   return a_;
 }
 
-Step Globalisation::take(Iterate& iterate, const Direction& direction) {
+Step StepRules::take(Iterate& iterate, const Direction& direction) {
   const Path path{direction.s};
   if (-iterate.slope(path) <= iterate.round_off(path)) return take_at_round_off(iterate, direction);
   const Step step = take_by_energy(iterate, direction);
@@ -42,7 +42,7 @@ Step Globalisation::take(Iterate& iterate, const Direction& direction) {
   return step;
 }
 
-Step Globalisation::take_at_round_off(Iterate& iterate, const Direction& direction) {
+Step StepRules::take_at_round_off(Iterate& iterate, const Direction& direction) {
   Step step;
   if (iterate.try_move_if_residual_below(1, {direction.s}, 1))
     step = {Step::Rule::residual, 1};
@@ -52,13 +52,13 @@ Step Globalisation::take_at_round_off(Iterate& iterate, const Direction& directi
   return step;
 }
 
-Step Globalisation::take_newton_step(Iterate& iterate, std::span<const double> s) {
+Step StepRules::take_newton_step(Iterate& iterate, std::span<const double> s) {
   if (iterate.problem().step_length(s) <= 1 && iterate.try_move_if_residual_below(kHalved, {s}, 1))
     return {Step::Rule::residual, 1};
   return take_by_slope(iterate, s);
 }
 
-Step Globalisation::take_by_slope(Iterate& iterate, std::span<const double> s) {
+Step StepRules::take_by_slope(Iterate& iterate, std::span<const double> s) {
   const Path path{s};
   const Sample first{0, iterate.energy(), iterate.slope(path)};
   if (!iterate.is_conservative() || first.slope >= 0) return {};
@@ -71,7 +71,7 @@ Step Globalisation::take_by_slope(Iterate& iterate, std::span<const double> s) {
 }
 
 /// (5), (4), and where (4) ends short, (8), too, if that gains much more.
-Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction) {
+Step StepRules::take_by_energy(Iterate& iterate, const Direction& direction) {
   Path path{direction.s};
   const LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
   const Sample first{0, iterate.energy(), iterate.slope(path)};
@@ -87,7 +87,7 @@ Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction)
     const double gain = found ? iterate.energy() - found->value : 0;
     if (bent && (!found || iterate.energy() - bent->value > kCurvedGain * gain)) path = curved, found = bent;
   }
-  // Tolerances are a part of the last reactions evaluated. A force without an energy may have no value at t.
+  // The host measures by its last evaluation, which was at a trial point: back to u, which is not left.
   if (!found) iterate.evaluate(Matrix::none);
   if (!found || !iterate.try_move(path, found->t)) return {};
   return {Step::Rule::energy, found->t};
@@ -95,7 +95,7 @@ Step Globalisation::take_by_energy(Iterate& iterate, const Direction& direction)
 
 /// (5): a whole step that lowers m, or raises it by no more than `uphill` allows. The step after one that
 /// went uphill is left to the line search.
-std::optional<Sample> Globalisation::try_whole_step(Iterate& iterate, const Path& path) const {
+std::optional<Sample> StepRules::try_whole_step(Iterate& iterate, const Path& path) const {
   if (last_went_uphill_) return {};
   const double most = iterate.energy() - p_.uphill * iterate.slope(path);
   const auto whole = iterate.merit(path, 1);
@@ -104,15 +104,15 @@ std::optional<Sample> Globalisation::try_whole_step(Iterate& iterate, const Path
 
 /// −r·s is what a step s would lower a linear energy by. It has to halve now and then, or the steps go round
 /// in rounding.
-void Globalisation::record_predicted_decrease(double decrease) {
+void StepRules::record_predicted_decrease(double decrease) {
   const bool has_halved = decrease < 0.5 * least_decrease_;
   if (has_halved) least_decrease_ = decrease;
   steps_without_halving_ = has_halved ? 0 : steps_without_halving_ + 1;
 }
 
-bool Globalisation::has_stalled() const { return steps_without_halving_ > kMostWithoutHalving; }
+bool StepRules::has_stalled() const { return steps_without_halving_ > kMostWithoutHalving; }
 
-void Globalisation::reset_stall_count() {
+void StepRules::reset_stall_count() {
   least_decrease_ = std::numeric_limits<double>::infinity(), steps_without_halving_ = 0;
 }
 
