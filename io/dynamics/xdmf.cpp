@@ -39,22 +39,25 @@ SteppedArray array_at(const Reader& reader, const std::string& path, const std::
           reader.place(path), columns, reader.integers(offsets_path)};
 }
 
-/// Fields that change: the first state lies behind the newest one. Those that do not change lie at 0.
-std::vector<SteppedArray> changing_fields(const Reader& reader, const std::string& file) {
+/// Scalars and vectors; numbers of parts and places on panels are neither.
+std::vector<SteppedArray> fields_of(const Reader& reader, const std::string& file) {
   std::vector<SteppedArray> arrays;
-  for (const auto& [group, center] : {std::pair{"PointData", "Node"}, {"CellData", "Cell"}})
+  for (const auto& [group, center] : {std::pair{"PointData", "Node"}, {"CellData", "Cell"}}) {
+    const auto rows = static_cast<std::size_t>(
+        reader.integer(center[0] == 'N' ? "/VTKHDF/NumberOfPoints" : "/VTKHDF/NumberOfCells"));
+    if (rows == 0) continue;
     for (const auto& name : reader.list(std::string("/VTKHDF/") + group)) {
-      const std::string offsets = std::string("/VTKHDF/Steps/") + group + "Offsets/" + name;
-      const auto rows = reader.integers(offsets).at(0);
-      if (rows == 0) continue;
-      SteppedArray array = array_at(reader, std::string("/VTKHDF/") + group + "/" + name, offsets,
-                                    static_cast<std::size_t>(rows), file);
+      const std::string offsets = std::string("/VTKHDF/Steps/") + group + "Offsets/" + name,
+                        path = std::string("/VTKHDF/") + group + "/" + name;
+      SteppedArray array = array_at(reader, path, offsets, rows, file);
+      if (!reader.holds_reals(path) || (array.columns != 1 && array.columns != 3)) continue;
       array.before = fmt::format("<Attribute Name=\"{}\" Center=\"{}\" AttributeType=\"{}\">", name, center,
                                  array.columns == 1 ? "Scalar" : "Vector") +
                      array.before;
       array.after += "</Attribute>\n";
       arrays.push_back(std::move(array));
     }
+  }
   return arrays;
 }
 
@@ -78,7 +81,7 @@ void write_xdmf(const std::filesystem::path& result) {
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
       "<Grid Name=\"series\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   const std::string cells = topology(reader, file);
-  const auto arrays = changing_fields(reader, file);
+  const auto arrays = fields_of(reader, file);
   const SteppedArray points =
       array_at(reader, "/VTKHDF/Points", "/VTKHDF/Steps/PointOffsets",
                static_cast<std::size_t>(reader.integer("/VTKHDF/NumberOfPoints")), file);

@@ -58,6 +58,12 @@ class ByteReader {
     return values;
   }
   std::vector<double> reals() { return array<double>(); }
+  /// Goes past an array of them; says how many there are.
+  std::uint64_t skip_reals() {
+    const std::uint64_t count = integer();
+    take(count, sizeof(double));
+    return count;
+  }
   bool is_at_end() const { return rest_.empty(); }
 
  private:

@@ -50,7 +50,7 @@ std::vector<std::int64_t> mixed_cells(const Mesh& mesh) {
 /// The numbers of the last output stand where those of a finished motion do.
 void write_last_row(Tree& tree, const SeriesJournal& journal) {
   if (journal.size() == 0) return;
-  const std::vector<double> row = journal.state(journal.size() - 1).row;
+  const std::vector<double> row = journal.stored_state(journal.size() - 1).row;
   const auto& columns = journal.layout().columns;
   for (std::size_t k = 0; k < columns.size() && k < row.size(); ++k) {
     const std::string& name = columns[k].name;
@@ -108,9 +108,9 @@ void fold_series(const SeriesJournal& journal, hid_t file, const std::string& fi
   const SeriesLayout& layout = journal.layout();
   Rows rows{layout.columns.size(), {}};
   with_misfits_of("cannot write " + file_name, [&] {
-    VtkHdf grid(file, layout.mesh, layout.changing, layout.fixed, journal.size());
+    VtkHdf grid(file, layout.mesh, layout.changing, layout.fixed, journal.size(), journal.stored());
     for (std::size_t i = 0; i < journal.size(); ++i) {
-      const SeriesState state = journal.state(i);
+      const SeriesState state = journal.stored_state(i);
       const std::vector<std::span<const double>> fields(state.fields.begin(), state.fields.end());
       if (state.row.size() != rows.columns)
         throw std::invalid_argument("an output lacks numbers of a series");

@@ -19,7 +19,7 @@ namespace {
 
 // The first byte is no text, and the line ends show a transfer that changed them.
 constexpr std::string_view kMagic = "\x89NLJ\r\n\x1a\n";
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;  // 1: outputs have all fields
 constexpr std::size_t kHead = 16, kTail = 4;
 
 template <class Number>

@@ -174,6 +174,10 @@ Handle Reader::dataset(const std::string& path) const {
   return id;
 }
 
+bool Reader::holds_reals(const std::string& path) const {
+  return H5Tget_class(Handle(H5Dget_type(dataset(path)), H5Tclose)) == H5T_FLOAT;
+}
+
 std::vector<std::size_t> Reader::shape(const std::string& path) const { return extents_of(dataset(path)); }
 
 std::uint64_t Reader::place(const std::string& path) const {

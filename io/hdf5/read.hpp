@@ -30,6 +30,7 @@ class Reader {
   std::vector<std::string> list(const std::string& group) const;
   /// Extents of a dataset; empty for a scalar.
   std::vector<std::size_t> shape(const std::string& path) const;
+  bool holds_reals(const std::string& path) const;
 
   /// Where the numbers of a dataset that lies in one piece begin in the file [bytes].
   std::uint64_t place(const std::string& path) const;

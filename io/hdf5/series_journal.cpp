@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/hdf5/series_journal.hpp"
 
+#include <cstring>
+
 namespace netloft::io {
 namespace {
 
@@ -56,6 +58,10 @@ SeriesLayout read_layout(ByteReader& from) {
   return layout;
 }
 
+bool have_same_bits(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
 std::string bytes_of(const SeriesLayout& layout) {
   ByteWriter bytes;
   put(bytes, layout);
@@ -72,6 +78,7 @@ SeriesJournal SeriesJournal::create(const std::filesystem::path& part, const std
   head.put(identity), head.put(origins), put(head, layout);
   series.append(kLayout, head);
   series.layout_ = layout, series.identity_ = identity, series.origins_ = origins;
+  series.stored_.resize(layout.changing.size());
   series.set_status(kRunning);
   return series;
 }
@@ -90,7 +97,8 @@ SeriesJournal SeriesJournal::go_on(const std::filesystem::path& part, const std:
                     "the file has no output from which to continue");
   if (series.identity_ != identity)
     throw FileError(part.string() + ": the file belongs to another scene, or to another command line");
-  series.outputs_.resize(series.resumable_);
+  series.keep_outputs(series.resumable_);
+  series.last_fields_ = series.state(series.resumable_ - 1).fields;
   series.is_to_rewind_ = true;
   return series;
 }
@@ -105,12 +113,13 @@ void SeriesJournal::interpret(const Journal::Record& record, std::string_view co
   ByteReader from(content);
   if (record.kind == kLayout) {
     identity_ = from.text(), origins_ = from.text(), layout_ = read_layout(from);
+    stored_.assign(layout_.changing.size(), {});
   } else if (record.kind == kOutput) {
     note_output(record, content);
   } else if (record.kind == kRewind) {
     const std::uint64_t kept = from.integer();
     if (kept > outputs_.size()) throw FileError("it is damaged: it goes on from an output that it has not");
-    outputs_.resize(kept);
+    keep_outputs(kept);
   } else if (record.kind == kStatus) {
     status_.outcome = from.text(), status_.sentence = from.text();
   }
@@ -118,7 +127,10 @@ void SeriesJournal::interpret(const Journal::Record& record, std::string_view co
 
 void SeriesJournal::note_output(const Journal::Record& record, std::string_view content) {
   outputs_.push_back(record);
-  const std::string_view checkpoint = ByteReader(content).text();
+  ByteReader from(content);
+  const std::string_view checkpoint = from.text();
+  from.real(), from.skip_reals();
+  for (auto& stored : stored_) stored.push_back(from.skip_reals() > 0);
   if (checkpoint.empty()) return;
   checkpoint_ = checkpoint;
   resumable_ = outputs_.size();
@@ -135,7 +147,22 @@ void SeriesJournal::append(std::uint32_t kind, const ByteWriter& content) {
   last_ = journal_->append(kind, content.bytes());
 }
 
+void SeriesJournal::keep_outputs(std::size_t count) {
+  outputs_.resize(count);
+  for (auto& stored : stored_) stored.resize(count);
+}
+
 SeriesState SeriesJournal::state(std::size_t i) const {
+  SeriesState state = stored_state(i);
+  for (std::size_t k = 0; k < stored_.size(); ++k) {
+    std::size_t from = i;
+    while (from > 0 && !stored_[k][from]) --from;
+    if (from < i) state.fields[k] = stored_state(from).fields[k];
+  }
+  return state;
+}
+
+SeriesState SeriesJournal::stored_state(std::size_t i) const {
   const std::string content = journal_->content(outputs_.at(i));
   return with_context("cannot read " + path().string(), [&] {
     ByteReader from(content);
@@ -151,7 +178,12 @@ SeriesState SeriesJournal::state(std::size_t i) const {
 void SeriesJournal::write(const SeriesState& state, const std::string& checkpoint) {
   buffer_.clear();
   buffer_.put(checkpoint), buffer_.put(state.time), buffer_.put_array(state.points);
-  for (const auto& field : state.fields) buffer_.put_array(field);
+  last_fields_.resize(state.fields.size());
+  for (std::size_t k = 0; k < state.fields.size(); ++k) {
+    const bool is_new = outputs_.empty() || !have_same_bits(state.fields[k], last_fields_[k]);
+    buffer_.put_array(is_new ? std::span(state.fields[k]) : std::span<const double>());
+    if (is_new) last_fields_[k] = state.fields[k];
+  }
   buffer_.put_array(state.row);
   append(kOutput, buffer_);
   note_output(last_, buffer_.bytes());

@@ -40,7 +40,8 @@ struct SeriesStatus {
 /// The outputs of a motion that runs, or ran until it was killed, in NAME.hdf.part: a journal (journal.hpp)
 /// whose records are, by kind,
 ///   1 layout   identity of the run, an HDF5 image of what is known at the start (see fold.hpp), SeriesLayout
-///   2 output   checkpoint (empty: none), time, points, fields, row
+///   2 output   checkpoint (empty: none), time, points, fields, row; a field without numbers is that of the
+///              output before, to the bit
 ///   3 rewind   only the first so many outputs count: the run goes on from there
 ///   4 status   outcome, sentence: the last one counts
 class SeriesJournal {
@@ -65,6 +66,10 @@ class SeriesJournal {
   /// Outputs that count.
   std::size_t size() const { return outputs_.size(); }
   SeriesState state(std::size_t i) const;
+  /// The same without the fields that the output before has, which are empty.
+  SeriesState stored_state(std::size_t i) const;
+  /// By field: which outputs have it, and not only the one before.
+  const std::vector<std::vector<bool>>& stored() const { return stored_; }
   /// What belongs to the last output that has any, to go on from.
   const std::string& checkpoint() const { return checkpoint_; }
 
@@ -80,6 +85,7 @@ class SeriesJournal {
   Journal::Visit reader(const std::filesystem::path& part);
   void interpret(const Journal::Record& record, std::string_view content);
   void note_output(const Journal::Record& record, std::string_view content);
+  void keep_outputs(std::size_t count);
   void append(std::uint32_t kind, const ByteWriter& content);
 
   std::optional<Journal> journal_;
@@ -87,6 +93,8 @@ class SeriesJournal {
   std::string identity_, origins_, checkpoint_;
   SeriesStatus status_;
   std::vector<Journal::Record> outputs_;
+  std::vector<std::vector<bool>> stored_;
+  std::vector<std::vector<double>> last_fields_;  // of the last output
   Journal::Record last_;
   std::size_t resumable_ = 0;  // outputs up to the last one with a checkpoint
   bool is_to_rewind_ = false;  // the file does not say yet that a run goes on

@@ -112,8 +112,13 @@ void put_version(hid_t group) {
 }  // namespace
 
 VtkHdf::VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing,
-               std::span<const StaticField> fixed, std::size_t states)
-    : n_points_(mesh.n_points), n_cells_(mesh.n_cells()), states_(states), changing_(std::move(changing)) {
+               std::span<const StaticField> fixed, std::size_t states,
+               std::span<const std::vector<bool>> stored)
+    : n_points_(mesh.n_points),
+      n_cells_(mesh.n_cells()),
+      states_(states),
+      changing_(std::move(changing)),
+      stored_(stored.begin(), stored.end()) {
   require_consistent(mesh);
   for (const FieldSpec& spec : changing_) require_usable(spec);
   for (const StaticField& field : fixed) require_usable(field.spec);
@@ -126,7 +131,7 @@ VtkHdf::VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing,
   add_slot_array(root_,
                  {"Points", "m", "Node positions, z up, one slot of all nodes per state, newest first",
                   Location::kPoint, 3},
-                 n_points_);
+                 n_points_, nullptr);
   const Handle point_data = make_group(root_, group_name(Location::kPoint));
   const Handle cell_data = make_group(root_, group_name(Location::kCell));
   const auto rows = [&](const FieldSpec& spec) {
@@ -135,7 +140,9 @@ VtkHdf::VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing,
   const auto group = [&](const FieldSpec& spec) -> hid_t {
     return spec.location == Location::kPoint ? point_data : cell_data;
   };
-  for (const FieldSpec& spec : changing_) add_slot_array(group(spec), spec, rows(spec));
+  for (std::size_t k = 0; k < changing_.size(); ++k)
+    add_slot_array(group(changing_[k]), changing_[k], rows(changing_[k]),
+                   stored_.empty() ? nullptr : &stored_.at(k));
   for (const StaticField& field : fixed) add_static_array(group(field.spec), field, rows(field.spec));
   write_steps(fixed);
 }
@@ -152,9 +159,13 @@ void VtkHdf::write_topology(const Mesh& mesh) {
   put_labels(types, "1", "Shape of each cell: 1 vertex, 3 line, 5 triangle");
 }
 
-void VtkHdf::add_slot_array(hid_t group, const FieldSpec& spec, std::size_t rows) {
-  const std::array<hsize_t, 2> extents = {states_ * rows, spec.components};
-  arrays_.push_back({spec.name, rows, spec.components,
+void VtkHdf::add_slot_array(hid_t group, const FieldSpec& spec, std::size_t rows,
+                            const std::vector<bool>* stored) {
+  std::size_t slots = states_;
+  if (stored && states_ > 0)
+    slots = 1 + static_cast<std::size_t>(std::count(stored->begin() + 1, stored->end(), true));
+  const std::array<hsize_t, 2> extents = {slots * rows, spec.components};
+  arrays_.push_back({spec.name, rows, spec.components, stored, slots,
                      make_plain(group, spec.name, file_type(spec), extents, rank_of(spec.components))});
   put_labels(arrays_.back().dataset, spec.unit, spec.doc);
 }
@@ -169,13 +180,21 @@ void VtkHdf::add_static_array(hid_t group, const StaticField& field, std::size_t
   put_labels(dataset, spec.unit, spec.doc);
 }
 
-/// One number per step: that of the step in slot k is first + stride·k.
-void VtkHdf::write_step_column(const std::string& path, std::int64_t first, std::size_t stride,
+/// The first row of every step.
+std::vector<std::int64_t> VtkHdf::offsets_of(const SlotArray& array) const {
+  std::vector<std::int64_t> rows;
+  std::size_t own = 0;  // states that have a slot, up to this one
+  for (std::size_t i = 0; i < states_; ++i) {
+    own += array.has(i);
+    rows.push_back(static_cast<std::int64_t>(array.rows * array.slot_of(own - 1)));
+  }
+  return rows;
+}
+
+/// One number per step.
+void VtkHdf::write_step_column(const std::string& path, std::span<const std::int64_t> values,
                                bool by_topology) {
-  std::vector<std::int64_t> values;
-  for (std::size_t i = 0; i < states_; ++i)
-    values.push_back(first + static_cast<std::int64_t>(stride * slot_of(i)));
-  write_fixed(steps_, path, H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), {states_, 1},
+  write_fixed(steps_, path, H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), {values.size(), 1},
               by_topology ? 2 : 1);
 }
 
@@ -184,28 +203,29 @@ void VtkHdf::write_steps(std::span<const StaticField> fixed) {
   steps_ = make_group(root_, "Steps");
   const auto count = static_cast<std::int64_t>(states_);
   put_attribute(steps_, "NSteps", H5T_STD_I64LE, H5T_NATIVE_INT64, &count);
-  const auto offsets_of = [](const FieldSpec& spec) {
+  const std::vector<std::int64_t> zeros(states_, 0), ones(states_, 1);
+  const auto name_of = [](const FieldSpec& spec) {
     return std::string(group_name(spec.location)) + "Offsets/" + spec.name;
   };
   make_group(steps_, "PointDataOffsets");
   make_group(steps_, "CellDataOffsets");
-  write_step_column("NumberOfParts", 1, 0, false);
-  write_step_column("PartOffsets", 0, 0, false);
-  write_step_column("CellOffsets", 0, 0, true);
-  write_step_column("ConnectivityIdOffsets", 0, 0, true);
-  write_step_column("PointOffsets", 0, n_points_, false);
+  write_step_column("NumberOfParts", ones, false);
+  write_step_column("PartOffsets", zeros, false);
+  write_step_column("CellOffsets", zeros, true);
+  write_step_column("ConnectivityIdOffsets", zeros, true);
+  write_step_column("PointOffsets", offsets_of(arrays_[0]), false);
   for (std::size_t i = 0; i < changing_.size(); ++i)
-    write_step_column(offsets_of(changing_[i]), 0, arrays_[i + 1].rows, false);
-  for (const StaticField& field : fixed) write_step_column(offsets_of(field.spec), 0, 0, false);
+    write_step_column(name_of(changing_[i]), offsets_of(arrays_[i + 1]), false);
+  for (const StaticField& field : fixed) write_step_column(name_of(field.spec), zeros, false);
 }
 
 void VtkHdf::write_state(double time, std::span<const double> points,
                          std::span<const std::span<const double>> fields) {
   require_sizes(points, fields);
   if (times_.size() == states_) reject("more states than the " + std::to_string(states_) + " announced");
-  const std::size_t slot = slot_of(times_.size());
-  arrays_[0].add(slot, points);
-  for (std::size_t i = 0; i < fields.size(); ++i) arrays_[i + 1].add(slot, fields[i]);
+  arrays_[0].add(points);
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (arrays_[i + 1].has(times_.size())) arrays_[i + 1].add(fields[i]);
   times_.push_back(time);
 }
 
@@ -230,14 +250,16 @@ void VtkHdf::require_sizes(std::span<const double> points,
            " declared");
   for (std::size_t i = 0; i < arrays_.size(); ++i) {
     const std::size_t size = i == 0 ? points.size() : fields[i - 1].size();
-    if (size != arrays_[i].size())
+    const bool is_left_out = size == 0 && times_.size() < states_ && !arrays_[i].has(times_.size());
+    if (size != arrays_[i].size() && !is_left_out)
       reject("field " + arrays_[i].name + " has " + std::to_string(size) + " values instead of " +
              std::to_string(arrays_[i].size()));
   }
 }
 
-void VtkHdf::SlotArray::add(std::size_t slot, std::span<const double> values) {
+void VtkHdf::SlotArray::add(std::span<const double> values) {
   if (size() == 0) return;
+  const std::size_t slot = slot_of(added++);
   const bool follows = slot == first + block.size() / size();
   if (!follows || block.size() + size() > kBlock) write_block();
   if (block.empty()) first = slot;

@@ -44,16 +44,18 @@ struct StaticField {
 
 /// The /VTKHDF group: one unstructured grid whose points and fields change in time (VTKHDF 2.0).
 ///
-/// Each changing array holds states in slots of equal length. With S states, i = 0 … S-1 in order of time,
+/// Each changing array holds states in slots of equal length. A field that equals that of the state before
+/// has no slot of its own there. With S states that have one, i = 0 … S-1 in order of time,
 ///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
 /// so that the newest is what a reader without time (ParaView ≤ 5.11) shows.
 class VtkHdf {
  public:
+  /// `stored`, by changing field: which states have one of their own; empty: all.
   VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed,
-         std::size_t states);
+         std::size_t states, std::span<const std::vector<bool>> stored = {});
 
   std::size_t n_states() const { return times_.size(); }
-  /// `points` 3n [m]; `fields` in the order of `changing`.
+  /// `points` 3n [m]; `fields` in the order of `changing`, nothing where they have no slot.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
   /// Writes what is still kept of states.
@@ -69,22 +71,27 @@ class VtkHdf {
     std::string name;
     std::size_t rows;
     std::size_t columns;
+    const std::vector<bool>* stored;  // by state; null: all of them
+    std::size_t slots;
     Handle dataset;
     std::vector<double> block = {};
     std::size_t first = 0;  // slot of the block
+    std::size_t added = 0;
 
     std::size_t size() const { return rows * columns; }
-    void add(std::size_t slot, std::span<const double> values);
+    bool has(std::size_t state) const { return !stored || state == 0 || (*stored)[state]; }
+    std::size_t slot_of(std::size_t i) const { return i + 1 < slots ? i + 1 : 0; }  // (1)
+    void add(std::span<const double> values);
     void write_block();
   };
 
   void write_topology(const Mesh& mesh);
-  void add_slot_array(hid_t group, const FieldSpec& spec, std::size_t rows);
+  void add_slot_array(hid_t group, const FieldSpec& spec, std::size_t rows, const std::vector<bool>* stored);
   void add_static_array(hid_t group, const StaticField& field, std::size_t rows);
   void write_steps(std::span<const StaticField> fixed);
-  void write_step_column(const std::string& path, std::int64_t first, std::size_t stride, bool by_topology);
+  void write_step_column(const std::string& path, std::span<const std::int64_t> values, bool by_topology);
+  std::vector<std::int64_t> offsets_of(const SlotArray& array) const;
   void require_sizes(std::span<const double> points, std::span<const std::span<const double>> fields) const;
-  std::size_t slot_of(std::size_t state) const { return state + 1 < states_ ? state + 1 : 0; }  // (1)
 
   Handle root_;
   Handle steps_;
@@ -92,6 +99,7 @@ class VtkHdf {
   std::size_t n_cells_;
   std::size_t states_;
   std::vector<FieldSpec> changing_;
+  std::vector<std::vector<bool>> stored_;
   std::vector<SlotArray> arrays_;  // points, then the changing fields
   std::vector<double> times_;      // of the states so far
 };

@@ -96,8 +96,11 @@ class Journal:
         checkpoint = c.bytes()
         out = {"time": np.array(c.real()), "points": c.array().reshape(-1, 3)}
         for spec in self.changing:
-            values = c.array()
-            out[f"{spec['group']}/{spec['name']}"] = values if spec["components"] == 1 else values.reshape(-1, spec["components"])
+            values, name = c.array(), f"{spec['group']}/{spec['name']}"
+            if len(values) == 0 and self.outputs:
+                out[name] = self.outputs[-1][name]
+                continue
+            out[name] = values if spec["components"] == 1 else values.reshape(-1, spec["components"])
         row = c.array()
         out.update({"series/" + column[0]: value for column, value in zip(self.columns, row)})
         self.outputs.append(out)

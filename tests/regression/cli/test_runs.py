@@ -117,7 +117,7 @@ class Runs(InFreshFolder):
             self.assertEqual((names[0], names[-1]), ("start", "converged"))
             offsets, n = f["VTKHDF/Steps/PointOffsets"][:], f["VTKHDF/NumberOfPoints"][0]
             states = [f["VTKHDF/Points"][at : at + n] for at in offsets]
-            moved = [f["VTKHDF/PointData/displacement"][at : at + n] for at in offsets]
+            moved = [f["VTKHDF/PointData/displacement"][at : at + n] for at in f["VTKHDF/Steps/PointDataOffsets/displacement"]]
         alone = points(self.folder / "alone.hdf")
         self.assertGreater(len(names), 2)
         np.testing.assert_array_equal(states[-1], alone)

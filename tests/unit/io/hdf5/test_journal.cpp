@@ -108,13 +108,13 @@ TEST_F(RecordsOfAJournal, AreFollowedByZerosWhereAPowerCutLeftThem) {
 
 TEST_F(RecordsOfAJournal, OfANewerFormatAreRefused) {
   std::string bytes = bytes_of("a");
-  bytes[8] = 2;
+  bytes[8] = 3;
   const auto sum =
       static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), 12));
   std::memcpy(bytes.data() + 12, &sum, sizeof sum);
   put("newer", bytes);
   EXPECT_TRUE(says(error_of([&] { contents_of("newer"); }),
-                   "written by a newer netloft, in format 2; this program reads format 1"));
+                   "written by a newer netloft, in format 3; this program reads format 2"));
 }
 
 TEST_F(RecordsOfAJournal, AreNoneInAnotherFile) {

@@ -81,6 +81,40 @@ TEST_F(Series, IsReadWhileItGrows) {
   expect_states(Reader(in("a.hdf.part")), {0.0, 0.5, 1.0});
 }
 
+/// Heights stay, strains change at 1; one that goes on writes what one that was never killed does.
+TEST_F(Series, HoldsAFieldOnceAsLongAsItStays) {
+  const auto output = [](double time) {
+    SeriesState s = state(time);
+    s.fields[0] = kSheet.heights(0), s.fields[2] = kSheet.strains(time < 1 ? 0 : 1);
+    return s;
+  };
+  const std::vector<double> times = {0, 0.25, 0.5, 0.75, 1, 1.25};
+  const auto write = [&](SeriesJournal& journal, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) journal.write(output(times[i]), i < 3 ? "here" : "");
+  };
+  SeriesJournal whole = begin("whole.hdf.part");
+  write(whole, 0, 6), make_result(whole, in("whole.hdf"), [](Tree&) {});
+  {
+    SeriesJournal killed = begin("killed.hdf.part");
+    write(killed, 0, 5);
+  }
+  SeriesJournal other = SeriesJournal::go_on(in("killed.hdf.part"), "this run");
+  ASSERT_EQ(other.size(), 3u);
+  write(other, 3, 6), make_result(other, in("killed.hdf"), [](Tree&) {});
+  for (const char* name : {"whole.hdf", "killed.hdf", "whole.hdf.part", "killed.hdf.part"}) {
+    const Reader reader(in(name));
+    ASSERT_EQ(reader.times(), times) << name;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      EXPECT_EQ(reader.points(i), kSheet.points(times[i])) << name << i;
+      EXPECT_EQ(reader.field(Location::kPoint, "height", i), kSheet.heights(0)) << name << i;
+      EXPECT_EQ(reader.field(Location::kCell, "strain", i), kSheet.strains(i < 4 ? 0 : 1)) << name << i;
+    }
+    EXPECT_EQ(reader.shape("/VTKHDF/PointData/height")[0], kSheet.mesh().n_points) << name;
+    EXPECT_EQ(reader.shape("/VTKHDF/CellData/strain")[0], 2 * kSheet.mesh().n_cells()) << name;
+  }
+  EXPECT_EQ(whole.state(5).fields[0], kSheet.heights(0));
+}
+
 TEST_F(Series, SaysHowItStandsAndWhatItWasMadeFrom) {
   const std::string origins =
       hdf5_image([](Tree& tree) { tree.write_text("/netloft/provenance/version", "0.1"); });
