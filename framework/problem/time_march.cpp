@@ -241,12 +241,12 @@ class March {
     }
   }
 
-  /// With winches, until their speeds and what they bear agree.
+  /// With winches that hold tensions, until their speeds and what they bear agree.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);
-      if (status != NETLOFT_OK) return status;
+      if (status != NETLOFT_OK || !winches_.hold_tensions()) return status;
       if (!problem_.find_step_forces(state_.t + h, next_.u, next_.v, next_.a, residual_))
         return NETLOFT_ERROR;
       forces_after_ = -1;
@@ -370,8 +370,7 @@ class March {
   std::vector<double> find_corners() const {
     std::vector<double> all = scene_.corners_in_time();
     for (const auto& family : assembler_.families()) family->add_corners_in_time(all);
-    for (const Winch& winch : scene_.winches)
-      for (const auto& row : winch.tension) all.push_back(row[0]);
+    winches_.add_corners(all);
     if (!settings_.dense)
       for (std::size_t i = 0; i < output_count(); ++i) all.push_back(output_time(i));
     all.push_back(settings_.duration);

@@ -9,7 +9,9 @@ namespace netloft {
 
 namespace {
 
-constexpr double kSettled = 1e-3;   // of the largest speed: a thousandth of the band, far less than it is off
+constexpr double kSettled = 1e-3;  // of the largest speed: a thousandth of the band, far less than it is off
+// Error of a tension at a block, over that of the forces on one node of its rope, of which there are many.
+constexpr double kKnown = 10;
 constexpr int kMostTries = 12;      // with one S, beyond those that measure it; half of them are rare
 constexpr double kMeasured = 0.02;  // of the largest speed, over which S is measured
 constexpr int kSweeps = 30;  // over the winches, for (2) and (3): they are coupled weakly, by the gear alone
@@ -23,6 +25,8 @@ double straight_between(const std::vector<std::array<double, 2>>& rows, double t
   const auto& [t0, T0] = next[-1];
   return T0 + ((*next)[1] - T0) * (t - t0) / ((*next)[0] - t0);
 }
+
+using Follows = WinchStage::Follows;
 
 }  // namespace
 
@@ -55,28 +59,72 @@ void Winches::restore() {
   }
 }
 
+const WinchStage& Winches::stage_at(std::size_t k, double t) const {
+  const auto& stages = scene_.winches[k].stages;
+  const auto later = std::upper_bound(stages.begin(), stages.end(), t,
+                                      [](double time, const WinchStage& one) { return time < one.from; });
+  return later == stages.begin() ? stages.front() : later[-1];
+}
+
+std::vector<std::size_t> Winches::holding_at(double t) const {
+  std::vector<std::size_t> all;
+  for (std::size_t k = 0; k < ropes_.size(); ++k)
+    if (stage_at(k, t).follows == Follows::tension) all.push_back(k);
+  return all;
+}
+
+void Winches::add_corners(std::vector<double>& times) const {
+  for (const Winch& winch : scene_.winches)
+    for (const WinchStage& stage : winch.stages) {
+      times.push_back(stage.from);
+      for (const auto& row : stage.rows) times.push_back(row[0]);
+    }
+}
+
+/// Of a winch that follows speeds or lengths, in a step without a corner of its table.
+double Winches::given_speed(std::size_t k) const {
+  const WinchStage& stage = *ropes_[k].stage;
+  if (stage.follows == Follows::speed) {
+    const double middle = t_ + 0.5 * h_;
+    return middle < stage.rows.back()[0] ? straight_between(stage.rows, middle) : 0;
+  }
+  const double L = scene_.winches[k].length;
+  return (straight_between(stage.rows, t_ + h_) - L * (ropes_[k].now - 1)) / h_;
+}
+
 void Winches::begin(double t, double h) {
+  const std::vector<std::size_t> held_before = holding_at(0.5 * (from_ + until_));
   t_ = t, h_ = h, tries_ = 0, measured_.clear(), last_w_.clear();
+  holding_ = holding_at(t + 0.5 * h);
+  if (holding_ != held_before) slopes_.clear();
   for (std::size_t k = 0; k < ropes_.size(); ++k) {
-    ropes_[k].w = ropes_[k].speed;
-    ropes_[k].wanted = straight_between(scene_.winches[k].tension, t + 0.5 * h);
+    Rope& rope = ropes_[k];
+    rope.stage = &stage_at(k, t + 0.5 * h);
+    const bool holds = rope.stage->follows == Follows::tension;
+    rope.w = holds ? rope.speed : given_speed(k);
+    if (holds) rope.wanted = straight_between(rope.stage->rows, t + 0.5 * h);
   }
   write();
 }
 
 /// (2)
 double Winches::speed_at(std::size_t k, double tension) const {
-  const Winch& winch = scene_.winches[k];
-  const double e = tension - ropes_[k].wanted, beyond = std::max(std::abs(e) - winch.dead_band, 0.0);
-  return winch.max_speed * std::copysign(std::min(beyond / winch.band, 1.0), e);
+  const WinchStage& stage = *ropes_[k].stage;
+  const double e = tension - ropes_[k].wanted, beyond = std::max(std::abs(e) - stage.dead_band, 0.0);
+  return stage.max_speed * std::copysign(std::min(beyond / stage.band, 1.0), e);
+}
+
+/// By how much the tension may be off that was found in a try [N].
+double Winches::doubt(std::size_t k) const {
+  return kKnown * tolerance_ * std::max(ropes_[k].wanted, ropes_[k].T);
 }
 
 /// As well as forces of a step are known.
 bool Winches::is_settled() const {
-  for (std::size_t k = 0; k < ropes_.size(); ++k) {
-    const Winch& winch = scene_.winches[k];
-    const double known = kSettled + tolerance_ * std::max(ropes_[k].wanted, ropes_[k].T) / winch.band;
-    if (!(std::abs(ropes_[k].w - speed_at(k, ropes_[k].T)) <= known * winch.max_speed)) return false;
+  for (const std::size_t k : holding_) {
+    const WinchStage& stage = *ropes_[k].stage;
+    const double known = kSettled + doubt(k) / stage.band;
+    if (!(std::abs(ropes_[k].w - speed_at(k, ropes_[k].T)) <= known * stage.max_speed)) return false;
   }
   return true;
 }
@@ -100,8 +148,8 @@ Winches::Verdict Winches::judge(std::span<const double> residual) {
   if (!measured_.empty()) return measure_slopes(tensions);
   improve_slopes(tensions), take(tensions);
   if (is_settled()) return Verdict::settled;
-  if (slopes_.empty()) return measure_slopes(tensions);
-  if (++tries_ > kMostTries) return slopes_.clear(), Verdict::lost;
+  if (slopes_.empty() || ++tries_ == kMostTries / 2) return measure_slopes(tensions);
+  if (tries_ > kMostTries) return slopes_.clear(), Verdict::lost;
   solve_all(), write();
   return Verdict::again;
 }
@@ -114,15 +162,16 @@ void Winches::take(std::span<const double> tensions) {
 /// By the change from the try before to this one.
 void Winches::improve_slopes(std::span<const double> tensions) {
   if (slopes_.empty() || last_w_.empty()) return;
-  double square = 0;
-  for (std::size_t j = 0; j < ropes_.size(); ++j)
-    square += (ropes_[j].w - last_w_[j]) * (ropes_[j].w - last_w_[j]);
-  if (square == 0) return;
-  for (std::size_t k = 0; k < ropes_.size(); ++k) {
+  double square = 0, largest = 0;  // change of speeds, and what it does to a tension over its doubt
+  for (const std::size_t j : holding_) {
+    const double change = ropes_[j].w - last_w_[j];
+    square += change * change, largest = std::max(largest, std::abs(change * slope(j, j)) / doubt(j));
+  }
+  if (largest <= 1) return;
+  for (const std::size_t k : holding_) {
     double missing = tensions[k] - ropes_[k].T;
-    for (std::size_t j = 0; j < ropes_.size(); ++j) missing -= slope(k, j) * (ropes_[j].w - last_w_[j]);
-    for (std::size_t j = 0; j < ropes_.size(); ++j)
-      slope(k, j) += missing * (ropes_[j].w - last_w_[j]) / square;
+    for (const std::size_t j : holding_) missing -= slope(k, j) * (ropes_[j].w - last_w_[j]);
+    for (const std::size_t j : holding_) slope(k, j) += missing * (ropes_[j].w - last_w_[j]) / square;
   }
 }
 
@@ -133,15 +182,16 @@ Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
     measured_.assign(tensions.begin(), tensions.end());
   else
     for (std::size_t k = 0; k < n; ++k)
-      measured_.push_back((tensions[k] - ropes_[k].T) / (kMeasured * scene_.winches[done - 1].max_speed));
-  for (std::size_t k = 0; k < n; ++k) ropes_[k].w = last_w_[k];
-  if (measured_.size() < n * (n + 1)) {
-    const std::size_t next = measured_.size() / n - 1;
-    ropes_[next].w += kMeasured * scene_.winches[next].max_speed;
+      measured_.push_back((tensions[k] - ropes_[k].T) /
+                          (kMeasured * ropes_[holding_[done - 1]].stage->max_speed));
+  for (const std::size_t k : holding_) ropes_[k].w = last_w_[k];
+  if (done < holding_.size()) {
+    const std::size_t next = holding_[done];
+    ropes_[next].w += kMeasured * ropes_[next].stage->max_speed;
   } else {
-    slopes_.resize(n * n);
-    for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t j = 0; j < n; ++j) slope(k, j) = measured_[(j + 1) * n + k];
+    slopes_.assign(n * n, 0);
+    for (std::size_t m = 0; m < holding_.size(); ++m)
+      for (const std::size_t k : holding_) slope(k, holding_[m]) = measured_[(m + 1) * n + k];
     measured_.clear();
     solve_all();
   }
@@ -153,22 +203,22 @@ Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
 void Winches::solve_all() {
   std::vector<double> w = last_w_;
   for (int sweep = 0; sweep < kSweeps; ++sweep)
-    for (std::size_t k = 0; k < ropes_.size(); ++k) {
+    for (const std::size_t k : holding_) {
       double others = 0;
-      for (std::size_t j = 0; j < ropes_.size(); ++j)
+      for (const std::size_t j : holding_)
         if (j != k) others += slope(k, j) * (w[j] - last_w_[j]);
       w[k] = solve_one(k, others);
     }
-  for (std::size_t k = 0; k < ropes_.size(); ++k) ropes_[k].w = w[k];
+  for (const std::size_t k : holding_) ropes_[k].w = w[k];
 }
 
 /// Where the others have changed the tension by so much.
 double Winches::solve_one(std::size_t k, double others) const {
-  const Winch& winch = scene_.winches[k];
-  const double S = std::min(slopes_[k * ropes_.size() + k], 0.0);
+  const WinchStage& stage = *ropes_[k].stage;
+  const double S = std::min(slope(k, k), 0.0);
   const double e = ropes_[k].T + others - S * last_w_[k] - ropes_[k].wanted;  // at rest
-  const double beyond = std::max(std::abs(e) - winch.dead_band, 0.0), v = winch.max_speed;
-  return std::copysign(std::min(v * beyond / (winch.band - v * S), v), e);
+  const double beyond = std::max(std::abs(e) - stage.dead_band, 0.0), v = stage.max_speed;
+  return std::copysign(std::min(v * beyond / (stage.band - v * S), v), e);
 }
 
 void Winches::accept() {

@@ -3,6 +3,7 @@
 #include "framework/parameters/parameters.hpp"
 #include "framework/scene/course.hpp"
 #include "framework/scene/water_field.hpp"
+#include "framework/scene/winch.hpp"
 
 #include <netloft/interpolation.hpp>
 
@@ -128,18 +129,6 @@ struct Setting {
   std::uint32_t node = 0;  // of the scene, held along all axes
   double wanted = 0;       // size of the reaction of its hold [N]
   double factor = 1;       // by which the data were multiplied since the scene was read
-};
-
-/// A rope that runs over a winch which holds a tension while the scene moves (problem/winches.hpp).
-struct Winch {
-  std::string part;         // the rope
-  std::string parameter;    // of it, a table in time of what its lengths are multiplied by
-  std::uint32_t block = 0;  // node of the scene, held along all axes
-  double length = 0;        // of the rope where that factor is one [m]
-  std::vector<std::array<double, 2>> tension = {};  // t [s], wanted at the block [N]; straight between
-  double max_speed = 0;                             // of rope that is paid out or hauled [m/s]
-  double band = 0;       // beyond the dead band, deviation at which it runs as fast as it can [N]
-  double dead_band = 0;  // deviation at which it still stands [N]
 };
 
 /// The model: parts on nodes in water, with holds, guides and bodies. It is plain data, made by the reader of

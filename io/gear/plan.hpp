@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/scene/winch.hpp"
 #include "io/gear/cutting.hpp"
 #include "io/toml/document.hpp"
 #include "io/toml/value.hpp"
@@ -87,13 +88,6 @@ struct Panel {
 constexpr double kWinchSpeed = 2;    // [m/s]; trawl winches haul some 80 to 120 m in a minute
 constexpr double kWinchBand = 0.05;  // of the tension
 
-/// How a winch holds a tension in a motion (framework/problem/winches.hpp).
-struct HeldTension {
-  std::vector<std::array<double, 2>> tension;  // t [s], at the block [N]; empty: that of the start
-  double max_speed = 0;                        // [m/s]
-  double band = 0, dead_band = 0;              // [N]
-};
-
 /// A rope, wire or chain. One in the middle is given in full length; it starts in the middle and ends on both
 /// sides.
 struct Rope {
@@ -107,9 +101,9 @@ struct Rope {
   std::optional<double> tension, tension_port;
   std::string role;  // one of rope_roles(); empty: none
   Place role_place;
-  std::array<std::string, 2> between;        // points at its ends; empty: none
-  std::vector<std::array<double, 2>> winch;  // t [s], and how much more of it is out than at the start [m]
-  std::optional<HeldTension> held;           // instead of the lengths of `winch`
+  std::array<std::string, 2> between;  // points at its ends; empty: none
+  // How a winch runs in a motion; of one that begins with `tension` the first stage has no rows.
+  std::vector<WinchStage> winch;
   Place winch_place, tension_place;
   bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
   Place place, between_place;

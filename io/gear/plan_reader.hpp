@@ -31,6 +31,9 @@ PlanBody read_plan_body(const std::string& name, TableReader& table, const Catal
 /// `[ship]`: adds its blocks and warps to the plan, whose bodies are known.
 void add_ship(NetPlan& plan, TableReader& ship, const Catalogue& catalogue);
 
+/// `winch` of a warp whose lengths and tensions were read: one table, or one after the other.
+void read_winch(TableReader& warp, Rope& rope);
+
 /// Adds the selvedges that seams gather: outlines become narrower, and each strip becomes a rope on the edge.
 void add_selvedges(NetPlan& plan, Diagnostics& diagnostics);
 

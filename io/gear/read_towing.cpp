@@ -3,6 +3,7 @@
 #include "io/catalogue/part_kinds.hpp"
 #include "io/gear/names.hpp"
 #include "io/gear/plan_reader.hpp"
+#include "io/gear/table_in_time.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,31 +49,6 @@ std::string end_of_warp(const NetPlan& plan, TableReader& warp) {
   return {};
 }
 
-const Range kTimes{0, 1e9};
-
-/// The column `t` of a table in time: from zero on, each later than the one before.
-std::vector<double> read_times(TableReader& table) {
-  const auto t = table.reals("t", {.unit = "s", .doc = "times", .range = kTimes, .count = {.least = 2}});
-  if (!t.empty() && t[0] != 0) table.error("t", "does not begin at 0, where the gear is towed steadily");
-  for (std::size_t i = 1; i < t.size(); ++i)
-    if (!(t[i] > t[i - 1])) {
-      table.error("t", "does not ascend: each time must be later than the one before");
-      break;
-    }
-  return t;
-}
-
-/// A column beside the times; `start` where it is left out, and what it has to begin with.
-std::vector<double> read_column(TableReader& table, const std::string& key, const RealsSpec& spec,
-                                double start, const std::string& why) {
-  if (!table.has(key)) return std::vector<double>(spec.count.least, start);
-  auto column = table.reals(key, spec);
-  if (!column.empty() && std::abs(column[0] - start) > 1e-9 * (1 + std::abs(start)))
-    table.error(key, "begins with another value than " + why);
-  column.resize(spec.count.least, start);
-  return column;
-}
-
 std::vector<ShipMoment> read_path(TableReader& path, double speed) {
   const auto t = read_times(path);
   const auto speeds = read_column(
@@ -88,106 +64,7 @@ std::vector<ShipMoment> read_path(TableReader& path, double speed) {
   return moments;
 }
 
-constexpr int kPartsOfSpeedingUp = 8;  // straight lengths for one change of the speed of a winch
-
-/// Lengths that speeds straight between times pay out.
-void add_paid_out(const std::vector<double>& t, const std::vector<double>& v, Rope& warp) {
-  warp.winch.push_back({0, 0});
-  for (std::size_t i = 1; i < t.size(); ++i) {
-    const int parts = v[i] == v[i - 1] ? 1 : kPartsOfSpeedingUp;
-    const std::array<double, 2> from = warp.winch.back();
-    for (int k = 1; k <= parts; ++k) {
-      const double s = double(k) / parts, h = t[i] - t[i - 1];
-      warp.winch.push_back({t[i - 1] + s * h, from[1] + h * s * (v[i - 1] + 0.5 * s * (v[i] - v[i - 1]))});
-    }
-  }
-}
-
 const RealSpec kTension{.unit = "N", .doc = "at the block, held by the winch", .range = {0, 1e9, true}};
-
-/// One tension, or a row of them beside `t`; that of the warp at its start if it has one.
-void read_tensions(TableReader& winch, const Rope& warp, HeldTension& held) {
-  if (!winch.has("t")) {
-    if (winch.has("tension")) held.tension.push_back({0, winch.real("tension", kTension)});
-  } else if (const auto t = read_times(winch); !t.empty()) {
-    const auto wanted = winch.reals(
-        "tension", {.unit = "N", .doc = kTension.doc, .range = kTension.range, .count = exactly(t.size())});
-    for (std::size_t i = 0; i < std::min(t.size(), wanted.size()); ++i)
-      held.tension.push_back({t[i], wanted[i]});
-  }
-  if (held.tension.empty() || !warp.tension) return;
-  if (std::abs(held.tension[0][1] - *warp.tension) > 1e-9 * *warp.tension)
-    winch.error("tension", "begins with another value than warp.tension, with which the length is found");
-  else if (warp.tension_port && held.tension.size() > 1)
-    winch.error("tension", "is of both warps, and warp.tension_port differs", "leave out one of them");
-}
-
-/// `winch = { tension, max_speed, band, dead_band }`.
-void read_held(TableReader& winch, Rope& warp) {
-  HeldTension held;
-  read_tensions(winch, warp, held);
-  const double first = !held.tension.empty() ? held.tension[0][1] : warp.tension.value_or(0);
-  held.max_speed = winch.real("max_speed", {.unit = "m/s",
-                                            .doc = "at which it can pay out and haul",
-                                            .range = {0, 50, true},
-                                            .fallback = kWinchSpeed});
-  held.band = winch.real("band", {.unit = "N",
-                                  .doc = "deviation of the tension at which it runs at max_speed",
-                                  .range = {0, 1e9, true},
-                                  .fallback = kWinchBand * first});
-  held.dead_band = winch.real("dead_band", {.unit = "N",
-                                            .doc = "deviation of the tension at which it still stands",
-                                            .range = {0, 1e9},
-                                            .fallback = 0.0});
-  warp.held = std::move(held);
-}
-
-/// `winch = { t, length }` or `{ t, speed }`, of both warps.
-void read_lengths(TableReader& winch, Rope& warp) {
-  const auto t = read_times(winch);
-  if (winch.has("speed")) {
-    const RealsSpec spec{.unit = "m/s",
-                         .doc = "paying out; negative: hauling",
-                         .range = between(-50, 50),
-                         .count = exactly(t.size())};
-    const auto v = winch.reals("speed", spec);
-    if (v.size() == t.size()) add_paid_out(t, v, warp);
-  } else {
-    const auto lengths = read_column(
-        winch, "length",
-        {.unit = "m", .doc = "of warp that is out", .range = {0, 1e5, true}, .count = exactly(t.size())},
-        warp.length, "warp.length, which is out at the start");
-    for (std::size_t i = 0; i < t.size(); ++i) warp.winch.push_back({t[i], lengths[i] - warp.length});
-  }
-  const double shortest = std::min(warp.length, warp.length_port.value_or(warp.length));
-  for (const auto& [time, more] : warp.winch)
-    if (!(shortest + more > 0))
-      return winch.error(winch.has("speed") ? "speed" : "length", "hauls more warp than there is");
-}
-
-void read_winch(TableReader& winch, Rope& warp) {
-  warp.winch_place = winch.place();
-  std::vector<const char*> given;
-  for (const char* key : {"length", "speed", "tension"})
-    if (winch.has(key)) given.push_back(key);
-  if (given.size() > 1)
-    return winch.error(given.back(), std::string("stands beside ") + given.front() +
-                                         ", and either says how the winch runs; give one of them");
-  const bool runs_by_tension = given.empty() ? warp.tension.has_value() : winch.has("tension");
-  if (given.empty() && !runs_by_tension)
-    return winch.error("length",
-                       "is missing, and so are speed and tension: one of them says how the winch runs");
-  if (runs_by_tension) return read_held(winch, warp);
-  if (warp.tension)
-    return winch.error(given.front(), "stands beside warp.tension, by which the length at the start is found",
-                       "run it with the tension once, and write the length that it found");
-  for (const char* key : {"max_speed", "band", "dead_band"})
-    if (winch.has(key)) {
-      winch.raw(key);
-      winch.error(key, "is of a winch that holds a tension, and this one follows a table");
-    }
-  read_lengths(winch, warp);
-}
 
 Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogue) {
   Rope rope;
@@ -206,10 +83,7 @@ Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogu
       warp.error("tension_port", "stands alone; of the warp to starboard nothing is said",
                  "tension beside it, or tension alone for both");
   }
-  if (warp.has("winch")) {
-    TableReader winch = warp.table("winch");
-    read_winch(winch, rope);
-  }
+  if (warp.has("winch")) read_winch(warp, rope);
   rope.between = {kBlock, end_of_warp(plan, warp)};
   rope.between_place = warp.place(warp.has("to") ? "to" : "length");
   return rope;

@@ -38,17 +38,6 @@ void put(Table& table, const std::string& key, Value value) {
   table.members.push_back({key, place, std::move(value)});
 }
 
-/// `length_share` of a warp that is paid out and hauled: lengths over that at the start.
-Value shares_of(const io::Rope& rope, double length) {
-  const Place place = rope.winch_place;
-  Array t, share;
-  for (const auto& [time, more] : rope.winch)
-    t.items.push_back({place, time}), share.items.push_back({place, 1 + more / length});
-  Table table;
-  put(table, "t", {place, std::move(t)}), put(table, "share", {place, std::move(share)});
-  return {place, std::move(table)};
-}
-
 /// Whether `nodes = "knots"`, beside which no other key says how fine the mesh is.
 bool wants_knots(TableReader& table) {
   const Value* nodes = table.kind("nodes") == Kind::text ? table.raw("nodes") : nullptr;
@@ -330,12 +319,7 @@ void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
     geometry.elements.insert(geometry.elements.end(), {i, i + 1});
   geometry.data["rest_length"] = mesh.rest_lengths;
   keep_strength(draft_.out, rope.name, rope.rope->rope, 1, rope.rope->part_name);
-  Value numbers = rope.rope->rope;
-  if (!rope.rope->winch.empty() && numbers.as<Table>())
-    put(*numbers.as<Table>(), "length_share",
-        shares_of(*rope.rope,
-                  rope.is_mirrored ? rope.rope->length_port.value_or(rope.rope->length) : rope.rope->length));
-  add_part("ropes", rope.name, "ropes." + rope.rope->name, std::move(numbers), !rope.rope->part_name.empty(),
+  add_part("ropes", rope.name, "ropes." + rope.rope->name, rope.rope->rope, !rope.rope->part_name.empty(),
            std::move(geometry), mesh.nodes);
 }
 
@@ -552,25 +536,26 @@ void GearParts::hold_blocks() {
   draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
 }
 
-/// Of a warp with a tension the length is found, and its winch holds the tension in a motion. It starts at
-/// its block.
+/// Of a warp with a tension the length is found, and its winch holds the tension in a motion unless it is
+/// said how it runs. It starts at its block.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const GearRope& rope = gear_.ropes[r];
     const io::Rope& plan = *rope.rope;
-    if (!plan.tension && !plan.held) continue;
+    if (!plan.tension && plan.winch.empty()) continue;
     const std::uint32_t block = scene_node(mesh_.ropes[r].nodes.front());
-    if (!plan.tension && plan.held->tension.empty()) continue;  // which is said
-    const double first = plan.tension ? *plan.tension : plan.held->tension.front()[1],
-                 wanted = rope.is_mirrored ? plan.tension_port.value_or(first) : first;
+    const double tension = plan.tension.value_or(0),
+                 wanted = rope.is_mirrored ? plan.tension_port.value_or(tension) : tension;
     if (plan.tension)
       draft_.out.scene.settings.push_back(
           {"length of " + rope.name, rope.name, "rest_length", "m", block, wanted});
-    const HeldTension held = plan.held ? *plan.held : HeldTension{{}, kWinchSpeed, kWinchBand * first, 0};
     Winch winch{rope.name, made("ropes").of->key + std::string(".length_share"), block,
-                rope.is_mirrored ? plan.length_port.value_or(plan.length) : plan.length};
-    winch.tension = held.tension.size() > 1 ? held.tension : std::vector<std::array<double, 2>>{{0, wanted}};
-    winch.max_speed = held.max_speed, winch.band = held.band, winch.dead_band = held.dead_band;
+                rope.is_mirrored ? plan.length_port.value_or(plan.length) : plan.length, plan.winch};
+    if (winch.stages.empty())
+      winch.stages.push_back({.max_speed = kWinchSpeed, .band = kWinchBand * tension});
+    WinchStage& first = winch.stages.front();
+    if (plan.tension && first.follows == WinchStage::Follows::tension && first.rows.size() < 2)
+      first.rows = {{0, wanted}};
     draft_.out.scene.winches.push_back(std::move(winch));
   }
 }

@@ -565,7 +565,7 @@ class SceneReader {
     };
     if (plan_->ship && !plan_->ship->path.empty()) refuse("ship.path", plan_->ship->path_place);
     for (const auto& rope : plan_->ropes)
-      if (!rope.winch.empty() || rope.held) refuse("ship.warp.winch", rope.winch_place);
+      if (!rope.winch.empty()) refuse("ship.warp.winch", rope.winch_place);
   }
 
   void check_hold_name(const HoldEntry& entry, TableReader& table) {

@@ -11,8 +11,8 @@ namespace {
 
 /// The warps of a plan are one rope of it.
 const Rope* find_warp(const NetPlan& plan) {
-  const auto is_held = [](const Rope& rope) { return rope.tension || rope.held; };
-  const auto warp = std::ranges::find_if(plan.ropes, is_held);
+  const auto is_run = [](const Rope& rope) { return rope.tension || !rope.winch.empty(); };
+  const auto warp = std::ranges::find_if(plan.ropes, is_run);
   return warp == plan.ropes.end() ? nullptr : &*warp;
 }
 
@@ -39,7 +39,7 @@ Part* find_part(Scene& scene, const std::string& name) {
 void ready_winches(const NetPlan& plan, Registry& registry, LoadedScene& out, Diagnostics& diagnostics) {
   const Rope* warp = find_warp(plan);
   if (!warp || diagnostics.errors() > 0) return;
-  if (out.analysis.settles)
+  if (out.analysis.settles && warp->tension)
     diagnostics.error(warp->tension_place,
                       "ship.warp.tension is found by a solver of equilibria, and \"" + out.analysis.solver +
                           "\" goes through time",
@@ -53,7 +53,7 @@ void ready_winches(const NetPlan& plan, Registry& registry, LoadedScene& out, Di
     Part* part = find_part(out.scene, winch.part);
     if (!part) continue;
     if (!has_table(*part, registry, winch.parameter)) {
-      diagnostics.error(warp->held ? warp->winch_place : warp->tension_place,
+      diagnostics.error(warp->winch.empty() ? warp->tension_place : warp->winch_place,
                         "a winch changes the length of its rope, and that of " + part->type + " is fixed",
                         "elements.ropes.type = \"rope/bar\"");
       return;

@@ -71,8 +71,15 @@ Marched march(io::Case& c, const MarchState* from = nullptr) {
   return m;
 }
 
+using Follows = WinchStage::Follows;
+using Rows = std::vector<std::array<double, 2>>;
+
+/// It holds a tension.
+Winch holding(double length, Rows tension, double max_speed, double band, double dead_band = 0) {
+  return {"", "", 0, length, {{Follows::tension, 0, std::move(tension), max_speed, band, dead_band}}};
+}
 Winch winch_of(double tension, double max_speed, double band, double dead_band = 0) {
-  return {"", "", 0, kLength, {{0, tension}}, max_speed, band, dead_band};
+  return holding(kLength, {{0, tension}}, max_speed, band, dead_band);
 }
 
 const std::string kBall = "gear-library/scenes/dynamics/elastic-pendulum.toml";
@@ -130,7 +137,7 @@ std::unique_ptr<io::Case> heaving(const Winch& winch, const std::vector<std::str
 /// long as it is from the bed to the block at that tension.
 TEST(Winches, GiveAndTakeWhatAShipHeaves) {
   const double wanted = 2000, max_speed = 3, band = 300, EA = 424e3;
-  const auto c = heaving({"", "", 0, 29.86, {{0, wanted}}, max_speed, band, 0}, {"analysis.accuracy=1e-3"});
+  const auto c = heaving(holding(29.86, {{0, wanted}}, max_speed, band), {"analysis.accuracy=1e-3"});
   double shortest = 100, longest = 0;
   for (const Moment& at : march(*c).moments) {
     if (at.t == 0) continue;
@@ -144,7 +151,7 @@ TEST(Winches, GiveAndTakeWhatAShipHeaves) {
 /// Without damping of the scheme, what winch and block do goes into the line and the water, at any step.
 TEST(Winches, DoWorkThatTheBudgetHas) {
   for (const char* step : {"analysis.step=0.05", "analysis.step=0.025"}) {
-    const auto c = heaving({"", "", 0, 29.86, {{0, 2500}}, 3, 300, 0},
+    const auto c = heaving(holding(29.86, {{0, 2500}}, 3, 300),
                            {"analysis.adaptive=false", "analysis.solver=newton", "analysis.tolerance=1e-11",
                             "analysis.energy-momentum.spectral_radius=1", step});
     const Moment end = march(*c).moments.back();
@@ -154,7 +161,7 @@ TEST(Winches, DoWorkThatTheBudgetHas) {
 }
 
 TEST(Winches, GoOnToTheSameBits) {
-  const auto make = [] { return heaving({"", "", 0, 29.86, {{0, 1800}, {3, 2400}}, 3, 300, 50}, {}); };
+  const auto make = [] { return heaving(holding(29.86, {{0, 1800}, {3, 2400}}, 3, 300, 50), {}); };
   const auto whole = make(), half = make();
   const Marched all = march(*whole);
   ASSERT_GT(all.states.size(), 10u);
@@ -196,6 +203,56 @@ TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
   }
   EXPECT_LT(errors[1], 0.3 * errors[0]) << errors[0] << " " << errors[1];
   EXPECT_LT(errors[2], 0.1 * errors[1]) << errors[1] << " " << errors[2];
+}
+
+/// Speeds straight between times, of which the way is known; corners of the table lie between outputs.
+TEST(Winches, PayOutWhatATableOfSpeedsSays) {
+  Winch winch{
+      "", "", 0, kLength, {{.follows = Follows::speed, .rows = {{0, 0}, {0.3, 1}, {1.1, 1}, {1.7, -2}}}}};
+  const auto c = open_with(kBall, hanging_ball({}), winch);
+  const auto way = [](double t) {
+    if (t < 0.3) return t * t / 0.6;
+    if (t < 1.1) return 0.15 + t - 0.3;
+    const double s = std::min(t, 1.7) - 1.1;
+    return 0.95 + s - 2.5 * s * s;
+  };
+  for (const Moment& at : march(*c).moments) EXPECT_NEAR(at.length - kLength, way(at.t), 1e-9) << at.t;
+}
+
+/// A line that heaves: a tension is held, then rope hauled, then the tension held again.
+Winch changing() {
+  Winch winch = holding(29.86, {{0, 2500}}, 3, 300);
+  winch.stages.push_back({Follows::speed, 2.1, {{2.1, 0}, {2.3, -0.2}, {3.3, -0.2}, {3.5, 0}}});
+  winch.stages.push_back({Follows::tension, 4.2, {{4.2, 2500}}, 3, 300});
+  return winch;
+}
+
+TEST(Winches, ChangeFromTensionToSpeedAndBack) {
+  const auto c = heaving(changing(), {});
+  const Marched m = march(*c);
+  const auto length_at = [&](double t) {
+    for (const Moment& at : m.moments)
+      if (std::abs(at.t - t) < 1e-9) return at.length;
+    return std::nan("");
+  };
+  EXPECT_NEAR(length_at(3.75) - length_at(4), 0, 1e-12);
+  EXPECT_NEAR(length_at(3.25) - length_at(2.5), -0.2 * 0.75, 1e-12);
+  for (const Moment& at : m.moments)
+    if (at.t > 0 && (at.t < 2.1 || at.t > 4.4)) EXPECT_NEAR(at.tension, 2500, 300) << at.t;
+  EXPECT_GT(std::abs(length_at(4.5) - length_at(4.0)), 0.05);  // it gives what it had hauled
+  const Moment end = m.moments.back();
+  EXPECT_LT(std::abs(end.numerical), 1e-2 * end.given);
+}
+
+TEST(Winches, ThatChangeGoOnToTheSameBits) {
+  const auto whole = heaving(changing(), {});
+  const Marched all = march(*whole);
+  for (const std::size_t k : {6u, 11u, 15u, 18u}) {
+    const auto half = heaving(changing(), {});
+    const Marched rest = march(*half, &all.states[k]);
+    EXPECT_EQ(rest.result.u, all.result.u) << k;
+    EXPECT_EQ(rest.moments.back().length, all.moments.back().length) << k;
+  }
 }
 
 TEST(Winches, SayThatARopeIsHauledIn) {

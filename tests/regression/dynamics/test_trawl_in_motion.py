@@ -41,11 +41,11 @@ class TrawlInMotion(unittest.TestCase):
         self.assertEqual(ended.returncode, 0, ended.stderr[-1000:] + ended.stdout[-1000:])
         return json.loads(ended.stdout)
 
-    def expect_doors_that_stand(self, spread_from, spread_to):
+    def expect_doors_that_stand(self, spread_from, spread_to, largest_heel=45):
         with h5py.File(self.output) as f:
             gear = f["netloft/series/gear"]
             for door in DOORS:
-                self.assertLess(np.degrees(np.abs(gear[f"bodies/{door}/heel"][()])).max(), 45)
+                self.assertLess(np.degrees(np.abs(gear[f"bodies/{door}/heel"][()])).max(), largest_heel)
             spread = gear["pairs/door/spread"][()]
         self.assertGreater(spread.min(), spread_from)
         self.assertLess(spread.max(), spread_to)
@@ -59,19 +59,38 @@ class TrawlInMotion(unittest.TestCase):
 
     def test_speeds_up_and_turns_in_few_tries(self):
         """Newton's steps along unsymmetric tangents once led uphill, and steps in time were cut until they did not."""
-        answer = self.run_it("analysis.duration=40")
+        answer = self.run_it("gear.nodes=300", "ship.warp.winch={t=[0,9],speed=[0,0]}", "analysis.duration=40",
+                             'ship.path.heading=["0 deg","0 deg","45 deg"]')
         self.assertEqual(answer["warnings"], [])
         self.expect_doors_that_stand(60, 70)
         self.assertLess(answer["steps"] + answer["rejected_steps"], 40)
 
+    def test_turns_by_a_right_angle_on_held_tension_and_hauls(self):
+        """So coarse a gear pulls more than the scene's: another tension keeps the length. As the haul ends the gear slackens, and its inner door leans."""
+        answer = self.run_it("gear.nodes=100", 'ship.warp.winch[1].tension=["20.6 kN"]')
+        self.expect_doors_that_stand(35, 75, 60)
+        with h5py.File(self.output) as f:
+            gear, series = f["netloft/series/gear/warps"], f["netloft/series"]
+            for warp in "starboard-warp", "port-warp":
+                length, tension = gear[f"{warp}/length"][()], gear[f"{warp}/tension"][()]
+                self.assertLess(np.abs(length[:20] - 240).max(), 1e-9)
+                self.assertLess(np.abs(tension[26:145] - 20.6e3).max(), 1e3)
+                self.assertAlmostEqual(length[145] - length[200], 50, delta=1e-9)
+            self.assertGreater(gear["port-warp/length"][145] - gear["starboard-warp/length"][145], 5)
+            self.assertGreater(abs(series["mouth_y"][-1]), 50)
+        energies = answer["energies"]
+        self.assertLess(abs(energies["numerical"]), 1e-3 * (abs(energies["work_of_holds"]) + abs(energies["work_of_winches"])))
+
     def test_says_that_doors_lie_over(self):
-        answer = self.run_it('ship.speed="2 kn"', 'ship.path.speed=["2 kn","3 kn","3 kn"]', "analysis.duration=0.01")
+        answer = self.run_it("gear.nodes=300", 'ship.speed="2 kn"', 'ship.path.speed=["2 kn","3 kn","3 kn"]', "analysis.duration=0.01")
         self.assertEqual(len(answer["warnings"]), 2)
         for door, sentence in zip(DOORS, answer["warnings"]):
             self.assertRegex(sentence, f"at t = 0 s {door} lies over, its top turned inward by 1[0-9][0-9]°")
 
     def test_goes_on_to_the_same_bits_after_a_kill(self):
-        settings = "gear.nodes=100", "analysis.duration=20", "analysis.output_interval=0.1"
+        """Its winches stand, hold a tension, and haul."""
+        settings = ("gear.nodes=100", "analysis.duration=20", "analysis.output_interval=0.1",
+                    'ship.warp.winch=[{t=[0,6],speed=[0,0]},{t=[6],tension=["17.5 kN"]},{t=[12,14],speed=[0,-0.5]}]')
         self.run_it(*settings)
         wanted = series_of(self.output)
         self.output.unlink()
