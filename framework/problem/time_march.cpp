@@ -22,6 +22,12 @@ constexpr double kBelowLimit = 0.6;
 constexpr double kProportional = 1e-2;
 constexpr int kLookEvery = 16;  // short steps to one that is judged, where no budget is kept
 
+/// Those of a step: a budget of work is that of the march.
+Limits without_work(Limits limits) {
+  limits.model = nullptr;
+  return limits;
+}
+
 std::string seconds(double t) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g s", t);
@@ -47,7 +53,7 @@ class March {
         watch_(watch),
         make_(make),
         solver_(solver),
-        problem_(assembler, settings.mass_damping, solver, make, limits),
+        problem_(assembler, settings.mass_damping, solver, make, without_work(limits)),
         budget_(assembler, settings.mass_damping),
         state_(from ? *from : state_at_rest(assembler)),
         other_start_(state_),
@@ -220,7 +226,15 @@ class March {
       return end(MarchStatus::interrupted, "interrupted at t = " + seconds(state_.t));
     if (cpu_seconds() - cpu_begun_ > limits_.seconds)
       return end(MarchStatus::out_of_time, "the time limit was reached at t = " + seconds(state_.t));
+    if (limits_.model && limits_.model->of(work_done()) >= limits_.work)
+      return end(MarchStatus::out_of_work, "the budget of work was spent at t = " + seconds(state_.t));
     return is_over_;
+  }
+  /// By this march and the one that it is compared with.
+  Statistics work_done() const {
+    Statistics all = problem_.statistics();
+    if (other_) all.add(other_->problem_.statistics());
+    return all;
   }
 
   /// Tries steps until one is accepted.
@@ -517,8 +531,7 @@ class March {
     result_.u = state_.u, result_.t = state_.t;
     result_.steps = state_.steps, result_.rejected = state_.rejected;
     if (settings_.adaptive || settings_.check) result_.accuracy = achieved();
-    result_.statistics = problem_.statistics();
-    if (other_) result_.statistics.add(other_->problem_.statistics());
+    result_.statistics = work_done();
     result_.statistics.total_seconds = wall_seconds() - begun_;
     result_.statistics.total_cpu_seconds = cpu_seconds() - cpu_begun_;
     if (result_.status == MarchStatus::finished)

@@ -80,7 +80,7 @@ struct StepRecord {
   double seconds;  // wall time so far
 };
 
-enum class MarchStatus { finished, stopped, failed, out_of_time, interrupted };
+enum class MarchStatus { finished, stopped, failed, out_of_time, out_of_work, interrupted };
 const char* name_of(MarchStatus status);
 
 /// How far the beginning was from an equilibrium: forces at rest there, by node.
@@ -144,8 +144,8 @@ struct MarchWatch {
 /// all outputs the error is not known. It is not below the error where that falls with the step by the power
 /// 1 or more; in a motion that errors have taken over, both are off alike, and so is their difference. Costs
 /// half as much again for r = 2. A march whose energy comes out of nothing (energy_judge.hpp) has failed,
-/// however smoothly it steps on. Without an energy budget only every 16th step is looked at where stability
-/// makes steps short.
+/// however smoothly it steps on. `limits.work` bounds all steps together, where there is a model of it.
+/// Without an energy budget only every 16th step is looked at where stability makes steps short.
 MarchResult march(const Scene& scene, Assembler& assembler, IntegratorChoice integrator, SolverChoice solver,
                   const MakeFactorisation& make, const Limits& limits, const MarchSettings& settings,
                   const MarchWatch& watch, const MarchState* from = nullptr);

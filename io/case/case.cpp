@@ -3,6 +3,7 @@
 
 #include "framework/problem/correction.hpp"
 #include "framework/problem/settling.hpp"
+#include "framework/problem/work.hpp"
 #include "framework/study/settings.hpp"
 #include "io/case/diagnosis.hpp"
 #include "io/case/idle_choices.hpp"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -248,6 +250,7 @@ ParameterBlock block_of(std::span<const netloft_parameter> table, std::size_t by
 constexpr const char* kStepSolver =
     "chord";  // of the implicit steps of an integrator that is itself a solver
 constexpr Limits kStepLimits{1e-8, 25, std::numeric_limits<double>::infinity(), nullptr};
+constexpr double kLeastUnit = 1e8;   // of work in time [operations]: some 5 ms, an iteration of 1000 nodes
 constexpr double kStepsFiner = 0.1;  // tolerance of steps over that of the equilibrium they are to find
 
 }  // namespace
@@ -274,7 +277,7 @@ Solution Case::settle(const Watch& watch) {
   return s;
 }
 
-MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interrupt, const MarchState* from) {
+MarchResult Case::march(const MarchWatch& watch, const Watch& who, const MarchState* from, double work) {
   const Analysis& a = loaded_.analysis;
   const IntegratorType& integrator = registry_.integrator(a.dynamics.integrator);
   const SolverType& solver = registry_.solver(a.solver);
@@ -282,13 +285,19 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
                                a.dynamics.integrator_parameters);
   const auto steps = block_of(solver.parameters, solver.solver.parameter_bytes, a.solver_parameters);
   Limits limits = a.limits;
-  limits.interrupt = interrupt;
+  limits.interrupt = who.interrupt;
+  std::optional<WorkModel> model;
+  if (std::isfinite(work)) {
+    model = make_work_model(*assembler_, make_);
+    model->unit = std::max(model->unit, kLeastUnit);
+    limits.model = &*model, limits.work = work;
+  }
   assert(from || a.dynamics.start_file.empty());  // who marches reads the result
   std::optional<MarchState> at_rest;
   std::string remark;
   if (!from && a.dynamics.from_equilibrium) {
     Solution s;
-    const std::vector<double> u = find_start(interrupt, s);
+    const std::vector<double> u = find_start(who, s);
     if (s.status == SolveStatus::unstable)
       remark = "; it began at an equilibrium that is not stable: " + s.reason;
     else if (s.status != SolveStatus::converged) {
@@ -307,7 +316,7 @@ MarchResult Case::march(const MarchWatch& watch, const std::atomic<bool>* interr
 
 /// As a static analysis of the same scene: forces, tangent, tolerance, solver. A motion may leave out parts
 /// of the tangent and still swing about what statics find with all of it. Both number their unknowns alike.
-std::vector<double> Case::find_start(const std::atomic<bool>* interrupt, Solution& found) {
+std::vector<double> Case::find_start(const Watch& who, Solution& found) {
   const Plan plan = make_plan(loaded_.scene, registry_);
   Assembler assembler(loaded_.scene, plan, source_.threads);
   assert(assembler.pattern().size == assembler_->pattern().size);
@@ -316,7 +325,8 @@ std::vector<double> Case::find_start(const std::atomic<bool>* interrupt, Solutio
   Limits limits;
   limits.seconds = loaded_.analysis.limits.seconds;
   limits.accept_swinging = loaded_.analysis.limits.accept_swinging;
-  StudyOptions options = study_options(limits, {interrupt, {}});
+  StudyOptions options =
+      study_options(limits, {.interrupt = who.interrupt, .on_iteration = who.on_iteration});
   options.solver = {&registry_.solver(kSolver), {}};
   found = netloft::find_equilibrium(source, options, strategy());
   object_to_crossings(loaded_, assembler, found);

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,8 @@ struct Watch {
   std::function<void(const IterationRecord&)> on_iteration = {};
   KeptPoint* kept = nullptr;  // the best point so far, while it is looked for
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};  // after every stage
+  /// After every step in time, with the name of the run.
+  std::function<void(const StepRecord&, const std::string& run)> on_step = {};
   /// Told the processor time that is allowed from now on [s]; infinite once it is over.
   std::function<void(double)> on_budget = {};
 };
@@ -85,8 +88,14 @@ class Case {
   /// Makes elements remember displacements `u` as the last accepted state.
   void remember(std::span<const double> u);
   /// Goes through time as the scene's analysis says, from its start or from what was kept.
+  /// `work` bounds its steps together, in Newton iterations of the scene, or of one of 1000 nodes if that is
+  /// larger: steps of small scenes are many and cheap.
+  MarchResult march(const MarchWatch& watch, const Watch& who, const MarchState* from = nullptr,
+                    double work = std::numeric_limits<double>::infinity());
   MarchResult march(const MarchWatch& watch, const std::atomic<bool>* interrupt = nullptr,
-                    const MarchState* from = nullptr);
+                    const MarchState* from = nullptr) {
+    return march(watch, Watch{.interrupt = interrupt}, from);
+  }
 
   /// Positions of all nodes [m], 3 per node of the scene, out of a vector over all dofs.
   std::vector<double> positions(std::span<const double> x) const { return assembler_->node_positions(x); }
@@ -113,7 +122,7 @@ class Case {
   StudyOptions study_options(const Limits& limits, const Watch& watch);
   StrategyUse strategy();
   /// Displacements of the equilibrium that a motion starts from.
-  std::vector<double> find_start(const std::atomic<bool>* interrupt, Solution& found);
+  std::vector<double> find_start(const Watch& who, Solution& found);
 
   CaseSource source_;
   Registry& registry_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/registry/nearest.hpp"
 #include "io/cli/replaced_file.hpp"
 #include "io/cli/session.hpp"
 #include "io/cli/watchdog.hpp"
@@ -100,9 +101,12 @@ class Inspection {
   Inspection(const Options& options, Registry& registry, Terminal& terminal)
       : options_(options), registry_(registry), terminal_(terminal) {}
 
-  int check(const CaseSource& source, const ComparisonTask& task) {
-    std::vector<Method> words = task.methods;
+  int check(const CaseSource& source, ComparisonTask& task) {
     is_of_motions_ = task.is_of_motions;
+    if (is_of_motions_) set_absent(task);
+    std::vector<Method> words;
+    for (const Method& method : task.methods)
+      if (!task.absent.contains(method.specification)) words.push_back(method);
     if (!task.reference.empty()) words.push_back({(is_of_motions_ ? "integrator " : "") + task.reference});
     for (const auto& method : words)
       if (const int code = open(source_for(source, method, task.tolerances.front())); code != kDone)
@@ -111,6 +115,18 @@ class Inspection {
   }
 
  private:
+  /// An integrator whose plugin is not installed gets a row that says so, if another one has a result to
+  /// compare, and if its name is not that of another one but for a letter.
+  void set_absent(ComparisonTask& task) {
+    const std::vector<std::string> there = registry_.available();
+    for (const Method& method : task.methods) {
+      const std::string plugin = plugin_of(method);
+      if (std::ranges::find(there, plugin) == there.end() && !nearest(plugin, there))
+        task.absent[method.specification] = "there is no plugin \"" + plugin + "\" here";
+    }
+    if (task.absent.size() == task.methods.size()) task.absent.clear();
+  }
+
   int check_meshes(const CaseSource& source, const ComparisonTask& task) {
     Case own(source, registry_);
     own.open();
@@ -160,7 +176,7 @@ std::string unwritten(const CompareOptions& o) {
 }
 
 int run(const Options& options) {
-  const ComparisonTask task = read_task(options.compare);
+  ComparisonTask task = read_task(options.compare);
   require_ending("--csv", options.compare.csv, {".csv"});
   require_ending("--plot", options.compare.plot, {".svg", ".html"});
   catch_interrupts();
@@ -175,6 +191,10 @@ int run(const Options& options) {
   const double tightest = task.tolerances.back();
   const Watch watch{.interrupt = &interrupt_flag(),
                     .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tightest); },
+                    .on_step =
+                        [&](const StepRecord& step, const std::string& run) {
+                          terminal.progress_in_time(step.t, step.end, step.seconds, run);
+                        },
                     .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   const Comparison result = compare(source, registry, task, watch);
   terminal.clear();

@@ -149,7 +149,10 @@ int run_in_time(const Options& options, Session& session, const RunContext& cont
       identity_of(options, session.loaded()),
       &interrupt_flag(),
       [&](const StepRecord& step) { session.terminal().progress_in_time(step.t, step.end, step.seconds); },
-      [&](const std::string& text) { session.terminal().say("netloft: warning: " + text); }};
+      [&](const std::string& text) { session.terminal().say("netloft: warning: " + text); },
+      [&](const IterationRecord& r) {
+        session.terminal().progress(r, session.loaded().analysis.limits.tolerance);
+      }};
   const MotionResult result = run_motion(session.the_case(), context, how);
   session.terminal().clear();
   std::puts(options.json ? motion_json(session.loaded(), session.plan(), result).c_str()

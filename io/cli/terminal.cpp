@@ -81,15 +81,16 @@ void Terminal::show(const std::string& bar, const std::string& pairs, const std:
   std::fflush(stderr);
 }
 
-void Terminal::progress_in_time(double t, double end, double seconds) {
+void Terminal::progress_in_time(double t, double end, double seconds, const std::string& run) {
   if (!is_due(wall_seconds())) return;
   const double left = t > 0 ? seconds * (end - t) / t : 0;
-  show(fmt::format("{} {:.3g} s of {:.3g} s, {:.1f} s gone, about {:.0f} s left", bar_of(t / end), t, end,
-                   seconds, left),
-       fmt::format("time={:.6g} of={:.6g} seconds={:.1f} left={:.0f}", t, end, seconds, left),
+  show(fmt::format("{} {}{:.3g} s of {:.3g} s, {:.1f} s gone, about {:.0f} s left", bar_of(t / end),
+                   run.empty() ? "" : run + ": ", t, end, seconds, left),
+       fmt::format("{}time={:.6g} of={:.6g} seconds={:.1f} left={:.0f}",
+                   run.empty() ? "" : fmt::format("run=\"{}\" ", run), t, end, seconds, left),
        fmt::format(
-           R"({{"event": "progress", "time": {:.6g}, "of": {:.6g}, "seconds": {:.1f}, "left": {:.0f}}})", t,
-           end, seconds, left));
+           R"({{"event": "progress", {}"time": {:.6g}, "of": {:.6g}, "seconds": {:.1f}, "left": {:.0f}}})",
+           run.empty() ? "" : fmt::format(R"("run": "{}", )", run), t, end, seconds, left));
 }
 
 void Terminal::progress(const IterationRecord& r, double tolerance) {

@@ -26,8 +26,8 @@ class Terminal {
   /// again.
   void progress(const IterationRecord& record, double tolerance);
   /// The same for a motion that has come to t [s] of `end` after `seconds`, with the time that is left if the
-  /// rest goes as fast.
-  void progress_in_time(double t, double end, double seconds);
+  /// rest goes as fast. `run`: its name, if it is one of several.
+  void progress_in_time(double t, double end, double seconds, const std::string& run = {});
   /// The same for work that consists of many solves: `done` of `all` (0: nobody knows how many) `things`
   /// ("items"); `last`: what the last one was.
   void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,

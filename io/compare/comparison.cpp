@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -70,8 +71,11 @@ class Comparing {
   }
 
   MethodResult run_method(const Method& method) {
-    MethodResult result{
-        method, run_trials(source_, registry_, method, task_.tolerances, task_.repeats, watch_), {}, {}};
+    MethodResult result{method,
+                        run_trials(source_, registry_, method, task_.tolerances, task_.repeats, watch_),
+                        {},
+                        {},
+                        false};
     if (!is_interrupted()) result.reference = references_.find_for(method);
     if (result.reference) result.other = find_other_equilibrium(result);
     if (result.reference && !result.other)
@@ -81,8 +85,19 @@ class Comparing {
   }
 
   MethodResult run_in_time(const Method& method) {
-    MethodResult result{
-        method, run_trials(source_, registry_, method, task_.tolerances, task_.repeats, watch_), {}, {}};
+    if (const auto absent = task_.absent.find(method.specification); absent != task_.absent.end()) {
+      MethodResult result{method, {Trial{}}, {}, {}, true};
+      Trial& trial = result.trials.front();
+      trial.tolerance = task_.tolerances.front(), trial.of_motion = "not installed",
+      trial.reason = absent->second;
+      trial.cpu_seconds = std::numeric_limits<double>::quiet_NaN();
+      return result;
+    }
+    MethodResult result{method,
+                        run_trials(source_, registry_, method, task_.tolerances, task_.repeats, watch_),
+                        {},
+                        {},
+                        false};
     if (!is_interrupted()) result.reference = paths_.find_for(method, result.trials.front().is_damped);
     for (Trial& t : result.trials)
       if (t.converged() && result.reference)

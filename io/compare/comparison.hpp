@@ -3,6 +3,8 @@
 #include "io/compare/discretisation.hpp"
 #include "io/compare/reference_path.hpp"
 
+#include <map>
+
 namespace netloft::io {
 
 /// The methods, tolerances and meshes that a comparison runs.
@@ -13,6 +15,8 @@ struct ComparisonTask {
   int repeats = 3;                 // runs of every trial; the cheapest counts
   std::string reference;  // solver or integrator asked for references; empty: one other than the method
   std::optional<CellList> cells;  // meshes for the discretisation error
+  // Integrators among the methods whose plugins are not installed, and a sentence about each.
+  std::map<std::string, std::string> absent;
 };
 
 /// The distance of a method's answer from a reference that is a different equilibrium.
@@ -28,6 +32,7 @@ struct MethodResult {
   std::vector<Trial> trials;
   std::optional<ReferenceAnswer> reference;  // empty: no other solver converged
   std::optional<OtherEquilibrium> other;     // if set, distances are no errors and the trials have none
+  bool is_absent = false;                    // its one trial says why
 };
 
 /// Speed against error of several methods on one scene.

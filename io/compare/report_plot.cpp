@@ -26,7 +26,7 @@ std::string with_times_signs(std::string text) {
   return text;
 }
 
-/// " (lost at 1e-01, 1e-02)": a motion that is lost, or out of time, has no point.
+/// " (lost at 1e-01, 1e-02)": a motion that did not end has no point.
 std::string lost_at(const MethodResult& m) {
   std::string text;
   for (const Trial& t : m.trials)
@@ -58,7 +58,8 @@ LinePlot comparison_plot(const Comparison& c) {
                 "CPU time [s]",
                 {},
                 {}};
-  for (const auto& m : c.methods) plot.series.push_back(series_of(c, m));
+  for (const auto& m : c.methods)
+    if (!m.is_absent) plot.series.push_back(series_of(c, m));
   if (c.discretisation)
     for (const auto& level : c.discretisation->levels)
       if (std::isfinite(level.error))

@@ -88,7 +88,7 @@ void solvers_text(const Comparison& c, Out out) {
 
 void path_reference_text(const MethodResult& m, Out out) {
   if (!m.reference) {
-    fmt::format_to(out, "{}: no reference because every other integrator loses the motion\n",
+    fmt::format_to(out, "{}: no reference because no other integrator went through the motion\n",
                    m.method.name());
     return;
   }
@@ -117,7 +117,7 @@ void motions_text(const Comparison& c, Out out) {
                      number(t.cpu_seconds, "{:.4f}"), t.steps, t.rejected, t.statistics.iterations,
                      t.statistics.factorisations, t.statistics.residuals);
   for (const auto& m : c.methods) {
-    if (m.reference || !c.is_interrupted) path_reference_text(m, out);
+    if (!m.is_absent && (m.reference || !c.is_interrupted)) path_reference_text(m, out);
     failure_text(m, out);
   }
 }

@@ -28,17 +28,24 @@ const char* word_for(MarchStatus status) {
       return "interrupted";
     case MarchStatus::out_of_time:
       return "out of time";
+    case MarchStatus::out_of_work:
+      return "out of work";
     default:
       return "lost";
   }
 }
 
 /// Positions at every output stay in memory; no file is written.
-Trial trial_in_time(Case& fresh, double tolerance, const Watch& watch) {
+Trial trial_in_time(Case& fresh, const Method& method, double tolerance, const Watch& watch) {
   Trial t;
   MarchWatch look;
+  const std::string name = fmt::format("{} at {:.0e}", method.name(), tolerance);
+  look.on_step = [&](const StepRecord& step, std::span<const double>) {
+    if (watch.on_step) watch.on_step(step, name);
+    return false;
+  };
   look.on_output = [&t](const Snapshot& at) { t.path.emplace_back(at.x.begin(), at.x.end()); };
-  MarchResult result = fresh.march(look, watch.interrupt);
+  MarchResult result = fresh.march(look, watch, nullptr, fresh.loaded().analysis.work);
   t.tolerance = tolerance, t.reason = std::move(result.reason), t.of_motion = word_for(result.status);
   t.status = result.status == MarchStatus::finished ? SolveStatus::converged : SolveStatus::not_converged;
   t.cpu_seconds = result.statistics.total_cpu_seconds, t.statistics = result.statistics;
@@ -52,7 +59,7 @@ Trial run_once(const CaseSource& source, Registry& registry, const Method& metho
   Case fresh(source_for(source, method, tolerance), registry);
   if (fresh.open() != Case::State::ready)
     throw std::runtime_error(method.specification + ": " + fresh.diagnostics().render(false));
-  if (method.kind() == "integrator") return trial_in_time(fresh, tolerance, watch);
+  if (method.kind() == "integrator") return trial_in_time(fresh, method, tolerance, watch);
   return trial_of(fresh.solve(watch), tolerance);
 }
 

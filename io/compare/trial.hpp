@@ -13,7 +13,8 @@ struct Trial {
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
   std::string reason;     // a sentence
-  std::string of_motion;  // "finished", "lost", "out of time" or "interrupted"; empty: it is an equilibrium
+  std::string of_motion;  // "finished", "lost", "out of time", "out of work" or "interrupted"; empty: it is
+                          // an equilibrium
   // processor time of the solver, the least of all repeats, without the host's final checks
   double cpu_seconds = 0;
   Statistics statistics;          // of the repeat with that time
@@ -52,7 +53,7 @@ struct Method {
 CaseSource source_for(const CaseSource& source, const Method& method, double tolerance);
 
 /// Solves the scene `repeats` times from its initial guess, each time in a new case; with an integrator, goes
-/// through time.
+/// through time, as far as the budget of work of the analysis leads.
 Trial run_trial(const CaseSource& source, Registry& registry, const Method& method, double tolerance,
                 int repeats, const Watch& watch);
 

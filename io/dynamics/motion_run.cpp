@@ -107,7 +107,9 @@ class MotionRun {
                              if (options_.on_step) options_.on_step(step);
                              return false;
                            }};
-    result_.march = case_.march(watch, options_.interrupt, from_ ? &*from_ : nullptr);
+    result_.march =
+        case_.march(watch, {.interrupt = options_.interrupt, .on_iteration = options_.on_iteration},
+                    from_ ? &*from_ : nullptr);
     result_.loss = losses_.loss(), result_.warnings = boards_.warnings();
     if (!journal_) return std::move(result_);
     if (result_.outputs == outputs_before_) recall_last_output();

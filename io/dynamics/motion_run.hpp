@@ -40,7 +40,8 @@ struct MotionOptions {
   std::string identity;                           // identifies the scene with the changes of the command line
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const StepRecord&)> on_step;
-  std::function<void(const std::string&)> warn;  // of what a person has to know now
+  std::function<void(const std::string&)> warn;                   // of what a person has to know now
+  std::function<void(const IterationRecord&)> on_iteration = {};  // while the start is looked for
 };
 
 /// Marches through time as the case's analysis says, and writes every output into the journal NAME.hdf.part:

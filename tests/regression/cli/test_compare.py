@@ -246,6 +246,35 @@ class Motions(InFreshFolder):
         rows = list(csv.DictReader(io.StringIO((self.folder / "a.csv").read_text())))
         self.assertEqual([(r["kind"], r["status"]) for r in rows], [("motion", "lost"), ("motion", "finished")])
 
+    def test_ends_with_its_budget_of_work(self):
+        words = ["--integrator", "newmark", "--integrator", "generalized-alpha", "--set", "analysis.work=0.1"]
+        ended = self.compare("--json", *words, "--accuracy", "1e-3:1e-1")
+        self.assertEqual(ended.code, 0, ended.err)
+        for method in ended.json()["integrators"]:
+            self.assertEqual([t["status"] for t in method["trials"]], ["finished", "finished", "out of work"])
+            self.assertRegex(method["trials"][-1]["reason"], r"the budget of work was spent at t = 0\.\d+ s")
+        told = self.compare(*words, "--accuracy", "1e-3")
+        self.assertEqual(told.code, 3)
+        self.assertIn("newmark: no reference because no other integrator went through the motion", told.out)
+        self.assertIn("newmark: out of work at 1e-03: the budget of work was spent at t = 0.", told.out)
+
+    def test_an_integrator_that_is_not_installed_has_a_row(self):
+        ended = self.compare("--json", "--integrator", "symplectic", "--integrator", "newmark", "--accuracy", "1e-2", "--plot", "a.svg")
+        self.assertEqual(ended.code, 0, ended.err)
+        absent = ended.json()["integrators"][0]
+        self.assertEqual((absent["integrator"], absent["reference"], len(absent["trials"])), ("symplectic", None, 1))
+        self.assertEqual(absent["trials"][0]["status"], "not installed")
+        self.assertIsNone(absent["trials"][0]["cpu_seconds"])
+        self.assertNotIn("symplectic", (self.folder / "a.svg").read_text())
+        told = self.compare("--integrator", "symplectic", "--integrator", "newmark", "--accuracy", "1e-2")
+        self.assertRegex(told.out, r'symplectic +1e-02 not installed +- +- ')
+        self.assertIn('symplectic: not installed at 1e-02: there is no plugin "symplectic" here', told.out)
+        for words in (["symplectic"], ["newmrk", "newmark"]):
+            with self.subTest(words=words):
+                refused = self.compare(*[w for name in words for w in ("--integrator", name)], "--accuracy", "1e-2")
+                self.assertEqual(refused.code, 4)
+                self.assertIn("there is no plugin", refused.err)
+
     def test_wrong_input(self):
         words = ["--integrator", "newmark"]
         for more, sentence in ((["--solver", "newton"], "one or the other"), (["--cells", "8,16"], "--cells"),
