@@ -32,7 +32,7 @@ BREAKS = {
     "point behind its": lambda g: g["Steps/PointDataOffsets/height"].__setitem__(0, 10**6),
     "the newest state of Points is not in slot 0":
         lambda g: g["Steps/PointOffsets"].__setitem__(slice(None), g["Steps/PointOffsets"][:][::-1]),
-    "two steps share a slot of Points": lambda g: g["Steps/PointOffsets"].__setitem__(0, 0),
+    "steps that are not neighbours share a slot of Points": lambda g: g["Steps/PointOffsets"].__setitem__(0, 0),
     "Steps/CellOffsets is": lambda g: replace(g["Steps"], "CellOffsets", g["Steps/CellOffsets"][:, 0]),
     "Steps/NumberOfParts is not 1": lambda g: g["Steps/NumberOfParts"].__setitem__(0, 2),
     "Steps offsets of PointData/part is missing": lambda g: g["Steps/PointDataOffsets"].__delitem__("part"),
