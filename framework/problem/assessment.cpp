@@ -12,12 +12,10 @@ namespace netloft {
 
 namespace {
 
-// A direction is neutral when the linear stiffness times this much makes it stable.
-constexpr double kNeutral = 1e-9;
-
+/// A direction is neutral when the linear stiffness times what a matrix rounds off makes it stable.
 Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
-  const netloft_factor shifted = problem.factorise_at(u, kNeutral);
+  const netloft_factor shifted = problem.factorise_at(u, kRoundingOfMatrix);
   if (shifted == NETLOFT_FACTOR_OK) return Stability::neutral;
   return shifted == NETLOFT_NOT_POSITIVE ? Stability::unstable : Stability::unknown;
 }

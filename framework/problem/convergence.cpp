@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/convergence.hpp"
 
+#include "framework/problem/correction.hpp"
+
+#include <netloft/imbalance.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,9 +12,8 @@ namespace netloft {
 
 namespace {
 
-constexpr double kMatters = 1e-3;  // β
 constexpr double kFalls = 0.5;
-constexpr double kWorthless = 1e-10;  // of (5)
+constexpr double kWorthless = kSamePlace * kSamePlace;  // of (5)
 
 }  // namespace
 

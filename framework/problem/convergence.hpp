@@ -18,10 +18,10 @@ struct Imbalance {
 ///   within tolerance:  r ≤ ε F                                                            (1)
 ///   at round-off:      r ≤ min(b, β F)                                                    (2)
 /// At rest neither counts unless
-///   b ≤ β F,   β = 1e-3:                                                                  (3)
+///   b ≤ β F,   β = kMatters:                                                              (3)
 /// where stiffness times the rounding of positions is not small against the load, tensions are not known, and
-/// a small residual is luck. β is the least imbalance that matters: drag and stiffness of netting are known
-/// to a hundredth at best. Rounding in a step in time passes with the step, so that (3) is not asked of it.
+/// a small residual is luck. β is the least imbalance that matters (imbalance.hpp). Rounding in a step in
+/// time passes with the step, so that (3) is not asked of it.
 /// A gear that nothing loads but its own rounding rests where
 ///   F ≤ b and r ≤ b, nothing driving it                                                   (4)
 /// An infinite load excuses nothing.
@@ -33,9 +33,9 @@ bool may_stop(Convergence c, double residual, double residual_before);
 
 /// Twines that flicker between slack and taut can leave a residual that no step reduces. It is as good as
 /// round-off if (3) holds, r ≤ β F, and the energy g that a Newton step would gain is next to nothing:
-///   g ≤ 1e-10 F L                                                                         (5)
-/// with L the size of the gear: by g ≈ ½ r δ, with r no more than β F, it is about 1e-7 L off at most for the
-/// largest of such residuals.
+///   g ≤ p² F L,   p = kSamePlace                                                          (5)
+/// with L the size of the gear: a stiffness of F/L would let it move by p L. By g ≈ ½ r δ, with r no more
+/// than β F, it is about 1e-7 L off at most for the largest of such residuals.
 bool has_nothing_to_gain(const Imbalance& i, double gain, double size);
 
 }  // namespace netloft

@@ -13,19 +13,17 @@ namespace netloft {
 
 namespace {
 
-// σ of (4): the least, the most, from one to the next; and by how much another is tried where it is an
-// eigenvalue. Growth is seen from two decades off: slower than 1e-5/s, tenfold in three days, nothing is.
-constexpr double kLeastSigma = 1e-3, kMostSigma = 1e9, kStep = 100, kAside = 1.3;
-// Steps of Arnoldi's, and how many there may be if these do not tell.
-constexpr int kSteps = 24, kMostSteps = 48;
-// How far beyond the unit circle a Ritz value is looked at: with σ ten times off |s|, the band (6) ends at a
-// fifth of what it is at its best, 0.002.
-constexpr double kBeyond = 1e-3;
-// Powers before growth is measured, and over which it is measured.
-constexpr int kPowers = 40, kMeasured = 20;
-// Growth that still falls by this from one measure to the next may be passing: so often it is measured again.
-constexpr double kFalls = 1e-3;
-constexpr int kMeasures = 16;
+// σ of (4): the least, how far it may be off |s|, and by how much another is tried where it is an eigenvalue:
+// any other will do. Growth is seen from two decades off: slower than 1e-5/s, tenfold in three days, nothing
+// is.
+constexpr double kLeastSigma = 1e-3, kOff = 10, kAside = 1.3;
+// Steps of Arnoldi's, and as many again if these do not tell; powers over which growth is measured, and how
+// often at most.
+constexpr int kSteps = 24;
+// How far beyond the unit circle a Ritz value is looked at: half of where the band (6) ends with σ kOff times
+// off |s|, a fifth of what it is at its best. Growth by powers that still falls by this from one measure to
+// the next may be passing.
+constexpr double kBeyond = (kGrows - 1) / kOff;
 
 using Vector = Eigen::VectorXd;
 using Complex = std::complex<double>;
@@ -50,11 +48,10 @@ class Powers {
   }
 
   GrowthVerdict judge() {
-    grow(kPowers);
-    double growth = grow(kMeasured);
-    for (int measure = 1; growth > kGrows && measure < kMeasures; ++measure) {
-      const double before = std::exchange(growth, grow(kMeasured));
-      if (growth > (1 - kFalls) * before) return GrowthVerdict::grows;
+    double before = grow(kSteps), growth = grow(kSteps);
+    for (int measure = 1; growth > kGrows && measure < kSteps; ++measure) {
+      before = std::exchange(growth, grow(kSteps));
+      if (growth > (1 - kBeyond) * before) return GrowthVerdict::grows;
     }
     return growth > kGrows ? GrowthVerdict::marginal : GrowthVerdict::none;
   }
@@ -116,7 +113,7 @@ RitzPair checked(Cayley& A, RitzPair pair) {
 /// For the σ that A has.
 Growth growth_by(Cayley& A, Arnoldi& arnoldi, double doubt) {
   arnoldi.begin(A.start());
-  for (const int steps : {kSteps, kMostSteps}) {
+  for (const int steps : {kSteps, 2 * kSteps}) {
     arnoldi.extend(steps);
     const RitzPair pair = arnoldi.outermost(kBeyond);
     if (std::isnan(pair.beyond())) return {.verdict = GrowthVerdict::unknown};
@@ -126,11 +123,14 @@ Growth growth_by(Cayley& A, Arnoldi& arnoldi, double doubt) {
   return growth_by_powers(A, arnoldi, doubt);
 }
 
-/// The greatest σ: so that none is ten times slower than the fastest that an unknown makes by itself.
-double largest_sigma(double fastest) {
-  double sigma = kLeastSigma;
-  while (sigma * std::sqrt(kStep) < fastest && sigma < kMostSigma) sigma *= kStep;
-  return sigma;
+double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
+
+/// Steps to the greatest σ: so that none is kOff times slower than the fastest that an unknown makes by
+/// itself.
+int steps_of_sigma(double fastest) {
+  int steps = 0;
+  while (kOff * sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;
+  return steps;
 }
 
 }  // namespace
@@ -148,8 +148,8 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, con
     return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
   };
   // What swings does not hide what diverges more slowly.
-  for (double sigma = largest_sigma(fastest_rate(pattern, motion)); sigma > kLeastSigma / 2 && !is_decided();
-       sigma /= kStep) {
+  for (int step = steps_of_sigma(fastest_rate(pattern, motion)); step >= 0 && !is_decided(); --step) {
+    const double sigma = sigma_at(step);
     Growth growth{.verdict = GrowthVerdict::unknown};
     if (A.set(sigma) || A.set(kAside * sigma)) growth = growth_by(A, arnoldi, doubt);
     const bool diverges = growth.grows() && !growth.swings();

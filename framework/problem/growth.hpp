@@ -48,7 +48,7 @@ struct Growth {
 ///   ρ/χ ≤ (|θ| − 1)/10                                                                    (5)
 /// (Y. Saad, Numerical Methods for Large Eigenvalue Problems, 2011, chapters 3 and 6). If it is not after 48
 /// steps, A is far from normal (L. N. Trefethen and M. Embree, Spectra and Pseudospectra, 2005, chapter 16),
-/// and its powers decide: growth that falls from one twenty of them to the next may pass.
+/// and its powers decide: growth that falls from 24 of them to the next may pass.
 ///
 /// What grows has Re s > 0, with
 ///   |μ| = ((1 + c)/(1 − c))^½ at its largest, where σ = |s|;   c = Re s/|s|                (6)

@@ -10,8 +10,6 @@ namespace netloft {
 
 namespace {
 
-// What is equal but for rounding, of the largest entry.
-constexpr double kRounding = 1e-9;
 // τ of (2) [s]
 constexpr double kFollows = 1e-3;
 // Of the metric in the norm (8), for what nothing else keeps.
@@ -24,7 +22,7 @@ bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
     largest = std::max(largest, std::abs(value));
     if (r > c) most = std::max(most, std::abs(value - A[find_slot(p, c, r)]));
   });
-  return most <= kRounding * largest;
+  return most <= kRoundingOfMatrix * largest;
 }
 
 /// Whether ½ (A + Aᵀ) has positive eigenvalues only. The pattern of A is symmetric.
@@ -99,7 +97,7 @@ bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, const Ma
       largest_of_convex = std::max(largest_of_convex, std::abs(m.convex[i]));
     if (largest == 0) return true;
     for (std::size_t i = 0; i < sum.size(); ++i)
-      sum[i] = A[i] + kRounding * largest / largest_of_convex * m.convex[i];
+      sum[i] = A[i] + kRoundingOfMatrix * largest / largest_of_convex * m.convex[i];
     return is_symmetric_part_positive(p, sum, make, cost);
   };
   return is_symmetric(p, m.K) && is_symmetric(p, m.M) && is_positive(m.M) && is_positive(m.C) &&

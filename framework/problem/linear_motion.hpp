@@ -21,6 +21,9 @@ bool linearise(Assembler& assembler, std::span<const double> x, std::span<const 
 /// That `linearise` evaluates: those of a motion, and the linear stiffness.
 inline constexpr int kMatricesOfMotion = 5;
 
+/// What a matrix that is assembled from many elements may round off, of its largest entry.
+inline constexpr double kRoundingOfMatrix = 1e-9;
+
 /// By (9), whose factorisations are counted in `cost`.
 bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion,
                          const MakeFactorisation& make, Statistics& cost);

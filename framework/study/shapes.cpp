@@ -11,9 +11,9 @@ namespace netloft {
 
 namespace {
 
-// Of the energy, or of the work of the largest load over the gear's size: what a residual within the
-// tolerance may leave of an energy.
-constexpr double kSameEnergy = 1e-9;
+// Of the energy, or of the work of the largest load over the gear's size: what a move within one place leaves
+// of an energy that is stationary.
+constexpr double kSameEnergy = kSamePlace * kSamePlace;
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/keys.hpp"
 
+#include "framework/problem/static_problem.hpp"
+
 namespace netloft::io {
 
 std::span<const netloft_parameter> water_keys() {
@@ -105,9 +107,10 @@ std::span<const netloft_parameter> analysis_keys() {
            "table of its name",
            kSolver);
     t.real("tolerance", &AnalysisKeys::tolerance, "1", "largest nodal residual over the largest nodal load",
-           {.lo = 1e-16, .hi = 1, .fallback = 1e-10});
+           {.lo = 1e-16, .hi = 1, .fallback = Limits{}.tolerance});
     t.integer("max_iterations", &AnalysisKeys::max_iterations,
-              "iterations after which a solver gives up a stage, or a step of a motion", 0, 1000000, 1000);
+              "iterations after which a solver gives up a stage, or a step of a motion", 0, 1000000,
+              Limits{}.iterations);
     t.real("work", &AnalysisKeys::work, "1",
            "budget of all stages together, in Newton iterations of the scene as it is written; the same on "
            "every "

@@ -6,12 +6,11 @@ namespace netloft::newton {
 
 /// How far to go along a line that curves downwards, where nothing tells how far it does. Falls, at t:
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise                                                       (D)
-/// The largest t found that falls, by t that grow until one does not, and secants of m' between.
+/// The largest t found that falls: a small t is halved until one falls, or doubled until one does not, and
+/// secants of m' go on between.
 struct DescentSearch {
-  double first_t = 1e-3, shortest = 1e-7, longest = 10;
-  double growth = 4, shrinkage = 0.1;  // of t while (D) holds; while it has not held yet
-  int refinements = 4;                 // evaluations spent once (D) has failed
-  double least = 0.1, most = 0.9;      // a new t within its bracket
+  Refinement refinement = {};
+  double longest() const { return 1 / refinement.margin; }
 
   /// `merit(t)` gives a Sample, or nothing where elements are not defined. Empty: m does not fall at all.
   template <class Merit>
@@ -20,15 +19,15 @@ struct DescentSearch {
     Sample low = start;
     std::optional<Sample> high;
     const auto has_fallen = [&] { return low.t > start.t; };
-    for (double t = first_t; t > shortest && t < longest && !high; t *= has_fallen() ? growth : shrinkage) {
+    for (double t = kDifference; t > kShortest && t < longest() && !high; t *= has_fallen() ? 2 : 0.5) {
       const std::optional<Sample> here = merit(t);
       if (here && falls(*here))
         low = *here;
       else if (has_fallen())
         high = here ? *here : as_steep_uphill(t, low);
     }
-    for (int i = 0; i < refinements && high; ++i) {
-      const double fraction = std::clamp(low.slope / (low.slope - high->slope), least, most);
+    for (int i = 0; i < refinement.most && high; ++i) {
+      const double fraction = refinement.within(low.slope / (low.slope - high->slope));
       const std::optional<Sample> here = merit(low.t + fraction * (high->t - low.t));
       if (!here) break;
       if (falls(*here))

@@ -5,17 +5,9 @@
 
 namespace netloft::newton {
 
-namespace {
-
-// Whether K is nearly definite is only asked where damping is below this: elsewhere the iterate is far away.
-constexpr double kHardlyDamped = 1e-6;
-// Least fraction θ of the convex part that is tried.
-constexpr double kLeastConvexPart = 1.0 / 4096;
-
-}  // namespace
-
-Directions::Directions(const Problem& problem, NegativeCurvature& curvature)
-    : curvature_(curvature), s_(problem.size()) {}
+Directions::Directions(const Newton::Parameters& parameters, const Problem& problem,
+                       NegativeCurvature& curvature)
+    : p_(parameters), curvature_(curvature), s_(problem.size()) {}
 
 std::optional<Direction> Directions::find_short_undamped(Iterate& iterate) {
   Problem& problem = iterate.problem();
@@ -46,7 +38,7 @@ std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double dam
 /// (6) leaves by; a convex part changes it in all. It costs four factorisations where K is far from definite:
 /// after a no this is asked again only once K + μ M has been positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
-  if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kHardlyDamped) {
+  if (!iterate.is_conservative() || !tests_near_definite_ || damping >= p_.nearly_definite) {
     tests_near_definite_ = false;
     return {};
   }
@@ -61,31 +53,32 @@ std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, doub
 std::optional<Direction> Directions::find_partly_convex(Iterate& iterate, double damping) {
   Problem& problem = iterate.problem();
   if (problem.evaluate(problem.u(), Matrix::convex) != Evaluation::ok) return {};
-  if (factorise_partly_convex(problem, std::max(damping, 1e-10)) != Factor::ok) return {};
+  if (factorise_partly_convex(problem, std::max(damping, p_.least_damping)) != Factor::ok) return {};
   return solve(iterate, damping, "convex part");
 }
 
-/// K + θ (K₊ − K), with half the θ of the last time or as much more as it takes, by powers of two.
+/// K + θ (K₊ − K), with half the θ of the last time, or twice as much until it will do.
 Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
-  for (convex_share_ = std::max(0.5 * convex_share_, kLeastConvexPart); convex_share_ < 1; convex_share_ *= 2)
+  for (convex_share_ = std::max(0.5 * convex_share_, p_.nearly_definite); convex_share_ < 1;
+       convex_share_ *= 2)
     if (const Factor factor = problem.factorise_between(convex_share_, shift); factor != Factor::not_positive)
       return factor;
   Factor factor = problem.factorise(Matrix::convex, shift);
-  while (factor == Factor::not_positive && shift < kLargestDamping)
-    factor = problem.factorise(Matrix::convex, shift = std::max(shift * 100, 1e-8));
+  while (factor == Factor::not_positive && shift < p_.most_damping)  // by rounding alone
+    factor = problem.factorise(Matrix::convex, shift = raised(shift, p_.factor, p_));
   return factor;
 }
 
 /// Raises μ until s leads downhill.
 std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double damping) {
   for (const char* note = "";;
-       note = "more damping", damping = std::clamp(damping * 10, 1e-4, kLargestDamping)) {
+       note = "more damping", damping = std::max(p_.nearly_definite, raised(damping, p_.factor, p_))) {
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
     if (factor == Factor::ok) {
       const Direction direction = solve(iterate, damping, note);
       if (iterate.slope({s_}) < 0) return direction;
     }
-    if (damping >= kLargestDamping || factor == Factor::failed) return {};
+    if (damping >= p_.most_damping || factor == Factor::failed) return {};
   }
 }
 

@@ -6,11 +6,9 @@
 
 #include "solvers/newton/iterate.hpp"
 #include "solvers/newton/negative_curvature.hpp"
+#include "solvers/newton/newton.hpp"
 
 namespace netloft::newton {
-
-/// Most damping μ: the step is then hardly longer than 1/64 of −M⁻¹ r, that of a gear without slack.
-constexpr double kLargestDamping = 64;
 
 /// A step s of (2) of Newton, and the matrix it belongs to.
 struct Direction {
@@ -23,7 +21,7 @@ struct Direction {
 /// Finds steps s along which the merit falls.
 class Directions {
  public:
-  Directions(const Problem& problem, NegativeCurvature& curvature);
+  Directions(const Newton::Parameters& parameters, const Problem& problem, NegativeCurvature& curvature);
 
   /// Newton's own step, if it leads downhill and moves no node by more than the length of an element.
   std::optional<Direction> find_short_undamped(Iterate& iterate);
@@ -38,6 +36,7 @@ class Directions {
   Factor factorise_partly_convex(Problem& problem, double shift);
   Direction solve(Iterate& iterate, double damping, const char* note = "");
 
+  const Newton::Parameters& p_;
   NegativeCurvature& curvature_;
   std::vector<double> s_;
   double convex_share_ = 1;          // θ of the last time

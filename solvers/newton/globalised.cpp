@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -13,31 +12,23 @@ namespace netloft::newton {
 
 namespace {
 
-// Less damping than this no longer matters.
-constexpr double kSmallestDamping = 1e-12;
+/// From this t on a step means that the model is trusted, below it that it reaches too far.
+constexpr double kTrusted = 0.5;
 
-double lowered(double damping, double factor) {
-  return damping * factor < kSmallestDamping ? 0 : damping * factor;
-}
-double raised(double damping, double factor) { return std::clamp(damping * factor, 1e-6, kLargestDamping); }
-
-/// A whole step means that the model is trusted; a short one that it reaches too far.
-double adapted(double damping, const Step& step) {
-  const double t = step.length;
-  if (step.rule == Step::Rule::residual) return lowered(damping, 0.1);
+double adapted(double damping, const Step& step, const Newton::Parameters& p) {
+  if (step.rule == Step::Rule::residual) return lowered(damping, p);
   if (step.rule != Step::Rule::energy) return damping;
-  if (t > 0.9) return lowered(damping, 0.1);
-  if (t > 0.5) return lowered(damping, 0.5);
-  return t < 0.25 ? raised(damping, t < 0.1 ? 4 : 2) : damping;
+  return step.length > kTrusted ? lowered(damping, p) : raised(damping, kTrusted / step.length, p);
 }
 
 class Globalised {
  public:
   Globalised(const Newton::Parameters& parameters, Problem& problem)
       : iterate_(problem),
-        curvature_(problem),
-        directions_(problem, curvature_),
+        curvature_(parameters, problem),
+        directions_(parameters, problem, curvature_),
         rules_(parameters, problem.size()),
+        p_(parameters),
         damping_(parameters.damping) {
     step_.reserve(problem.size());
   }
@@ -52,11 +43,11 @@ class Globalised {
       if (!direction) return Outcome::linear_solve;
       note = direction->note;
       const Step step = rules_.take(iterate_, *direction);
-      damping_ = adapted(direction->damping, step);
+      damping_ = adapted(direction->damping, step, p_);
       if (direction->nearly_definite && leave_saddle(direction->damping)) continue;
       if (step || (step.is_at_round_off && fall_back())) continue;
-      if (damping_ >= kLargestDamping) return Outcome::step_too_short;
-      damping_ = raised(damping_, 16);
+      if (damping_ >= p_.most_damping) return Outcome::step_too_short;
+      damping_ = raised(damping_, p_.factor, p_);
     }
     return Outcome::stopped;
   }
@@ -126,6 +117,7 @@ class Globalised {
   NegativeCurvature curvature_;
   Directions directions_;
   StepRules rules_;
+  const Newton::Parameters& p_;
   double damping_;
   std::optional<std::size_t> fell_back_at_;  // count of points
 };

@@ -6,12 +6,6 @@
 
 namespace netloft::newton {
 
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 Iterate::Iterate(Problem& problem)
     : problem_(problem),
       r_(problem.size()),
@@ -64,9 +58,8 @@ bool Iterate::try_move(const Path& path, double t) {
   return false;
 }
 
-bool Iterate::try_move_if_residual_below(double ratio, const Path& path, double t) {
-  if (evaluate_trial(path, t) && dot(r_trial_, r_trial_) <= ratio * ratio * dot(r_, r_))
-    return accept_trial(), true;
+bool Iterate::try_move_if_residual_below(const Path& path, double t) {
+  if (evaluate_trial(path, t) && dot(r_trial_, r_trial_) <= dot(r_, r_)) return accept_trial(), true;
   evaluate();  // the tangent kept is that of the trial
   return false;
 }

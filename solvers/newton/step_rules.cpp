@@ -5,23 +5,6 @@
 
 namespace netloft::newton {
 
-namespace {
-
-// Round-offs by which a step may go uphill by (7).
-constexpr double kRoundOffs = 10;
-// A straight step that ends before this t is compared with a curved one.
-constexpr double kShort = 0.9;
-// The t at which r'' is found by differences where the straight search found no t at all.
-constexpr double kNear = 1e-2;
-// A curved step is taken where it gains so many times what the straight one does.
-constexpr double kCurvedGain = 1.5;
-// Newton's own step is accepted at once where it leaves so much of the residual.
-constexpr double kHalved = 0.5;
-// (7) leads nowhere once more than so many steps in a row have not halved the decrease they predict.
-constexpr int kMostWithoutHalving = 5;
-
-}  // namespace
-
 std::span<const double> CurvedStep::find(Iterate& iterate, std::span<const double> s, double t) {
   minus_second_derivative_.assign(s.size(), 0.0), a_.resize(s.size());
   for (const double side : {t, -t}) {
@@ -44,7 +27,7 @@ Step StepRules::take(Iterate& iterate, const Direction& direction) {
 
 Step StepRules::take_at_round_off(Iterate& iterate, const Direction& direction) {
   Step step;
-  if (iterate.try_move_if_residual_below(1, {direction.s}, 1))
+  if (iterate.try_move_if_residual_below({direction.s}, 1))
     step = {Step::Rule::residual, 1};
   else if (direction.damping == 0)
     step = take_by_slope(iterate, direction.s);
@@ -53,7 +36,7 @@ Step StepRules::take_at_round_off(Iterate& iterate, const Direction& direction) 
 }
 
 Step StepRules::take_newton_step(Iterate& iterate, std::span<const double> s) {
-  if (iterate.problem().step_length(s) <= 1 && iterate.try_move_if_residual_below(kHalved, {s}, 1))
+  if (iterate.problem().step_length(s) <= 1 && iterate.try_move_if_residual_below({s}, 1))
     return {Step::Rule::residual, 1};
   return take_by_slope(iterate, s);
 }
@@ -64,7 +47,9 @@ Step StepRules::take_by_slope(Iterate& iterate, std::span<const double> s) {
   if (!iterate.is_conservative() || first.slope >= 0) return {};
   record_predicted_decrease(-first.slope);
   if (has_stalled()) return {};
-  const SlopeSearch search{.noise = kRoundOffs * kEnergyRoundOff * std::abs(iterate.energy())};
+  const SlopeSearch search{.noise = kEnergyRoundOff * std::abs(iterate.energy()),
+                           .flatness = p_.flatness,
+                           .refinement = refinement_of(p_)};
   const auto found = search([&](double t) { return iterate.merit(path, t); }, first);
   if (!found || !iterate.try_move(path, found->t)) return {};
   return {Step::Rule::slope, found->t};
@@ -73,7 +58,7 @@ Step StepRules::take_by_slope(Iterate& iterate, std::span<const double> s) {
 /// (5), (4), and where (4) ends short, (8), too, if that gains much more.
 Step StepRules::take_by_energy(Iterate& iterate, const Direction& direction) {
   Path path{direction.s};
-  const LineSearch search{.decrease = p_.decrease, .flatness = p_.flatness, .shortest = p_.shortest_step};
+  const LineSearch search{.flatness = p_.flatness, .refinement = refinement_of(p_)};
   const Sample first{0, iterate.energy(), iterate.slope(path)};
   const auto along = [&](const Path& some) {
     return search([&](double t) { return iterate.merit(some, t); }, first);
@@ -81,11 +66,11 @@ Step StepRules::take_by_energy(Iterate& iterate, const Direction& direction) {
   auto found = try_whole_step(iterate, path);
   last_went_uphill_ = found && found->value > iterate.energy();
   if (!found) found = along(path);
-  if (!(found && found->t > kShort) && iterate.is_conservative() && iterate.problem().symmetric()) {
-    const Path curved{direction.s, curved_.find(iterate, direction.s, found ? found->t : kNear)};
+  const bool is_whole = found && found->t == 1;
+  if (!is_whole && iterate.is_conservative() && iterate.problem().symmetric()) {
+    const Path curved{direction.s, curved_.find(iterate, direction.s, found ? found->t : kDifference)};
     const auto bent = curved.a.empty() ? std::nullopt : along(curved);
-    const double gain = found ? iterate.energy() - found->value : 0;
-    if (bent && (!found || iterate.energy() - bent->value > kCurvedGain * gain)) path = curved, found = bent;
+    if (bent && (!found || bent->value < found->value)) path = curved, found = bent;
   }
   // The host measures by its last evaluation, which was at a trial point: back to u, which is not left.
   if (!found) iterate.evaluate(Matrix::none);
@@ -102,15 +87,15 @@ std::optional<Sample> StepRules::try_whole_step(Iterate& iterate, const Path& pa
   return whole && whole->value <= most ? whole : std::nullopt;
 }
 
-/// −r·s is what a step s would lower a linear energy by. It has to halve now and then, or the steps go round
-/// in rounding.
+/// −r·s is what a step s would lower a linear energy by. It has to halve within as many steps as a search may
+/// spend on one, or the steps go round in rounding.
 void StepRules::record_predicted_decrease(double decrease) {
   const bool has_halved = decrease < 0.5 * least_decrease_;
   if (has_halved) least_decrease_ = decrease;
   steps_without_halving_ = has_halved ? 0 : steps_without_halving_ + 1;
 }
 
-bool StepRules::has_stalled() const { return steps_without_halving_ > kMostWithoutHalving; }
+bool StepRules::has_stalled() const { return steps_without_halving_ > p_.refinements; }
 
 void StepRules::reset_stall_count() {
   least_decrease_ = std::numeric_limits<double>::infinity(), steps_without_halving_ = 0;

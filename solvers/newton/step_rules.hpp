@@ -57,7 +57,7 @@ class StepRules {
   CurvedStep curved_;
   bool last_went_uphill_ = false;
   double least_decrease_ = std::numeric_limits<double>::infinity();  // −r·s of the steps by (7)
-  int steps_without_halving_ = 0;                                    // it, in a row
+  std::int64_t steps_without_halving_ = 0;                           // it, in a row
 };
 
 }  // namespace netloft::newton

@@ -9,13 +9,8 @@ namespace netloft::ptc {
 
 namespace {
 
-constexpr double kShortestStep = 1e-8, kLongestStep = 1e13;
-// A step is solved when a correction is this share of it, and is given up after so many.
-constexpr double kSolved = 0.01;
-constexpr int kCorrections = 8;
-// After few corrections the next step is longer, after many shorter, after one that is taken back even more.
-constexpr int kFew = 4, kMany = 6;
-constexpr double kLonger = 2, kShorter = 0.67, kTakenBack = 0.25;
+// Beyond these M/δ leaves K half of its digits, or is lost in the rounding of K.
+constexpr double kShortestStep = 0x1p-26, kLongestStep = 0x1p52;
 // What drives a step may grow so much while it is made.
 constexpr double kMostGrowth = 2;
 
@@ -55,9 +50,9 @@ class ImplicitSteps {
 
   /// Solves (3).
   bool take_step() {
-    for (int corrections = 1; corrections <= kCorrections; ++corrections) {
+    for (std::int64_t corrections = 1; corrections <= p_.corrections; ++corrections) {
       if (!correct() || problem_.step_length(s_) > p_.reach) return false;
-      if (problem_.step_length(s_) > kSolved * problem_.step_length(moved_)) continue;
+      if (problem_.step_length(s_) > p_.solved * problem_.step_length(moved_)) continue;
       if (!follows_motion()) return false;
       adapt_step(corrections);
       return true;
@@ -82,14 +77,13 @@ class ImplicitSteps {
            dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_);
   }
 
-  void adapt_step(int corrections) {
-    if (corrections <= kFew) delta_ = std::min(kLongestStep, delta_ * kLonger);
-    if (corrections > kMany) delta_ *= kShorter;
+  void adapt_step(std::int64_t corrections) {
+    if (2 * corrections <= p_.corrections) delta_ = std::min(kLongestStep, delta_ * p_.change);
   }
 
   bool take_back() {
     note_ = "taken back";
-    delta_ *= kTakenBack;
+    delta_ /= p_.change;
     std::copy(before_.begin(), before_.end(), problem_.u().begin());
     return evaluate_here() && delta_ > kShortestStep;
   }

@@ -27,4 +27,11 @@ NETLOFT_PLUGIN("ptc", "0.1.0", "pseudo-transient continuation") {
   ptc.real("reach", &P::reach, "1",
            "farthest move of a node in one step, over the largest element; a longer step is taken back",
            {.lo = 1e-3, .hi = 1e12, .fallback = 10});
+  ptc.integer("corrections", &P::corrections,
+              "implicit: corrections after which a step is taken back; half as many allow a longer one", 2,
+              1000, 8);
+  ptc.real("solved", &P::solved, "1", "implicit: part of a step that its last correction may be",
+           {.lo = 1e-12, .hi = 0.5, .fallback = 0.01});
+  ptc.real("change", &P::change, "1", "implicit: by which a step is made longer or shorter",
+           {.lo = 1.01, .hi = 1e3, .fallback = 4});
 }

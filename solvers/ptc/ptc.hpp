@@ -26,11 +26,11 @@ namespace netloft::ptc {
 /// Newton's method, and so follows the motion where one linear solve a step strays: through netting that
 /// flickers between slack and taut, and off equilibria that are not stable.
 ///   M (u′ − u)/δ + r(u′) = 0                                                             (3)
-///   (K(v) + M/δ) s = −M (v − u)/δ − r(v),   v ← v + s,   until |s| is 1 % of |v − u|     (4)
+///   (K(v) + M/δ) s = −M (v − u)/δ − r(v),   v ← v + s,   until |s| ≤ `solved` |v − u|    (4)
 ///   d·r(u′) ≥ 2 d·r(u),   d = u′ − u                                                      (5)
 /// (3) is the implicit Euler method; for an energy it is the proximal point algorithm (R. T. Rockafellar,
-/// SIAM J. Control Optim. 14 (1976) 877-898). δ doubles where few corrections (4) are enough, falls by a
-/// third where many are needed, and is quartered where they do not get there; so it grows without bound near
+/// SIAM J. Control Optim. 14 (1976) 877-898). δ grows by `change` where half of the
+/// `corrections` (4) are enough, and falls by that where all do not get there; so it grows without bound near
 /// a stable equilibrium, where (4) is Newton's method. After E. Hairer and G. Wanner, Solving Ordinary
 /// Differential Equations II (1996), IV.8. By (3), d·r(u′) = −d·M d/δ: (5) is κ δ ≥ −1/2 for the
 /// curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, Euler's step leads onto the very equilibrium that
@@ -38,7 +38,8 @@ namespace netloft::ptc {
 struct PseudoTransient {
   struct Parameters {
     std::int64_t method = 0;
-    double step = 0, growth = 0, shrink = 0, reach = 0;
+    double step = 0, growth = 0, shrink = 0, reach = 0, solved = 0, change = 0;
+    std::int64_t corrections = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);
 };

@@ -196,8 +196,10 @@ void InteriorPoint::take(double a, std::span<double> u) {
 /// short.
 void InteriorPoint::adapt_damping(double a) {
   const double least = p_.tolerance * load_;
-  if (is_short(a)) damping_ = std::clamp(p_.factor * damping_, least, p_.most_damping * load_);
-  if (a > 0.5) damping_ = damping_ < p_.factor * least ? 0 : damping_ / p_.factor;
+  if (is_short(a))
+    damping_ = std::clamp(p_.factor * damping_, least, p_.most_damping * load_);
+  else
+    damping_ = damping_ < p_.factor * least ? 0 : damping_ / p_.factor;
 }
 
 }  // namespace netloft::tension

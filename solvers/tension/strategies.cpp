@@ -41,11 +41,9 @@ void Only::describe(StrategyTable<Only>& t) {
          {.lo = 1e-6, .hi = 10, .fallback = 0.1});
   t.real("to_boundary", &P::to_boundary, "1", "part of the way to the boundary of the cone that a step takes",
          {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
-  t.real(
-      "factor", &P::factor, "1",
-      "by which damping rises after a step shorter than its inverse, and falls after one of more than half "
-      "the length",
-      {.lo = 1.1, .hi = 1e3, .fallback = 10});
+  t.real("factor", &P::factor, "1",
+         "by which damping rises after a step shorter than its inverse, and falls after a longer one",
+         {.lo = 1.1, .hi = 1e3, .fallback = 10});
   t.real("most_damping", &P::most_damping, "1",
          "largest damping, over the load: where steps are short even so, the method ends",
          {.lo = 0, .hi = 1, .fallback = 1e-2});

@@ -14,6 +14,7 @@
 // it also says, before anything is solved, what it would try in which order and why, a line each.
 #pragma once
 #include <netloft/plugin.h>
+#include <netloft/imbalance.hpp>
 #include <netloft/parameters.hpp>
 #include <netloft/solver.hpp>
 
@@ -51,9 +52,9 @@ struct Variant {
   netloft_variant c() const { return {sizeof(netloft_variant), level, stiffness_cap, compression, current}; }
 };
 
-/// Tolerance of a stage that only gives the next one its start: what is left of it is small against what the
-/// easier problem is off the scene, so that solving it better is of no use.
-inline constexpr double kOnlyAStart = 1e-3;
+/// Tolerance of a stage that only gives the next one its start: what does not matter of the easier problem is
+/// less than what that is off the scene.
+inline constexpr double kOnlyAStart = kMatters;
 
 /// What is asked of one stage: a variant, who solves it, how well, and what it may cost.
 struct Ask {

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace netloft {
+
+/// The least imbalance that matters, over the load: drag and stiffness of netting are known to a hundredth at
+/// best.
+inline constexpr double kMatters = 1e-3;
+
+}  // namespace netloft
