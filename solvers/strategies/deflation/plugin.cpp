@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <netloft/strategy.hpp>
+#include <netloft/vectors.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace {
+
+using namespace netloft;
+
+/// Several equilibria by deflation: the roots uᵢ that are known are divided out of the residual,
+///   r(u) Π ηᵢ(u) = 0,   ηᵢ = L²/qᵢ + 1,   qᵢ = ‖u − uᵢ‖²                                 (1)
+/// which has the roots of r but for them. Its tangent is that of r but for a matrix of rank one, so that its
+/// Newton step is a multiple of Newton's (Sherman and Morrison), found with the factor of K at hand:
+///   u ← u + τ s,   s = −K⁻¹ r,   τ = 1/(1 − Σ s·∇ηᵢ/ηᵢ)                                  (2)
+///   s·∇η/η = −2 L² s·(u − uᵢ)/(q (L² + q))                                               (3)
+/// (P. E. Farrell, Á. Birkisson, S. W. Funke, Deflation techniques for finding distinct solutions of
+/// nonlinear partial differential equations, SIAM J. Sci. Comput. 37, 2015.) L is the size of an element;
+/// translations count in m, rotations in rad. A step moves no node by more than L. Nothing else globalises
+/// it: it is meant for what is stiff (struts, frames), stable or not; slack netting it seldom solves. A body
+/// that has turned round once more stands at another root of (1), but in the same shape.
+struct Deflation {
+  struct Parameters {
+    const char* by = nullptr;
+    std::int64_t searches = 0, iterations = 0;
+  };
+
+  static void run(const Parameters& p, Study& study) {
+    const Stage first = study.call(p.by, "", {.name = "the first shape"}, study.start());
+    if (!first.is_stationary()) return;
+    study.answer(first.u);
+    std::vector<Displacements> known{first.u};
+    for (int search = 0; search < p.searches && study.work_left() > 0; ++search) {
+      const Stage next = search_from(start_of(search, first, study), known, p, study);
+      if (!next.is_stationary()) continue;
+      study.answer(next.u);
+      known.push_back(next.u);
+    }
+  }
+
+  static std::string explain(const Parameters& p, Study&) {
+    return std::string("one shape by ") + p.by +
+           ", then others by Newton's method, with those that are known divided out\n";
+  }
+
+ private:
+  /// The start of the study; then perturbations of the first shape.
+  static Displacements start_of(int search, const Stage& first, const Study& study) {
+    return search == 0 ? study.start() : perturbed(first.u, study.element_size(), search);
+  }
+
+  static Stage search_from(Displacements from, const std::vector<Displacements>& known, const Parameters& p,
+                           Study& study) {
+    const Ask ask{.name = "deflated", .iterations = static_cast<unsigned>(p.iterations)};
+    auto u = study.with_problem(ask, std::move(from),
+                                [&](Problem& problem) { solve(problem, known, study.element_size()); });
+    return study.assess({.name = "deflated"}, std::move(u));
+  }
+
+  /// To a root of r, or to where a limit or a matrix without a factor ends it.
+  static void solve(Problem& problem, const std::vector<Displacements>& known, double L) {
+    std::vector<double> r(problem.size()), s(problem.size());
+    double energy = 0;
+    while (problem.evaluate(problem.u(), energy, r, Matrix::exact) == Evaluation::ok &&
+           problem.progress(problem.u(), energy, r, "deflated") &&
+           problem.factorise_indefinite(Matrix::exact, 0) == Factor::ok) {
+      problem.solve(r, s);
+      scale(-1, s);
+      const double t = multiple(problem.u(), s, known, L), length = std::abs(t) * problem.step_length(s);
+      if (!std::isfinite(length)) return;
+      axpy(length > 1 ? t / length : t, s, problem.u());
+    }
+  }
+
+  /// τ of (2).
+  static double multiple(std::span<const double> u, std::span<const double> s,
+                         const std::vector<Displacements>& known, double L) {
+    double sum = 0;
+    std::vector<double> d(u.size());
+    for (const Displacements& root : known) {
+      add_scaled(u, -1, root, d);
+      const double q = dot(d, d);
+      if (q > 0) sum -= 2 * L * L * dot(s, d) / (q * (L * L + q));  // (3)
+    }
+    return 1 / (1 - sum);
+  }
+};
+
+}  // namespace
+
+NETLOFT_PLUGIN("deflation", "0.1.0", "Several equilibria, by deflation") {
+  auto& s = plugin.strategy<Deflation>(
+      "deflation", "One equilibrium, then others, stable or not, with those that are known divided out");
+  using P = Deflation::Parameters;
+  s.text("by", &P::by, "strategy that finds the first", "auto");
+  s.integer("searches", &P::searches, "how often to look for another", 0, 1000, 10);
+  s.integer("iterations", &P::iterations, "steps of Newton's method in one search", 1, 100000, 100);
+}
