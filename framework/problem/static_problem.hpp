@@ -137,6 +137,8 @@ class StaticProblem {
   /// Largest distance between coordinates at the start [m].
   double gear_size() const { return gear_size_; }
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
+  /// The linear stiffness is evaluated anew when it is next needed: what elements are made of has changed.
+  void forget_metric() { metric_.clear(); }
   /// The exact tangent at u, factorised with `shift` times the metric.
   netloft_factor factorise_at(std::span<const double> u, double shift);
 

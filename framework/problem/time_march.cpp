@@ -258,6 +258,8 @@ class March {
   /// With winches that hold tensions, until their speeds and what they bear agree.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
+    // Of the ropes as they are at the beginning of this step, whether or not the march has come from far.
+    problem_.algebra().forget_metric();
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);
       if (status != NETLOFT_OK || !winches_.hold_tensions()) return status;
