@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-constexpr double kSettled = 1e-3;  // of the largest speed: a thousandth of the band, far less than it is off
+constexpr double kSettled = 1e-3;   // of the largest speed: a thousandth of the band, far less than it is off
 constexpr int kMostTries = 12;      // with one S, beyond those that measure it; half of them are rare
 constexpr double kMeasured = 0.02;  // of the largest speed, over which S is measured
 constexpr int kSweeps = 30;  // over the winches, for (2) and (3): they are coupled weakly, by the gear alone
@@ -113,9 +113,7 @@ double Winches::speed_at(std::size_t k, double tension) const {
 }
 
 /// By how much the tension may be off that was found in a try [N].
-double Winches::doubt(std::size_t k) const {
-  return tolerance_ * std::max(ropes_[k].wanted, ropes_[k].T);
-}
+double Winches::doubt(std::size_t k) const { return tolerance_ * std::max(ropes_[k].wanted, ropes_[k].T); }
 
 /// As well as forces of a step are known.
 bool Winches::is_settled() const {
