@@ -42,6 +42,7 @@ struct MarchState {
   double largest_at = 0;                    // time of the largest [s]
   std::uint64_t largest_of = 0;             // and its node
   double least_load = 0;                    // [N]
+  double stable_step = 0;                   // by the tangent when it was last asked for [s]; 0: not yet
   std::size_t outputs = 0;                  // written before
   std::int64_t steps = 0, rejected = 0;
   double t_before = 0;  // begin of the last step, of a march that is compared between steps [s]

@@ -11,7 +11,7 @@ std::string pack_checkpoint(const MarchState& s) {
   to.put(s.t), to.put(s.h);
   for (const auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged, &s.winches})
     to.put_array(*values);
-  to.put(s.least_load);
+  to.put(s.least_load), to.put(s.stable_step);
   to.put(s.error_sum), to.put(s.largest_error), to.put(s.largest_at), to.put(s.largest_of);
   to.put(std::uint64_t{s.outputs});
   to.put(static_cast<std::uint64_t>(s.steps)), to.put(static_cast<std::uint64_t>(s.rejected));
@@ -27,7 +27,7 @@ MarchState unpack_checkpoint(const std::string& bytes) {
   MarchState s;
   s.t = from.real(), s.h = from.real();
   for (auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged, &s.winches}) *values = from.reals();
-  s.least_load = from.real();
+  s.least_load = from.real(), s.stable_step = from.real();
   s.error_sum = from.real(), s.largest_error = from.real(), s.largest_at = from.real();
   s.largest_of = from.integer();
   s.outputs = from.integer();
