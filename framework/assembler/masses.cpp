@@ -11,16 +11,29 @@ namespace netloft {
 
 namespace {
 
-/// Entry (r, c) of a tangent in one lane, packed or full.
-double entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::size_t r, std::size_t c,
-                std::size_t lane) {
+/// Entry (r, c) of a tangent in all lanes, packed or full.
+const double* entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::size_t r,
+                       std::size_t c) {
   const std::size_t at = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * dofs + c;
-  return tangent[at * kLanes + lane];
+  return tangent + at * kLanes;
+}
+
+double largest_of(std::span<const double> lanes) {
+  double largest = 0;
+  for (const double m : lanes) largest = std::max(largest, std::abs(m));
+  return largest;
 }
 
 /// What a row of an element on a body is multiplied by among the unknowns: rotations by the arm.
 double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row) {
   return row / 3 == 1 ? f.arm(element) : 1;
+}
+
+/// The body that has its origin at a node.
+template <class Pairs>
+std::size_t body_at(const Pairs& pairs, std::uint32_t origin) {
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const auto& p) { return p[0] == origin; });
+  return static_cast<std::size_t>(found - pairs.begin());
 }
 
 /// M ← Qᵀ M Q, row by row.
@@ -51,12 +64,6 @@ bool Assembler::masses(std::span<const double> x, std::span<double> blocks, doub
 bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::span<double> blocks,
                            double& coupled) {
   const auto between = blocks.subspan(3 * numbering_.dofs());
-  const auto body_at = [&](std::uint32_t origin) {
-    const auto& pairs = bodies_.pairs();
-    return static_cast<std::size_t>(
-        std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair[0] == origin; }) -
-        pairs.begin());
-  };
   const ElementFamily& f = *families_[family];
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   const bool on_body = f.type().is_on_body();
@@ -71,18 +78,23 @@ bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::s
     };
     const auto add = [&](std::size_t, const netloft_tile& t, const Workspace& w) {
       for (std::size_t r = 0; r < dofs; ++r)
-        for (std::size_t c = 0; c < dofs; ++c)
+        for (std::size_t c = 0; c < dofs; ++c) {
+          const double* lanes = entry_of(w.scratch.data(), symmetric, dofs, r, c);
+          if (!on_body && r / 3 != c / 3) {
+            coupled = std::max(coupled, largest_of({lanes, t.count}));
+            continue;
+          }
           for (std::size_t lane = 0; lane < t.count; ++lane) {
             const std::size_t e = t.first + lane;
-            const double m = entry_of(w.scratch.data(), symmetric, dofs, r, c, lane) /
-                             (on_body ? turn_factor(f, e, r) * turn_factor(f, e, c) : 1);
+            const double m = lanes[lane] / (on_body ? turn_factor(f, e, r) * turn_factor(f, e, c) : 1);
             if (r / 3 == c / 3)
               blocks[9 * std::size_t{f.node(e, static_cast<int>(r / 3))} + 3 * (r % 3) + c % 3] += m;
-            else if (on_body && r < 3 && c / 3 == 1)
-              between[9 * body_at(f.node(e, 0)) + 3 * r + c % 3] += m;
-            else if (!on_body || r / 3 != 1 || c >= 3)
+            else if (r < 3 && c / 3 == 1)
+              between[9 * body_at(bodies_.pairs(), f.node(e, 0)) + 3 * r + c % 3] += m;
+            else if (r / 3 != 1 || c >= 3)
               coupled = std::max(coupled, std::abs(m));
           }
+        }
     };
     if (!visit_tiles(x, {.cu = 0, .cv = 0, .ca = 1}, family, evaluate, add)) return false;
   }

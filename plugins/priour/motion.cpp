@@ -48,26 +48,62 @@ struct Accelerated {
   const double* density;  // null: that of the water
 };
 
+/// What twines accelerate with, lane by lane: of the mass, and of the added mass that acts across them.
+struct Inert {
+  double across[kLanes], added[kLanes];
+
+  Inert(const Triangle::Lanes& p, const Accelerated& by, const netloft_tile& t) {
+    for (std::size_t i = 0; i < t.count; ++i) {
+      const double third = by.sign * p.volume[i] / 6;
+      added[i] = third * p.added_mass[i] * t.water_density;
+      across[i] = third * (by.density ? by.density[i] : t.water_density) + added[i];
+    }
+  }
+};
+
+/// The acceleration of corner m, and its part along the twines.
+struct OfCorner {
+  double y[3][kLanes], along[kLanes];
+
+  OfCorner(const Twines& w, const double* a, int m, std::size_t lanes) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < lanes; ++i) y[axis][i] = entry(a, 3 * m + axis, i);
+    for (std::size_t i = 0; i < lanes; ++i) along[i] = dot(unit(w, i), at_lane(i));
+  }
+  Vec3<double> at_lane(std::size_t i) const { return {y[0][i], y[1][i], y[2][i]}; }
+};
+
+/// Derivatives of row r of corner m; of (4) alone where places are not asked for.
+void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const double (&c)[3][kLanes],
+                const Accelerated& by, int m, int r, netloft_tile& t) {
+  double turned[kLanes];
+  for (int k = 0; k < 3; ++k) {
+    double* __restrict own = t.tangent + at(place(m, r, m, k), 0);
+    for (std::size_t i = 0; i < t.count; ++i)
+      own[i] += by.ca * ((r == k ? of.across[i] : 0) - of.added[i] * w.t[r][i] * w.t[k][i]);  // (4)
+    if (t.cu == 0) continue;
+    for (std::size_t i = 0; i < t.count; ++i)
+      turned[i] =
+          -t.cu * of.added[i] * w.inverse[i] * turning(unit(w, i), a.at_lane(i), a.along[i], r, k);  // (5)
+    for (int q = 0; q < 3; ++q) {
+      double* __restrict to = t.tangent + at(place(m, r, q, k), 0);
+      for (std::size_t i = 0; i < t.count; ++i) to[i] += c[q][i] * turned[i];
+    }
+  }
+}
+
+/// Row by row over all lanes.
 void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Accelerated& by,
                 netloft_tile& t) {
-  const Twines twines(t, c, p.l0);
-  for (std::size_t i = 0; i < t.count; ++i) {
-    const double third = by.sign * p.volume[i] / 6, added = third * p.added_mass[i] * t.water_density;
-    const double across = third * (by.density ? by.density[i] : t.water_density) + added;
-    const Vec3<double> s = unit(twines, i);
-    for (int m = 0; m < 3; ++m) {
-      const Vec3<double> a{entry(by.a, 3 * m, i), entry(by.a, 3 * m + 1, i), entry(by.a, 3 * m + 2, i)};
-      const double along = dot(s, a);
-      for (int r = 0; r < 3; ++r) {
-        if (t.force) t.force[at(3 * m + r, i)] += across * a[r] - added * along * s[r];  // (3), (6)
-        if (!t.tangent) continue;
-        for (int k = 0; k < 3; ++k) {
-          t.tangent[at(place(m, r, m, k), i)] +=
-              by.ca * ((r == k ? across : 0) - added * s[r] * s[k]);                             // (4)
-          const double turned = -t.cu * added * twines.inverse[i] * turning(s, a, along, r, k);  // (5)
-          for (int q = 0; q < 3; ++q) t.tangent[at(place(m, r, q, k), i)] += c[q][i] * turned;
-        }
-      }
+  const Twines w(t, c, p.l0);
+  const Inert of(p, by, t);
+  for (int m = 0; m < 3; ++m) {
+    const OfCorner a(w, by.a, m, t.count);
+    for (int r = 0; r < 3; ++r) {
+      for (std::size_t i = 0; i < t.count && t.force; ++i)
+        t.force[at(3 * m + r, i)] +=
+            of.across[i] * a.y[r][i] - of.added[i] * a.along[i] * w.t[r][i];  // (3), (6)
+      if (t.tangent) add_slopes(w, of, a, c, by, m, r, t);
     }
   }
 }
