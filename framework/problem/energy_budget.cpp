@@ -54,6 +54,7 @@ bool EnergyBudget::begin(double t, std::span<const double> u, std::span<const do
 bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const double> v,
                            std::span<const double> a, const MeanStep* mean) {
   place(t, u, v, a, next_);
+  keep_values();
   if (reads_time_ && !add_winches(mean ? mean->t : t)) return false;
   const double kinetic_before = kinetic_;
   double energy = 0;
@@ -62,6 +63,20 @@ bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const 
   state_.set(t, u, v, a);
   std::swap(now_, next_);
   return true;
+}
+
+void EnergyBudget::keep_values() {
+  before_ = sums();
+  before_.push_back(kinetic_);
+  for (const Account& s : stored_) before_.push_back(s.value);
+}
+
+void EnergyBudget::retract() {
+  set_sums(before_);
+  auto value = before_.end() - static_cast<std::ptrdiff_t>(stored_.size()) - 1;
+  kinetic_ = *value++;
+  for (Account& s : stored_) s.value = *value++;
+  std::swap(now_, next_);
 }
 
 /// (7): half of it at the old place and half at the new one; of a step by mean forces what energies change by

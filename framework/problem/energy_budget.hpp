@@ -38,6 +38,8 @@ class EnergyBudget {
   /// A step has led to a new state, by the mean forces of `mean` if that is not null.
   bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
                const MeanStep* mean = nullptr);
+  /// The last step is not made: back to the state before it.
+  void retract();
   /// Finds the forces of the last state anew, once elements remember it.
   bool refresh() { return find_forces(now_); }
   /// The last state again, whose rotations are counted in another way now.
@@ -79,6 +81,7 @@ class EnergyBudget {
   bool find_energies(const std::vector<double>& x, double t, double& sum, bool keep);
   bool sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
                  std::vector<double>& force);
+  void keep_values();
   bool add_ends();
   bool add_means(const MeanStep& mean, double kinetic_before);
   bool find_entrained();
@@ -97,6 +100,7 @@ class EnergyBudget {
   Account inertia_;
   Moment now_, next_;
   double kinetic_ = 0, first_kinetic_ = 0, entrained_ = 0, damped_ = 0, holds_ = 0, winches_ = 0;
+  std::vector<double> before_;  // sums() and energies before the last step
   std::vector<double> zero_, scratch_, mean_rates_, mean_own_rates_, momentum_, turned_, middle_, secant_,
       force_;
 };

@@ -40,6 +40,8 @@ class EnergyJudge {
     for (std::size_t k = kGiven; k < sums_.size(); k += 2) all += sums_[k + 1];
     return all;
   }
+  /// What energies are measured by: given and W [J].
+  double scale() const { return given() + sums_[kNegligible]; }
   bool is_lost(bool at_the_end) const { return sums_[kInARow] >= (at_the_end ? 1 : 10); }
   std::string sentence() const {
     char text[128];

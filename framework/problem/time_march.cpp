@@ -108,7 +108,7 @@ class March {
       note_start();
     }
     next_.u.resize(state_.u.size()), next_.v = next_.a = next_.u;
-    if (settings_.budget || settings_.judged)
+    if (settings_.budget || watches_energy())
       if (!budget_.begin(state_.t, state_.u, state_.v, state_.a)) return fail_at_fault();
     if (!state_.budget.empty()) budget_.set_sums(state_.budget);
     if (state_.judged.empty())
@@ -129,7 +129,7 @@ class March {
   bool begin_other() {
     if (!settings_.check) return true;
     MarchSettings& s = other_settings_ = settings_;
-    s.check = s.budget = s.judged = false;
+    s.check = s.judged = false;
     s.pace = stable_step(1) == 0 ? kLonger : kShorter;
     if (s.step > 0) s.step *= s.pace;
     s.longest_step *= s.pace, s.output_interval *= s.pace;
@@ -252,9 +252,12 @@ class March {
       const double corner = next_corner(), rest = corner - state_.t;
       const double parts = std::max(1.0, std::ceil(rest / std::min(state_.h, limit_) - 1e-9));
       const double h = rest / parts;
+      const double end = parts == 1 ? corner : state_.t + h;
       const int status = try_step(h);
-      const double error = status == NETLOFT_OK && settings_.adaptive ? error_over_tolerated() : 0;
-      if (status == NETLOFT_OK && error <= 1) return accept(parts == 1 ? corner : state_.t + h, h, error);
+      double error = status == NETLOFT_OK && settings_.adaptive ? error_over_tolerated() : 0;
+      if (status == NETLOFT_OK && error <= 1 && is_looked_at() && !keep_account(end, error))
+        return fail_at_fault();
+      if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
       if (status < 0) return fail_in_step();
       ++state_.rejected;
       if (!settings_.adaptive) return fail_at("the step " + seconds(h) + " is too long: " + trouble());
@@ -320,13 +323,12 @@ class March {
   bool accept(double t, double h, double error) {
     previous_ = state_.t, last_ = t;
     state_.t = t;
-    if (settings_.adaptive)
-      state_.h = std::min(h * growth(error), settings_.longest_step), note_error(t, error);
+    if (settings_.adaptive) state_.h = std::min(h * growth(error), settings_.longest_step), note_error(t);
     std::swap(state_.u, next_.u), std::swap(state_.v, next_.v), std::swap(state_.a, next_.a);
+    if (is_looked_at()) judge_ = tried_;
     ++state_.steps;
     result_.shortest = state_.steps == 1 ? h : std::min(result_.shortest, h);
     result_.longest = std::max(result_.longest, h);
-    if (is_looked_at() && !keep_account()) return fail_at_fault();
     if (!find_mean_forces()) return fail_at_fault();
     if (!winches_.empty()) winches_.accept();
     if (const std::string why = winches_.obstacle(); !why.empty()) return fail_at(why);
@@ -345,7 +347,8 @@ class March {
     return !has_means_ || problem_.find_step_forces(state_.t, state_.u, state_.v, state_.a, mean_forces_);
   }
 
-  void note_error(double t, double error) {
+  void note_error(double t) {
+    const double error = error_over_tolerated();
     state_.error_sum += error * allowed();
     if (error * allowed() <= state_.largest_error) return;
     state_.largest_error = error * allowed(), state_.largest_at = t;
@@ -361,19 +364,27 @@ class March {
     return settings_.budget || any_is_stable ? 1 : kLookEvery;
   }
   bool is_looked_at() const {
-    return settings_.budget || (settings_.judged && state_.steps % look_every() == 0);
+    return settings_.budget || (watches_energy() && (state_.steps + 1) % look_every() == 0);
   }
+  bool watches_energy() const { return settings_.judged || settings_.adaptive; }
 
-  /// Of the step from next_, as it is after a step, to state_.
-  bool keep_account() {
-    if (!settings_.budget && !budget_.begin(previous_, next_.u, next_.v, next_.a)) return false;
+  /// Of the step to next_ at time t, which is tried; raises its error to that by (4).
+  bool keep_account(double t, double& error) {
+    if (!settings_.budget && !budget_.begin(state_.t, state_.u, state_.v, state_.a)) return false;
     const EnergyBudget::Totals before = budget_.totals();
-    const MeanStep* mean = problem_.mean_step(state_.u);
+    const MeanStep* mean = problem_.mean_step(next_.u);
     if (problem_.is_between() && !mean) return false;
-    if (!budget_.advance(state_.t, state_.u, state_.v, state_.a, mean)) return false;
-    judge_.note(before, budget_.totals(), look_every());
+    if (!budget_.advance(t, next_.u, next_.v, next_.a, mean)) return false;
+    const EnergyBudget::Totals after = budget_.totals();
+    tried_ = judge_, tried_.note(before, after, look_every());
+    if (!settings_.adaptive) return true;
+    error = std::max(error, std::abs(after.numerical - before.numerical) / tolerated_energy());
+    if (error > 1) budget_.retract();
     return true;
   }
+
+  /// (4); in proportion to the length of steps where these are compared with others.
+  double tolerated_energy() const { return settings_.accuracy * settings_.pace * tried_.scale(); }
 
   std::string fastest_node() const {
     const auto node = [&](std::size_t i) {
@@ -561,9 +572,9 @@ class March {
   SolverChoice solver_;
   TransientProblem problem_;
   EnergyBudget budget_;
-  EnergyJudge judge_;
-  MarchState state_, next_;  // next_: the end of the step that is tried; after it, the state before
-  MovingState shown_;        // at the output
+  EnergyJudge judge_, tried_;  // tried_: with the step that is tried
+  MarchState state_, next_;    // next_: the end of the step that is tried; after it, the state before
+  MovingState shown_;          // at the output
   Winches winches_;
   std::vector<double> error_, residual_, mean_forces_, shown_u_, corners_;
   double limit_ = 0, previous_ = 0, last_ = 0;

@@ -137,9 +137,15 @@ struct MarchWatch {
 ///   allowed = a (accuracy/a)^(p/(p − 1)),  p = 2 with members that go slack and taut     (2)
 /// (tolerance proportionality: M. Calvo, D. J. Higham, J. I. Montijano, L. Rández, "Stepsize selection for
 /// tolerance proportionality in explicit Runge-Kutta codes", Adv. Comput. Math. 7, 1997).
-/// What a scheme estimates of single steps says nothing of a motion that enlarges errors, of a snap that the
-/// estimate does not see, or of steps that are given. With `check` the host goes through time a second time,
-/// in steps r times as long (2, or ½ where stability bounds them), and takes for the error of the path
+/// A scheme sees a snap by the forces it asks for, and not what lies between the places where it does. So
+/// each step is held to its energy as well, by the energy budget, with given and W of energy_judge.hpp at its
+/// end:
+///   |Δnumerical| ≤ accuracy (given + W)                                                     (4)
+/// What a snap takes or makes falls with h, not with its cube as the error of a step: held to (2), a chain
+/// was followed in steps of 1e-7 s at an accuracy of 5e-5, and lost.
+/// Errors of single steps say nothing of a motion that enlarges them, or of steps that are given. With
+/// `check` the host goes through time a second time, in steps r times as long (2, or ½ where stability bounds
+/// them), and takes for the error of the path
 ///   the largest distance of a node between both at an output / min(1, |r − 1|)                  (3)
 /// r as the mean steps were; where they differ by less than a tenth, nothing is told, and if that is so at
 /// all outputs the error is not known. It is not below the error where that falls with the step by the power

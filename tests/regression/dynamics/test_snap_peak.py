@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ball that falls on a slack rope: the peak of the tension by four time schemes, against the closed form of an elastic rope.
+"""A ball that falls on a slack rope: the peak of the tension by each time scheme, against the closed form of an elastic rope.
 
     test_snap_peak.py NETLOFT SOURCE_FOLDER
 
@@ -16,7 +16,7 @@ import h5py
 import numpy as np
 
 NETLOFT = sys.argv[1]
-LENGTH, EA, MASS, GRAVITY, FALL = 1, 2e4, 5, 9.81, 0.99
+LENGTH, EA, MASS, GRAVITY, FALL = 1, 2e5, 5, 9.81, 0.5
 SNAP = f"""
 [water]
 density = 0
@@ -35,15 +35,18 @@ float = {{ mass = {MASS}, volume = 0 }}
 on = "rope.start"
 [analysis]
 kind = "dynamic"
-duration = 0.52
-output_interval = 2e-3
-accuracy = 1e-4
+duration = 0.34  # it is caught at 0.3193 s, and the rope is longest 7.9 ms later
+output_interval = 1e-4
+dense = true
+accuracy = 1e-3
 """
 SCHEMES = {
     "generalized-alpha": [],
+    "generalized-alpha, radius 0.8": ["generalized-alpha.spectral_radius=0.8"],  # once went through the taut rope in one step
     "newmark": [],
-    "energy-momentum": ["energy-momentum.spectral_radius=1"],
-    "central-difference": ["adaptive=false", "step=1e-4"],
+    "central-difference": [],
+    "energy-momentum": [],
+    "arkode": [],
 }
 
 
@@ -52,10 +55,12 @@ class SnapPeak(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             scene, out = Path(folder) / "snap.toml", Path(folder) / "snap.hdf"
             scene.write_text(SNAP)
-            words = [NETLOFT, "run", scene, "--threads", "1", "-o", out, "--set", f"analysis.integrator={scheme}"]
+            words = [NETLOFT, "run", scene, "--threads", "1", "-o", out, "--set", f"analysis.integrator={scheme.split(',')[0]}"]
             for setting in settings:
                 words += ["--set", f"analysis.{setting}"]
             ended = subprocess.run(words, capture_output=True, text=True, check=False)
+            if 'there is no plugin "arkode"' in ended.stderr:
+                self.skipTest("built without SUNDIALS")
             self.assertEqual(ended.returncode, 0, ended.stderr + ended.stdout)
             with h5py.File(out) as f:
                 points, count = f["VTKHDF/Points"][()], f["VTKHDF/NumberOfPoints"][0]

@@ -219,6 +219,26 @@ TEST(EnergyBudget, ClosesOnALinearSpringUnderTheTrapezoidalRule) {
   }
 }
 
+TEST(EnergyBudget, RetractsAStepToTheBit) {
+  const Oscillator o;
+  Moving m(o.scene());
+  EnergyBudget once(m.assembler, 0.2), twice(m.assembler, 0.2);
+  const std::vector<double> start = {0.1}, moved = {0.07}, far = {-0.4}, slow = {0.3}, fast = {2.0},
+                            none = {0.0};
+  for (EnergyBudget* b : {&once, &twice}) {
+    ASSERT_TRUE(b->begin(0, start, none, none));
+    ASSERT_TRUE(b->advance(0.1, moved, slow, none));
+  }
+  const std::vector<double> before = twice.values();
+  ASSERT_TRUE(twice.advance(0.3, far, fast, none));
+  ASSERT_NE(twice.values(), before);
+  twice.retract();
+  EXPECT_EQ(twice.values(), before);
+  for (EnergyBudget* b : {&once, &twice}) ASSERT_TRUE(b->advance(0.2, start, fast, none));
+  EXPECT_EQ(twice.values(), once.values());
+  EXPECT_EQ(twice.sums(), once.sums());
+}
+
 TEST(EnergyBudget, NeverGainsUnderASchemeThatDamps) {
   const Oscillator o;
   Moving m(o.scene());
