@@ -3,6 +3,7 @@
 """Errors of motions against `accuracy`, and which motions end right, wrong or lost, scheme by scheme.
 
     motions.py NETLOFT SOURCE_FOLDER [--scenes snap,chain] [--schemes "newmark|arkode"] [--accuracies 1e-1,1e-2,1e-3,1e-4]
+               [--seconds 120]
 
 Prints two tables as Markdown. Errors are those of the node that is worst at any output, and of one that a person looks at (the
 ball, an end, a corner), over the extent of all paths, against a run of the energy-momentum scheme at a tenth of the finest
@@ -28,15 +29,14 @@ SCHEMES = {
 }
 UNDAMPED = {"central-difference"}  # its steps are bounded: it leaves the damping of the material out, and says so
 WATCHED = {"snap": 4, "chain": 16, "heave": 10, "gust": -1, "bars": -1, "panel": -1}  # node
-SECONDS = 120  # of processor time, after which a run is given up
 
 
-def run(netloft, scene, scheme, accuracy, folder, more=()):
+def run(asked, scene, scheme, accuracy, folder, more=()):
     """Answer as JSON, or the sentence of a run that did not end, and places of nodes by output."""
     out = Path(folder) / "out.hdf"
     name = "generalized-alpha" if scheme.startswith("gen") else scheme
-    words = [netloft, "run", scene, "--json", "--threads", "1", "--overwrite", "-o", out]
-    for setting in [f"analysis.integrator={name}", f"analysis.accuracy={accuracy}", f"analysis.max_seconds={SECONDS}",
+    words = [asked.netloft, "run", scene, "--json", "--threads", "1", "--overwrite", "-o", out]
+    for setting in [f"analysis.integrator={name}", f"analysis.accuracy={accuracy}", f"analysis.max_seconds={asked.seconds}",
                     *SCHEMES[scheme], *more]:
         words += ["--set", setting]
     ended = subprocess.run(words, capture_output=True, text=True, check=False)
@@ -74,7 +74,7 @@ def row(asked, file, scheme, accuracies, folder, reference, count):
     """Cells of a scheme in one scene; what became of its motions is added to `count`."""
     errors, most, cells, cpu, size = [], 0.0, [], 0.0, extent(reference)
     for accuracy in accuracies:
-        answer, paths = run(asked.netloft, file, scheme, accuracy, folder, ["analysis.check=true"])
+        answer, paths = run(asked, file, scheme, accuracy, folder, ["analysis.check=true"])
         cpu = answer.get("cpu_seconds", 0)
         if answer["status"] == "refused":
             return "not built |"
@@ -104,6 +104,7 @@ def main():
     words.add_argument("--scenes", default=",".join(WATCHED))
     words.add_argument("--schemes", default="|".join(SCHEMES))
     words.add_argument("--accuracies", default="1e-1,1e-2,1e-3,1e-4")
+    words.add_argument("--seconds", type=float, default=120, help="of processor time, after which a run is given up")
     asked = words.parse_args()
     accuracies = asked.accuracies.split(",")
     schemes = asked.schemes.split("|")
@@ -114,11 +115,11 @@ def main():
         for scene in asked.scenes.split(","):
             file = asked.source / "tests" / "bench" / "motions" / (scene + ".toml")
             finest = f"{0.1 * float(accuracies[-1]):.0e}"
-            answer, reference = run(asked.netloft, file, "energy-momentum", finest, folder)
+            answer, reference = run(asked, file, "energy-momentum", finest, folder)
             if reference is None:
                 print(f"| {scene} | reference: {answer['reason']} |", flush=True)
                 continue
-            other = run(asked.netloft, file, "generalized-alpha", finest, folder)[1]
+            other = run(asked, file, "generalized-alpha", finest, folder)[1]
             apart = "lost" if other is None else "{:.0e}, {:.0e}".format(*(e / extent(reference) for e in error(other, reference, WATCHED[scene])))
             print(f"| {scene} | reference, {answer['steps']} steps | {apart} |", flush=True)
             undamped = None
@@ -126,7 +127,7 @@ def main():
                 like = reference
                 if scheme in UNDAMPED:
                     if undamped is None:
-                        undamped = run(asked.netloft, file, "energy-momentum", finest, folder, ["analysis.material_damping=false"])[1]
+                        undamped = run(asked, file, "energy-momentum", finest, folder, ["analysis.material_damping=false"])[1]
                     like = undamped
                 print(f"| {scene} | {scheme} | " + row(asked, file, scheme, accuracies, folder, like, counts[scheme]), flush=True)
     print("\n| scheme | " + " | ".join(OUTCOMES) + " |\n|---" * 1 + "|---" * len(OUTCOMES) + "|")

@@ -29,7 +29,7 @@ COMMANDS = {  # what it is called with
     "ranks.py": (PROGRAM.parent / "bench_ranks", "--cells", "8", "--ranks", "1", "--repeats", "1"),
 }
 # Minutes on the least that they take, and an independent integrator that is not built everywhere.
-NOT_HERE = {"time_schemes.py", "real_time.py", "stability_limit.py"}
+NOT_HERE = {"time_schemes.py", "real_time.py", "trawl_in_motion.py", "stability_limit.py"}
 NUMBERS = re.compile(r"\d.*\s\|?\s*\d")
 
 
