@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Time schemes side by side: where explicit ones lose their stability, and what an error costs with each.
 
-    time_schemes.py NETLOFT SOURCE_FOLDER limits|factor
+    time_schemes.py NETLOFT SOURCE_FOLDER limits|factor|panel
     time_schemes.py NETLOFT SOURCE_FOLDER work [FILE.svg]
 
 limits   predicted and found longest step of the paper's fixed point, on the paper's two panels
 work     CPU seconds against the error of a path, all schemes on the same three scenes
-factor   a trawl and a panel of 5000 nodes, and a smaller panel: time that passes over time that it takes
+factor   a trawl and a panel of 5000 nodes, and a smaller panel: time that passes over time that it takespanel    CPU seconds of the whole program, frames with it, for the panel of 20 x 20 meshes, which takes MoorDyn 64.3 s
 """
 import json
+import resource
 import subprocess
 import sys
 import tempfile
@@ -24,11 +25,11 @@ FOLDER = tempfile.TemporaryDirectory()
 FIXED_POINT = ["analysis.integrator=newmark", "analysis.newmark.corrector=fixed-point"]
 
 
-def run(scene, *settings, check=False):
+def run(scene, *settings, check=False, options=()):
     """The answer of the program, and the series of its file."""
     output = Path(FOLDER.name) / "out.hdf"
     output.unlink(missing_ok=True)
-    words = [NETLOFT, "run", SCENES / scene, "--json", "-o", output]
+    words = [NETLOFT, "run", SCENES / scene, "--json", "-o", output, *options]
     for setting in settings:
         words += ["--set", setting]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
@@ -167,9 +168,31 @@ def print_factor():
                   f"real-time factor {answer['real_time_factor']:.3g}", flush=True)
 
 
+MOORDYN = 64.3  # CPU seconds of MoorDyn for 5 s of the same panel
+
+
+def print_panel():
+    """Of generalized-alpha, as the scene stands but for its accuracy; the least of five runs, on one thread."""
+    panel, names = "dynamics/panel-in-current.toml", PATHS["panel-in-current.toml"]
+    _, series = run(panel, "analysis.accuracy=1e-4", "analysis.tolerance=1e-4", check=True, options=("--threads", "1"))
+    reference = path_of(series, names)
+    print("| accuracy | steps | iterations | error | CPU s | MoorDyn's over it |\n|---|---|---|---|---|---|")
+    for accuracy in (3e-2, 1e-2, 9e-3, 5e-3):
+        seconds = []
+        for _ in range(5):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            answer, series = run(panel, f"analysis.accuracy={accuracy}", check=True, options=("--threads", "1"))
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            seconds.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+        print(f"| {accuracy:g} | {answer['steps']} | {answer['iterations']} | {path_error(path_of(series, names), reference):.2%} "
+              f"| {min(seconds):.3f} | {MOORDYN / min(seconds):.0f} |", flush=True)
+
+
 if __name__ == "__main__":
     if sys.argv[3] == "limits":
         print_limits()
+    elif sys.argv[3] == "panel":
+        print_panel()
     elif sys.argv[3] == "work":
         print_work(sys.argv[4] if len(sys.argv) > 4 else None)
     else:
