@@ -18,7 +18,9 @@ set(netloft_no_source ${PROJECT_BINARY_DIR}/headers.cpp)
 file(CONFIGURE OUTPUT ${netloft_no_source} CONTENT "int main() {}\n")
 
 function(netloft_precompile_flags target)
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # ccache wants it
+  # ccache wants both.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+                         "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endfunction()
 
 function(netloft_precompile_programs target)

@@ -49,35 +49,28 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
 using Two = wide::Two::V;
 using Four = wide::Four::V;
 
-/// The nine entries of a block, row by row, each for all lanes.
+/// The nine entries of a block, row by row, each for all lanes. Loads name their type, and registers are
+/// handed on by value: deduced types lose the attribute for unaligned access, and so do references, with
+/// clang.
 struct Entries {
   std::array<const double*, 9> at;
-  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Two& two) const {
-    two = *reinterpret_cast<const Two*>(at[i] + lane);
+  NETLOFT_INLINE Two two(std::size_t i, std::size_t lane) const {
+    return *reinterpret_cast<const Two*>(at[i] + lane);
   }
-  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Four& four) const {
-    four = *reinterpret_cast<const Four*>(at[i] + lane);
+  NETLOFT_INLINE Four four(std::size_t i, std::size_t lane) const {
+    return *reinterpret_cast<const Four*>(at[i] + lane);
   }
-  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, double& one) const { one = at[i][lane]; }
+  NETLOFT_INLINE double one(std::size_t i, std::size_t lane) const { return at[i][lane]; }
 };
 
 /// The sum of two sets of entries.
 struct BothEntries {
   Entries a, b;
-  // Loads into an explicit type, because deduced types lose the attribute for unaligned access.
-  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Two& two) const {
-    Two other;
-    a.get(i, lane, two), b.get(i, lane, other);
-    two += other;
+  NETLOFT_INLINE Two two(std::size_t i, std::size_t lane) const { return a.two(i, lane) + b.two(i, lane); }
+  NETLOFT_INLINE Four four(std::size_t i, std::size_t lane) const {
+    return a.four(i, lane) + b.four(i, lane);
   }
-  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, Four& four) const {
-    Four other;
-    a.get(i, lane, four), b.get(i, lane, other);
-    four += other;
-  }
-  NETLOFT_INLINE void get(std::size_t i, std::size_t lane, double& one) const {
-    one = a.at[i][lane] + b.at[i][lane];
-  }
+  NETLOFT_INLINE double one(std::size_t i, std::size_t lane) const { return a.one(i, lane) + b.one(i, lane); }
 };
 
 template <int Nodes>
@@ -108,11 +101,11 @@ NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& 
   double *first = values + to[lane], *second = values + to[lane + 1];
   Two a, b;
   for (std::size_t i = 0; i < 8; i += 2) {
-    entries.get(i, lane, a), entries.get(i + 1, lane, b);
+    a = entries.two(i, lane), b = entries.two(i + 1, lane);
     *reinterpret_cast<Two*>(first + i) += Two{a[0], b[0]};
     *reinterpret_cast<Two*>(second + i) += Two{a[1], b[1]};
   }
-  entries.get(8, lane, a);
+  a = entries.two(8, lane);
   first[8] += a[0], second[8] += a[1];
 }
 
@@ -122,7 +115,7 @@ NETLOFT_INLINE void add_four_lanes(const std::int32_t* to, const EntriesOfLanes&
                                    double* values) {
   Four v[4];
   for (std::size_t i = 0; i < 8; i += 4) {
-    for (std::size_t k = 0; k < 4; ++k) entries.get(i + k, lane, v[k]);
+    for (std::size_t k = 0; k < 4; ++k) v[k] = entries.four(i + k, lane);
     const Four even = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6),
                odd = __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7),
                even_below = __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6),
@@ -133,7 +126,7 @@ NETLOFT_INLINE void add_four_lanes(const std::int32_t* to, const EntriesOfLanes&
     *reinterpret_cast<Four*>(at + to[lane + 2]) += __builtin_shufflevector(even, even_below, 2, 3, 6, 7);
     *reinterpret_cast<Four*>(at + to[lane + 3]) += __builtin_shufflevector(odd, odd_below, 2, 3, 6, 7);
   }
-  entries.get(8, lane, v[0]);
+  v[0] = entries.four(8, lane);
   for (std::size_t k = 0; k < 4; ++k) values[to[lane + k] + 8] += v[0][k];
 }
 
@@ -146,11 +139,8 @@ NETLOFT_INLINE void add_pair(const std::int32_t* to, std::size_t count, const En
     for (; lane + 4 <= count; lane += 4) add_four_lanes(to, entries, lane, values);
   for (; lane + 2 <= count; lane += 2) add_two_lanes(to, entries, lane, values);
   if (lane < count)
-    for (std::size_t i = 0; i < 9; ++i) {
-      double entry;
-      entries.get(i, lane, entry);
-      values[to[lane] + static_cast<std::ptrdiff_t>(i)] += entry;
-    }
+    for (std::size_t i = 0; i < 9; ++i)
+      values[to[lane] + static_cast<std::ptrdiff_t>(i)] += entries.one(i, lane);
 }
 
 /// Tangents of all lanes of a tile; null if there are none.
