@@ -71,8 +71,7 @@ Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
 
 /// Raises μ until s leads downhill.
 std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double damping) {
-  for (const char* note = "";;
-       note = "more damping", damping = std::max(p_.nearly_definite, raised(damping, p_.factor, p_))) {
+  for (const char* note = "";; note = "more damping", damping = raised(damping, p_.factor, p_)) {
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
     if (factor == Factor::ok) {
       const Direction direction = solve(iterate, damping, note);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,10 +16,10 @@ namespace {
 /// From this t on a step means that the model is trusted, below it that it reaches too far.
 constexpr double kTrusted = 0.5;
 
-double adapted(double damping, const Step& step, const Newton::Parameters& p) {
-  if (step.rule == Step::Rule::residual) return lowered(damping, p);
+double adapted(double damping, double end, const Step& step, const Newton::Parameters& p) {
+  if (step.rule == Step::Rule::residual) return lowered(damping, end, p);
   if (step.rule != Step::Rule::energy) return damping;
-  return step.length > kTrusted ? lowered(damping, p) : raised(damping, kTrusted / step.length, p);
+  return step.length > kTrusted ? lowered(damping, end, p) : raised(damping, kTrusted / step.length, p);
 }
 
 class Globalised {
@@ -29,6 +30,7 @@ class Globalised {
         directions_(parameters, problem, curvature_),
         rules_(parameters, problem.size()),
         p_(parameters),
+        end_(problem.symmetric() ? parameters.least_damping : std::numeric_limits<double>::epsilon()),
         damping_(parameters.damping) {
     step_.reserve(problem.size());
   }
@@ -43,7 +45,7 @@ class Globalised {
       if (!direction) return Outcome::linear_solve;
       note = direction->note;
       const Step step = rules_.take(iterate_, *direction);
-      damping_ = adapted(direction->damping, step, p_);
+      damping_ = adapted(direction->damping, end_, step, p_);
       if (direction->nearly_definite && leave_saddle(direction->damping)) continue;
       if (step || (step.is_at_round_off && fall_back())) continue;
       if (damping_ >= p_.most_damping) return Outcome::step_too_short;
@@ -118,6 +120,7 @@ class Globalised {
   Directions directions_;
   StepRules rules_;
   const Newton::Parameters& p_;
+  const double end_;  // least damping
   double damping_;
   std::optional<std::size_t> fell_back_at_;  // count of points
 };
@@ -125,7 +128,10 @@ class Globalised {
 }  // namespace
 
 Outcome solve_globalised(const Newton::Parameters& parameters, Problem& problem) {
-  return Globalised(parameters, problem).run();
+  // Whether an unsymmetric K curves downwards is not known: it begins with as much as half of its digits.
+  Newton::Parameters own = parameters;
+  if (!problem.symmetric()) own.least_damping = kShortest;
+  return Globalised(own, problem).run();
 }
 
 }  // namespace netloft::newton

@@ -14,8 +14,10 @@ namespace netloft::newton {
 inline double raised(double damping, double factor, const Newton::Parameters& p) {
   return std::clamp(damping * factor, p.least_damping, p.most_damping);
 }
-inline double lowered(double damping, const Newton::Parameters& p) {
-  return damping < p.factor * p.least_damping ? 0 : damping / p.factor;
+/// An unsymmetric K needs it down to its rounding (`end`): soft parts of a gear want less than stiff ones, by
+/// the ratio of their stiffnesses.
+inline double lowered(double damping, double end, const Newton::Parameters& p) {
+  return damping < p.factor * end ? 0 : damping / p.factor;
 }
 
 /// The way off a saddle: where K + σ M is positive definite with a small σ (K is nearly definite) and K is
