@@ -23,8 +23,9 @@ bool is_given(const Options& options, const std::string& name) {
 }  // namespace
 
 std::unique_ptr<Ranks> start_ranks(const Options& options, const Launch& launch) {
-  if (is_given(options, "--ranks-from") && !launch.is_launched)
-    throw UsageError{"--ranks-from is for runs on several ranks: mpirun -n 4 netloft run …"};
+  for (const std::string name : {"--ranks-from", "--same-bits"})
+    if (is_given(options, name) && !launch.is_launched)
+      throw UsageError{name + " is for runs on several ranks: mpirun -n 4 netloft run …"};
   if (launch.size < 2) return nullptr;
   const std::string started = "the launcher of MPI has started " + std::to_string(launch.size) + " processes";
   if (options.command != "run")

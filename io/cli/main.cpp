@@ -478,6 +478,8 @@ void add_run_command(CLI::App& app, Options& o) {
                   "under mpirun: unknowns from which on all processes factorise together; else 100000")
       ->check(CLI::Range(std::int32_t{1}, std::numeric_limits<std::int32_t>::max()))
       ->type_name("UNKNOWNS");
+  run->add_flag("--same-bits", o.same_bits,
+                "under mpirun: results to the last bit, on any number of processes; takes more memory");
 }
 
 void add_commands(CLI::App& app, Options& o) {

@@ -49,6 +49,7 @@ struct Options {
   std::size_t mesh_nodes = 2000;             // draw: --nodes
   int threads = 0;                           // 0: as many as the machine has
   std::int32_t ranks_from = RankUse::kFrom;  // run: --ranks-from
+  bool same_bits = false;                    // run: --same-bits
   Ranks* ranks = nullptr;                    // run under mpirun: all of its processes
   double seconds = 60;                       // test: --seconds. All of the largest shipped plugin takes 1 s
   bool json = false;

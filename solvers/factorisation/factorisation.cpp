@@ -30,10 +30,13 @@ std::unique_ptr<Factorisation> make(MatrixClass kind, int threads) {
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind) { return make(kind, 1); }
 
 MakeFactorisation make_factorisation_with(int threads, const RankUse& use) {
-  const auto make_local = [threads](MatrixClass kind) { return make(kind, threads); };
+  const MakeFactorisation make_local = [threads](MatrixClass kind) { return make(kind, threads); };
   if (!use.ranks || use.ranks->size() < 2) return make_local;
-  return
-      [use, make_local](MatrixClass kind) { return make_distributed_factorisation(kind, use, make_local); };
+  const auto on_ranks = use.has_same_bits ? make_fronts_on(*use.ranks, threads, make_spare, make_local)
+                                          : make_mumps_on(*use.ranks);
+  return [use, make_local, on_ranks](MatrixClass kind) {
+    return make_distributed_factorisation(kind, use, make_local, on_ranks);
+  };
 }
 
 }  // namespace netloft

@@ -68,7 +68,7 @@ MumpsInstance::MumpsInstance(bool symmetric, Ranks* ranks)
 int MumpsInstance::run(Job job) {
   id_.job = job;
   if (ranks_)
-    ranks_->call(number_, &id_);
+    ranks_->call(number_, job, id_.sym, &id_);
   else
     run_here();
   return id_.infog[0];

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "solvers/factorisation/mumps.hpp"
+#include "solvers/factorisation/rank_branches.hpp"
 
 namespace netloft {
 namespace {
@@ -53,7 +54,10 @@ Launch launch_of_environment() {
   return {};
 }
 
-Ranks::Ranks(const std::filesystem::path& module, const Launch& launch) : module_(open_module(module)) {
+Ranks::Ranks(const std::filesystem::path& module, const Launch& launch)
+    : Ranks(*open_module(module), launch) {}
+
+Ranks::Ranks(const RanksModule& module, const Launch& launch) : module_(&module) {
   if (const char* fault = module_->start(&rank_, &size_)) throw std::runtime_error(fault);
   if (size_ != launch.size)
     throw std::runtime_error("the launcher has started " + std::to_string(launch.size) +
@@ -63,12 +67,34 @@ Ranks::Ranks(const std::filesystem::path& module, const Launch& launch) : module
 
 Ranks::~Ranks() {
   const std::lock_guard lock(one_at_a_time_);
-  if (rank_ == 0) module_->stop();
+  const RanksOrder end;
+  if (rank_ == 0) module_->give(&end);
 }
 
-void Ranks::call(int instance, void* mumps) {
+void Ranks::serve() {
+  BranchServer branches(*this);
+  for (RanksOrder order;;) {
+    module_->wait(&order);
+    if (order.kind == RanksOrder::end) return;
+    if (order.kind == RanksOrder::mumps)
+      module_->run_mumps(&order, nullptr);
+    else
+      branches.serve(order.instance, static_cast<BranchJob>(order.job));
+  }
+}
+
+void Ranks::call(int instance, int job, int symmetry, void* mumps) {
   const std::lock_guard lock(one_at_a_time_);
-  module_->call(instance, mumps);
+  const RanksOrder order{RanksOrder::mumps, instance, job, symmetry};
+  module_->give(&order);
+  module_->run_mumps(&order, mumps);
+}
+
+std::unique_lock<std::mutex> Ranks::begin(int instance, int job) {
+  std::unique_lock lock(one_at_a_time_);
+  const RanksOrder order{RanksOrder::branches, instance, job};
+  module_->give(&order);
+  return lock;
 }
 
 }  // namespace netloft

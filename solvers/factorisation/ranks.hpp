@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
+#include <span>
 
 #include "solvers/factorisation/ranks_module.hpp"
 
@@ -23,6 +24,7 @@ class Ranks {
  public:
   /// Opens the module and starts MPI. Throws std::runtime_error with a sentence if that cannot be.
   Ranks(const std::filesystem::path& module, const Launch& launch);
+  Ranks(const RanksModule& module, const Launch& launch);
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
   /// On rank 0: lets the others go.
@@ -31,11 +33,22 @@ class Ranks {
   int rank() const { return rank_; }
   int size() const { return size_; }
   /// On all ranks but 0, until that lets them go.
-  void serve() { module_->serve(); }
+  void serve();
 
   int next_instance() { return ++instances_; }
   /// Runs the job of a DMUMPS_STRUC_C on all ranks, `instance` being its number.
-  void call(int instance, void* mumps);
+  void call(int instance, int job, int symmetry, void* mumps);
+
+  /// Gives an order of branches; the ranks are the caller's until it lets the lock go.
+  std::unique_lock<std::mutex> begin(int instance, int job);
+  template <class T>
+  void send(int rank, std::span<T> numbers) {
+    module_->send(rank, numbers.data(), numbers.size_bytes());
+  }
+  template <class T>
+  void receive(int rank, std::span<T> numbers) {
+    module_->receive(rank, numbers.data(), numbers.size_bytes());
+  }
 
  private:
   const RanksModule* module_ = nullptr;
@@ -46,11 +59,11 @@ class Ranks {
 
 /// Which factorisations are distributed: those of `from` unknowns and more, if there are ranks.
 struct RankUse {
-  /// From here on MUMPS on two ranks is faster than one process, for tangents that are positive definite
-  /// (README.md). memory.
+  /// Below, a factorisation takes less than 0.1 s and 0.2 GB in one process (README.md).
   static constexpr std::int32_t kFrom = 100'000;
   Ranks* ranks = nullptr;
   std::int32_t from = kFrom;
+  bool has_same_bits = false;  // by our own fronts, else by MUMPS
 };
 
 }  // namespace netloft

@@ -16,13 +16,11 @@
 
 namespace {
 
-/// What rank 0 asks of the others, as four numbers.
-struct Order {
-  int instance = 0, job = 0, symmetry = 0, is_last = 0;
-};
-constexpr int kNumbers = 4, kBegin = -1, kEnd = -2;
+using netloft::RanksOrder;
 
-MPI_Comm orders = MPI_COMM_NULL, work = MPI_COMM_NULL;
+constexpr int kNumbers = sizeof(RanksOrder) / sizeof(int), kBegin = -1, kEnd = -2;
+
+MPI_Comm orders = MPI_COMM_NULL, work = MPI_COMM_NULL, messages = MPI_COMM_NULL;
 std::map<int, std::unique_ptr<DMUMPS_STRUC_C>> instances;  // on ranks other than 0
 
 /// Registered before anything that may use MPI registers an end of its own, so it comes last.
@@ -53,7 +51,7 @@ const char* start(int* rank, int* size) {
     if (threads < MPI_THREAD_SERIALIZED) return "this MPI cannot be called from several threads by turns";
   }
   MPI_Comm_rank(MPI_COMM_WORLD, rank), MPI_Comm_size(MPI_COMM_WORLD, size);
-  MPI_Comm_dup(MPI_COMM_WORLD, &orders), MPI_Comm_dup(MPI_COMM_WORLD, &work);
+  for (MPI_Comm* one : {&orders, &work, &messages}) MPI_Comm_dup(MPI_COMM_WORLD, one);
   return nullptr;
 }
 
@@ -63,51 +61,64 @@ void run(DMUMPS_STRUC_C& mumps) {
   if (mumps.job == kBegin) std::fill_n(mumps.icntl, 4, 0);  // silent on every rank
 }
 
-/// Matches wait_for_order(): MPI_Bcast would not.
-void give(Order order) {
-  MPI_Request request;
-  MPI_Ibcast(&order, kNumbers, MPI_INT, 0, orders, &request);
-  MPI_Wait(&request, MPI_STATUS_IGNORE);
-}
-
-void call(int instance, void* mumps_of_rank_0) {
-  auto& mumps = *static_cast<DMUMPS_STRUC_C*>(mumps_of_rank_0);
-  give({instance, mumps.job, mumps.sym, 0});
-  run(mumps);
-}
-
 /// MPI waits by asking again and again; a rank without work leaves the processor to others. A sleep is short
 /// at first: jobs of one factorisation follow each other.
-Order wait_for_order() {
+void wait_for(MPI_Request& request) {
   constexpr auto kShortest = std::chrono::microseconds(20), kLongest = std::chrono::microseconds(1000);
-  Order order;
-  MPI_Request request;
-  MPI_Ibcast(&order, kNumbers, MPI_INT, 0, orders, &request);
   auto pause = kShortest;
   for (int has_come = 0; MPI_Test(&request, &has_come, MPI_STATUS_IGNORE), !has_come;) {
     std::this_thread::sleep_for(pause);
     pause = std::min(2 * pause, kLongest);
   }
-  return order;
 }
 
-void serve() {
-  for (;;) {
-    const Order order = wait_for_order();
-    if (order.is_last) break;
-    auto& mumps = instances[order.instance];
-    if (!mumps) mumps = std::make_unique<DMUMPS_STRUC_C>();
-    mumps->job = order.job, mumps->sym = order.symmetry, mumps->par = 1;
-    run(*mumps);
-    if (order.job == kEnd) instances.erase(order.instance);
-  }
-  instances.clear();
+/// Matches wait(): MPI_Bcast would not.
+void give(const RanksOrder* order) {
+  RanksOrder copy = *order;
+  MPI_Request request;
+  MPI_Ibcast(&copy, kNumbers, MPI_INT, 0, orders, &request);
+  MPI_Wait(&request, MPI_STATUS_IGNORE);
 }
 
-void stop() { give({0, 0, 0, 1}); }
+void wait(RanksOrder* order) {
+  MPI_Request request;
+  MPI_Ibcast(order, kNumbers, MPI_INT, 0, orders, &request);
+  wait_for(request);
+}
 
-constexpr netloft::RanksModule kModule{MUMPS_VERSION, sizeof(DMUMPS_STRUC_C), start, call, serve, stop};
+void run_mumps(const RanksOrder* order, void* structure) {
+  if (structure) return run(*static_cast<DMUMPS_STRUC_C*>(structure));
+  auto& mumps = instances[order->instance];
+  if (!mumps) mumps = std::make_unique<DMUMPS_STRUC_C>();
+  mumps->job = order->job, mumps->sym = order->symmetry, mumps->par = 1;
+  run(*mumps);
+  if (order->job == kEnd) instances.erase(order->instance);
+}
+
+/// Calls move(bytes, count) for pieces that MPI can count.
+template <class Byte, class Move>
+void in_pieces(Byte* bytes, std::size_t count, const Move& move) {
+  constexpr std::size_t kMost = std::size_t{1} << 30;
+  for (; count > 0; bytes += std::min(count, kMost), count -= std::min(count, kMost))
+    move(bytes, static_cast<int>(std::min(count, kMost)));
+}
+
+void send(int rank, const void* bytes, std::size_t count) {
+  in_pieces(static_cast<const char*>(bytes), count,
+            [&](const char* from, int size) { MPI_Send(from, size, MPI_BYTE, rank, 0, messages); });
+}
+
+void receive(int rank, void* bytes, std::size_t count) {
+  in_pieces(static_cast<char*>(bytes), count, [&](char* to, int size) {
+    MPI_Request request;
+    MPI_Irecv(to, size, MPI_BYTE, rank, 0, messages, &request);
+    wait_for(request);
+  });
+}
+
+constexpr netloft::RanksModule kModule{
+    MUMPS_VERSION, sizeof(DMUMPS_STRUC_C), start, give, wait, run_mumps, send, receive};
 
 }  // namespace
 
-extern "C" [[gnu::visibility("default")]] const netloft::RanksModule* netloft_ranks_v1() { return &kModule; }
+extern "C" [[gnu::visibility("default")]] const netloft::RanksModule* netloft_ranks_v2() { return &kModule; }

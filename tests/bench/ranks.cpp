@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One factorisation of a tangent of the hanging panel, by this process or by all that mpirun has started.
 //
-//   [mpirun -n N] bench_ranks CELLS definite|unsymmetric ranks|THREADS [REPEATS]
+//   [mpirun -n N] bench_ranks CELLS definite|indefinite|unsymmetric ranks|same-bits|THREADS [REPEATS]
 //
 // REPEATS 0: analysis alone, of which the memory foreseen for more ranks than there are processors.
 //
@@ -22,7 +22,6 @@
 
 #include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/foreseen_memory.hpp"
-#include "solvers/factorisation/mumps.hpp"
 #include "solvers/factorisation/ranks.hpp"
 #include "tests/bench/panel_tangent.hpp"
 #include "tests/folders.hpp"
@@ -34,18 +33,23 @@ struct Task {
   int cells = 0;
   MatrixClass kind = MatrixClass::positive_definite;
   int threads = 0;  // 0: on ranks
+  bool has_same_bits = false;
   int repeats = 3;
 };
 
 Task task_of(int argc, char** argv) {
   if (argc < 4) {
-    std::fputs("bench_ranks CELLS definite|unsymmetric ranks|THREADS [REPEATS]\n", stderr);
+    std::fputs("bench_ranks CELLS definite|indefinite|unsymmetric ranks|same-bits|THREADS [REPEATS]\n",
+               stderr);
     std::exit(2);
   }
   Task task;
   task.cells = std::atoi(argv[1]);
   if (std::strcmp(argv[2], "unsymmetric") == 0) task.kind = MatrixClass::unsymmetric;
-  if (std::strcmp(argv[3], "ranks") != 0) task.threads = std::max(1, std::atoi(argv[3]));
+  if (std::strcmp(argv[2], "indefinite") == 0) task.kind = MatrixClass::symmetric;
+  task.has_same_bits = std::strcmp(argv[3], "same-bits") == 0;
+  if (!task.has_same_bits && std::strcmp(argv[3], "ranks") != 0)
+    task.threads = std::max(1, std::atoi(argv[3]));
   if (argc > 4) task.repeats = std::atoi(argv[4]);
   return task;
 }
@@ -115,8 +119,8 @@ void run(const Task& task, Ranks* ranks) {
       tangent_of_panel(task.cells, is_symmetric ? 0 : 1,
                        is_symmetric ? MatrixKind::convex : MatrixKind::exact, 1e-3, registry);
   const double before = peak_bytes();
-  const auto factorisation = ranks ? make_mumps_factorisation_on(*ranks, task.kind)
-                                   : make_factorisation_with(task.threads)(task.kind);
+  const auto factorisation = make_factorisation_with(
+      std::max(task.threads, 1), ranks ? RankUse{ranks, 1, task.has_same_bits} : RankUse{})(task.kind);
   const Cost cost = measure(*factorisation, matrix, task.repeats);
   std::printf(
       "{\"what\": \"%s\", \"unknowns\": %d, \"analyse\": %.4f, \"factorise\": %.4f, \"solve\": %.4f, "

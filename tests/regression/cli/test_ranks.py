@@ -21,7 +21,7 @@ PANEL = ["run", str(SCENES / "dead-weight-panel.toml"), "--set", "parts.net.cell
 CODEND = ["run", str(SCENES / "verification/codend-with-catch.toml"), "--set", "parts.codend.cells=[12,24]",
           "--set", "analysis.tolerance=1e-13"]
 ALL = ["--ranks-from", "1", "--threads", "1"]  # coarse meshes of a strategy, too
-LONG = ["run", str(SCENES / "dead-weight-panel.toml"), "--set", "parts.net.cells=[80,80]", "--set", "analysis.tolerance=1e-16", *ALL]
+LONG = ["run", str(SCENES / "dead-weight-panel.toml"), "--set", "parts.net.cells=[240,240]", "--set", "analysis.tolerance=1e-16", *ALL]
 
 
 def why_not():
@@ -74,8 +74,8 @@ class OnRanks(InFreshFolder):
         while b"progress" not in (line := process.stderr.readline()):
             self.assertTrue(line, "it ended before")
 
-    def assert_same_figures(self, scene):
-        """All begin where lighter water has the gear: some ten factorisations instead of hundreds."""
+    def assert_same_figures(self, scene, *words, closeness=1e-9):
+        """`closeness`: of positions, over the size of the gear; 0: of the same bits. All begin where lighter water has the gear: some ten factorisations instead of hundreds."""
         self.assertEqual(self.netloft(*scene, "--set", "water.density=1000", "-o", "near.hdf").code, 0)
         scene = [*scene, "--start-from", "near.hdf"]
         self.assertEqual(self.netloft(*scene, "-o", "alone.hdf").code, 0)
@@ -83,9 +83,9 @@ class OnRanks(InFreshFolder):
         alone = self.points("alone.hdf")
         for ranks in (1, 2, 4):
             name = f"{ranks}.hdf"
-            ended = self.on_ranks(ranks, *scene, *ALL, "-o", name, "--json")
+            ended = self.on_ranks(ranks, *scene, *ALL, *words, "-o", name, "--json")
             self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
-            self.assertLess(np.abs(self.points(name) - alone).max(), 1e-9 * np.ptp(alone, axis=0).max())
+            self.assertLessEqual(np.abs(self.points(name) - alone).max(), closeness * np.ptp(alone, axis=0).max())
             said = json.loads(ended.stdout)  # by one rank
             self.assertGreater(said["factorisations"], 2)
             self.assertEqual((said["status"], said["stability"]), ("converged", "stable"))
@@ -97,6 +97,21 @@ class OnRanks(InFreshFolder):
 
     def test_an_unsymmetric_tangent_gives_the_figures_of_one_process(self):
         self.assert_same_figures(CODEND)
+
+    def test_an_unsymmetric_tangent_gives_the_bits_of_one_process(self):
+        self.assert_same_figures(CODEND, "--same-bits", closeness=0)
+
+    def test_a_symmetric_tangent_gives_the_same_bits_on_any_number_of_ranks(self):
+        for name, ranks in (("two", 2), ("again", 2), ("four", 4)):
+            ended = self.on_ranks(ranks, *PANEL, *ALL, "--same-bits", "-o", f"{name}.hdf")
+            self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+            self.assertEqual(np.abs(self.points(f"{name}.hdf") - self.points("two.hdf")).max(), 0)
+
+    def test_what_is_for_several_processes_is_refused_in_one(self):
+        for words in (["--ranks-from", "1"], ["--same-bits"]):
+            ended = self.netloft(*PANEL, *words)
+            self.assertEqual(ended.code, 2)
+            self.assertIn(f"{words[0]} is for runs on several ranks", ended.err)
 
     def test_small_matrices_stay_in_one_process(self):
         ended = self.on_ranks(2, *PANEL, "--json")

@@ -53,7 +53,7 @@ std::unique_ptr<Factorisation> make_wide_cholmod(OrderingMethod method) {
 
 template <MatrixClass kKind>
 std::unique_ptr<Factorisation> make_on_one_rank(OrderingMethod) {
-  return make_distributed_factorisation(kKind, {&test::one_rank(), 1}, make_factorisation);
+  return make_mumps_on(test::one_rank())(kKind);
 }
 
 std::vector<Tested> all_factorisations() {
@@ -67,6 +67,10 @@ std::vector<Tested> all_factorisations() {
            test::has_ranks()},
           {"DistributedUnsymmetric", MatrixClass::unsymmetric, make_on_one_rank<MatrixClass::unsymmetric>,
            test::has_ranks()},
+          {"MultifrontalDefinite", MatrixClass::positive_definite,
+           [](OrderingMethod method) { return make_definite_multifrontal_factorisation(method); }},
+          {"MultifrontalDefiniteOnThreads", MatrixClass::positive_definite,
+           [](OrderingMethod method) { return make_definite_multifrontal_factorisation(method, 3); }},
           {"Multifrontal", MatrixClass::unsymmetric, make_multifrontal_with_umfpack},
           {"Umfpack", MatrixClass::unsymmetric, make_umfpack_factorisation},
           {"UmfpackOfLowerTriangle", MatrixClass::symmetric, make_umfpack_of_lower_triangle}};

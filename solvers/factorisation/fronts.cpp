@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/factorisation/fronts.hpp"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "solvers/factorisation/shared_front.hpp"
+#include "solvers/factorisation/symmetric_front.hpp"
+
+namespace netloft {
+
+void Room::resize(std::size_t count) {
+  all_.reset();
+  all_.reset(new double[count + kLine]);
+  void* begin = all_.get();
+  std::size_t bytes = (count + kLine) * sizeof(double);
+  begin_ = static_cast<double*>(std::align(kLine * sizeof(double), count * sizeof(double), begin, bytes));
+}
+
+void Fronts::plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values,
+                  std::size_t places) {
+  forget_room();
+  tree_ = &tree, schedule_ = &schedule, value_count_ = values, place_count_ = places;
+}
+
+void Fronts::forget_room() {
+  panels_.clear();
+  for (Room& updates : updates_) updates.clear();
+}
+
+void Fronts::make_room() {
+  for (int parity : {0, 1}) updates_[parity].resize(schedule_->room[parity]);
+  values_.resize(value_count_), exchanged_.resize(place_count_), by_place_.resize(place_count_);
+  of_front_.assign(static_cast<std::size_t>(tree_->most_unknowns) + kTileRows, 0.0);
+  panels_.resize(tree_->panels);
+}
+
+double Fronts::bytes() const {
+  if (!tree_) return 0;
+  const std::size_t doubles =
+      tree_->panels + schedule_->room[0] + schedule_->room[1] + value_count_ + place_count_;
+  return static_cast<double>(doubles * sizeof(double) + place_count_ * sizeof(std::int32_t));
+}
+
+bool Fronts::has_room() {
+  try {
+    if (panels_.is_empty()) make_room();
+    return true;
+  } catch (const std::bad_alloc&) {
+    forget_room();
+    return false;
+  }
+}
+
+FrontPanels Fronts::panels_of(std::size_t front) {
+  const Front& f = tree_->fronts[front];
+  double* left = panels_.at(f.panels);
+  double* upper = tree_->is_definite ? std::to_address(update_of(front).end())
+                                     : left + f.pivots * left_stride(f.pivots, f.others);
+  return {f.pivots, f.others, left, upper};
+}
+
+std::span<double> Fronts::update_of(std::size_t front) {
+  const std::int32_t others = tree_->fronts[front].others;
+  return {updates_[schedule_->parity[front]].at(schedule_->update[front]),
+          static_cast<std::size_t>(others * upper_stride(others))};
+}
+
+Elimination Fronts::eliminate(std::size_t front, Workers* workers) {
+  const Front& f = tree_->fronts[front];
+  const FrontPanels panels = panels_of(front);
+  const std::span<double> update = update_of(front);
+  std::fill(panels_.at(f.panels), panels_.at(tree_->fronts[front + 1].panels), 0.0);
+  std::ranges::fill(update, 0.0);
+  set_entries(front);
+  for (std::int32_t c = tree_->child_start[front]; c < tree_->child_start[front + 1]; ++c)
+    matrix_kernels_.add_child(left_by(static_cast<std::size_t>(tree_->child[c])), panels, update.data());
+  const Elimination e = eliminate(panels, exchanged_.data() + f.first, workers);
+  if (e.stopped_at < 0) this->update(panels, update.data(), workers);
+  return e;
+}
+
+Elimination Fronts::eliminate(const FrontPanels& panels, std::int32_t* exchanged, Workers* workers) {
+  if (tree_->is_definite) return eliminate_symmetric(kernels_, panels, exchanged, workers);
+  return workers ? eliminate_together(kernels_, panels, {}, exchanged, *workers)
+                 : kernels_.eliminate(panels, {}, exchanged);
+}
+
+void Fronts::update(const FrontPanels& panels, double* C, Workers* workers) {
+  if (tree_->is_definite) return update_symmetric(kernels_, panels, C, workers);
+  workers ? update_together(kernels_, panels, C, *workers) : kernels_.update(panels, C);
+}
+
+/// Sets the entries of the matrix; nothing has been added at these places yet.
+void Fronts::set_entries(std::size_t front) {
+  double* panels = panels_.at(tree_->fronts[front].panels);
+  for (std::size_t k = tree_->fronts[front].entries; k < tree_->fronts[front + 1].entries; ++k) {
+    const FrontEntries& entries = tree_->of_matrix[k];
+    const double* from = values_.data() + entries.slot;
+    double* to = panels + entries.target;
+    to[0] = from[0];
+    if (entries.size == 1) continue;
+    const std::ptrdiff_t down = entries.down, across = entries.across;
+    to[across] = from[1], to[2 * across] = from[2];
+    to += down;
+    to[0] = from[3], to[across] = from[4], to[2 * across] = from[5];
+    to += down;
+    to[0] = from[6], to[across] = from[7], to[2 * across] = from[8];
+  }
+}
+
+/// The update of a child in the sum (1) of the tree.
+ChildUpdate Fronts::left_by(std::size_t child) {
+  const Front &front = tree_->fronts[child], &next = tree_->fronts[child + 1];
+  return {update_of(child).data(), front.others, {tree_->runs.data() + front.runs, next.runs - front.runs}};
+}
+
+void Fronts::forward(std::size_t front) {
+  const Front& f = tree_->fronts[front];
+  double *own = by_place_.data() + f.first, *y = of_front_.data();
+  const std::int32_t *exchanged = exchanged_.data() + f.first, *other = tree_->other.data() + f.indices;
+  for (std::int32_t k = 0; k < f.pivots; ++k) std::swap(own[k], own[exchanged[k]]);
+  std::copy_n(own, f.pivots, y);
+  std::fill_n(y + f.pivots, f.others, 0.0);
+  kernels_.forward(panels_of(front), y);
+  std::copy_n(y, f.pivots, own);
+  for (std::int32_t i = 0; i < f.others; ++i) by_place_[other[i]] += y[f.pivots + i];
+}
+
+void Fronts::backward(std::size_t front) {
+  const Front& f = tree_->fronts[front];
+  double *own = by_place_.data() + f.first, *y = of_front_.data();
+  const std::int32_t* other = tree_->other.data() + f.indices;
+  std::copy_n(own, f.pivots, y);
+  for (std::int32_t i = 0; i < f.others; ++i) y[f.pivots + i] = by_place_[other[i]];
+  (tree_->is_definite ? kernels_.backward_symmetric : kernels_.backward)(panels_of(front), y);
+  std::copy_n(y, f.pivots, own);
+}
+
+}  // namespace netloft

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "framework/assembler/workers.hpp"
+#include "solvers/factorisation/front_schedule.hpp"
+
+namespace netloft {
+
+/// Uninitialised doubles that begin at a cache line.
+class Room {
+ public:
+  void resize(std::size_t count);
+  void clear() { all_.reset(), begin_ = nullptr; }
+  bool is_empty() const { return begin_ == nullptr; }
+  double* at(std::size_t i) { return begin_ + i; }
+
+ private:
+  static constexpr std::size_t kLine = 8;
+  std::unique_ptr<double[]> all_;
+  double* begin_ = nullptr;
+};
+
+/// The numbers of a tree of fronts: values of the matrix, factors, updates, and a vector that is solved for.
+/// What is done with one front at a time; who calls does so in an order that front_schedule.hpp allows.
+class Fronts {
+ public:
+  /// The matrix has so many
+  /// `values`; `places` are the unknowns of the tree by place, and after them those that its fronts name
+  /// besides. `tree` and `schedule` must outlive the last call.
+  void plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values, std::size_t places);
+
+  /// What has_room() takes [bytes].
+  double bytes() const;
+  /// Takes the memory at the first call after plan(). Returns false if there is not enough.
+  bool has_room();
+
+  std::span<double> values() { return values_; }
+  std::span<double> by_place() { return by_place_; }
+  /// C of (1) in front_tree.hpp.
+  std::span<double> update_of(std::size_t front);
+
+  /// By this thread alone, or by all `workers`.
+  Elimination eliminate(std::size_t front, Workers* workers);
+  /// The steps of L y = b and U x = y that belong to a front, in by_place(): children first, then parents
+  /// first.
+  void forward(std::size_t front);
+  void backward(std::size_t front);
+
+ private:
+  void make_room();
+  void forget_room();
+  FrontPanels panels_of(std::size_t front);
+  void set_entries(std::size_t front);
+  Elimination eliminate(const FrontPanels& panels, std::int32_t* exchanged, Workers* workers);
+  void update(const FrontPanels& panels, double* C, Workers* workers);
+  ChildUpdate left_by(std::size_t child);
+
+  const FrontTree* tree_ = nullptr;
+  const FrontSchedule* schedule_ = nullptr;
+  std::size_t value_count_ = 0, place_count_ = 0;
+  const FrontKernels& kernels_ = front_kernels();
+  const MatrixKernels& matrix_kernels_ = matrix_kernels();
+  std::vector<double> values_;  // by slots
+  Room panels_, updates_[2];
+  std::vector<std::int32_t> exchanged_;  // rows, by place
+  std::vector<double> by_place_, of_front_;
+};
+
+}  // namespace netloft

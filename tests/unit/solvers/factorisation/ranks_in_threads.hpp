@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <condition_variable>
+#include <cstring>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "solvers/factorisation/ranks.hpp"
+
+namespace netloft::test {
+
+/// Ranks that are threads of this process, with queues for messages instead of MPI; without MUMPS. One at a
+/// time.
+class RanksInThreads {
+ public:
+  explicit RanksInThreads(int size) {
+    post() = std::make_unique<Post>();
+    post()->size = size;
+    for (int rank = 1; rank < size; ++rank)
+      servers_.emplace_back([rank, size] {
+        own_rank() = rank;
+        Ranks(kModule, Launch{rank, size, true}).serve();
+      });
+    first_ = std::make_unique<Ranks>(kModule, Launch{0, size, true});
+  }
+  ~RanksInThreads() {
+    first_.reset();
+    for (std::thread& server : servers_) server.join();
+  }
+  Ranks& first() { return *first_; }
+
+  /// Bytes that have come and that nobody has taken.
+  static std::size_t unread() {
+    std::size_t all = 0;
+    for (const auto& [way, bytes] : post()->bytes) all += bytes.size();
+    return all;
+  }
+
+ private:
+  struct Post {
+    int size = 1;
+    std::mutex mutex;
+    std::condition_variable arrival;
+    std::map<std::pair<int, int>, std::deque<char>> bytes;
+    std::map<int, std::deque<RanksOrder>> orders;
+  };
+  static std::unique_ptr<Post>& post() {
+    static std::unique_ptr<Post> post;
+    return post;
+  }
+  static int& own_rank() {
+    thread_local int rank = 0;
+    return rank;
+  }
+
+  static const char* start(int* rank, int* size) {
+    *rank = own_rank(), *size = post()->size;
+    return nullptr;
+  }
+  static void give(const RanksOrder* order) {
+    const std::lock_guard lock(post()->mutex);
+    for (int rank = 1; rank < post()->size; ++rank) post()->orders[rank].push_back(*order);
+    post()->arrival.notify_all();
+  }
+  static void wait(RanksOrder* order) {
+    std::unique_lock lock(post()->mutex);
+    auto& orders = post()->orders[own_rank()];
+    post()->arrival.wait(lock, [&] { return !orders.empty(); });
+    *order = orders.front();
+    orders.pop_front();
+  }
+  static void send(int rank, const void* bytes, std::size_t count) {
+    const std::lock_guard lock(post()->mutex);
+    const char* from = static_cast<const char*>(bytes);
+    auto& way = post()->bytes[{own_rank(), rank}];
+    way.insert(way.end(), from, from + count);
+    post()->arrival.notify_all();
+  }
+  static void receive(int rank, void* bytes, std::size_t count) {
+    std::unique_lock lock(post()->mutex);
+    auto& way = post()->bytes[{rank, own_rank()}];
+    post()->arrival.wait(lock, [&] { return way.size() >= count; });
+    const auto end = way.begin() + static_cast<std::ptrdiff_t>(count);
+    std::copy(way.begin(), end, static_cast<char*>(bytes));
+    way.erase(way.begin(), end);
+  }
+  static void run_mumps(const RanksOrder*, void*) {}
+
+  static constexpr RanksModule kModule{"none", 0, start, give, wait, run_mumps, send, receive};
+  std::vector<std::thread> servers_;
+  std::unique_ptr<Ranks> first_;
+};
+
+}  // namespace netloft::test
