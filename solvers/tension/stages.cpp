@@ -18,6 +18,7 @@ Stages::Stages(const Parameters& parameters, netloft_members& members)
 MixedNewton::Ending Stages::solve(std::span<double> u) {
   using Ending = MixedNewton::Ending;
   Ending ending = newton_.solve(soft_stage(), u);
+  if (ending != Ending::converged) return ending;
   for (double multiple = p_.ratio; multiple < p_.last && ending != Ending::called_off; multiple *= p_.ratio)
     ending = newton_.solve(next_stage(multiple), u);
   return ending == Ending::called_off ? ending : newton_.solve(last_stage(), u);

@@ -7,10 +7,6 @@ using netloft::automatic::Options;
 NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
   auto& s = plugin.strategy<Auto>(
       "auto", "Attempts that suit the scene in slices of work, then restarts for other shapes");
-  s.integer("starts", &Options::starts,
-            "starts that are tried where all attempts end without a stable equilibrium: the one given, then "
-            "perturbed ones",
-            1, 1000, 2);
   s.integer("restarts", &Options::restarts,
             "how often to look for other shapes where something is in compression", 0, 1000, 6);
   s.boolean(

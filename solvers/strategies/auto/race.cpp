@@ -38,24 +38,20 @@ Race::Race(Study& study, const Options& options)
       start_(start_with_forces(study, options)) {}
 
 Stage Race::run() {
-  for (int start = 0; start < options_.starts && !is_decided(); ++start) {
-    if (start > 0) start_ = perturbed(start_, study_.element_size(), start);
-    run_from_start();
-  }
+  for (const Attempt& attempt : attempts_for(study_, options_)) runners_.push_back({attempt});
+  const auto is_out = [](const Runner& r) { return r.is_out; };
+  for (double slice = options_.slice; !is_decided() && !std::all_of(runners_.begin(), runners_.end(), is_out);
+       slice *= options_.growth)
+    run_round(slice);
   return best_;
 }
 
-void Race::run_from_start() {
-  runners_.clear();
-  for (const Attempt& attempt : attempts_for(study_, options_)) runners_.push_back({attempt});
-  const auto is_out = [](const Runner& r) { return r.is_out; };
-  for (double slice = options_.slice; !std::all_of(runners_.begin(), runners_.end(), is_out);
-       slice *= options_.growth)
-    for (Runner& runner : runners_) {
-      if (is_decided()) return;
-      if (!runner.is_out) run_slice(runner, slice);
-      if (runner.is_near && !is_decided()) run_slice(runner, options_.growth * slice);
-    }
+void Race::run_round(double slice) {
+  for (Runner& runner : runners_) {
+    if (is_decided()) return;
+    if (!runner.is_out) run_slice(runner, slice);
+    if (runner.is_near && !is_decided()) run_slice(runner, options_.growth * slice);
+  }
 }
 
 bool Race::is_decided() const { return best_.has_converged() || study_.work_left() <= over_at_; }

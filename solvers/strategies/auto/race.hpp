@@ -25,12 +25,12 @@ class Race {
  private:
   struct Runner {
     Attempt attempt;
-    bool is_out = false;                           // not tried again from the same start
+    bool is_out = false;                           // not tried again
     bool is_near = false;                          // cut off where the scene is nearly in balance
     std::optional<Displacements> cut_off_at = {};  // a point of the scene itself; else it begins again
   };
 
-  void run_from_start();
+  void run_round(double slice);
   void run_slice(Runner& runner, double slice);
   Stage start_or_go_on(Runner& runner, double work);
   Stage off_saddle(Stage saddle, double work);
