@@ -27,10 +27,12 @@ namespace netloft::newton {
 ///
 /// Direction. The first step is Newton's own, θ = μ = 0, if it leads downhill and moves no node by more than
 /// the length of an element: the start may be an equilibrium but for a little; μ is then 0. Else μ begins at
-/// `damping`. After a step of length t it is divided by `factor` if t > ½, and by 2 t if it is shorter. With
-/// θ = 1 and μ = 1 the step cannot raise a convex energy (Levenberg 1944, in the metric of the linear
-/// stiffness). θ is halved from step to step and doubled until the matrix is positive definite. An
-/// unsymmetric K is not asked whether it is positive definite: μ rises until s leads downhill.
+/// `damping`. After a step of length t it is divided by `factor` if t > ½, and by 2 t if it is shorter. Below
+/// `least_damping` there is none; an unsymmetric K is damped down to the rounding of a double, and from its
+/// root on if damping is wanted again, since soft parts of a gear need less than stiff ones. With θ = 1 and μ
+/// = 1 the step cannot raise a convex energy (Levenberg 1944, in the metric of the linear stiffness). θ is
+/// halved from step to step and doubled until the matrix is positive definite. An unsymmetric K is not asked
+/// whether it is positive definite: μ rises until s leads downhill.
 ///
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
 /// decrease. (5) lets an iterate cross the kinks between slack and taut, one step at a time, by a relaxed

@@ -16,7 +16,8 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
   newton.real("damping", &Newton::Parameters::damping, "1",
               "first share of the linear stiffness in the step's matrix",
               {.lo = 0, .hi = 64, .fallback = 0.1});
-  newton.real("least_damping", &Newton::Parameters::least_damping, "1", "damping below which there is none",
+  newton.real("least_damping", &Newton::Parameters::least_damping, "1",
+              "damping below which there is none, where the tangent is symmetric",
               {.lo = 1e-15, .hi = 1e-3, .fallback = 1e-7});
   newton.real(
       "most_damping", &Newton::Parameters::most_damping, "1",
