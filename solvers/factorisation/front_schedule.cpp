@@ -13,9 +13,6 @@ namespace {
 // Branches that a thread gets on average. In nested dissections of nets each level of the tree has 0.7 times
 // the work of the one above it, so that smaller branches would leave more to the trunk.
 constexpr double kBranchesPerThread = 2;
-// Branches of less work than this part of a rank's share are left to the trunk: each costs two messages at
-// every solve.
-constexpr double kWorthSending = 0.125;
 
 class Scheduler {
  public:
@@ -68,7 +65,7 @@ class Scheduler {
     const double share = tree_.flops / ranks;
     std::vector<std::size_t> roots;
     for (std::size_t s = 0; s < fronts_; ++s)
-      if (is_branch(s, share) && work_[s] >= kWorthSending * share) roots.push_back(s);
+      if (is_branch(s, share)) roots.push_back(s);
     std::ranges::stable_sort(roots, std::greater{}, [&](std::size_t s) { return work_[s]; });
     std::vector<double> load(static_cast<std::size_t>(ranks), 0);  // of ranks 1, 2, …, 0
     for (const std::size_t s : roots) {
