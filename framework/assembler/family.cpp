@@ -120,8 +120,10 @@ std::vector<double> ElementFamily::gather_datum(const Scene& scene, const netlof
     const auto given = part.data.find(datum.name);
     const std::size_t wanted = (part_begin_[p + 1] - part_begin_[p]) * datum.width;
     if (given == part.data.end())
-      throw SceneError({{part.name, type_->type + " needs \"" + datum.name + "\" (" + datum.doc +
-                                        ") of every element; this part's geometry does not give it"}});
+      throw SceneError(
+          {{part.name, type_->type + " needs \"" + datum.name + "\" (" + datum.doc +
+                           ") of every element; this part's geometry does not give it. On this stencil " +
+                           "it may give " + names_of_data_on(type_->element.stencil)}});
     if (given->second.size() != wanted)
       throw SceneError(
           {{part.name, "\"" + std::string(datum.name) + "\" has " + std::to_string(given->second.size()) +

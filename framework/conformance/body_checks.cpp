@@ -142,11 +142,11 @@ Finding full_turns_change_nothing(Bench& b) {
 
 /// Reflected at y = 0, the body of the other side: what is axial reverses x and z, all else y.
 Finding sides_mirror_each_other(Bench& b) {
-  std::size_t datum = 0;
-  while (datum < b.type.data.size() && b.type.data[datum].name != kSide) ++datum;
-  if (!b.type.is_on_body() || datum == b.type.data.size()) return nothing_to_ask("the element has no side");
+  const auto is_side = [](const netloft_datum& d) { return std::string_view(d.name) == datum::kSide.name; };
+  const auto at = std::ranges::find_if(b.type.data, is_side);
+  if (!b.type.is_on_body() || at == b.type.data.end()) return nothing_to_ask("the element has no side");
   Sample other = b.sample;
-  for (double& side : other.data[datum]) side = -side;
+  for (double& side : other.data[static_cast<std::size_t>(at - b.type.data.begin())]) side = -side;
   const Specimen mirrored(b.type, other);
   const auto reflect = [](const V& w, bool is_axial) {
     return is_axial ? V{-w.x, w.y, -w.z} : V{w.x, -w.y, w.z};

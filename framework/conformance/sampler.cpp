@@ -127,7 +127,8 @@ bool Sampler::is_corner(const netloft_datum& datum) const {
 
 double Sampler::number(const netloft_datum& datum) {
   if (is_corner(datum)) return uniform(-4, 4);
-  if (type_.is_on_body() && std::string_view(datum.name) == kSide) return uniform(0, 1) < 0.5 ? -1 : 1;
+  if (type_.is_on_body() && std::string_view(datum.name) == datum::kSide.name)
+    return uniform(0, 1) < 0.5 ? -1 : 1;
   const std::string_view unit = datum.unit;
   if (unit == "m") return std::exp(uniform(std::log(0.5), std::log(2.0)));
   if (unit != "1") return real(0, 1e300, usual(datum.unit).least, usual(datum.unit).most);

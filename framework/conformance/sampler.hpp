@@ -40,9 +40,6 @@ class ParameterSampler {
   std::mt19937_64 random_;
 };
 
-/// Datum of elements on bodies: 1 as they are written, -1 mirrored, with y of the body's axes reversed.
-inline constexpr std::string_view kSide = "side";
-
 /// Of sampled parameters those that have no default.
 Values required_of(std::span<const netloft_parameter> table, const Values& sampled);
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "framework/conformance/test_laws.hpp"
 #include "framework/parameters/parameters.hpp"
-#include "framework/registry/descriptors.hpp"
+#include "framework/registry/element_data.hpp"
 
 #include <stdexcept>
 

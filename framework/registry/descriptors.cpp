@@ -3,6 +3,7 @@
 
 #include "framework/parameters/parameters.hpp"
 #include "framework/parameters/whole_number.hpp"
+#include "framework/registry/element_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,6 +145,23 @@ bool is_stencil(std::uint32_t s) {
          s == NETLOFT_TRIANGLE_PAIR || s == NETLOFT_BODY;
 }
 
+/// "1 number in m", "3 pure numbers"
+std::string numbers_in(std::uint32_t width, const std::string& unit) {
+  const std::string noun = width == 1 ? "number" : "numbers";
+  return std::to_string(width) + (unit == "1" ? " pure " + noun : " " + noun + " in " + unit);
+}
+
+/// What the host gives under a name is of one width and unit, whatever an element makes of it.
+void check_data(const ElementType& e, const std::string& owner, Faults& faults) {
+  check_names(e.data, owner, "datum", faults);
+  for (const auto& d : e.data)
+    if (const HostDatum* given = find_datum_on(e.element.stencil, shown(d.name)))
+      faults.require(d.width == given->width && (!named(d.unit) || std::string_view(d.unit) == given->unit),
+                     owner + ": datum \"" + given->name + "\" is " + numbers_in(d.width, shown(d.unit)) +
+                         "; under this name the host gives " + numbers_in(given->width, given->unit) + " (" +
+                         given->doc + ")");
+}
+
 void check_laws(const ElementType& e, const std::string& owner, Faults& faults) {
   check_names(e.laws, owner, "law slot", faults);
   for (const auto& slot : e.laws)
@@ -223,7 +241,7 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   faults.require(raw.create && raw.destroy, e.type + " has no create or no destroy");
   faults.require(!raw.output_count || raw.output, e.type + " declares outputs but has no function for them");
   check_parameters(e.parameters, raw.parameter_bytes, e.type, faults);
-  check_names(e.data, e.type, "datum", faults);
+  check_data(e, e.type, faults);
   check_names(e.outputs, e.type, "output", faults);
   e.laws = read_rows(raw.laws, raw.law_count);
   e.globals = read_rows(raw.globals, raw.global_count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/parameters/parameters.hpp"
+#include "framework/registry/element_data.hpp"
 #include "framework/scene/course.hpp"
 #include "framework/scene/water_field.hpp"
 #include "framework/scene/winch.hpp"
@@ -76,13 +77,13 @@ struct LawChoice {
 
 /// A named part of a gear: elements of one type on nodes of the scene.
 struct Part {
-  std::string name;                                 // "net"
-  std::string type;                                 // "priour/triangle"
-  Values parameters;                                // by parameter name
-  std::vector<std::uint32_t> nodes;                 // scene nodes of the elements, one after another
-  std::map<std::string, std::vector<double>> data;  // by datum name: [element][width]
-  std::map<std::string, LawChoice> laws = {};       // by slot name; absent: the slot's default
-  bool companion = false;                           // rides on the part of the same name before it
+  std::string name;                  // "net"
+  std::string type;                  // "priour/triangle"
+  Values parameters;                 // by parameter name
+  std::vector<std::uint32_t> nodes;  // scene nodes of the elements, one after another
+  ElementData data;
+  std::map<std::string, LawChoice> laws = {};  // by slot name; absent: the slot's default
+  bool companion = false;                      // rides on the part of the same name before it
   double viscosity_ratio = 1;  // of the viscosity that it meets to that of the water, in models of gears
 };
 

@@ -16,7 +16,8 @@ using Weights = std::array<double, 3>;  // of the corners of a triangle; they ad
 /// The triangles of a panel in twine coordinates, with a grid of cells that lists those in each.
 class Netting {
  public:
-  explicit Netting(const Part& part) : part_(part), u_(part.data.at("u")), v_(part.data.at("v")) {}
+  explicit Netting(const Part& part)
+      : part_(part), u_(part.data.at(datum::kU.name)), v_(part.data.at(datum::kV.name)) {}
 
   std::size_t triangles() const { return part_.nodes.size() / 3; }
   Place corner(std::size_t triangle, std::size_t k) const {
@@ -84,7 +85,7 @@ std::size_t at(std::uint32_t node) { return 3 * std::size_t{node}; }
 /// Share of the way along a rope at the end of every bar, from zero.
 std::vector<double> shares_of(const Part& rope) {
   std::vector<double> shares{0};
-  for (const double length : rope.data.at("rest_length")) shares.push_back(shares.back() + length);
+  for (const double length : rope.data.at(datum::kRestLength.name)) shares.push_back(shares.back() + length);
   for (double& share : shares) share /= shares.back();
   return shares;
 }

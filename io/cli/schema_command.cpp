@@ -161,10 +161,9 @@ Json geometry_schema(const GeometryKey& key) {
 /// Data of elements that the geometry does not give stand in the part's table.
 void put_data(Json& part, const ElementType& e, bool required) {
   if (e.element.stencil == NETLOFT_BAR_PAIR) return;  // the ropes that it stands between give it all
-  const auto& given = geometry_data(layout_of(e));
   const double inf = std::numeric_limits<double>::infinity();
   for (const auto& datum : e.data)
-    if (std::find(given.begin(), given.end(), datum.name) == given.end())
+    if (!find_datum_on(e.element.stencil, datum.name))
       put(part, datum.name,
           count_limits({{"type", "array"},
                         {"items", quantity(datum.unit, -inf, inf, datum.doc)},

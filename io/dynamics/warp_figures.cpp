@@ -31,9 +31,9 @@ double factor_at(const Part& part, double t) {
 }
 
 double length_at(const Part& part, double t) {
-  const auto lengths = part.data.find("rest_length");
-  if (lengths == part.data.end()) return NamedScalar::kUnknown;
-  return factor_at(part, t) * std::accumulate(lengths->second.begin(), lengths->second.end(), 0.0);
+  const auto* lengths = find_data(part.data, datum::kRestLength);
+  if (!lengths) return NamedScalar::kUnknown;
+  return factor_at(part, t) * std::accumulate(lengths->begin(), lengths->end(), 0.0);
 }
 
 }  // namespace

@@ -18,9 +18,8 @@ Vector GearView::at(std::uint32_t node) const {
 }
 
 std::vector<double> GearView::rest_lengths(std::uint32_t rope) const {
-  const auto& data = loaded_.scene.parts[rope].data;
-  const auto at = data.find("rest_length");
-  return at == data.end() ? std::vector<double>(nodes_of(rope).size() - 1, 1.0) : at->second;
+  const auto* lengths = find_data(loaded_.scene.parts[rope].data, datum::kRestLength);
+  return lengths ? *lengths : std::vector<double>(nodes_of(rope).size() - 1, 1.0);
 }
 
 Vector GearView::middle_of(std::uint32_t rope) const {

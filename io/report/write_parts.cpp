@@ -27,9 +27,9 @@ double diameter_of(const Part& part) {
 }
 
 /// The first number of a datum of the part's elements.
-double first_of(const Part& part, const char* datum) {
-  const auto at = part.data.find(datum);
-  return at == part.data.end() || at->second.empty() ? kNone : at->second.front();
+double first_of(const Part& part, const HostDatum& datum) {
+  const auto* numbers = find_data(part.data, datum);
+  return numbers ? numbers->front() : kNone;
 }
 
 using Axes = std::array<double, 4>;
@@ -38,14 +38,14 @@ using Axes = std::array<double, 4>;
 /// on the whole panel, found from the corners of one triangle. Nodes on seams are left out, because they have
 /// the coordinates of another panel's.
 Axes axes_of(const Part& part, const PartGeometry& geometry) {
-  const auto u = part.data.find("u"), v = part.data.find("v");
+  const auto *u = find_data(part.data, datum::kU), *v = find_data(part.data, datum::kV);
   Axes axes{kNone, kNone, kNone, kNone};
-  if (u == part.data.end() || v == part.data.end() || geometry.panel.empty()) return axes;
+  if (!u || !v || geometry.panel.empty()) return axes;
   std::map<std::uint32_t, std::array<double, 2>> places;
   for (std::size_t own = 0; own < geometry.panel.size(); ++own)
     if (!places.emplace(geometry.nodes[own], geometry.panel[own]).second)
       places[geometry.nodes[own]] = {kNone, kNone};
-  for (std::size_t t = 0; t + 2 < part.nodes.size() && t + 2 < u->second.size(); t += 3) {
+  for (std::size_t t = 0; t + 2 < part.nodes.size() && t + 2 < u->size(); t += 3) {
     std::array<std::array<double, 2>, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = places[part.nodes[t + k]];
     const double ax = p[1][0] - p[0][0], ay = p[1][1] - p[0][1], bx = p[2][0] - p[0][0],
@@ -55,7 +55,7 @@ Axes axes_of(const Part& part, const PartGeometry& geometry) {
       const double da = w[t + 1] - w[t], db = w[t + 2] - w[t];
       return std::array<double, 2>{(da * by - db * ay) / twice, (db * ax - da * bx) / twice};
     };
-    const auto first = solve(u->second), second = solve(v->second);
+    const auto first = solve(*u), second = solve(*v);
     return {first[0], first[1], second[0], second[1]};
   }
   return axes;
@@ -68,7 +68,7 @@ struct PartRows {
 
   void add(const Part& part, const PartGeometry* geometry, const SheetPlace* place) {
     names.push_back(part.name), types.push_back(part.type);
-    diameters.push_back(diameter_of(part)), bars.push_back(first_of(part, "bar_length"));
+    diameters.push_back(diameter_of(part)), bars.push_back(first_of(part, datum::kBarLength));
     const Axes of_twines = geometry ? axes_of(part, *geometry) : Axes{kNone, kNone, kNone, kNone};
     axes.insert(axes.end(), of_twines.begin(), of_twines.end());
     const SheetPlace at = place ? *place : SheetPlace{kNone, kNone, kNone, kNone, kNone, kNone};

@@ -85,7 +85,7 @@ class Carrier {
   }
   bool is_rope(std::size_t part) const {
     const Part& p = loaded_.scene.parts[part];
-    return p.data.contains("rest_length") && p.nodes.size() >= 2;
+    return p.data.contains(datum::kRestLength.name) && p.nodes.size() >= 2;
   }
   bool is_divided(std::size_t part) const { return is_rope(part) || !loaded_.parts[part].panel.empty(); }
 
@@ -131,8 +131,8 @@ class Carrier {
     for (auto node = half.nodes.rbegin(); node != half.nodes.rend(); ++node)
       whole.nodes.push_back(image_of(*node));
     whole.nodes.insert(whole.nodes.end(), half.nodes.begin(), half.nodes.end());
-    const std::vector<double>& lengths = half.data.at("rest_length");
-    std::vector<double>& all = whole.data["rest_length"];
+    const std::vector<double>& lengths = half.data.at(datum::kRestLength.name);
+    std::vector<double>& all = whole.data[datum::kRestLength.name];
     all.assign(lengths.rbegin(), lengths.rend());
     all.insert(all.end(), lengths.begin(), lengths.end());
     return whole;
@@ -142,16 +142,16 @@ class Carrier {
   Part whole_panel(const Part& half) const {
     Part whole = half;
     for (const auto node : half.nodes) whole.nodes.push_back(image_of(node));
-    for (const double u : half.data.at("u")) whole.data["u"].push_back(-u);
-    const std::vector<double>& v = half.data.at("v");
-    whole.data["v"].insert(whole.data["v"].end(), v.begin(), v.end());
+    for (const double u : half.data.at(datum::kU.name)) whole.data[datum::kU.name].push_back(-u);
+    const std::vector<double>& v = half.data.at(datum::kV.name);
+    whole.data[datum::kV.name].insert(whole.data[datum::kV.name].end(), v.begin(), v.end());
     return whole;
   }
 
   /// The bars of a rope in the result, with their lengths there.
   Part rope_of(std::uint32_t part) const {
     Part rope;
-    std::vector<double>& lengths = rope.data["rest_length"];
+    std::vector<double>& lengths = rope.data[datum::kRestLength.name];
     for (std::size_t b = 0; b < result_.mesh.bars.size(); ++b) {
       if (result_.mesh.cell_part[result_.mesh.bar_cells[b]] != part) continue;
       const auto [from, to] = result_.mesh.bars[b];
@@ -165,7 +165,7 @@ class Carrier {
   /// The triangles of a panel in the result, with the places of their corners in meshes.
   Part panel_of(std::uint32_t part) const {
     Part panel;
-    std::vector<double>&u = panel.data["u"], &v = panel.data["v"];
+    std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];
     for (std::size_t t = 0; t < result_.mesh.triangles.size(); ++t) {
       const auto& corners = result_.mesh.corners[t];
       const bool has_places =
@@ -181,7 +181,7 @@ class Carrier {
   /// All nodes of a panel of the scene as corners of triangles, the last ones more than once to fill them up.
   static Part places_of(const PartGeometry& geometry) {
     Part panel;
-    std::vector<double>&u = panel.data["u"], &v = panel.data["v"];
+    std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];
     for (std::size_t own = 0; own < (geometry.nodes.size() + 2) / 3 * 3; ++own) {
       const std::size_t n = std::min(own, geometry.nodes.size() - 1);
       panel.nodes.push_back(geometry.nodes[n]);

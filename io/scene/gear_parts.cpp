@@ -297,11 +297,11 @@ void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
   for (const auto own : mesh.triangles) {
     const auto [U, V] = mesh.meshes[own];
     const auto [u, v] = twine_coordinates(plan.orientation, plan.angle, U, V);
-    geometry.data["u"].push_back(u);
-    geometry.data["v"].push_back(v);
-    geometry.data["to_aft"].push_back(plan.depth - V);
+    geometry.data[datum::kU.name].push_back(u);
+    geometry.data[datum::kV.name].push_back(v);
+    geometry.data[datum::kToAft.name].push_back(plan.depth - V);
   }
-  geometry.data["bar_length"].assign(mesh.triangles.size() / 3, plan.mesh / 2);
+  geometry.data[datum::kBarLength.name].assign(mesh.triangles.size() / 3, plan.mesh / 2);
   Value twine = plan.twine;
   keep_strength(draft_.out, panel.name, plan.twine, plan.twines, plan.twine_name);
   if (plan.twines > 1 && twine.as<Table>())
@@ -317,7 +317,7 @@ void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
   geometry.names.sets = mesh.sets, geometry.names.place = rope.rope->place;
   for (std::uint32_t i = 0; i + 1 < mesh.nodes.size(); ++i)
     geometry.elements.insert(geometry.elements.end(), {i, i + 1});
-  geometry.data["rest_length"] = mesh.rest_lengths;
+  geometry.data[datum::kRestLength.name] = mesh.rest_lengths;
   keep_strength(draft_.out, rope.name, rope.rope->rope, 1, rope.rope->part_name);
   add_part("ropes", rope.name, "ropes." + rope.rope->name, rope.rope->rope, !rope.rope->part_name.empty(),
            std::move(geometry), mesh.nodes);
@@ -547,8 +547,8 @@ void GearParts::set_winches() {
     const double tension = plan.tension.value_or(0),
                  wanted = rope.is_mirrored ? plan.tension_port.value_or(tension) : tension;
     if (plan.tension)
-      draft_.out.scene.settings.push_back(
-          {"length of " + rope.name, rope.name, "rest_length", "m", block, wanted});
+      draft_.out.scene.settings.push_back({"length of " + rope.name, rope.name, datum::kRestLength.name,
+                                           datum::kRestLength.unit, block, wanted});
     Winch winch{rope.name, made("ropes").of->key + std::string(".length_share"), block,
                 rope.is_mirrored ? plan.length_port.value_or(plan.length) : plan.length, plan.winch};
     if (winch.stages.empty())

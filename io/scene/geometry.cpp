@@ -3,16 +3,12 @@
 
 #include "io/scene/geometry_keys.hpp"
 
-#include <algorithm>
-
 namespace netloft::io {
 
 Layout layout_of(const ElementType& type) {
-  const bool bundles = std::any_of(type.data.begin(), type.data.end(),
-                                   [](const auto& d) { return std::string_view(d.name) == "parallel"; });
   switch (type.element.stencil) {
     case NETLOFT_BAR:
-      return bundles ? Layout::panel_in_bars : Layout::line;
+      return declares(type, datum::kParallel) ? Layout::panel_in_bars : Layout::line;
     case NETLOFT_TRIANGLE:
       return Layout::panel_in_triangles;
     case NETLOFT_BODY:
@@ -20,15 +16,6 @@ Layout layout_of(const ElementType& type) {
     default:
       return Layout::point;
   }
-}
-
-const std::vector<std::string>& geometry_data(Layout layout) {
-  static const ByLayout<std::vector<std::string>> data{{"pieces", "length"},
-                                                       {"rest_length"},
-                                                       {"u", "v", "bar_length", "to_aft"},
-                                                       {"rest_length", "parallel"},
-                                                       {"side", "arm"}};
-  return data.of(layout);
 }
 
 Point along_line(const std::vector<Point>& line, double t) {
@@ -48,7 +35,7 @@ Geometry read_point(TableReader& part) {
   const Point at = read_one_point(part, kAt);
   append(out.positions, at);
   out.elements = {0};
-  out.data["pieces"] = {1}, out.data["length"] = {0};
+  out.data[datum::kPieces.name] = {1}, out.data[datum::kLength.name] = {0};
   out.names.sets["point"] = {0};
   return out;
 }
@@ -61,7 +48,7 @@ Geometry read_line(TableReader& part) {
   if (sketch.size() < 2 || n < 1) return out;
   for (std::uint32_t i = 0; i <= n; ++i) append(out.positions, along_line(sketch, double(i) / n));
   for (std::uint32_t i = 0; i < n; ++i) out.elements.insert(out.elements.end(), {i, i + 1});
-  out.data["rest_length"].assign(n, length / n);
+  out.data[datum::kRestLength.name].assign(n, length / n);
   out.names.cells = {static_cast<int>(n)};
   out.names.sets["start"] = {0};
   out.names.sets["end"] = {n};

@@ -20,15 +20,15 @@ struct BodyGeometry {
 
 /// A part on nodes of its own: what an element type needs to stand on, before parts are joined.
 struct Geometry {
-  PartGeometry names;                               // sets and panel coordinates; `nodes` is left empty
-  std::vector<double> positions;                    // 3 per own node [m]
-  std::vector<std::uint32_t> elements;              // own nodes, as many each as the stencil has
-  std::map<std::string, std::vector<double>> data;  // per element, by datum name
+  PartGeometry names;                   // sets and panel coordinates; `nodes` is left empty
+  std::vector<double> positions;        // 3 per own node [m]
+  std::vector<std::uint32_t> elements;  // own nodes, as many each as the stencil has
+  ElementData data;
   /// Triangles between the bars of a panel, for what presses on netting: own nodes, outer face
   /// counter-clockwise; data per triangle.
   struct Faces {
     std::vector<std::uint32_t> nodes;
-    std::map<std::string, std::vector<double>> data;
+    ElementData data;
   } faces = {};
   std::optional<BodyGeometry> body = {};
 
@@ -48,15 +48,12 @@ struct GeometryKey {
 
 /// How parts of an element type stand in space. Told by what the type declares, never by its name: elements
 /// on nodes are points, on bars ropes, on triangles panels; elements on bars that declare the datum
-/// `parallel`, of how many twines one stands for, are panels in bars.
+/// datum::kParallel are panels in bars.
 enum class Layout { point, line, panel_in_triangles, panel_in_bars, body };
 Layout layout_of(const ElementType& type);
 
 /// The keys of parts that stand so.
 const std::vector<GeometryKey>& geometry_keys(Layout layout);
-
-/// Names of the element data that the geometry of such parts gives; all other data stand in the part's table.
-const std::vector<std::string>& geometry_data(Layout layout);
 
 /// The point at fraction `t` of the length of a line through one or more points.
 std::array<double, 3> along_line(const std::vector<std::array<double, 3>>& line, double t);

@@ -82,11 +82,11 @@ void read_triangles(const MeshRegion& region, TableReader& part, Geometry& out) 
   for (std::size_t corner = 0; corner < region.nodes.size(); ++corner) {
     const double U = region.numbers[2 * corner], V = region.numbers[2 * corner + 1];
     const auto [u, v] = twine_coordinates(netting, 0, U, V);
-    out.data["u"].push_back(u), out.data["v"].push_back(v);
-    out.data["to_aft"].push_back(aft - V);
+    out.data[datum::kU.name].push_back(u), out.data[datum::kV.name].push_back(v);
+    out.data[datum::kToAft.name].push_back(aft - V);
     out.names.panel[out.elements[corner]] = {U, V};
   }
-  out.data["bar_length"].assign(region.size(), bar);
+  out.data[datum::kBarLength.name].assign(region.size(), bar);
 }
 
 /// Names the ends of bars that follow one another.
@@ -103,7 +103,7 @@ void name_ends(Geometry& out) {
 void read_bars(const MeshRegion& region, TableReader& part, Geometry& out) {
   const double length = read_real(part, kLength);
   for (std::size_t e = 0; e < region.size(); ++e)
-    out.data["rest_length"].push_back(length * (region.numbers[2 * e + 1] - region.numbers[2 * e]));
+    out.data[datum::kRestLength.name].push_back(length * (region.numbers[2 * e + 1] - region.numbers[2 * e]));
   name_ends(out);
 }
 
@@ -111,8 +111,8 @@ void read_twines(const MeshRegion& region, TableReader& part, Geometry& out) {
   TableReader panel = part.table("panel", Presence::required, "the netting of the panel");
   const double bar = read_real(panel, kBar);
   for (std::size_t e = 0; e < region.size(); ++e) {
-    out.data["rest_length"].push_back(bar * region.numbers[2 * e]);
-    out.data["parallel"].push_back(region.numbers[2 * e + 1]);
+    out.data[datum::kRestLength.name].push_back(bar * region.numbers[2 * e]);
+    out.data[datum::kParallel.name].push_back(region.numbers[2 * e + 1]);
   }
 }
 

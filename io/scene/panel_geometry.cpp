@@ -208,17 +208,17 @@ void add_triangle(const Panel& p, const Triangle& corners, const std::string& ne
     const auto [U, V] = out.names.panel[node];
     const auto [u, v] = twine_coordinates(netting, 0, U, V);
     out.elements.push_back(node);
-    out.data["u"].push_back(u);
-    out.data["v"].push_back(v);
-    out.data["to_aft"].push_back(p.along - V);
+    out.data[datum::kU.name].push_back(u);
+    out.data[datum::kV.name].push_back(v);
+    out.data[datum::kToAft.name].push_back(p.along - V);
   }
-  out.data["bar_length"].push_back(p.bar);
+  out.data[datum::kBarLength.name].push_back(p.bar);
 }
 
 void add_face(const Panel& p, const Triangle& corners, Geometry& out) {
   for (const auto node : corners) {
     out.faces.nodes.push_back(node);
-    out.faces.data["to_aft"].push_back(p.along - out.names.panel[node][1]);
+    out.faces.data[datum::kToAft.name].push_back(p.along - out.names.panel[node][1]);
   }
 }
 
@@ -227,8 +227,8 @@ void add_star(const Panel& p, const Cell& cell, Geometry& out) {
   for (const Triangle& quarter : cell.quarters()) add_face(p, quarter, out);
   for (const auto corner : cell.corners) {
     out.elements.insert(out.elements.end(), {cell.centre, corner});
-    out.data["rest_length"].push_back(meshes * p.bar);  // (1)
-    out.data["parallel"].push_back(meshes);
+    out.data[datum::kRestLength.name].push_back(meshes * p.bar);  // (1)
+    out.data[datum::kParallel.name].push_back(meshes);
   }
 }
 

@@ -19,6 +19,7 @@
 #include "io/scene/keys.hpp"
 #include "io/scene/mesh_parts.hpp"
 #include "io/scene/one_sided_holds.hpp"
+#include "io/scene/own_data.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/result_request.hpp"
@@ -397,15 +398,10 @@ class SceneReader {
 
   /// Data of elements that the geometry does not give: the same number for every element of the part.
   void read_extra_data(const ElementType& type, Geometry& geometry, TableReader& table) {
-    const auto& given = geometry_data(layout_of(type));
-    for (const auto& datum : type.data) {
-      if (std::find(given.begin(), given.end(), datum.name) != given.end()) continue;
-      const auto values =
-          table.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = exactly(datum.width)});
-      const std::size_t elements = geometry.elements.size() / static_cast<std::size_t>(type.nodes());
-      for (std::size_t e = 0; e < elements && values.size() == datum.width; ++e)
-        geometry.data[datum.name].insert(geometry.data[datum.name].end(), values.begin(), values.end());
-    }
+    const std::size_t elements = geometry.elements.size() / static_cast<std::size_t>(type.nodes());
+    for (const auto& datum : type.data)
+      if (!find_datum_on(type.element.stencil, datum.name))
+        read_own_datum(type, datum, elements, table, geometry.data);
   }
 
   void read_joins() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/riders.hpp"
 
+#include "io/scene/own_data.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/riding.hpp"
 
@@ -89,22 +90,19 @@ class RiderMaker {
   /// On its origin, or on one of its points, if the element has a datum for that.
   void stand_on_body(const Joiner::Ends& set, bool is_whole, const Mention& at) {
     const auto& body = draft_.geometries[set.part].body;
-    if (!body || !(is_whole || has_datum("arm")))
+    if (!body || !(is_whole || declares(type_, datum::kArm)))
       return table_.diagnostics().error(at.place,
                                         at.path + ": " + in_quotes(at.name) + " is no rigid body" +
-                                            (has_datum("arm") ? " or point of one" : "") + ", which " +
-                                            type_.type + " stands on",
+                                            (declares(type_, datum::kArm) ? " or point of one" : "") +
+                                            ", which " + type_.type + " stands on",
                                         "name one of [bodies]");
     for (const auto own : is_whole ? std::vector{std::uint32_t{0}} : set.own) {
       rider_.nodes.push_back(draft_.out.parts[set.part].nodes[0]);
-      rider_.data["side"].push_back(body->side);
+      rider_.data[datum::kSide.name].push_back(body->side);
       const std::array<double, 3> r = own == 0 ? std::array<double, 3>{} : body->r[own - 1];
-      rider_.data["arm"].insert(rider_.data["arm"].end(), {r[0], body->side * r[1], r[2]});
+      rider_.data[datum::kArm.name].insert(rider_.data[datum::kArm.name].end(),
+                                           {r[0], body->side * r[1], r[2]});
     }
-  }
-
-  bool has_datum(std::string_view name) const {
-    return std::ranges::any_of(type_.data, [&](const auto& datum) { return datum.name == name; });
   }
 
   /// As many names as an element has nodes may be points, on which one element stands.
@@ -164,14 +162,10 @@ class RiderMaker {
 
   /// Data that what it stands on does not give: the same for every element.
   void read_missing_data() {
-    for (const auto& datum : type_.data) {
-      if (rider_.data.contains(datum.name) || rider_.nodes.empty()) continue;
-      const auto values =
-          table_.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = exactly(datum.width)});
-      auto& own = rider_.data[datum.name];
-      for (std::size_t e = 0; e < rider_.nodes.size() / static_cast<std::size_t>(type_.nodes()); ++e)
-        own.insert(own.end(), values.begin(), values.end());
-    }
+    const std::size_t elements = rider_.nodes.size() / static_cast<std::size_t>(type_.nodes());
+    for (const auto& datum : type_.data)
+      if (elements > 0 && !rider_.data.contains(datum.name))
+        read_own_datum(type_, datum, elements, table_, rider_.data);
   }
 
   const ElementType& type_;

@@ -8,11 +8,6 @@ namespace netloft::io {
 
 namespace {
 
-const std::vector<double>* find_data(const Part& part, const char* name) {
-  const auto at = part.data.find(name);
-  return at == part.data.end() ? nullptr : &at->second;
-}
-
 /// |d| bars of length a lie in a triangle, both directions together.
 double twine_length(const std::vector<double>& u, const std::vector<double>& v, double bar, std::size_t e) {
   const double d = (u[3 * e + 1] - u[3 * e]) * (v[3 * e + 2] - v[3 * e]) -
@@ -24,8 +19,9 @@ double twine_length(const std::vector<double>& u, const std::vector<double>& v, 
 
 std::vector<double> carried_length(const Scene& scene, const Part& part, const ElementType& type) {
   std::vector<double> carried(scene.node_count(), 0.0);
-  const auto *rest = find_data(part, "rest_length"), *u = find_data(part, "u"), *v = find_data(part, "v"),
-             *bar = find_data(part, "bar_length"), *parallel = find_data(part, "parallel");
+  const auto of = [&](const HostDatum& datum) { return find_data(part.data, datum); };
+  const auto *rest = of(datum::kRestLength), *parallel = of(datum::kParallel), *u = of(datum::kU),
+             *v = of(datum::kV), *bar = of(datum::kBarLength);
   const auto corners = static_cast<std::size_t>(type.nodes());
   for (std::size_t e = 0; e * corners < part.nodes.size(); ++e) {
     const double length = rest            ? (*rest)[e] * (parallel ? (*parallel)[e] : 1)
@@ -43,16 +39,16 @@ void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<do
   for (const auto node : nodes) total += carried[node];
   for (const auto node : nodes) {
     rider.nodes.push_back(node);
-    rider.data["pieces"].push_back(
+    rider.data[datum::kPieces.name].push_back(
         number * (total > 0 ? carried[node] / total : 1 / static_cast<double>(nodes.size())));
-    rider.data["length"].push_back(carried[node]);
+    rider.data[datum::kLength.name].push_back(carried[node]);
   }
 }
 
 void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider) {
   rider.nodes = nodes;
-  rider.data["pieces"].assign(nodes.size(), pieces);
-  rider.data["length"].assign(nodes.size(), 0.0);
+  rider.data[datum::kPieces.name].assign(nodes.size(), pieces);
+  rider.data[datum::kLength.name].assign(nodes.size(), 0.0);
 }
 
 void ride_on_bars_at(const Part& rope, const std::vector<std::uint32_t>& nodes, Part& rider) {
@@ -77,8 +73,8 @@ void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider) {
         rider.nodes.insert(rider.nodes.end(), {first.nodes[2 * a + 1 - end], first.nodes[2 * a + end],
                                                second.nodes[2 * b + 1 - begin]});
         for (const auto& [name, values] : first.data)
-          if (const auto* others = find_data(second, name.c_str()))
-            rider.data[name].insert(rider.data[name].end(), {values[a], (*others)[b]});
+          if (const auto others = second.data.find(name); others != second.data.end())
+            rider.data[name].insert(rider.data[name].end(), {values[a], others->second[b]});
       }
 }
 

@@ -15,17 +15,13 @@ double number_of(const Part& part, const char* name) {
   return value ? *value : 0;
 }
 
-const std::vector<double>* find_data(const Geometry& geometry, const char* name) {
-  const auto at = geometry.data.find(name);
-  return at == geometry.data.end() || at->second.empty() ? nullptr : &at->second;
-}
-
 /// Bars of netting in triangles say how long they are; one bar of a lumped panel stands for several twines
 /// side by side, each as many bars long.
 double bar_of(const Geometry& geometry) {
-  if (const auto* bars = find_data(geometry, "bar_length"))
+  if (const auto* bars = find_data(geometry.data, datum::kBarLength))
     return *std::min_element(bars->begin(), bars->end());
-  const auto *rest = find_data(geometry, "rest_length"), *parallel = find_data(geometry, "parallel");
+  const auto *rest = find_data(geometry.data, datum::kRestLength),
+             *parallel = find_data(geometry.data, datum::kParallel);
   return rest && parallel ? rest->front() / parallel->front() : 0;
 }
 
@@ -42,7 +38,7 @@ std::optional<ThicknessFault> thickness_fault(const Part& part, const Geometry& 
   if (bar > 0 && twine >= bar)
     return ThicknessFault{
         "twine", "diameter = " + in_metres(twine) + ", and bars of " + in_metres(bar) + ": no mesh can open"};
-  const auto* rest = find_data(geometry, "rest_length");
+  const auto* rest = find_data(geometry.data, datum::kRestLength);
   if (!rest || bar > 0) return {};
   const double rope = number_of(part, "rope.diameter"),
                length = std::accumulate(rest->begin(), rest->end(), 0.0);

@@ -105,6 +105,17 @@ class Misuse(WithInstallation):
                    flags="-std=c++20 -O2 -fPIC -shared -I$(dirname $(dirname $(which netloft)))/include")
         self.assertIn("helper_of_mine", self.sh("netloft test otter.so", expect=1).out)
 
+    def test_a_datum_with_a_slip(self):
+        self.compile(self.source.replace('e.data("rest_length"', 'e.data("rest_lenght"'))
+        ended = self.sh("netloft run otter.toml --plugins .", expect=2)
+        self.assertIn("rest_lenght: a datum of otter/otter that neither the host nor this part gives", ended.err)
+        self.assertIn('did its author mean "rest_length" (unstretched length of the bar)?', ended.err)
+
+    def test_a_datum_in_another_unit(self):
+        self.compile(self.source.replace('rest_length, "m"', 'rest_length, "mm"'))
+        self.assertIn('datum "rest_length" is 1 number in mm; under this name the host gives 1 number in m',
+                      self.sh("netloft test otter.so", expect=4).err)
+
     def test_fast_math(self):
         self.compile(self.source, flags="$(netloft --cflags) -ffast-math")
         self.assertRegex(self.sh("netloft test otter.so", expect=4).err, "otter.so: .*-ffast-math.*build it without")

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/descriptors.hpp"
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace netloft {
+
+/// Numbers of its own that every element gets which declares them by this name. Who fills them in and who
+/// reads them take the name from here; authors find the table in guides/element.md, and a test compares both.
+struct HostDatum {
+  const char* name;
+  std::uint32_t width;  // numbers of one element
+  const char *unit, *doc;
+};
+
+namespace datum {
+
+inline constexpr HostDatum kPieces{"pieces", 1, "1", "number of pieces on the node, 1 alone"};
+inline constexpr HostDatum kLength{"length", 1, "m", "rope or twine that the node carries, 0 alone"};
+inline constexpr HostDatum kRestLength{"rest_length", 1, "m", "unstretched length of the bar"};
+inline constexpr HostDatum kParallel{
+    "parallel", 1, "1", "twines side by side that one bar stands for: it lies along the twines of a panel"};
+inline constexpr HostDatum kU{"u", 3, "1", "first twine coordinate of the corners, in bars"};
+inline constexpr HostDatum kV{"v", 3, "1", "second twine coordinate of the corners, in bars"};
+inline constexpr HostDatum kBarLength{"bar_length", 1, "m", "unstretched bar of the netting"};
+inline constexpr HostDatum kToAft{"to_aft", 3, "1", "meshes from the corners to the aft edge of the panel"};
+inline constexpr HostDatum kSide{"side", 1, "1", "1 to starboard, -1 to port"};
+inline constexpr HostDatum kArm{
+    "arm", 3, "m",
+    "point of the body that it stands on, in the axes of a body to starboard; 0: the whole body"};
+
+}  // namespace datum
+
+/// What elements on a stencil may declare.
+std::span<const HostDatum> data_on(std::uint32_t stencil);
+/// Null: the host gives nothing of this name there, and the table of a part has to.
+const HostDatum* find_datum_on(std::uint32_t stencil, std::string_view name);
+/// The one whose name was misspelt so; null: none is near.
+const HostDatum* find_datum_meant(std::uint32_t stencil, std::string_view name);
+/// "rest_length, parallel"
+std::string names_of_data_on(std::uint32_t stencil);
+bool declares(const ElementType& type, const HostDatum& datum);
+
+/// Numbers of the elements of a part, by name of the datum: [element][width].
+using ElementData = std::map<std::string, std::vector<double>>;
+/// Null where there are none.
+const std::vector<double>* find_data(const ElementData& data, const HostDatum& datum);
+
+}  // namespace netloft
