@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/case/diagnosis.hpp"
 
+#include "framework/registry/element_outputs.hpp"
+
 #include <fmt/format.h>
 #include <netloft/vectors.hpp>
 
@@ -66,7 +68,7 @@ class Diagnosis {
       std::vector<std::vector<double>> values;
       assembler_.outputs(x_, f, values);
       for (std::size_t k = 0; k < values.size(); ++k)
-        if (family.type().outputs[k].role == NETLOFT_OUTPUT_TENSION) add_tensions(family, values[k]);
+        if (is_tension(family.type().outputs[k])) add_tensions(family, values[k]);
     }
     for (const auto& [part, t] : tensions_) largest_ = std::max(largest_, t.largest);
   }

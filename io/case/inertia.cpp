@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/case/inertia.hpp"
 
+#include "framework/parameters/find_number.hpp"
 #include "framework/problem/missing_inertia.hpp"
 #include "io/units/in_quotes.hpp"
 
@@ -17,9 +18,7 @@ bool gives(const netloft_parameter& p, bool is_of_turning) {
 }
 
 bool is_zero(const Part& part, const netloft_parameter& p) {
-  const auto given = part.parameters.find(p.name);
-  const double* number = given == part.parameters.end() ? nullptr : std::get_if<double>(&given->second);
-  return !number || *number == 0;
+  return number_or(0, part.parameters, p.name) == 0;
 }
 
 /// "body.inertia_x, body.inertia_y": what is zero and should not be.

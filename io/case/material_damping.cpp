@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/case/material_damping.hpp"
 
+#include "framework/parameters/find_number.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,20 +13,24 @@ namespace netloft::io {
 
 namespace {
 
+// An element that takes a loss factor has these three in one table: `rope.loss_factor`,
+// `rope.loss_frequency`, `rope.damping`.
 constexpr const char *kLoss = ".loss_factor", *kFrequency = ".loss_frequency", *kOwn = ".damping";
-constexpr const char* kWhat[] = {"rope", "twine", "seabed"};
 
-double number_of(const Part& part, const std::string& name, double fallback) {
-  const auto at = part.parameters.find(name);
-  const double* value = at == part.parameters.end() ? nullptr : std::get_if<double>(&at->second);
-  return value ? *value : fallback;
+/// Names of the tables in which the elements of a part have a loss factor: "rope".
+std::vector<std::string> tables_with_loss(const Part& part, Registry& registry) {
+  std::vector<std::string> tables;
+  for (const auto& p : registry.element(part.type).parameters)
+    if (const std::string_view name = p.name; name.ends_with(kLoss))
+      tables.emplace_back(name.substr(0, name.size() - std::string_view(kLoss).size()));
+  return tables;
 }
 
 /// What a part says, or the default of its element; 0 where that has no such parameter.
 double value_of(const Part& part, const std::string& name, Registry& registry) {
   const auto& known = registry.element(part.type).parameters;
   const auto at = std::ranges::find_if(known, [&](const auto& p) { return name == p.name; });
-  return at == known.end() ? 0 : number_of(part, name, at->fallback);
+  return at == known.end() ? 0 : number_or(at->fallback, part.parameters, name);
 }
 
 /// Why no loss factor counts; empty: they do.
@@ -66,15 +72,15 @@ std::string choose_material_damping(Scene& scene, const Analysis& analysis, Regi
   std::map<Losses, std::vector<std::string>> losses;
   std::string off;
   for (Part& part : scene.parts)
-    for (const char* what : kWhat) {
-      const std::string name = std::string(what) + kLoss;
+    for (const auto& what : tables_with_loss(part, registry)) {
+      const std::string name = what + kLoss;
       const double factor = value_of(part, name, registry);
       if (factor == 0) continue;
       if (off.empty()) off = why_off(analysis, registry);
-      if (!off.empty() || number_of(part, std::string(what) + kOwn, 0) > 0)
+      if (!off.empty() || number_or(0, part.parameters, what + kOwn) > 0)
         part.parameters[name] = 0.0;
       else
-        losses[{factor, value_of(part, std::string(what) + kFrequency, registry)}].push_back(part.name);
+        losses[{factor, value_of(part, what + kFrequency, registry)}].push_back(part.name);
     }
   if (!off.empty()) return "off: " + off;
   return losses.empty() ? "" : "loss factor " + listed(losses);
@@ -82,9 +88,8 @@ std::string choose_material_damping(Scene& scene, const Analysis& analysis, Regi
 
 void take_out_losses(Scene& scene, Registry& registry) {
   for (Part& part : scene.parts)
-    for (const char* what : kWhat)
-      if (const std::string name = std::string(what) + kLoss; value_of(part, name, registry) != 0)
-        part.parameters[name] = 0.0;
+    for (const auto& what : tables_with_loss(part, registry))
+      if (value_of(part, what + kLoss, registry) != 0) part.parameters[what + kLoss] = 0.0;
 }
 
 }  // namespace netloft::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/case/stretch_damping.hpp"
 
+#include "framework/parameters/find_number.hpp"
+
 namespace netloft::io {
 
 namespace {
@@ -9,8 +11,7 @@ namespace {
 const double* find_stiffness(const Part& part, const ElementType& type, const netloft_parameter& damping) {
   for (const netloft_parameter& p : type.parameters) {
     if (!(p.flags & NETLOFT_STIFFNESS) || std::string(p.unit) + " s" != damping.unit) continue;
-    const auto given = part.parameters.find(p.name);
-    if (given != part.parameters.end()) return std::get_if<double>(&given->second);
+    if (part.parameters.contains(p.name)) return find_number(part.parameters, p.name);
   }
   return nullptr;
 }

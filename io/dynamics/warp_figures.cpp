@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/dynamics/warp_figures.hpp"
 
+#include "io/scene/known_parameters.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -20,7 +22,7 @@ void set(std::vector<NamedScalar>& gear, const std::string& name, const char* un
 
 /// Straight between rows of t and a factor, as the last one beyond; 1 without rows.
 double factor_at(const Part& part, double t) {
-  const auto given = part.parameters.find("rope.length_share");
+  const auto given = part.parameters.find(parameter::kLengthShare.name);
   const auto* rows = given == part.parameters.end() ? nullptr : std::get_if<Samples>(&given->second);
   if (!rows || rows->empty()) return 1;
   const auto next = std::ranges::upper_bound(*rows, t, {}, [](const auto& row) { return row[0]; });

@@ -2,6 +2,7 @@
 //
 // Files of VTKHDF (Kitware, "VTKHDF file format"): unstructured grids of one piece, at their last time;
 // results of Netloft, which are such files, with what they say of their parts.
+#include "framework/registry/element_outputs.hpp"
 #include "io/hdf5/read.hpp"
 #include "io/mesh/vtk_cells.hpp"
 #include "io/units/in_quotes.hpp"
@@ -119,7 +120,8 @@ class VtkHdfMesh {
     const std::size_t count = cells_.types.size();
     cells_.names = reader_.strings("/netloft/parts/name");
     cells_.arrays["region"] = {1, field("part", -1)};
-    const auto strain = field("strain", std::nan("")), twines = field("twine_area", std::nan(""));
+    const auto strain = field(output::kStrain.name, std::nan("")),
+               twines = field(output::kTwineArea.name, std::nan(""));
     std::vector<bool> is_kept(count, true);
     for (std::size_t c = 0; c < count; ++c) {
       const double* corners = cells_.numbers("panel_corners", 6, c);

@@ -61,7 +61,7 @@ bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
     const auto& outputs = family->type().outputs;
     const auto& parts = family->parts();
     return std::ranges::find(parts, part) != parts.end() &&
-           std::ranges::any_of(outputs, [](const auto& o) { return o.name == std::string("normal_force"); });
+           std::ranges::any_of(outputs, [](const auto& o) { return is_output(o, output::kNormalForce); });
   });
 }
 

@@ -96,7 +96,7 @@ std::map<std::uint32_t, double> forces_of_ground(const GearView& gear) {
     const ElementFamily& family = *gear.assembler().families()[f];
     const auto& outputs = family.type().outputs;
     for (std::size_t k = 0; k < outputs.size(); ++k)
-      for (std::size_t e = 0; e < family.size() && outputs[k].name == std::string("normal_force"); ++e)
+      for (std::size_t e = 0; e < family.size() && is_output(outputs[k], output::kNormalForce); ++e)
         if (const double force = gear.answer().outputs[f][k][e]; force > 0)
           forces[family.node(e, 0)] += force;
   }
@@ -210,7 +210,7 @@ void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
   double normal = 0;
   bool is_there = false;
   for (const auto part : all.parts)
-    for (const double force : gear.output(part, "normal_force")) normal += force, is_there = true;
+    for (const double force : gear.output(part, output::kNormalForce)) normal += force, is_there = true;
   if (!is_there) return;
   figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * normal});
   if (any_has(gear, all, is_friction))

@@ -7,25 +7,18 @@
 #include <optional>
 
 #include "io/report/gear_view.hpp"
+#include "io/scene/beds.hpp"
 
 namespace netloft::io {
 
 namespace {
-
-double real(const Values& parameters, const std::string& name) {
-  const auto at = parameters.find(name);
-  const double* value = at == parameters.end() ? nullptr : std::get_if<double>(&at->second);
-  return value ? *value : 0;
-}
 
 /// Height of the seabed below a place [m], that of the scene or of the first part that has a depth; empty if
 /// there is no seabed.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
-    if (part.parameters.contains("seabed.depth"))
-      return real(part.parameters, "seabed.slope_x") * place.x +
-             real(part.parameters, "seabed.slope_y") * place.y - real(part.parameters, "seabed.depth");
+    if (const auto plane = bed_plane_of(part)) return plane->height(place.x, place.y);
   return {};
 }
 
@@ -70,7 +63,7 @@ double tension_at_end(const std::vector<double>& T, const std::vector<double>& l
 }
 
 void add_tensions(const GearView& gear, std::uint32_t rope, std::vector<Figure>& figures) {
-  const auto T = gear.output(rope, "tension");
+  const auto T = gear.tensions(rope);
   const auto l = gear.rest_lengths(rope);
   if (T.empty()) return;
   const double start = tension_at_end(T, l),
@@ -89,7 +82,7 @@ void add_tensions(const GearView& gear, std::uint32_t rope, std::vector<Figure>&
 }
 
 void add_mass(const GearView& gear, std::uint32_t rope, std::vector<Figure>& figures) {
-  const auto masses = gear.output(rope, "mass");
+  const auto masses = gear.output(rope, output::kMass);
   if (masses.empty()) return;
   figures.push_back({"ropes/" + gear.name(rope) + "/mass", "kg", "mass in air",
                      gear.times() * std::accumulate(masses.begin(), masses.end(), 0.0)});
@@ -100,7 +93,7 @@ void add_role_figures(const GearView& gear, std::vector<Figure>& figures) {
     double sum = 0;
     int counted = 0;
     for (const auto rope : ropes) {
-      const auto T = gear.output(rope, "tension");
+      const auto T = gear.tensions(rope);
       if (T.empty() || gear.gear().across.contains(rope)) continue;
       sum += tension_at_end(T, gear.rest_lengths(rope)), ++counted;
     }

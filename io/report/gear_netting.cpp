@@ -39,8 +39,8 @@ void add_triangles(const GearView& gear, const ElementFamily& family, std::uint3
 
 Amount amount_of(const GearView& gear, std::uint32_t panel) {
   Amount amount;
-  amount.twine_area = sum(gear.output(panel, "twine_area"));
-  amount.mass = sum(gear.output(panel, "mass"));
+  amount.twine_area = sum(gear.output(panel, output::kTwineArea));
+  amount.mass = sum(gear.output(panel, output::kMass));
   for (const auto& family : gear.assembler().families())
     if (family->type().element.stencil == NETLOFT_TRIANGLE) add_triangles(gear, *family, panel, amount);
   return amount;
@@ -55,12 +55,13 @@ void add_amount(const GearView& gear, const std::string& at, const Amount& amoun
     add("area", "m2", "area of the netting as it is spread", amount.area);
     add("filtered_area", "m2", "projected area on the plane across the current", amount.filtered);
   }
-  add("twine_area", "m2", "length times diameter of its twines, without knots", amount.twine_area);
-  add("mass", "kg", "mass of its twines in air", amount.mass);
+  add(output::kTwineArea.name, output::kTwineArea.unit, "length times diameter of its twines, without knots",
+      amount.twine_area);
+  add(output::kMass.name, output::kMass.unit, "mass of its twines in air", amount.mass);
 }
 
 void add_opening(const GearView& gear, std::uint32_t panel, std::vector<Figure>& figures) {
-  const auto angles = gear.output(panel, "half_angle"), knots = gear.output(panel, "knots");
+  const auto angles = gear.output(panel, output::kHalfAngle), knots = gear.output(panel, output::kKnots);
   if (angles.empty() || angles.size() != knots.size()) return;
   double least = 1, most = 0, weighted = 0;
   for (std::size_t e = 0; e < angles.size(); ++e) {

@@ -36,7 +36,7 @@ Vector force_at_start(const GearView& gear, std::uint32_t rope, const std::vecto
 
 /// Angles of a warp at its ends, and the sum of what its block bears.
 void add_warp(const GearView& gear, std::uint32_t rope, Vector& pull, std::vector<Figure>& figures) {
-  const auto tensions = gear.output(rope, "tension");
+  const auto tensions = gear.tensions(rope);
   if (tensions.empty()) return;
   const auto lengths = gear.rest_lengths(rope);
   const Vector at_block = force_at_start(gear, rope, tensions, lengths),
@@ -67,7 +67,7 @@ std::string group_of(const GearView& gear, std::uint32_t part) {
   if (has(g.pieces, part)) return "floats";
   if (std::ranges::any_of(gear.loaded().bodies, [&](const auto& b) { return b.part == part; }))
     return "bodies";
-  return gear.output(part, "normal_force").empty() ? "others" : "ground";
+  return gear.output(part, output::kNormalForce).empty() ? "others" : "ground";
 }
 
 /// What towing each of them takes: the force on it aft, of water, ground and whatever else acts from outside,

@@ -33,17 +33,26 @@ Vector GearView::middle_of(std::uint32_t rope) const {
   return start + (left / lengths[bar]) * (at(nodes[bar + 1]) - start);
 }
 
-std::vector<double> GearView::output(std::uint32_t part, const std::string& name) const {
+template <class IsWanted>
+std::vector<double> GearView::first_output(std::uint32_t part, const IsWanted& is_wanted) const {
   std::vector<double> values;
   for (std::size_t f = 0; f < answer_.outputs.size(); ++f) {
     const ElementFamily& family = *assembler_.families()[f];
-    for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
-      if (name == family.type().outputs[k].name)
-        for (std::size_t e = 0; e < family.size(); ++e)
-          if (family.part(e) == part) values.push_back(answer_.outputs[f][k][e]);
+    const auto& outputs = family.type().outputs;
+    const auto wanted = std::ranges::find_if(outputs, is_wanted);
+    if (wanted == outputs.end()) continue;
+    const auto& of_elements = answer_.outputs[f][static_cast<std::size_t>(wanted - outputs.begin())];
+    for (std::size_t e = 0; e < family.size(); ++e)
+      if (family.part(e) == part) values.push_back(of_elements[e]);
   }
   return values;
 }
+
+std::vector<double> GearView::output(std::uint32_t part, const KnownOutput& known) const {
+  return first_output(part, [&](const netloft_output& one) { return is_output(one, known); });
+}
+
+std::vector<double> GearView::tensions(std::uint32_t part) const { return first_output(part, is_tension); }
 
 Vector GearView::force(const std::string& part, Kind is_of_kind) const {
   Vector sum;

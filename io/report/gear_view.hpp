@@ -2,6 +2,7 @@
 #pragma once
 #include <netloft/vec3.hpp>
 
+#include "framework/registry/element_outputs.hpp"
 #include "io/report/gear_figures.hpp"
 
 namespace netloft::io {
@@ -33,8 +34,10 @@ class GearView {
   /// The middle of a rope that goes from side to side; a half gear's rope starts there.
   Vector middle_of(std::uint32_t rope) const;
 
-  /// An output of all elements of a part, in their order; empty if they have no output of that name.
-  std::vector<double> output(std::uint32_t part, const std::string& name) const;
+  /// An output of all elements of a part, in their order; empty if they have none of that name and unit.
+  std::vector<double> output(std::uint32_t part, const KnownOutput& known) const;
+  /// The first output of each element that is a tension [N].
+  std::vector<double> tensions(std::uint32_t part) const;
   /// Which forces on a part belong to a kind of load.
   using Kind = bool (*)(const PartForce& force);
   /// Sum of the forces of a kind on a part [N], of what was modelled.
@@ -45,6 +48,9 @@ class GearView {
   Vector current_at(const Vector& place) const;
 
  private:
+  template <class IsWanted>
+  std::vector<double> first_output(std::uint32_t part, const IsWanted& is_wanted) const;
+
   const LoadedScene& loaded_;
   const Assembler& assembler_;
   const Answer& answer_;

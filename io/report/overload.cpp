@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/overload.hpp"
 
+#include "framework/registry/element_outputs.hpp"
 #include "io/scene/halves.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <string_view>
 
 namespace netloft::io {
 
@@ -22,7 +22,7 @@ std::vector<double> largest_tensions(const LoadedScene& loaded, const Assembler&
     const ElementFamily& family = *assembler.families()[f];
     for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
       for (std::size_t e = 0; e < family.size(); ++e)
-        if (std::string_view(family.type().outputs[k].name) == "tension")
+        if (is_tension(family.type().outputs[k]))
           largest[family.part(e)] = std::max(largest[family.part(e)], answer.outputs[f][k][e]);
   }
   return largest;

@@ -26,7 +26,7 @@ std::vector<RopeTensions> find_rope_tensions(const LoadedScene& loaded, const As
   if (!loaded.gear) return all;
   const GearView gear(loaded, assembler, answer);
   for (const auto rope : gear.gear().ropes)
-    if (auto tension = gear.output(rope, "tension"); !tension.empty())
+    if (auto tension = gear.tensions(rope); !tension.empty())
       all.push_back({gear.name(rope), std::move(tension), gear.rest_lengths(rope)});
   return all;
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/write_parts.hpp"
 
+#include "framework/parameters/find_number.hpp"
+#include "io/scene/beds.hpp"
+#include "io/scene/known_parameters.hpp"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -12,17 +16,11 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A real parameter of a part, NaN if it is not given.
-double real_of(const Part& part, const std::string& parameter) {
-  const auto at = part.parameters.find(parameter);
-  if (at == part.parameters.end()) return kNone;
-  const double* value = std::get_if<double>(&at->second);
-  return value ? *value : kNone;
-}
-
 double diameter_of(const Part& part) {
-  for (const char* parameter : {"twine.diameter", "rope.diameter", "float.diameter"})
-    if (const double diameter = real_of(part, parameter); std::isfinite(diameter)) return diameter;
+  for (const auto& known : {parameter::kTwineDiameter, parameter::kRopeDiameter, parameter::kFloatDiameter})
+    if (const double* diameter = find_number(part.parameters, known.name);
+        diameter && std::isfinite(*diameter))
+      return *diameter;
   return kNone;
 }
 
@@ -94,24 +92,24 @@ void write_relief(Tree& tree, const Surface& relief) {
   tree.write_matrix(at + "height", height, kPlaces, "m", "above the plane, [x, y]");
 }
 
+void write_plane(Tree& tree, const BedPlane& plane, const char* doc) {
+  tree.write_real("/netloft/seabed/depth", plane.depth, "m", doc);
+  tree.write_real("/netloft/seabed/slope_x", plane.slope_x, "1", doc);
+  tree.write_real("/netloft/seabed/slope_y", plane.slope_y, "1", doc);
+}
+
 /// The bed of the scene, or that of the first part that has one.
 void write_seabed(Tree& tree, const Scene& scene) {
   if (scene.bed.is_there) {
     const char* doc = "seabed: z = -depth + slope_x x + slope_y y, and a relief where there is one";
-    tree.write_real("/netloft/seabed/depth", scene.bed.depth, "m", doc);
-    tree.write_real("/netloft/seabed/slope_x", scene.bed.slope_x, "1", doc);
-    tree.write_real("/netloft/seabed/slope_y", scene.bed.slope_y, "1", doc);
+    write_plane(tree, {scene.bed.depth, scene.bed.slope_x, scene.bed.slope_y}, doc);
     write_relief(tree, scene.bed.relief);
     return;
   }
   for (const auto& part : scene.parts) {
-    if (!std::isfinite(real_of(part, "seabed.depth"))) continue;
-    for (const char* name : {"depth", "slope_x", "slope_y"}) {
-      const double value = real_of(part, std::string("seabed.") + name);
-      tree.write_real(std::string("/netloft/seabed/") + name, std::isfinite(value) ? value : 0.0,
-                      *name == 'd' ? "m" : "1", "seabed: z = -depth + slope_x x + slope_y y");
-    }
-    return;
+    const auto plane = bed_plane_of(part);
+    if (!plane) continue;
+    return write_plane(tree, *plane, "seabed: z = -depth + slope_x x + slope_y y");
   }
 }
 
@@ -181,7 +179,7 @@ namespace {
 /// The number of an element's parameter with this name, whatever its table is called: `board.mass`.
 double number_called(const Part& part, const std::string& name) {
   for (const auto& [parameter, value] : part.parameters)
-    if (parameter.ends_with("." + name)) return real_of(part, parameter);
+    if (parameter.ends_with("." + name)) return number_or(kNone, part.parameters, parameter);
   return kNone;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/result/catch_body.hpp"
 
+#include "framework/registry/element_outputs.hpp"
+
 #include <algorithm>
 #include <map>
 
@@ -30,9 +32,9 @@ std::map<Side, Neighbours> neighbours_of(const StoredMesh& mesh, const std::vect
 
 CatchBody catch_body_of(const StoredResult& result, std::size_t state) {
   CatchBody body;
-  const auto is_pressure = [](const StoredField& field) { return field.name == "pressure"; };
+  const auto is_pressure = [](const StoredField& field) { return field.name == output::kPressure.name; };
   if (std::none_of(result.fields.begin(), result.fields.end(), is_pressure)) return body;
-  const auto pressure = result.field("pressure", state);
+  const auto pressure = result.field(output::kPressure.name, state);
   const StoredMesh& mesh = result.mesh;
   std::vector<bool> is_filled(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

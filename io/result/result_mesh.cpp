@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/result/result_mesh.hpp"
 
+#include "framework/registry/element_outputs.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +17,9 @@ namespace {
 class ResultMesh {
  public:
   ResultMesh(const StoredResult& result, std::size_t state)
-      : result_(result), strain_(field("strain", state)), twine_area_(field("twine_area", state)) {
+      : result_(result),
+        strain_(field(output::kStrain.name, state)),
+        twine_area_(field(output::kTwineArea.name, state)) {
     mesh_.positions = result.points(state);
   }
 

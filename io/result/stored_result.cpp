@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/result/stored_result.hpp"
 
+#include "framework/registry/element_outputs.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -17,8 +19,10 @@ constexpr std::ptrdiff_t kDeepest = 16;  // of groups within groups: one that ho
 // Fields that are made of others: the larger tension of the two twine directions, the opening of meshes, and
 // the force of the water by the length of a rope and the area of netting.
 constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
+constexpr std::array kTensions = {kTension, "tension_u", "tension_v"};
 // Sums over an element: larger elements have more of them.
-constexpr std::array kTotals = {"drag", "knots", "mass", "twine_area", "volume"};
+constexpr std::array kTotals = {output::kDrag.name, output::kKnots.name, output::kMass.name,
+                                output::kTwineArea.name, output::kVolume.name};
 
 StoredPart nameless_part() {
   StoredPart part;
@@ -238,13 +242,13 @@ void StoredResult::read_fields() {
   for (const auto& name : reader_.list("/VTKHDF/CellData")) {
     const std::string at = "/VTKHDF/CellData/" + name;
     if (name == "part" || name == "panel_corners" || reader_.shape(at).size() > 1) continue;
-    has_tension |= name == "tension_u" || name == kTension;
+    has_tension |= std::ranges::find(kTensions, name) != kTensions.end();
     const bool is_total = std::find(kTotals.begin(), kTotals.end(), name) != kTotals.end();
     if (name != kTension)
       stored.push_back({name, everywhere(label(at, "unit", "1")), label(at, "doc", ""), is_total});
-    if (name == "half_angle")
+    if (name == output::kHalfAngle.name)
       fields.push_back({kOpening, everywhere("1"), "width of the meshes over their stretched length"});
-    if (name == "drag")
+    if (name == output::kDrag.name)
       fields.push_back({kWaterForce,
                         {"N/m2", "N/m", "N"},
                         "force of the water on netting by its area, on ropes by their length"});
@@ -258,7 +262,7 @@ void StoredResult::read_fields() {
 /// Elements on single nodes with a normal force are where a part touches a bed.
 void StoredResult::find_contacts() {
   for (const auto& field : fields) {
-    if (field.name != "normal_force") continue;
+    if (field.name != output::kNormalForce.name) continue;
     const auto force = whole(reader_.field(Location::kCell, field.name, times.size() - 1), mesh.n_cells,
                              "field " + field.name);
     for (const auto cell : mesh.dot_cells)
@@ -287,14 +291,14 @@ std::vector<double> StoredResult::field(const std::string& name, std::size_t sta
 }
 
 std::vector<double> StoredResult::opening(std::size_t state) const {
-  auto values = field("half_angle", state);
+  auto values = field(output::kHalfAngle.name, state);
   for (double& value : values) value = std::sin(value);
   return values;
 }
 
 std::vector<double> StoredResult::tension(std::size_t state) const {
   std::vector<double> values(mesh.n_cells, kNone);
-  for (const char* one : {"tension", "tension_u", "tension_v"}) {
+  for (const char* one : kTensions) {
     if (!reader_.has(std::string("/VTKHDF/CellData/") + one)) continue;
     const auto more = reader_.field(Location::kCell, one, state);
     for (std::size_t c = 0; c < values.size() && c < more.size(); ++c)
@@ -304,7 +308,7 @@ std::vector<double> StoredResult::tension(std::size_t state) const {
 }
 
 std::vector<double> StoredResult::water_force(std::size_t state) const {
-  auto force = field("drag", state);
+  auto force = field(output::kDrag.name, state);
   const auto x = points(state);
   const auto from_to = [&](std::uint32_t a, std::uint32_t b) {
     return std::array{x[3 * b] - x[3 * a], x[3 * b + 1] - x[3 * a + 1], x[3 * b + 2] - x[3 * a + 2]};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/beds.hpp"
 
+#include "framework/parameters/find_number.hpp"
+#include "io/scene/known_parameters.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,31 +14,22 @@ namespace netloft::io {
 
 namespace {
 
-/// A plane z = slope_x x + slope_y y - depth, soft to some depth [m].
+/// A plane that is soft to some depth [m].
 struct Bed {
   const Part* part = nullptr;
   Place place;
-  double depth = 0, slope_x = 0, slope_y = 0, softness = 0;
+  BedPlane plane;
+  double softness = 0;
 
-  double above(const double* x) const { return x[2] - (slope_x * x[0] + slope_y * x[1] - depth); }
-  bool is_same_plane(const Bed& other) const {
-    return depth == other.depth && slope_x == other.slope_x && slope_y == other.slope_y;
-  }
+  double above(const double* x) const { return x[2] - plane.height(x[0], x[1]); }
 };
-
-double number_of(const Part& part, const char* name) {
-  const auto at = part.parameters.find(name);
-  const double* value = at == part.parameters.end() ? nullptr : std::get_if<double>(&at->second);
-  return value ? *value : 0;
-}
 
 std::vector<Bed> beds_of(const LoadedScene& loaded) {
   std::vector<Bed> beds;
   for (const auto& part : loaded.scene.parts)
-    if (part.parameters.contains("seabed.depth") && !part.nodes.empty())
-      beds.push_back({&part, loaded.place_of(part.name), number_of(part, "seabed.depth"),
-                      number_of(part, "seabed.slope_x"), number_of(part, "seabed.slope_y"),
-                      number_of(part, "seabed.softness")});
+    if (const auto plane = bed_plane_of(part); plane && !part.nodes.empty())
+      beds.push_back({&part, loaded.place_of(part.name), *plane,
+                      number_or(0, part.parameters, parameter::kBedSoftness.name)});
   return beds;
 }
 
@@ -74,12 +68,19 @@ void check_pair(const Bed& a, const Bed& b, bool is_first, Diagnostics& diagnost
   if (shares)
     diagnostics.error(b.place, b.part->name + ": carries what " + other + " carries, too: both push at it",
                       "one bed with everything in `on`");
-  else if (is_first && !a.is_same_plane(b))
+  else if (is_first && a.plane != b.plane)
     diagnostics.warning(b.place, b.part->name + ": is another plane than " + other,
                         "heights in the report are those above " + a.part->name);
 }
 
 }  // namespace
+
+std::optional<BedPlane> bed_plane_of(const Part& part) {
+  const double* depth = find_number(part.parameters, parameter::kBedDepth.name);
+  if (!depth) return {};
+  return BedPlane{*depth, number_or(0, part.parameters, parameter::kBedSlopeX.name),
+                  number_or(0, part.parameters, parameter::kBedSlopeY.name)};
+}
 
 void check_beds(const LoadedScene& loaded, Diagnostics& diagnostics) {
   const auto beds = beds_of(loaded);

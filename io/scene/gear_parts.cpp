@@ -6,6 +6,7 @@
 #include "io/gear/twine_coordinates.hpp"
 #include "io/scene/idle_keys.hpp"
 #include "io/scene/inventory.hpp"
+#include "io/scene/known_parameters.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/plan_contact.hpp"
@@ -549,7 +550,7 @@ void GearParts::set_winches() {
     if (plan.tension)
       draft_.out.scene.settings.push_back({"length of " + rope.name, rope.name, datum::kRestLength.name,
                                            datum::kRestLength.unit, block, wanted});
-    Winch winch{rope.name, made("ropes").of->key + std::string(".length_share"), block,
+    Winch winch{rope.name, parameter::kLengthShare.name, block,
                 rope.is_mirrored ? plan.length_port.value_or(plan.length) : plan.length, plan.winch};
     if (winch.stages.empty())
       winch.stages.push_back({.max_speed = kWinchSpeed, .band = kWinchBand * tension});

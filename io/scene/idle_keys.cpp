@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/idle_keys.hpp"
 
-#include <algorithm>
+#include "framework/parameters/find_number.hpp"
+#include "io/scene/known_parameters.hpp"
 
 namespace netloft::io {
 
 namespace {
 
-bool is_set(const Part& part, const char* name) {
-  const auto at = part.parameters.find(name);
-  const double* value = at == part.parameters.end() ? nullptr : std::get_if<double>(&at->second);
-  return value && *value != 0;
+bool is_set(const Part& part, const KnownParameter& known) {
+  return number_or(0, part.parameters, known.name) != 0;
 }
 
 bool meshes_resist(const Part& part) {
-  return is_set(part, "twine.EI") || is_set(part, "twine.opening_stiffness");
+  return is_set(part, parameter::kTwineEI) || is_set(part, parameter::kOpeningStiffness);
 }
 
 }  // namespace
 
 void check_idle_keys(const Part& part, TableReader& table) {
-  if (is_set(part, "twine.opening_angle") && !meshes_resist(part))
+  if (is_set(part, parameter::kOpeningAngle) && !meshes_resist(part))
     table.error("twine", "opening_angle has no effect: nothing draws the meshes to it",
                 "EI or opening_stiffness of the twine, or leave it out");
 }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/tauti.hpp"
 
+#include "io/scene/known_parameters.hpp"
+
 #include <cmath>
 
 namespace netloft::io {
 
 namespace {
 
-double* number_of(Part& part, const char* name) {
-  const auto given = part.parameters.find(name);
+double* number_of(Part& part, const KnownParameter& known) {
+  const auto given = part.parameters.find(known.name);
   return given == part.parameters.end() ? nullptr : std::get_if<double>(&given->second);
 }
 
@@ -19,13 +21,13 @@ double TautiModel::viscosity_of_netting() const { return std::pow(twines, 1.5); 
 void TautiModel::scale_ropes_and_floats(Scene& scene) const {
   const double ratio = lengths / twines;
   for (Part& part : scene.parts) {
-    double* const rope = number_of(part, "rope.diameter");
-    double* const floats = number_of(part, "float.diameter");
-    double* const area = number_of(part, "float.area");
+    double* const rope = number_of(part, parameter::kRopeDiameter);
+    double* const floats = number_of(part, parameter::kFloatDiameter);
+    double* const area = number_of(part, parameter::kFloatArea);
     if (!rope && !floats && !area) continue;
     part.viscosity_ratio = ratio;
     if (rope) *rope *= std::sqrt(ratio);
-    if (double* const density = number_of(part, "rope.density"))
+    if (double* const density = number_of(part, parameter::kRopeDensity))
       *density = scene.water.density + (*density - scene.water.density) / ratio;
     if (floats) *floats *= std::cbrt(ratio);
     if (area) *area *= std::cbrt(ratio * ratio);
@@ -34,8 +36,8 @@ void TautiModel::scale_ropes_and_floats(Scene& scene) const {
 
 const Part* find_part_above_water(const Scene& scene) {
   for (const Part& part : scene.parts)
-    for (const char* name : {"rope.surface", "twine.surface", "box.height"})
-      if (const auto given = part.parameters.find(name);
+    for (const auto& known : {parameter::kRopeSurface, parameter::kTwineSurface, parameter::kBoxHeight})
+      if (const auto given = part.parameters.find(known.name);
           given != part.parameters.end() && given->second != Value(0.0))
         return &part;
   return nullptr;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/thickness.hpp"
 
+#include "framework/parameters/find_number.hpp"
+#include "io/scene/known_parameters.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
@@ -9,10 +12,8 @@ namespace netloft::io {
 
 namespace {
 
-double number_of(const Part& part, const char* name) {
-  const auto at = part.parameters.find(name);
-  const double* value = at == part.parameters.end() ? nullptr : std::get_if<double>(&at->second);
-  return value ? *value : 0;
+double number_of(const Part& part, const KnownParameter& known) {
+  return number_or(0, part.parameters, known.name);
 }
 
 /// Bars of netting in triangles say how long they are; one bar of a lumped panel stands for several twines
@@ -34,13 +35,13 @@ std::string in_metres(double length) {
 }  // namespace
 
 std::optional<ThicknessFault> thickness_fault(const Part& part, const Geometry& geometry) {
-  const double twine = number_of(part, "twine.diameter"), bar = bar_of(geometry);
+  const double twine = number_of(part, parameter::kTwineDiameter), bar = bar_of(geometry);
   if (bar > 0 && twine >= bar)
     return ThicknessFault{
         "twine", "diameter = " + in_metres(twine) + ", and bars of " + in_metres(bar) + ": no mesh can open"};
   const auto* rest = find_data(geometry.data, datum::kRestLength);
   if (!rest || bar > 0) return {};
-  const double rope = number_of(part, "rope.diameter"),
+  const double rope = number_of(part, parameter::kRopeDiameter),
                length = std::accumulate(rest->begin(), rest->end(), 0.0);
   if (rope > 0 && rope >= length)
     return ThicknessFault{"rope", "diameter = " + in_metres(rope) + ", and a length of " + in_metres(length)};

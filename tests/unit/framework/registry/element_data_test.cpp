@@ -3,11 +3,11 @@
 // The names under which the host gives elements numbers of their own: the page for authors, and who is
 // refused.
 #include "framework/registry/element_data.hpp"
-#include "tests/folders.hpp"
+#include "framework/registry/element_outputs.hpp"
+#include "tests/support/rows_of_page.hpp"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <utility>
 
 namespace netloft {
@@ -27,15 +27,17 @@ std::vector<std::string> rows_of_table() {
   return rows;
 }
 
-std::vector<std::string> rows_of_page() {
-  std::ifstream page(test::source_folder() + "/framework/guides/element.md");
-  std::vector<std::string> rows;
-  for (std::string line; std::getline(page, line);)
-    if (line.starts_with("| `NETLOFT_")) rows.push_back(line);
-  return rows;
+TEST(ElementData, IsTheTableOfTheGuide) {
+  EXPECT_EQ(test::rows_below("framework/guides/element.md", "| stencil | datum | numbers | unit | |"),
+            rows_of_table());
 }
 
-TEST(ElementData, IsTheTableOfTheGuide) { EXPECT_EQ(rows_of_page(), rows_of_table()); }
+TEST(KnownOutputs, AreTheTableOfTheGuide) {
+  std::vector<std::string> rows;
+  for (const KnownOutput& o : output::kKnown)
+    rows.push_back(std::string("| `") + o.name + "` | " + o.unit + " | " + o.use + " |");
+  EXPECT_EQ(test::rows_below("framework/guides/element.md", "| output | unit | |"), rows);
+}
 
 /// What is said of a plugin whose one element declares this.
 std::string refusal(std::uint32_t stencil, const char* name, std::uint32_t width, const char* unit) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/descriptors.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace netloft {
+
+/// An output that reports and pictures look for by its name and unit, in an element of whatever plugin.
+/// Authors find the table in guides/element.md, and a test compares both. Tensions and doubts go by their
+/// roles instead (netloft_output_role).
+struct KnownOutput {
+  const char *name, *unit, *use;
+};
+
+namespace output {
+
+inline constexpr KnownOutput kMass{"mass", "kg", "in air: summed up by rope and panel"};
+inline constexpr KnownOutput kTwineArea{"twine_area", "m2",
+                                        "length times diameter of twines: summed up by panel"};
+inline constexpr KnownOutput kKnots{"knots", "1", "by which the opening of meshes is weighed"};
+inline constexpr KnownOutput kHalfAngle{"half_angle", "rad",
+                                        "half the angle between the twines of a mesh: its opening"};
+inline constexpr KnownOutput kDrag{"drag", "N", "force of the water: drawn by length and area"};
+inline constexpr KnownOutput kStrain{"strain", "1",
+                                     "by which a result as a mesh has its unstretched lengths"};
+inline constexpr KnownOutput kNormalForce{"normal_force", "N",
+                                          "of the ground on a node: what touches the bed, and how hard"};
+inline constexpr KnownOutput kPressure{"pressure", "Pa", "of a catch on netting: where it is drawn"};
+inline constexpr KnownOutput kVolume{"volume", "m3", "of a catch, in the element"};
+
+inline constexpr std::array kKnown = {kMass,   kTwineArea,   kKnots,    kHalfAngle, kDrag,
+                                      kStrain, kNormalForce, kPressure, kVolume};
+
+}  // namespace output
+
+inline bool is_output(const netloft_output& one, const KnownOutput& known) {
+  return std::string_view(one.name) == known.name && std::string_view(one.unit) == known.unit;
+}
+inline bool is_tension(const netloft_output& one) { return one.role == NETLOFT_OUTPUT_TENSION; }
+
+}  // namespace netloft

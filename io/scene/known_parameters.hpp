@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+
+namespace netloft::io {
+
+/// Parameters that are read by their name, in an element of whatever plugin: what a part says under it is
+/// checked, drawn or changed. Authors find the table in framework/guides/element.md, and a test compares
+/// both.
+struct KnownParameter {
+  const char *name, *use;
+};
+
+namespace parameter {
+
+inline constexpr KnownParameter kTwineDiameter{"twine.diameter", "is less than a bar, and is drawn"};
+inline constexpr KnownParameter kRopeDiameter{
+    "rope.diameter", "is less than the rope is long, is drawn, and scaled in models"};
+inline constexpr KnownParameter kFloatDiameter{"float.diameter", "is drawn, and scaled in models"};
+inline constexpr KnownParameter kFloatArea{"float.area", "is scaled in models"};
+inline constexpr KnownParameter kRopeDensity{"rope.density", "is scaled in models"};
+inline constexpr KnownParameter kRopeSurface{"rope.surface", "if not 0, no model by Tauti's rule"};
+inline constexpr KnownParameter kTwineSurface{"twine.surface", "if not 0, no model by Tauti's rule"};
+inline constexpr KnownParameter kBoxHeight{"box.height", "if not 0, no model by Tauti's rule"};
+inline constexpr KnownParameter kTwineEI{"twine.EI", "resists the opening of meshes"};
+inline constexpr KnownParameter kOpeningStiffness{"twine.opening_stiffness", "resists the opening of meshes"};
+inline constexpr KnownParameter kOpeningAngle{"twine.opening_angle",
+                                              "has no effect where nothing resists the opening of meshes"};
+inline constexpr KnownParameter kBedDepth{"seabed.depth",
+                                          "a plane of ground, from which heights are counted"};
+inline constexpr KnownParameter kBedSlopeX{"seabed.slope_x", "of that plane"};
+inline constexpr KnownParameter kBedSlopeY{"seabed.slope_y", "of that plane"};
+inline constexpr KnownParameter kBedSoftness{"seabed.softness", "how deep a gear may begin in that plane"};
+inline constexpr KnownParameter kLengthShare{"rope.length_share", "of a warp on a winch"};
+
+inline constexpr std::array kKnown = {kTwineDiameter, kRopeDiameter,     kFloatDiameter, kFloatArea,
+                                      kRopeDensity,   kRopeSurface,      kTwineSurface,  kBoxHeight,
+                                      kTwineEI,       kOpeningStiffness, kOpeningAngle,  kBedDepth,
+                                      kBedSlopeX,     kBedSlopeY,        kBedSoftness,   kLengthShare};
+
+}  // namespace parameter
+}  // namespace netloft::io
