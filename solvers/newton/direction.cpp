@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/newton/direction.hpp"
 
+#include <netloft/imbalance.hpp>
+
 #include <algorithm>
 
 namespace netloft::newton {
@@ -38,7 +40,7 @@ std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double dam
 /// (6) leaves by; a convex part changes it in all. It costs four factorisations where K is far from definite:
 /// after a no this is asked again only once K + μ M has been positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
-  if (!iterate.is_conservative() || !tests_near_definite_ || damping >= p_.nearly_definite) {
+  if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kMatters) {
     tests_near_definite_ = false;
     return {};
   }
@@ -59,8 +61,7 @@ std::optional<Direction> Directions::find_partly_convex(Iterate& iterate, double
 
 /// K + θ (K₊ − K), with half the θ of the last time, or twice as much until it will do.
 Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
-  for (convex_share_ = std::max(0.5 * convex_share_, p_.nearly_definite); convex_share_ < 1;
-       convex_share_ *= 2)
+  for (convex_share_ = std::max(0.5 * convex_share_, kMatters); convex_share_ < 1; convex_share_ *= 2)
     if (const Factor factor = problem.factorise_between(convex_share_, shift); factor != Factor::not_positive)
       return factor;
   Factor factor = problem.factorise(Matrix::convex, shift);

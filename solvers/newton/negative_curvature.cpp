@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/newton/negative_curvature.hpp"
 
+#include <netloft/imbalance.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +17,8 @@ NegativeCurvature::NegativeCurvature(const Newton::Parameters& parameters, const
 
 /// From one below that of the last time, by `factor`.
 std::optional<double> NegativeCurvature::factorise_nearly_definite(Problem& problem) {
-  for (sigma_ = std::max(p_.least_damping, sigma_ / p_.factor);
-       sigma_ <= p_.nearly_definite * (1 + kShortest); sigma_ *= p_.factor)
+  for (sigma_ = std::max(p_.least_damping, sigma_ / p_.factor); sigma_ <= kMatters * (1 + kShortest);
+       sigma_ *= p_.factor)
     if (problem.factorise(Matrix::exact, sigma_) == Factor::ok) return sigma_;
   sigma_ = p_.least_damping;
   return {};

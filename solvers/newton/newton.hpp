@@ -45,14 +45,13 @@ namespace netloft::newton {
 /// approximate Wolfe conditions (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
 ///
 /// Negative curvature. Where all forces have an energy, μ is small, K is indefinite and K + σ M with a σ
-/// of `least_damping` to `nearly_definite` is not, K is nearly definite: K + σ M is then the matrix of (2),
+/// of `least_damping` to kMatters is not, K is nearly definite: K + σ M is then the matrix of (2),
 /// and (6) leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979). At round-off, where
 /// no step is accepted, the same is tried once at every point, however much damping is left.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;
-    double damping = 0, least_damping = 0, most_damping = 0, nearly_definite = 0;
-    double factor = 0, flatness = 0, uphill = 0, margin = 0;
+    double damping = 0, least_damping = 0, most_damping = 0, factor = 0, flatness = 0, uphill = 0;
     std::int64_t refinements = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);

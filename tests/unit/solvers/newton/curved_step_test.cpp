@@ -62,11 +62,9 @@ int iterations_of(double steepness) {
   const Newton::Parameters p{.damping = 0,
                              .least_damping = 1e-7,
                              .most_damping = 64,
-                             .nearly_definite = 1e-4,
                              .factor = 8,
                              .flatness = 0.2,
                              .uphill = 2,
-                             .margin = 0.1,
                              .refinements = 4};
   EXPECT_EQ(solve_globalised(p, problem), Outcome::stopped);
   EXPECT_NEAR(valley.u[0], 3, 1e-6);
