@@ -19,7 +19,6 @@ class ImplicitSteps {
   ImplicitSteps(const PseudoTransient::Parameters& parameters, Problem& problem)
       : p_(parameters),
         problem_(problem),
-        delta_(parameters.step),
         r_(problem.size()),
         r_before_(problem.size()),
         before_(problem.size()),
@@ -51,7 +50,7 @@ class ImplicitSteps {
   /// Solves (3).
   bool take_step() {
     for (std::int64_t corrections = 1; corrections <= p_.corrections; ++corrections) {
-      if (!correct() || problem_.step_length(s_) > p_.reach) return false;
+      if (!correct()) return false;
       if (problem_.step_length(s_) > p_.solved * problem_.step_length(moved_)) continue;
       if (!follows_motion()) return false;
       adapt_step(corrections);
@@ -72,10 +71,7 @@ class ImplicitSteps {
   }
 
   /// (5)
-  bool follows_motion() {
-    return problem_.step_length(moved_) <= p_.reach &&
-           dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_);
-  }
+  bool follows_motion() { return dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_); }
 
   void adapt_step(std::int64_t corrections) {
     if (2 * corrections <= p_.corrections) delta_ = std::min(kLongestStep, delta_ * p_.change);
@@ -90,7 +86,7 @@ class ImplicitSteps {
 
   const PseudoTransient::Parameters& p_;
   Problem& problem_;
-  double delta_, energy_ = 0;
+  double delta_ = 1, energy_ = 0;
   const char* note_ = "";
   std::vector<double> r_, r_before_;  // here, and where the step began
   std::vector<double> before_, moved_, unbalanced_, s_;

@@ -17,15 +17,16 @@ NETLOFT_PLUGIN("ptc", "0.1.0", "pseudo-transient continuation") {
              "linearly-implicit: one linear solve a step; implicit: each step solved by Newton's method",
              {"linearly-implicit", "implicit"});
   ptc.real("step", &P::step, "1",
-           "first step of the pseudo-time, over what the linear stiffness needs to relax",
+           "linearly-implicit: first step of the pseudo-time, over what the linear stiffness needs to relax",
            {.lo = 1e-6, .hi = 1e12, .fallback = 100});
-  ptc.real("growth", &P::growth, "1", "most by which a step may exceed the last",
+  ptc.real("growth", &P::growth, "1", "linearly-implicit: most by which a step may exceed the last",
            {.lo = 1, .hi = 1e6, .fallback = 10});
   ptc.real("shrink", &P::shrink, "1",
-           "least part of the last step that a step may be when the residual has grown",
+           "linearly-implicit: least part of the last step that a step may be when the residual has grown",
            {.lo = 0, .hi = 1, .fallback = 0.7});
   ptc.real("reach", &P::reach, "1",
-           "farthest move of a node in one step, over the largest element; a longer step is taken back",
+           "linearly-implicit: farthest move of a node in one step, over the largest element; a longer step "
+           "is taken back",
            {.lo = 1e-3, .hi = 1e12, .fallback = 10});
   ptc.integer("corrections", &P::corrections,
               "implicit: corrections after which a step is taken back; half as many allow a longer one", 2,

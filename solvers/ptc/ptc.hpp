@@ -28,13 +28,13 @@ namespace netloft::ptc {
 ///   M (u′ − u)/δ + r(u′) = 0                                                             (3)
 ///   (K(v) + M/δ) s = −M (v − u)/δ − r(v),   v ← v + s,   until |s| ≤ `solved` |v − u|    (4)
 ///   d·r(u′) ≥ 2 d·r(u),   d = u′ − u                                                      (5)
-/// (3) is the implicit Euler method; for an energy it is the proximal point algorithm (R. T. Rockafellar,
-/// SIAM J. Control Optim. 14 (1976) 877-898). δ grows by `change` where half of the
-/// `corrections` (4) are enough, and falls by that where all do not get there; so it grows without bound near
-/// a stable equilibrium, where (4) is Newton's method. After E. Hairer and G. Wanner, Solving Ordinary
-/// Differential Equations II (1996), IV.8. By (3), d·r(u′) = −d·M d/δ: (5) is κ δ ≥ −1/2 for the
-/// curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, Euler's step leads onto the very equilibrium that
-/// the motion leaves.
+/// (3) is the implicit Euler method, its first δ what the linear stiffness needs to relax; for an energy it
+/// is the proximal point algorithm (R. T. Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898). δ grows by
+/// `change` where half of the `corrections` (4) are enough, and falls by that where all do not get there; so
+/// it grows without bound near a stable equilibrium, where (4) is Newton's method. After E. Hairer and G.
+/// Wanner, Solving Ordinary Differential Equations II (1996), IV.8. By (3), d·r(u′) = −d·M d/δ: (5) is κ δ ≥
+/// −1/2 for the curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, Euler's step leads onto the very
+/// equilibrium that the motion leaves.
 struct PseudoTransient {
   struct Parameters {
     std::int64_t method = 0;

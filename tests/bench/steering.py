@@ -25,7 +25,7 @@ framework/study/running_study.* framework/study/shapes.* framework/include/netlo
 framework/include/netloft/imbalance.hpp""".split()
 # Methods that `auto` does not ask for, and what users ask of an analysis besides.
 NOT_ITS_OWN = {
-    "solvers/ptc/plugin.cpp": {"growth", "shrink"},
+    "solvers/ptc/plugin.cpp": {"step", "growth", "shrink", "reach"},
     "io/scene/keys.cpp": None,
 }
 ONLY = {"io/scene/keys.cpp": {"tolerance", "max_iterations", "work"}}

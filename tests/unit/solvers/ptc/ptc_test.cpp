@@ -22,15 +22,22 @@ TEST_P(EveryStep, BalancesAForceThatHasNoEnergy) {
     EXPECT_NEAR(s.position(1)[axis], by_newton.position(1)[axis], 1e-8);
 }
 
-TEST_P(EveryStep, IsTakenBackWhenItLeadsTooFar) {
-  Values parameters = GetParam().parameters();
-  parameters["reach"] = 0.1;
-  const Solved s = solve_with("ptc", two_bar_truss(), parameters);
+INSTANTIATE_TEST_SUITE_P(PseudoTransient, EveryStep, testing::ValuesIn(kWays), name_of);
+
+void expect_steps_back(const Solved& s) {
   EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
   EXPECT_TRUE(has_note(s, "taken back"));
 }
 
-INSTANTIATE_TEST_SUITE_P(PseudoTransient, EveryStep, testing::ValuesIn(kWays), name_of);
+TEST(LinearlyImplicitSteps, AreTakenBackWhereTheyLeadTooFar) {
+  expect_steps_back(solve_with("ptc", two_bar_truss(), {{"reach", 0.1}}));
+}
+
+TEST(ImplicitSteps, AreTakenBackWhereTheirCorrectionsDoNotGetThere) {
+  expect_steps_back(
+      solve_with("ptc", two_bar_truss(),
+                 {{"method", std::string("implicit")}, {"solved", 1e-9}, {"corrections", std::int64_t{3}}}));
+}
 
 // Pressed as stiffly as pulled, a short bar has a tangent that no small damping makes definite.
 TEST(PseudoTransient, UsesTheConvexPartWhereTheTangentIsIndefinite) {
