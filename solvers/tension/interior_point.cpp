@@ -36,19 +36,18 @@ InteriorPoint::Ending InteriorPoint::solve(std::span<double> u, double load) {
     if (!members_.progress(largest_residual(), "interior point")) return Ending::called_off;
     if (!factorise()) return Ending::no_factor;
     const double a = find_step();
-    if (!std::isfinite(a) || (is_short(a) && is_most_damped())) return Ending::no_step;
+    if (!std::isfinite(a) || is_short(a)) return Ending::no_step;
     take(a, u);
-    adapt_damping(a);
   }
   return Ending::no_forces;
 }
 
 /// On the path of (2), wherever the nodes are; (1) need not hold.
 void InteriorPoint::begin(std::span<const double> u) {
-  damping_ = 0, is_indefinite_ = false;
+  is_indefinite_ = false;
   members_.find_chords(u, w_);
   for (std::size_t e = 0; e < members_.size(); ++e) {
-    states_[e].z0 = std::max(0.0, strain(e)) + 1 + p_.room;
+    states_[e].z0 = std::max(0.0, strain(e)) + 1 + p_.room();
     const cone::Point z = z_of(e), mirrored = cone::mirrored(z);
     const double scale = load_ / cone::determinant(z);
     for (std::size_t i = 0; i < 4; ++i) states_[e].y[i] = scale * mirrored[i];
@@ -99,8 +98,7 @@ void InteriorPoint::set_member(std::size_t e) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       blocks_[e][3 * i + j] =
-          (H.squared(i + 1, j + 1) - H.squared(0, i + 1) * H.squared(0, j + 1) / pivot) / l0 +
-          (i == j ? damping_ / l0 : 0);
+          (H.squared(i + 1, j + 1) - H.squared(0, i + 1) * H.squared(0, j + 1) / pivot) / l0;
   forces_[e] = {-y[1], -y[2], -y[3]};
 }
 
@@ -190,16 +188,6 @@ void InteriorPoint::take(double a, std::span<double> u) {
     for (std::size_t i = 0; i < 4; ++i) state.y[i] += a * state.dy[i];
   }
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += a * step_[i];
-}
-
-/// Drag may leave slack members with no place to be, or push them out of any: D holds them where steps become
-/// short.
-void InteriorPoint::adapt_damping(double a) {
-  const double least = p_.tolerance * load_;
-  if (is_short(a))
-    damping_ = std::clamp(p_.factor * damping_, least, p_.most_damping * load_);
-  else
-    damping_ = damping_ < p_.factor * least ? 0 : damping_ / p_.factor;
 }
 
 }  // namespace netloft::tension

@@ -16,23 +16,24 @@ namespace netloft::tension {
 /// J. Ito, "Large-deformation and friction analysis of non-linear elastic cable networks by second-order cone
 /// programming", Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2), scaled by W (W z =
 /// W⁻¹ y, H = W²), T, q and z₀ eliminated member by member, h = (H₁₀, H₂₀, H₃₀), H̄ the rest:
-///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀) + D I]) s = −(r + Σ n c [q − ḡ + h ζ])         (3)
+///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀)]) s = −(r + Σ n c [q − ḡ + h ζ])               (3)
 ///   ζ = (EA (1 − z₀) + T + g₀)/(EA + H₀₀)                                                   (4)
 ///   g = −y to see how far a step leads (a₀), then W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)), v = W z,
 ///   σ = (1 − a₀)³, with the same matrix                                                     (5)
 ///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
 /// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag, whose law is none of a
-/// convex problem, is linearised at every step like all of r; D [N], zero at first, grows where that leaves
-/// steps short (Levenberg's damping). What members bear in compression is left out: a solver that goes on
-/// from here brings it in.
+/// convex problem, is linearised at every step like all of r; where that leaves a step no longer than what
+/// (6) keeps from the boundary, the method ends. What members bear in compression is left out: a solver that
+/// goes on from here brings it in.
 class InteriorPoint {
  public:
   /// All that steers the method; plugin.cpp says what each is and where it comes from.
   struct Parameters {
-    double tolerance = 0;                 // of μ and of the residual, over the load
-    double room = 0, to_boundary = 0;     // of z₀ at the start; (6)
-    double factor = 0, most_damping = 0;  // of D; over the load
+    double tolerance = 0;    // of μ and of the residual, over the load
+    double to_boundary = 0;  // (6)
+    /// What a step keeps from the boundary, and the first point in z₀, too.
+    double room() const { return 1 - to_boundary; }
   };
 
   enum class Ending { converged, called_off, no_forces, no_factor, no_step };
@@ -72,9 +73,7 @@ class InteriorPoint {
   double zeta(std::size_t e, double g0, double along) const;
   double longest_step() const;
   void take(double a, std::span<double> u);
-  bool is_short(double a) const { return a * p_.factor < 1; }
-  bool is_most_damped() const { return damping_ >= p_.most_damping * load_; }
-  void adapt_damping(double a);
+  bool is_short(double a) const { return a < p_.room(); }
 
   Parameters p_;
   Members members_;
@@ -85,8 +84,8 @@ class InteriorPoint {
   std::vector<Block> blocks_;
   std::vector<Vector> w_, forces_, changes_;
   std::vector<double> rest_, residual_, rhs_, step_;
-  double mu_ = 0, damping_ = 0;  // [N]
-  bool is_indefinite_ = false;   // (3), because of r
+  double mu_ = 0;               // [N]
+  bool is_indefinite_ = false;  // (3), because of r
 };
 
 }  // namespace netloft::tension

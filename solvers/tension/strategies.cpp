@@ -33,20 +33,13 @@ const char* beginning(const Study& study) {
 void Only::describe(StrategyTable<Only>& t) {
   using P = Parameters;
   t.needs(NETLOFT_STUDY_MEMBERS);
-  t.real(
-      "tolerance", &P::tolerance, "1",
-      "largest residual and complementarity that are left at the end, over the load; also the first damping",
-      {.lo = 1e-12, .hi = 1, .fallback = 1e-7});
-  t.real("room", &P::room, "1", "how far inside the cone members start, in strain",
-         {.lo = 1e-6, .hi = 10, .fallback = 0.1});
-  t.real("to_boundary", &P::to_boundary, "1", "part of the way to the boundary of the cone that a step takes",
+  t.real("tolerance", &P::tolerance, "1",
+         "largest residual and complementarity that are left at the end, over the load",
+         {.lo = 1e-12, .hi = 1, .fallback = 1e-7});
+  t.real("to_boundary", &P::to_boundary, "1",
+         "part of the way to the boundary of the cone that a step takes; the rest is the strain by which "
+         "members start inside it, and a step that is shorter ends the method",
          {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
-  t.real("factor", &P::factor, "1",
-         "by which damping rises after a step shorter than its inverse, and falls after a longer one",
-         {.lo = 1.1, .hi = 1e3, .fallback = 10});
-  t.real("most_damping", &P::most_damping, "1",
-         "largest damping, over the load: where steps are short even so, the method ends",
-         {.lo = 0, .hi = 1, .fallback = 1e-2});
 }
 
 void Only::run(const Parameters& parameters, Study& study) {

@@ -15,11 +15,10 @@ using namespace netloft;
 struct CoarseToFine {
   struct Parameters {
     const char *by = nullptr, *with = nullptr, *then = nullptr;
-    double smallest = 0;
   };
 
   static void run(const Parameters& p, Study& study) {
-    if (!has_coarser(p, study)) return;
+    if (!has_coarser(study)) return;
     std::string parameters = p.with;
     std::replace(parameters.begin(), parameters.end(), ';', ',');
     const Stage coarse =
@@ -33,11 +32,10 @@ struct CoarseToFine {
   }
 
   static std::string explain(const Parameters& p, Study& study) {
-    return has_coarser(p, study) ? std::string("half as many cells along a side by ") + p.by +
-                                       ", then the scene itself from there" +
-                                       (*p.then ? std::string(" by ") + p.then : "") + "\n"
-                                 : "nothing: no coarser mesh of at least " +
-                                       std::to_string(static_cast<int>(p.smallest)) + " unknowns\n";
+    return has_coarser(study) ? std::string("half as many cells along a side by ") + p.by +
+                                    ", then the scene itself from there" +
+                                    (*p.then ? std::string(" by ") + p.then : "") + "\n"
+                              : "nothing: no coarser mesh\n";
   }
 
  private:
@@ -49,9 +47,7 @@ struct CoarseToFine {
     return fine.is_stationary() || study.work_left() == 0 ? std::move(fine)
                                                           : study.solve({.name = kFromCoarser}, start);
   }
-  static bool has_coarser(const Parameters& p, Study& study) {
-    return study.levels() > 1 && static_cast<double>(study.size()) >= p.smallest && study.size(1) > 0;
-  }
+  static bool has_coarser(Study& study) { return study.levels() > 1 && study.size(1) > 0; }
 };
 
 }  // namespace
@@ -65,7 +61,4 @@ NETLOFT_PLUGIN("coarse-to-fine", "0.1.0", "Grid sequencing") {
   strategy.text(
       "then", &CoarseToFine::Parameters::then,
       "strategy that solves the scene itself from there; empty, and where it finds nothing: the solver", "");
-  strategy.real("smallest", &CoarseToFine::Parameters::smallest, "1",
-                "unknowns below which a coarser mesh costs as much as it saves",
-                {.lo = 1, .hi = 1e9, .fallback = 200});
 }

@@ -10,12 +10,12 @@ using namespace netloft;
 
 /// Continuation in the stiffness. Bars that hardly stretch leave Newton's method only short steps where they
 /// have to turn; soft ones turn at once. The scene is solved with a cap on all axial stiffnesses,
-///   C₀ = s F,  C_{k+1} = f C_k until C_k reaches the largest stiffness                    (1)
-/// F the largest load on a node; the square root of f takes its place where a stage fails (E. L. Allgower and
-/// K. Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6).
+///   C₁ = f F,  C_{k+1} = f C_k until C_k reaches the largest stiffness                    (1)
+/// F the largest load on a node (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods,
+/// 2003, ch. 6).
 struct StiffnessSteps {
   struct Parameters {
-    double softest = 0, factor = 0;
+    double factor = 0;
   };
 
   static void run(const Parameters& p, Study& study) {
@@ -37,7 +37,7 @@ struct StiffnessSteps {
   }
 
  private:
-  static double first_cap(const Parameters& p, Study& study) { return p.softest * study.largest_load(); }
+  static double first_cap(const Parameters& p, Study& study) { return p.factor * study.largest_load(); }
 
   /// Where the caps of (1) lead.
   static Displacements stiffened(const Parameters& p, Study& study, double cap) {
@@ -58,8 +58,6 @@ NETLOFT_PLUGIN("stiffness-steps", "0.1.0", "From soft to stiff") {
   auto& s = plugin.strategy<StiffnessSteps>("stiffness-steps",
                                             "From soft to stiff, by caps on all axial stiffnesses");
   using P = StiffnessSteps::Parameters;
-  s.real("softest", &P::softest, "1",
-         "first cap over the largest load on a node: members stretch by a few hundredths",
-         {.lo = 1e-3, .hi = 1e6, .fallback = 30});
-  s.real("factor", &P::factor, "1", "by which the cap is raised", {.lo = 1.01, .hi = 1e6, .fallback = 10});
+  s.real("factor", &P::factor, "1", "first cap over the largest load on a node, and each cap over the last",
+         {.lo = 1.01, .hi = 1e6, .fallback = 10});
 }

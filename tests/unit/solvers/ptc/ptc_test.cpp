@@ -24,19 +24,16 @@ TEST_P(EveryStep, BalancesAForceThatHasNoEnergy) {
 
 INSTANTIATE_TEST_SUITE_P(PseudoTransient, EveryStep, testing::ValuesIn(kWays), name_of);
 
-void expect_steps_back(const Solved& s) {
+TEST(LinearlyImplicitSteps, AreTakenBackWhereTheyLeadTooFar) {
+  const Solved s = solve_with("ptc", two_bar_truss(), {{"reach", 0.1}});
   EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
   EXPECT_TRUE(has_note(s, "taken back"));
 }
 
-TEST(LinearlyImplicitSteps, AreTakenBackWhereTheyLeadTooFar) {
-  expect_steps_back(solve_with("ptc", two_bar_truss(), {{"reach", 0.1}}));
-}
-
 TEST(ImplicitSteps, AreTakenBackWhereTheirCorrectionsDoNotGetThere) {
-  expect_steps_back(
-      solve_with("ptc", two_bar_truss(),
-                 {{"method", std::string("implicit")}, {"solved", 1e-9}, {"corrections", std::int64_t{3}}}));
+  const Solved s = solve_with("ptc", two_bar_truss(),
+                              {{"method", std::string("implicit")}, {"corrections", std::int64_t{2}}});
+  EXPECT_TRUE(has_note(s, "taken back"));
 }
 
 // Pressed as stiffly as pulled, a short bar has a tangent that no small damping makes definite.
