@@ -6,6 +6,7 @@
 #include "io/cli/launched.hpp"
 #include "io/cli/memory_room.hpp"
 #include "io/cli/prefix.hpp"
+#include "solvers/factorisation/large_blocks.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -456,6 +457,14 @@ void add_test_command(CLI::App& app, Options& o) {
   add_plugin_options(*test, o);
 }
 
+void add_out_of_core_option(CLI::App& command, Options& o) {
+  command
+      .add_option("--out-of-core", o.out_of_core,
+                  "keep large factors in files there, where memory does not hold them")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("FOLDER");
+}
+
 void add_run_command(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
   add_scene_options(*run, o);
@@ -480,11 +489,18 @@ void add_run_command(CLI::App& app, Options& o) {
       ->type_name("UNKNOWNS");
   run->add_flag("--same-bits", o.same_bits,
                 "under mpirun: results to the last bit, on any number of processes; takes more memory");
+  add_out_of_core_option(*run, o);
+}
+
+void add_plan_command(CLI::App& app, Options& o) {
+  auto* plan = app.add_subcommand("plan", "say what a scene needs, and why not the rest");
+  add_scene_options(*plan, o);
+  add_out_of_core_option(*plan, o);
 }
 
 void add_commands(CLI::App& app, Options& o) {
   add_run_command(app, o);
-  add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
+  add_plan_command(app, o);
   add_plugin_options(*app.add_subcommand("list", "list all elements and solvers"), o);
   auto* describe = app.add_subcommand(
       "describe", "parameters, terms and outputs of a component, or of the tables water, analysis and gear");
@@ -549,6 +565,7 @@ int guarded(Options& o) {
   try {
     const auto ranks = start_ranks(o, launch_of_environment());
     o.ranks = ranks.get();
+    put_large_blocks_into(o.out_of_core);
     return dispatch(o);
   } catch (const UsageError& e) {
     return fail(o, e.message, kWrongInput);
@@ -624,7 +641,13 @@ int serve(int argc, char** argv, const Launch& launch) {
   } catch (const CLI::ParseError&) {
     return kDone;
   }
-  if (app.get_subcommands().front()->get_name() == "run") serve_ranks(launch);
+  if (app.get_subcommands().front()->get_name() != "run") return kDone;
+  try {
+    put_large_blocks_into(o.out_of_core);
+  } catch (const std::runtime_error& e) {
+    return fail(o, e.what(), kOther);
+  }
+  serve_ranks(launch);
   return kDone;
 }
 

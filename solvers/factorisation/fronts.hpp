@@ -6,10 +6,11 @@
 
 #include "framework/assembler/workers.hpp"
 #include "solvers/factorisation/front_schedule.hpp"
+#include "solvers/factorisation/large_blocks.hpp"
 
 namespace netloft {
 
-/// Uninitialised doubles that begin at a cache line.
+/// Uninitialised doubles that begin at a cache line. resize() throws std::bad_alloc.
 class Room {
  public:
   void resize(std::size_t count);
@@ -19,7 +20,7 @@ class Room {
 
  private:
   static constexpr std::size_t kLine = 8;
-  std::unique_ptr<double[]> all_;
+  std::unique_ptr<void, FreeBlock> all_;
   double* begin_ = nullptr;
 };
 

@@ -212,7 +212,7 @@ TEST(Panel, RefusesMoreTrianglesThanMemoryHolds) {
       "panel = { across = 4, along = 3, bar = 0.1 }\ncells = [100000, 100000]\n"
       "sketch = [[0, 0, 0], [2, 0, 0], [2, 0, -4], [0, 0, -4]]\n");
   read_panel(in.reader);
-  EXPECT_EQ(in.error(), "2:9: cells: makes 20000000000 triangles; at most 4000000 are taken in one part");
+  EXPECT_EQ(in.error(), "2:9: cells: makes 20000000000 triangles; at most 20000000 are taken in one part");
 }
 
 Geometry tube(const std::string& where, const std::string& cells = "[8, 2]") {
