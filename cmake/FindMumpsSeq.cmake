@@ -18,7 +18,12 @@ find_library(MumpsSeq_scotch_LIBRARY NAMES scotch scotch-7.0 scotch-6.1)
 find_library(MumpsSeq_gfortran_LIBRARY NAMES gfortran libgfortran.so.5)
 find_library(MumpsSeq_lapack_LIBRARY lapack)
 find_library(MumpsSeq_blas_LIBRARY blas)
-set(MumpsSeq_LIBRARIES ${MumpsSeq_esmumps_LIBRARY} ${MumpsSeq_scotch_LIBRARY} ${MumpsSeq_lapack_LIBRARY}
+include(NetloftArchives)
+netloft_find_archives(MumpsSeq_scotch_ARCHIVES esmumps scotch scotcherr)
+if(NOT MumpsSeq_scotch_ARCHIVES)
+  set(MumpsSeq_scotch_ARCHIVES ${MumpsSeq_esmumps_LIBRARY} ${MumpsSeq_scotch_LIBRARY})
+endif()
+set(MumpsSeq_LIBRARIES ${MumpsSeq_scotch_ARCHIVES} ${MumpsSeq_lapack_LIBRARY}
                        ${MumpsSeq_blas_LIBRARY} ${MumpsSeq_gfortran_LIBRARY})
 
 include(FindPackageHandleStandardArgs)

@@ -6,9 +6,13 @@ include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(Udunits2 REQUIRED_VARS Udunits2_INCLUDE_DIR Udunits2_LIBRARY)
 mark_as_advanced(Udunits2_INCLUDE_DIR Udunits2_LIBRARY)
 if(Udunits2_FOUND AND NOT TARGET Udunits2::udunits2)
-  add_library(Udunits2::udunits2 UNKNOWN IMPORTED)
+  include(NetloftArchives)
+  netloft_find_archives(Udunits2_ARCHIVES udunits2 expat)
+  if(NOT Udunits2_ARCHIVES)
+    set(Udunits2_ARCHIVES ${Udunits2_LIBRARY})
+  endif()
+  add_library(Udunits2::udunits2 INTERFACE IMPORTED)
   set_target_properties(Udunits2::udunits2 PROPERTIES
-    IMPORTED_LOCATION ${Udunits2_LIBRARY}
     INTERFACE_INCLUDE_DIRECTORIES ${Udunits2_INCLUDE_DIR}
-    INTERFACE_LINK_LIBRARIES "${CMAKE_DL_LIBS}")
+    INTERFACE_LINK_LIBRARIES "${Udunits2_ARCHIVES};${CMAKE_DL_LIBS}")
 endif()

@@ -19,7 +19,7 @@ struct PluginRefused : std::runtime_error {
 struct PluginOrigin {
   std::string name, version, doc, compiler;
   std::string file;         // empty when compiled into the program
-  std::string fingerprint;  // FNV-1a 64 of the file, hexadecimal
+  std::string fingerprint;  // FNV-1a 64 of the words of the file, hexadecimal
 };
 
 /// The first `size` bytes of a struct from a plugin; fields it does not know are zero.

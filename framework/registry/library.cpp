@@ -44,14 +44,17 @@ class FloatingPointGuard {
   unsigned before_ = 0;
 };
 
+/// FNV-1a 64, by words of eight bytes and zeros at the end: byte by byte it took a twentieth of a short run.
 std::string fingerprint(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a 64
-  std::array<char, 1 << 16> piece;
+  std::uint64_t hash = 14695981039346656037ull;
+  std::array<std::uint64_t, 1 << 13> words;
   do {
-    in.read(piece.data(), piece.size());
-    for (std::streamsize i = 0; i < in.gcount(); ++i)
-      hash = (hash ^ static_cast<unsigned char>(piece[static_cast<std::size_t>(i)])) * 1099511628211ull;
+    words.fill(0);
+    in.read(reinterpret_cast<char*>(words.data()), sizeof words);
+    const auto read = static_cast<std::size_t>(in.gcount());
+    for (std::size_t i = 0; sizeof(std::uint64_t) * i < read; ++i)
+      hash = (hash ^ words[i]) * 1099511628211ull;
   } while (in);
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::string_view kTitle = "netloft checksums 1\n", kLastWord = "sealed ", kBetween = "*";
 constexpr std::size_t kLastLine = 33;  // "sealed ", 16 digits, a blank, 8 digits, a line feed
+constexpr std::size_t kSumAndEnd = 9;  // the 8 digits and the line feed
 constexpr std::size_t kBlock = 1 << 20;
 
 struct SealedFile {
@@ -83,6 +84,10 @@ std::string in_one_line(std::string path) {
   return path;
 }
 
+std::string last_line(std::uint64_t length, std::uint32_t sum) {
+  return std::string(kLastWord) + hexadecimal(length, 16) + " " + hexadecimal(sum, 8) + "\n";
+}
+
 std::string table_of(const SealedFile& file) {
   std::string table(kTitle);
   for (std::size_t i = 0; i < file.ranges.size(); ++i)
@@ -90,8 +95,8 @@ std::string table_of(const SealedFile& file) {
              std::to_string(file.ranges[i].length) + " " + in_one_line(file.ranges[i].path) + "\n";
   table +=
       hexadecimal(file.between, 8) + " 0 " + std::to_string(file.length) + " " + std::string(kBetween) + "\n";
-  table += std::string(kLastWord) + hexadecimal(file.length, 16) + " ";
-  return table + hexadecimal(checksum(table), 8) + "\n";
+  const std::string summed = table + last_line(file.length, 0).substr(0, kLastLine - kSumAndEnd);
+  return table + last_line(file.length, checksum(summed));
 }
 
 /// Takes a number and the blank behind it from the front of a text.
@@ -137,35 +142,51 @@ std::optional<SealedFile> read_seal(int fd) {
   if (!last.starts_with(kLastWord) || last.back() != '\n') return {};
   std::string_view numbers = std::string_view(last).substr(kLastWord.size());
   const std::uint64_t length = take_number(numbers, 16), sum = take_number(numbers, 16);
+  if (last != last_line(length, static_cast<std::uint32_t>(sum)))  // such as "A" instead of "a"
+    throw FileError("it is damaged: its checksums cannot be read");
   if (length > size - kLastLine) throw FileError("it is damaged: its checksums begin behind its end");
   std::string table(size - length, '\0');
   read_at(fd, length, table.data(), table.size());
-  const std::string_view summed = std::string_view(table).substr(0, table.size() - 9);
+  const std::string_view summed = std::string_view(table).substr(0, table.size() - kSumAndEnd);
   if (!summed.starts_with(kTitle) || checksum(summed) != sum)
     throw FileError("it is damaged: the checksums at its end do not match their own");
   return parse(summed.substr(kTitle.size(), table.size() - kLastLine - kTitle.size()), length);
 }
 
-herr_t add_range(hid_t root, const char* name, const H5O_info_t* info, void* data) {
-  if (info->type != H5O_TYPE_DATASET) return 0;
-  const hid_t dataset = H5Dopen2(root, name, H5P_DEFAULT);
-  if (dataset < 0) return -1;
-  const haddr_t place = H5Dget_offset(dataset);
-  const hsize_t length = H5Dget_storage_size(dataset);
-  if (place != HADDR_UNDEF && length > 0)
-    static_cast<std::vector<SealedRange>*>(data)->push_back({std::string("/") + name, place, length});
-  return H5Dclose(dataset);
+struct Search {
+  std::string path;  // of the group
+  std::vector<SealedRange> ranges;
+};
+
+/// Of what a group holds under this name. HDF5's own visit follows the whole path of every object.
+herr_t add_ranges(hid_t group, const char* name, const H5L_info_t* link, void* data) {
+  if (link->type != H5L_TYPE_HARD) return 0;
+  Search& search = *static_cast<Search*>(data);
+  const hid_t object = H5Oopen(group, name, H5P_DEFAULT);
+  if (object < 0) return -1;
+  herr_t done = 0;
+  if (H5Iget_type(object) == H5I_DATASET) {
+    const haddr_t place = H5Dget_offset(object);
+    const hsize_t length = H5Dget_storage_size(object);
+    if (place != HADDR_UNDEF && length > 0) search.ranges.push_back({search.path + name, place, length});
+  } else if (H5Iget_type(object) == H5I_GROUP) {
+    const std::size_t above = search.path.size();
+    search.path += std::string(name) + "/";
+    done = H5Literate(object, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_ranges, &search);
+    search.path.resize(above);
+  }
+  return H5Oclose(object) < 0 ? -1 : done;
 }
 
 }  // namespace
 
 std::vector<SealedRange> find_ranges(hid_t file) {
-  std::vector<SealedRange> ranges;
-  check(H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, add_range, &ranges));
+  Search search{"/", {}};
+  check(H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_ranges, &search));
   H5Eclear2(H5E_DEFAULT);  // what lies in pieces has no place, which HDF5 notes as an error
-  std::sort(ranges.begin(), ranges.end(),
+  std::sort(search.ranges.begin(), search.ranges.end(),
             [](const SealedRange& a, const SealedRange& b) { return a.place < b.place; });
-  return ranges;
+  return std::move(search.ranges);
 }
 
 void append_seal(int fd, const std::vector<SealedRange>& ranges) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/hdf5/tree.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "io/hdf5/transfer.hpp"
@@ -13,26 +14,24 @@ Handle make_space(std::initializer_list<hsize_t> extents) {
   return Handle(H5Screate_simple(static_cast<int>(extents.size()), extents.begin(), nullptr), H5Sclose);
 }
 
+/// Names in UTF-8.
 Handle make_link_properties() {
   Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  check(H5Pset_create_intermediate_group(links, 1));
   check(H5Pset_char_encoding(links, H5T_CSET_UTF8));
   return links;
 }
 
-/// H5Lexists() requires that every group on the path exists, so they are checked one after the other.
-bool exists(hid_t file, const std::string& path) {
-  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
-    if (path == "/") return true;
-    if (check(H5Lexists(file, path.substr(0, end).c_str(), H5P_DEFAULT)) == 0) return false;
-    if (end == std::string::npos) return true;
-  }
+bool has(hid_t group, const std::string& name) {
+  return check(H5Lexists(group, name.c_str(), H5P_DEFAULT)) > 0;
 }
 
-void make_group_if_missing(hid_t file, const std::string& path) {
-  if (!exists(file, path))
-    Handle(H5Gcreate2(file, path.c_str(), make_link_properties(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+Handle open_group(hid_t parent, const std::string& name, hid_t links) {
+  if (has(parent, name)) return Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose);
+  return Handle(H5Gcreate2(parent, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
 }
+
+/// What follows the last slash.
+std::string name_in(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 /// Length of the UTF-8 sequence at the beginning of `text` (RFC 3629, table 3-7 of Unicode), 0 if it begins
 /// with none.
@@ -59,11 +58,12 @@ bool is_utf8_without_nul(std::string_view text) {
   return true;
 }
 
-void remove_dataset(hid_t file, const std::string& path) {
-  const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
+void remove_dataset(hid_t group, const std::string& path) {
+  const std::string name = name_in(path);
+  const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
   if (H5Iget_type(object) != H5I_DATASET)
     throw std::invalid_argument(path + " is a group and cannot become a dataset");
-  check(H5Ldelete(file, path.c_str(), H5P_DEFAULT));
+  check(H5Ldelete(group, name.c_str(), H5P_DEFAULT));
 }
 
 void require_c_string(const std::string& text) {
@@ -116,15 +116,43 @@ void Tree::write(const std::string& path, Action&& action) {
   with_context("cannot write " + path + " in " + file_name_, action);
 }
 
+hid_t Tree::group_of(const std::string& path) {
+  if (links_ < 0) links_ = make_link_properties();
+  const std::string wanted = path.substr(0, path.rfind('/'));
+  const bool is_known = group_ >= 0 && (wanted == group_path_ || wanted.starts_with(group_path_ + "/"));
+  if (!is_known) group_ = Handle(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose), group_path_.clear();
+  while (group_path_.size() < wanted.size()) {
+    const std::size_t begin = group_path_.size() + 1, end = std::min(wanted.find('/', begin), wanted.size());
+    group_ = open_group(group_, wanted.substr(begin, end - begin), links_);
+    group_path_ = wanted.substr(0, end);
+  }
+  return group_;
+}
+
 void Tree::replace(const std::string& path, hid_t file_type, hid_t memory_type, const Handle& space,
                    const void* data, Labels labels) {
-  if (exists(file_, path)) remove_dataset(file_, path);
-  const Handle dataset(H5Dcreate2(file_, path.c_str(), file_type, space, make_link_properties(),
-                                  make_dataset_properties(), H5P_DEFAULT),
+  if (datasets_ < 0) datasets_ = make_dataset_properties();
+  const hid_t group = group_of(path);
+  const std::string name = name_in(path);
+  if (has(group, name)) remove_dataset(group, path);
+  const Handle dataset(H5Dcreate2(group, name.c_str(), file_type, space, links_, datasets_, H5P_DEFAULT),
                        H5Dclose);
-  if (check(H5Sget_simple_extent_npoints(space)) > 0)
-    check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, make_transfer(dataset, memory_type), data));
+  if (const hssize_t values = check(H5Sget_simple_extent_npoints(space)); values > 0)
+    check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, transfer_of(memory_type, values), data));
   put_labels(dataset, labels.unit, labels.doc);
+}
+
+/// Numbers are in the file as they are in memory, strings are not.
+hid_t Tree::transfer_of(hid_t memory_type, hssize_t values) {
+  if (memory_type != strings_) return H5P_DEFAULT;
+  if (transfer_ < 0) transfer_ = Handle(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  want_buffer(transfer_, values, kStringInFile);
+  return transfer_;
+}
+
+hid_t Tree::strings() {
+  if (strings_ < 0) strings_ = make_string_type();
+  return strings_;
 }
 
 void Tree::write_text(const std::string& path, std::string_view text, std::string_view doc) {
@@ -132,8 +160,7 @@ void Tree::write_text(const std::string& path, std::string_view text, std::strin
     const std::string copy(text);
     const char* const pointer = copy.c_str();
     if (is_utf8_without_nul(text)) {
-      const Handle type = make_string_type();
-      replace(path, type, type, make_space({}), &pointer, {{}, doc});
+      replace(path, strings(), strings(), make_space({}), &pointer, {{}, doc});
     } else {
       replace(path, H5T_STD_U8LE, H5T_NATIVE_UINT8, make_space({text.size()}), pointer, {{}, doc});
       set_attribute(path, "content", std::string_view("bytes"));
@@ -182,32 +209,30 @@ void Tree::write_strings(const std::string& path, std::span<const std::string> v
     pointers.push_back(value.c_str());
   }
   write(path, [&] {
-    const Handle type = make_string_type();
-    replace(path, type, type, make_space({values.size()}), pointers.data(), {{}, doc});
+    replace(path, strings(), strings(), make_space({values.size()}), pointers.data(), {{}, doc});
+  });
+}
+
+template <class Put>
+void Tree::put(const std::string& path, Put&& put_on) {
+  write(path, [&] {
+    const hid_t group = group_of(path);
+    const std::string name = path == "/" ? "." : name_in(path);
+    if (path != "/" && !has(group, name)) open_group(group, name, links_);
+    put_on(Handle(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose));
   });
 }
 
 void Tree::set_attribute(const std::string& path, const std::string& name, std::string_view value) {
-  write(path, [&] {
-    make_group_if_missing(file_, path);
-    put_text_attribute(Handle(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose), name, value);
-  });
+  put(path, [&](hid_t object) { put_text_attribute(object, name, value); });
 }
 
 void Tree::set_int_attribute(const std::string& path, const std::string& name, std::int64_t value) {
-  write(path, [&] {
-    make_group_if_missing(file_, path);
-    const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
-    put_attribute(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, &value);
-  });
+  put(path, [&](hid_t object) { put_attribute(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, &value); });
 }
 
 void Tree::set_real_attribute(const std::string& path, const std::string& name, double value) {
-  write(path, [&] {
-    make_group_if_missing(file_, path);
-    const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
-    put_attribute(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value);
-  });
+  put(path, [&](hid_t object) { put_attribute(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value); });
 }
 
 }  // namespace netloft::io

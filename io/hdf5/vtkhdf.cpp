@@ -74,8 +74,11 @@ Handle write_fixed(hid_t group, const std::string& name, hid_t type, hid_t memor
                    std::array<hsize_t, 2> extents, int rank) {
   const Handle space(H5Screate_simple(rank, extents.data(), nullptr), H5Sclose);
   Handle dataset = make_dataset(group, name, type, space, make_dataset_properties());
+  const bool is_converted = H5Tget_class(type) != H5Tget_class(memory_type);
+  const Handle transfer = is_converted ? make_transfer(dataset, memory_type) : Handle();
   if (extents[0] > 0)
-    check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, make_transfer(dataset, memory_type), values));
+    check(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, is_converted ? hid_t{transfer} : H5P_DEFAULT,
+                   values));
   return dataset;
 }
 

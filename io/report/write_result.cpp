@@ -97,7 +97,7 @@ void write_provenance(Tree& tree, const LoadedScene& loaded, const RunContext& c
   std::vector<std::string> name, version, file, fingerprint;
   for (const auto* p : context.plugins)
     name.push_back(p->name), version.push_back(p->version), file.push_back(p->file),
-        fingerprint.push_back("fnv1a64:" + p->fingerprint);
+        fingerprint.push_back("fnv1a64-words:" + p->fingerprint);
   tree.write_strings(at + "plugins/name", name);
   tree.write_strings(at + "plugins/version", version);
   tree.write_strings(at + "plugins/path", file);
