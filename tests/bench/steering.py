@@ -59,6 +59,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "0.5 * sum": "kinetic energy",
         "v_[i] = -0.5": "half a step",
         "2 * peak": "vertex of a parabola",
+        "kGrowth": "the least of g²/(g − 1)",
         "2 * kinetic_": "twice a kinetic energy",
         "0.5 * t": "trapezoidal rule, and Taylor's second term",
         "2 * rise": "vertex of a parabola",

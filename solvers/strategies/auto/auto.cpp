@@ -8,11 +8,10 @@ namespace netloft::automatic {
 
 void Auto::run(const Options& options, Study& study) {
   check_parts(options);
-  const double budget = study.work_left();
   const Stage best = Race(study, options).run();
   if (!best.is_stationary()) return;
   study.answer(best.u);
-  if (best.has_converged()) restart(study, options, best, budget - study.work_left());
+  if (best.has_converged()) restart(study, options, best);
 }
 
 std::string Auto::explain(const Options& options, Study& study) {

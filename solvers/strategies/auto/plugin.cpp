@@ -7,23 +7,18 @@ using netloft::automatic::Options;
 NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
   auto& s = plugin.strategy<Auto>(
       "auto", "Attempts that suit the scene in slices of work, then restarts for other shapes");
-  s.integer("restarts", &Options::restarts,
-            "how often to look for other shapes where something is in compression", 0, 1000, 6);
+  s.integer(
+      "restarts", &Options::restarts,
+      "how often to look for other shapes where something is in compression, each time for a slice of work",
+      0, 1000, 1);
   s.boolean(
       "everywhere", &Options::everywhere,
       "look for other shapes in every scene without dry friction, also where nothing is in compression or "
       "forces have no energy; of those without one the first that was found is the answer",
       false);
-  s.real("restart_work", &Options::restart_work, "1",
-         "work of all restarts over the work that led to the first equilibrium",
-         {.lo = 0, .hi = 1e6, .fallback = 1});
   s.real("slice", &Options::slice, "1",
-         "work of the first slice of each attempt, in Newton iterations of the scene as it is written",
+         "work of the first slice of each attempt, and of each look for another shape, in Newton iterations "
+         "of the scene as it is written",
          {.lo = 1, .hi = 1e9, .fallback = 200});
-  s.real("growth", &Options::growth, "1", "work of a slice over that of the slice before",
-         {.lo = 1.1, .hi = 100, .fallback = 4});
-  s.real("perturbation", &Options::perturbation, "1",
-         "of an unstable equilibrium that is left, over the size of an element",
-         {.lo = 0, .hi = 10, .fallback = 0.02});
   s.text("without", &Options::without, "parts to leave out, such as restarts+tension-stages", "");
 }

@@ -9,12 +9,15 @@ namespace netloft::automatic {
 
 namespace {
 
+/// g of (1): the price of what succeeds is least with it.
+constexpr double kGrowth = 2;
+
 /// The start of the study; a little beside it where elements have no force there, which a solver cannot
 /// leave.
-Displacements start_with_forces(Study& study, const Options& options) {
+Displacements start_with_forces(Study& study) {
   const Stage start = study.assess({.name = "the start"}, study.start());
   if (start.has_forces() || start.is_stationary()) return study.start();
-  return perturbed(study.start(), options.perturbation * study.element_size());
+  return perturbed(study.start(), study.element_size());
 }
 
 /// The saddle displaced along what grows there, so that no node moves by more than `length`, to side 0 or
@@ -32,16 +35,13 @@ Displacements beside(const Stage& saddle, double length, int side) {
 }  // namespace
 
 Race::Race(Study& study, const Options& options)
-    : study_(study),
-      options_(options),
-      budget_(study.work_left()),
-      start_(start_with_forces(study, options)) {}
+    : study_(study), options_(options), budget_(study.work_left()), start_(start_with_forces(study)) {}
 
 Stage Race::run() {
   for (const Attempt& attempt : attempts_for(study_, options_)) runners_.push_back({attempt});
   const auto is_out = [](const Runner& r) { return r.is_out; };
   for (double slice = options_.slice; !is_decided() && !std::all_of(runners_.begin(), runners_.end(), is_out);
-       slice *= options_.growth)
+       slice *= kGrowth)
     run_round(slice);
   return best_;
 }
@@ -50,7 +50,7 @@ void Race::run_round(double slice) {
   for (Runner& runner : runners_) {
     if (is_decided()) return;
     if (!runner.is_out) run_slice(runner, slice);
-    if (runner.is_near && !is_decided()) run_slice(runner, options_.growth * slice);
+    if (runner.is_near && !is_decided()) run_slice(runner, kGrowth * slice);
   }
 }
 
@@ -84,14 +84,13 @@ Stage Race::start_or_go_on(Runner& runner, double work) {
 /// From an unstable equilibrium to one side, and if that does not converge, to the other, of the last
 /// unstable one that was met. What flutters is left alone: the motion comes back to it from either side.
 Stage Race::off_saddle(Stage saddle, double work) {
-  const double length = options_.perturbation * study_.element_size();
   const char* const strategy = study_.conservative() ? "direct" : "pseudo-time";
   if (saddle.ending != Ending::unstable || saddle.flutters()) return saddle;
   for (const int side : {0, 1}) {
     if (study_.work_left() <= over_at_) break;
     const Ask ask{.name = "off an unstable equilibrium",
                   .work = std::min(work, study_.work_left() - over_at_)};
-    Stage next = study_.call(strategy, "", ask, beside(saddle, length, side));
+    Stage next = study_.call(strategy, "", ask, beside(saddle, study_.element_size(), side));
     if (next.has_converged() || next.flutters()) return next;
     if (next.ending == Ending::unstable && study_.work_left() > 0) saddle = std::move(next);
   }

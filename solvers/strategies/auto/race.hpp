@@ -9,11 +9,11 @@ namespace netloft::automatic {
 
 /// Attempts run in slices of work, all of one length before any of the next longer one but for what is nearly
 /// in balance:
-///   w₀, g w₀, g² w₀, …                                                                   (1)
+///   w₀, g w₀, g² w₀, …,   g = 2                                                          (1)
 /// so that none can use up the budget before the others have had a try, and the one that succeeds with work w
-/// costs at most about n w g² / (g − 1) with n attempts, where no saddle is met (as in M. Luby, A. Sinclair
-/// and D. Zuckerman, Optimal speedup of Las Vegas algorithms, Inf. Process. Lett. 47, 1993). README.md tells
-/// the rules.
+/// costs at most about n w g² / (g − 1) with n attempts, which is least with this g, where no saddle is met
+/// (as in M. Luby, A. Sinclair and D. Zuckerman, Optimal speedup of Las Vegas algorithms, Inf. Process. Lett.
+/// 47, 1993). README.md tells the rules.
 class Race {
  public:
   Race(Study& study, const Options& options);

@@ -38,19 +38,15 @@ Displacements start_of(Study& study, int shape, const Stage& best, double work) 
 
 }  // namespace
 
-void restart(Study& study, const Options& options, const Stage& first, double work) {
+void restart(Study& study, const Options& options, const Stage& first) {
   if (options.restarts == 0 || is_left_out(options, "restarts")) return;
   if (!may_have_other_shapes(study, options, first)) return;
   Stage best = first;
-  double left = options.restart_work * work;
-  for (int shape = 1; shape <= options.restarts && left > 0 && study.work_left() > 0; ++shape) {
-    const double before = study.work_left();
-    const double most = std::min(left, before);
-    const auto start = start_of(study, shape, best, most);
-    const double rest = most - (before - study.work_left());
-    if (!(rest > 0)) return;
-    Stage next = study.call("direct", "", {.name = "restart", .work = rest}, start);
-    left -= before - study.work_left();
+  for (int shape = 1; shape <= options.restarts && study.work_left() > 0; ++shape) {
+    const double end = std::max(0.0, study.work_left() - options.slice);
+    const auto start = start_of(study, shape, best, study.work_left() - end);
+    if (study.work_left() <= end) continue;
+    Stage next = study.call("direct", "", {.name = "restart", .work = study.work_left() - end}, start);
     if (!next.has_converged()) continue;
     study.answer(next.u);
     if (study.conservative() && next.energy < best.energy) best = std::move(next);

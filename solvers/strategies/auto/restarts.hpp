@@ -9,7 +9,7 @@ namespace netloft::automatic {
 /// What is under compression may fold in many ways. Where something bears it at an equilibrium `first` whose
 /// forces have an energy, or everywhere if the user says so, others are looked for: from where the gear would
 /// be if nothing resisted compression, then from perturbations of the best shape so far. Each is answered;
-/// the host chooses among them. They may cost a multiple of the `work` that led to the first.
-void restart(Study& study, const Options& options, const Stage& first, double work);
+/// the host chooses among them. Each may cost a slice.
+void restart(Study& study, const Options& options, const Stage& first);
 
 }  // namespace netloft::automatic

@@ -175,7 +175,7 @@ z = { of = "wire.end", take = "min z" }
             figures = self.figures(changed(text, ('heading = "35 deg"', f'heading = "{degrees + 3} deg"')))
             np.testing.assert_allclose(angles_of(figures), [math.radians(degrees), 0, 0], atol=1e-8)
         self.write("scene.toml", changed(text, ('heading = "35 deg"', 'heading = "-40 deg"')))
-        report = self.netloft("run", "scene.toml", "--json", "--overwrite", "--strategy", "auto:everywhere=true,restarts=30,restart_work=200").json()
+        report = self.netloft("run", "scene.toml", "--json", "--overwrite", "--strategy", "auto:everywhere=true,restarts=30,slice=1000").json()
         self.assertEqual(report["status"], "converged")
         self.assertEqual(len(report["shapes"]["others"]), 2, report["shapes"])
         heading = report["gear"]["spread"]["bodies/door/heading"]

@@ -389,7 +389,6 @@ strategy = "auto"
 [analysis.auto]
 without = "tension-stages"
 restarts = 12
-restart_work = 1e6
 
 [results]
 middle = { of = "arch", take = "mean z" }
