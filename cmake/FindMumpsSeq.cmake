@@ -16,23 +16,19 @@ endforeach()
 find_library(MumpsSeq_esmumps_LIBRARY NAMES esmumps esmumps-7.0 esmumps-6.1)
 find_library(MumpsSeq_scotch_LIBRARY NAMES scotch scotch-7.0 scotch-6.1)
 find_library(MumpsSeq_gfortran_LIBRARY NAMES gfortran libgfortran.so.5)
-find_library(MumpsSeq_lapack_LIBRARY lapack)
-find_library(MumpsSeq_blas_LIBRARY blas)
-include(NetloftArchives)
+include(NetloftBlas)
 netloft_find_archives(MumpsSeq_scotch_ARCHIVES esmumps scotch scotcherr)
 if(NOT MumpsSeq_scotch_ARCHIVES)
   set(MumpsSeq_scotch_ARCHIVES ${MumpsSeq_esmumps_LIBRARY} ${MumpsSeq_scotch_LIBRARY})
 endif()
-set(MumpsSeq_LIBRARIES ${MumpsSeq_scotch_ARCHIVES} ${MumpsSeq_lapack_LIBRARY}
-                       ${MumpsSeq_blas_LIBRARY} ${MumpsSeq_gfortran_LIBRARY})
+set(MumpsSeq_LIBRARIES ${MumpsSeq_scotch_ARCHIVES} netloft_blas ${MumpsSeq_gfortran_LIBRARY})
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(MumpsSeq REQUIRED_VARS
   MumpsSeq_INCLUDE_DIR MumpsSeq_dmumps_ARCHIVE MumpsSeq_mumps_common_ARCHIVE MumpsSeq_pord_ARCHIVE
   MumpsSeq_mpiseq_ARCHIVE MumpsSeq_esmumps_LIBRARY MumpsSeq_scotch_LIBRARY MumpsSeq_gfortran_LIBRARY
-  MumpsSeq_lapack_LIBRARY MumpsSeq_blas_LIBRARY CMAKE_OBJCOPY)
-mark_as_advanced(MumpsSeq_INCLUDE_DIR MumpsSeq_esmumps_LIBRARY MumpsSeq_scotch_LIBRARY MumpsSeq_gfortran_LIBRARY
-                 MumpsSeq_lapack_LIBRARY MumpsSeq_blas_LIBRARY)
+  NETLOFT_lapack_LIBRARY NETLOFT_blas_LIBRARY CMAKE_OBJCOPY)
+mark_as_advanced(MumpsSeq_INCLUDE_DIR MumpsSeq_esmumps_LIBRARY MumpsSeq_scotch_LIBRARY MumpsSeq_gfortran_LIBRARY)
 
 function(netloft_mumps_object out)
   set(renamed --redefine-sym dmumps_c=netloft_dmumps_c)

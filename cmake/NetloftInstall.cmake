@@ -45,7 +45,7 @@ install(DIRECTORY framework/guides DESTINATION share/doc/netloft PATTERN README.
 install(DIRECTORY ${netloft_reference} DESTINATION share/doc/netloft)
 install(FILES LICENSE DESTINATION share/doc/netloft RENAME copyright)
 # Notices of what stands in the program itself, linked from archives (Debian keeps them there).
-foreach(archive libexpat1-dev libhdf5-dev libmumps-seq-dev libscotch-dev libsuitesparse-dev libudunits2-dev)
+foreach(archive libexpat1-dev libhdf5-dev libmumps-seq-dev libopenblas-serial-dev libscotch-dev libsuitesparse-dev libudunits2-dev)
   if(EXISTS /usr/share/doc/${archive}/copyright)
     install(FILES /usr/share/doc/${archive}/copyright DESTINATION share/doc/netloft RENAME copyright-of-${archive})
   endif()
