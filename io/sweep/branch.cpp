@@ -103,7 +103,9 @@ Reached Branch::reach(std::shared_ptr<Case> the_case, const Values& values) {
   return reached;
 }
 
-/// The last point, and the one before it if both lead to the next; else one before on the tangent.
+/// The last point, and the one before it if both lead to the next; else one before on the tangent. What the
+/// same variable moved in the row of points before would cost no tangent, and leads worse: on the 83-112 at
+/// sea with 300 nodes, 16 draws, points took 4.9 factorisations on average instead of 4.2 to 4.6.
 Branch::Way Branch::known_places(const Values& values) {
   if (trail_.size() == 2)
     if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)
