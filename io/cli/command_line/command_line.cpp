@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cli/command_line/command_line.hpp"
+
+#include "framework/registry/nearest.hpp"
+#include "io/cli/command_line/groups.hpp"
+
+namespace netloft::io {
+
+void add_commands(CLI::App& app, Options& o) {
+  add_run_command(app, o);
+  add_plan_command(app, o);
+  add_component_commands(app, o);
+  add_test_command(app, o);
+  add_author_commands(app, o);
+  add_gear_commands(app, o);
+  add_compare_command(app, o);
+  add_diff_command(app, o);
+  add_result_commands(app, o);
+  add_refine_command(app, o);
+  add_scope_command(app, o);
+  add_import_command(app, o);
+  add_stability_command(app, o);
+  add_study_command(app, o);
+  add_calibrate_command(app, o);
+  app.require_subcommand(1);
+}
+
+std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
+                            const std::string& before) {
+  const auto commands = app.get_subcommands({});
+  if (words.empty() || words[0].starts_with('-') || commands.empty()) return {};
+  std::vector<std::string> names;
+  for (const auto* command : commands) {
+    names.push_back(command->get_name());
+    if (names.back() == words[0]) return unknown_command(*command, words.subspan(1), words[0] + " ");
+  }
+  const auto near = nearest(words[0], names);
+  return "there is no command \"" + before + words[0] +
+         (near ? "\"; did you mean \"" + before + *near + "\"?"
+               : "\"; `netloft " + before + "--help` lists them");
+}
+
+std::vector<std::string> given_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options())
+      if (option->count() > 0) names.push_back(option->get_name());
+    for (auto& name : given_options(*command)) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+}  // namespace netloft::io

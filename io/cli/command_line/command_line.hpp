@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/cli/options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// All commands with their options, which are read into `o`.
+void add_commands(CLI::App& app, Options& o);
+
+/// A first word that is no command, or a second one that is none of the first's, as a sentence with the
+/// command it may stand for; else empty. `before`: "study ".
+std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
+                            const std::string& before = "");
+
+/// Long names of the options that were given to the command, and to one below it.
+std::vector<std::string> given_options(const CLI::App& app);
+
+}  // namespace netloft::io
