@@ -8,6 +8,11 @@
 
 namespace netloft::io {
 
+void drop_repeats(std::vector<std::uint32_t>& nodes) {
+  std::set<std::uint32_t> seen;
+  std::erase_if(nodes, [&](std::uint32_t node) { return !seen.insert(node).second; });
+}
+
 Mention mention(const std::string& name, const TableReader& table, std::string_view key) {
   return {name, table.place(key), table.path(key)};
 }

@@ -10,6 +10,9 @@
 
 namespace netloft::io {
 
+/// Keeps the first of each.
+void drop_repeats(std::vector<std::uint32_t>& nodes);
+
 /// Where a name was written, for errors about it.
 struct Mention {
   std::string name;

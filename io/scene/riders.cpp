@@ -11,11 +11,6 @@ namespace netloft::io {
 
 namespace {
 
-void drop_repeats(std::vector<std::uint32_t>& nodes) {
-  std::set<std::uint32_t> seen;
-  std::erase_if(nodes, [&](std::uint32_t node) { return !seen.insert(node).second; });
-}
-
 /// Lets one rider stand; members are steps in the order they happen.
 class RiderMaker {
  public:

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scene/draft.hpp"
+#include "io/scene/element_choice.hpp"
+#include "io/scene/gear_parts.hpp"
+#include "io/scene/mesh_parts.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace netloft::io {
+
+/// What those have in common who read one scene: its tables, and what has come of them so far.
+struct SceneReading {
+  /// `plan`: of a gear that stands in the scene; null without.
+  SceneReading(const Value& tables, const NetPlan* net_plan, const std::filesystem::path& file,
+               Registry& plugins, Diagnostics& said, bool& is_refused)
+      : root(tables, said),
+        registry(plugins),
+        diagnostics(said),
+        refused(is_refused),
+        elements(plugins, is_refused),
+        draft(said),
+        meshes(file.parent_path(), said),
+        plan(net_plan) {
+    draft.out.scene.name = file.stem().string();
+    root.has("catalogue");  // read with the parts that are named
+    if (plan) gear.emplace(*plan, root, elements, draft);
+  }
+
+  LoadedScene& out() { return draft.out; }
+  /// Of every part of the scene, as far as there are any.
+  std::vector<int> nodes_per_element() const {
+    std::vector<int> counts;
+    for (const auto* type : draft.types) counts.push_back(type->nodes());
+    for (const auto* type : companions) counts.push_back(type->nodes());
+    return counts;
+  }
+
+  TableReader root;
+  Registry& registry;
+  Diagnostics& diagnostics;
+  bool& refused;
+  ElementChoice elements;
+  Draft draft;
+  MeshParts meshes;
+  const NetPlan* plan;
+  std::optional<GearParts> gear;
+  std::vector<const ElementType*> companions;  // of parts that follow those of the draft
+};
+
+}  // namespace netloft::io
