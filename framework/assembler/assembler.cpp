@@ -151,7 +151,7 @@ void Assembler::find_start(const Scene& nodes) {
   start_.resize(numbering_.dofs());
   for (std::uint32_t n = 0; n < nodes.node_count(); ++n)
     for (int axis = 0; axis < 3; ++axis)
-      start_[static_cast<std::size_t>(numbering_.index(n, axis))] =
+      start_[numbering_.dof(n, axis).at()] =
           nodes.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
   bodies_.place(start_);
 }
@@ -164,12 +164,12 @@ void Assembler::visit_guided(double time, const Visit& visit) const {
     for (std::size_t i = 0; i < guide.nodes.size(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         if (guide.axes[i] & (1 << axis))
-          visit(static_cast<std::size_t>(numbering_.index(guide.nodes[i], static_cast<int>(axis))), axis,
-                moment);
+          visit(numbering_.dof(guide.nodes[i], static_cast<int>(axis)).at(), axis, moment);
   }
 }
 
 void Assembler::place(std::span<const double> u, std::span<double> x, double time) const {
+  assert(is_over_unknowns(u) && is_over_dofs(x));
   for (std::size_t i = 0; i < u.size(); ++i) x[i] = start_[i] + u[i];
   frames_.place(start_, u, x);
   visit_guided(
@@ -179,6 +179,8 @@ void Assembler::place(std::span<const double> u, std::span<double> x, double tim
 
 void Assembler::place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                            std::span<double> x_low) const {
+  assert(is_over_dofs(base) && is_over_unknowns(u) && is_over_dofs(x) && is_over_dofs(x_low));
+  assert(!has_bodies() && "a body carries nodes by products, whose digits are not kept");
   std::copy(u.begin(), u.end(), x_low.begin());
   std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
   frames_.turn_back(u, x_low);
@@ -192,6 +194,8 @@ void Assembler::place_from(std::span<const double> base, std::span<const double>
 
 void Assembler::move(double time, std::span<const double> x, std::span<const double> v,
                      std::span<const double> a, std::span<double> all_v, std::span<double> all_a) const {
+  assert(is_over_dofs(x) && is_over_dofs(all_v) && is_over_dofs(all_a));
+  assert(is_over_unknowns(v) && is_over_unknowns(a));
   for (const auto& [from, to] : {std::pair{v, all_v}, std::pair{a, all_a}}) {
     std::copy(from.begin(), from.end(), to.begin());
     std::fill(to.begin() + static_cast<std::ptrdiff_t>(from.size()), to.end(), 0.0);
@@ -204,9 +208,10 @@ void Assembler::move(double time, std::span<const double> x, std::span<const dou
 }
 
 std::array<double, 3> Assembler::node_position(std::uint32_t node, std::span<const double> x) const {
+  assert(is_over_dofs(x));
   std::array<double, 3> place{};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    place[axis] = x[static_cast<std::size_t>(numbering_.index(node, static_cast<int>(axis)))];
+    place[axis] = x[numbering_.dof(node, static_cast<int>(axis)).at()];
   return place;
 }
 
@@ -220,8 +225,7 @@ void Assembler::take_rotations(const Assembler& from, std::span<const double> x,
   for (std::size_t b = 0; b < bodies_.pairs().size(); ++b) {
     const auto turn = from.rotation(b, x);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto at =
-          static_cast<std::size_t>(numbering_.index(bodies_.pairs()[b][1], static_cast<int>(axis)));
+      const auto at = numbering_.dof(bodies_.pairs()[b][1], static_cast<int>(axis)).at();
       if (at < u.size()) u[at] = bodies_.arm(b) * turn[axis] - start_[at];
     }
   }
@@ -240,13 +244,12 @@ std::vector<double> Assembler::node_positions(std::span<const double> x) const {
 std::vector<double> Assembler::displacements(std::span<const double> positions) const {
   std::vector<double> u(static_cast<std::size_t>(numbering_.unknowns()));
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const auto place = static_cast<std::int32_t>(i);
-    const std::uint32_t node = numbering_.node(place);
+    const std::uint32_t node = numbering_.node(Dof(i));
     if (3 * std::size_t{node} >= positions.size()) continue;  // shared unknowns have no position
-    const auto own = static_cast<std::size_t>(numbering_.axis(place));
+    const auto own = static_cast<std::size_t>(numbering_.axis(Dof(i)));
     const auto frame = axes_.find(node);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto at = static_cast<std::size_t>(numbering_.index(node, static_cast<int>(axis)));
+      const auto at = numbering_.dof(node, static_cast<int>(axis)).at();
       const double way = positions[3 * std::size_t{node} + axis] - start_[at];
       u[i] += frame == axes_.end() ? (axis == own ? way : 0.0) : frame->second[3 * axis + own] * way;
     }
@@ -255,10 +258,10 @@ std::vector<double> Assembler::displacements(std::span<const double> positions) 
 }
 
 std::vector<double> Assembler::displacements_to(std::span<const double> x) const {
-  assert(x.size() == start_.size());
+  assert(is_over_dofs(x));
   std::vector<double> u = displacements(node_positions(x));
   for (std::size_t i = 0; i < u.size(); ++i)
-    if (numbering_.node(static_cast<std::int32_t>(i)) >= scene_nodes_) u[i] = x[i] - start_[i];
+    if (numbering_.node(Dof(i)) >= scene_nodes_) u[i] = x[i] - start_[i];
   return u;
 }
 
@@ -316,12 +319,13 @@ std::array<double, 3> Assembler::unbalanced(std::uint32_t node, std::span<const 
 
 std::array<double, 3> Assembler::part_of(std::uint32_t node, std::span<const double> residual, bool held,
                                          std::uint8_t axes) const {
+  assert(is_over_dofs(residual));
   const auto frame = axes_.find(node);
   std::array<double, 3> force{};
   for (std::size_t own = 0; own < 3; ++own) {
-    const std::int32_t place = numbering_.index(node, static_cast<int>(own));
+    const Dof place = numbering_.dof(node, static_cast<int>(own));
     if (numbering_.is_unknown(place) == held || !(axes & (1 << own))) continue;
-    const double f = residual[static_cast<std::size_t>(place)];
+    const double f = residual[place.at()];
     for (std::size_t axis = 0; axis < 3; ++axis)
       force[axis] += frame == axes_.end() ? (axis == own ? f : 0.0) : frame->second[3 * axis + own] * f;
   }
@@ -343,6 +347,8 @@ int Assembler::threads_used() const {
 }
 
 bool Assembler::evaluate(std::span<const double> x, const Request& request) {
+  assert(is_over_dofs(x));
+  assert((request.matrix == MatrixKind::none) == !request.values && "a matrix is asked for with its values");
   if (request.residual) std::fill_n(request.residual, numbering_.dofs(), 0.0);
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);
   for (const FamilyGroup& group : groups_)

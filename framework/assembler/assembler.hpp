@@ -88,7 +88,7 @@ class Assembler {
   std::vector<double> node_positions(std::span<const double> x) const;
   std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
   /// Whether an entry of a vector over all dofs belongs to a node of the scene: it is a coordinate [m].
-  bool is_place(std::size_t i) const { return numbering_.node(static_cast<std::int32_t>(i)) < scene_nodes_; }
+  bool is_place(std::size_t i) const { return numbering_.node(Dof(i)) < scene_nodes_; }
   /// The rotation vector of a body at positions x over all dofs [rad].
   std::array<double, 3> rotation(std::size_t body, std::span<const double> x) const;
   /// Whether a guide moves some held node.
@@ -164,6 +164,11 @@ class Assembler {
   };
 
  private:
+  bool is_over_dofs(std::span<const double> v) const { return v.size() == numbering_.dofs(); }
+  bool is_over_unknowns(std::span<const double> v) const {
+    return v.size() == static_cast<std::size_t>(numbering_.unknowns());
+  }
+
   struct Workspace;
   Assembler(const Scene& scene, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>> families);

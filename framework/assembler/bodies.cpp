@@ -10,9 +10,7 @@ namespace netloft {
 namespace {
 
 std::array<std::size_t, 3> places_of(const Numbering& numbering, std::uint32_t node) {
-  return {static_cast<std::size_t>(numbering.index(node, 0)),
-          static_cast<std::size_t>(numbering.index(node, 1)),
-          static_cast<std::size_t>(numbering.index(node, 2))};
+  return {numbering.dof(node, 0).at(), numbering.dof(node, 1).at(), numbering.dof(node, 2).at()};
 }
 
 /// Three entries of a vector over all dofs, over a length.

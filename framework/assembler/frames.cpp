@@ -13,7 +13,7 @@ Frames::Frames(const Scene& scene, const Numbering& numbering, const NodeBlocks&
     turned[node] = static_cast<int>(nodes_.size());
     Node n{{}, Q};
     for (int axis = 0; axis < 3; ++axis)
-      n.place[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(numbering.index(node, axis));
+      n.place[static_cast<std::size_t>(axis)] = numbering.dof(node, axis).at();
     nodes_.push_back(n);
   }
   for (std::size_t column = 0; column + 1 < blocks.column_start.size(); ++column)

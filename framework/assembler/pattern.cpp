@@ -5,6 +5,7 @@
 #include "framework/assembler/riders.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <string>
 
@@ -62,7 +63,9 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(
 std::size_t NodeBlocks::base(std::uint32_t row, std::uint32_t column) const {
   const auto begin = row_node.begin() + static_cast<std::ptrdiff_t>(column_start[column]);
   const auto end = row_node.begin() + static_cast<std::ptrdiff_t>(column_start[column + 1]);
-  return 9 * static_cast<std::size_t>(std::lower_bound(begin, end, row) - row_node.begin());
+  const auto at = std::lower_bound(begin, end, row);
+  assert(at != end && *at == row && "some element stands on both nodes");
+  return 9 * static_cast<std::size_t>(at - row_node.begin());
 }
 
 NodeBlocks make_blocks(std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene,
@@ -91,14 +94,14 @@ SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering,
   pattern.row.reserve(pattern.slots), pattern.slot.reserve(pattern.slots);
   pattern.column_start.push_back(0);
   for (std::int32_t column = 0; column < pattern.size; ++column) {
-    const std::uint32_t node = numbering.node(column);
+    const std::uint32_t node = numbering.node(Dof(column));
     pattern.node.push_back(static_cast<std::int32_t>(node));
     for (std::size_t b = blocks.column_start[node]; b < blocks.column_start[node + 1]; ++b)
       for (int axis = 0; axis < 3; ++axis) {
-        const std::int32_t row = numbering.index(blocks.row_node[b], axis);
-        if (!numbering.is_unknown(row) || (symmetric && row < column)) continue;
-        pattern.row.push_back(row);
-        pattern.slot.push_back(static_cast<std::int32_t>(9 * b) + 3 * axis + numbering.axis(column));
+        const Dof row = numbering.dof(blocks.row_node[b], axis);
+        if (!numbering.is_unknown(row) || (symmetric && row < Dof(column))) continue;
+        pattern.row.push_back(row.place);
+        pattern.slot.push_back(static_cast<std::int32_t>(9 * b) + 3 * axis + numbering.axis(Dof(column)));
       }
     pattern.column_start.push_back(static_cast<std::int32_t>(pattern.row.size()));
   }
@@ -108,7 +111,9 @@ SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering,
 std::size_t find_slot(const SparsePattern& pattern, std::int32_t row, std::int32_t column) {
   const auto begin = pattern.row.begin() + pattern.column_start[static_cast<std::size_t>(column)];
   const auto end = pattern.row.begin() + pattern.column_start[static_cast<std::size_t>(column) + 1];
-  return pattern.slot_of(static_cast<std::size_t>(std::lower_bound(begin, end, row) - pattern.row.begin()));
+  const auto at = std::lower_bound(begin, end, row);
+  assert(at != end && *at == row && "the entry is in the pattern");
+  return pattern.slot_of(static_cast<std::size_t>(at - pattern.row.begin()));
 }
 
 }  // namespace netloft

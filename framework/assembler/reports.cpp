@@ -5,6 +5,7 @@
 #include "framework/assembler/workspace.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace netloft {
 
@@ -147,9 +148,11 @@ std::vector<double> Assembler::memory() const {
 void Assembler::set_memory(std::span<const double> kept) {
   for (auto* memories : {&memories_, &stretch_rates_})
     for (auto& memory : *memories) {
+      assert(kept.size() >= memory.all().size());
       std::copy_n(kept.begin(), memory.all().size(), memory.all().begin());
       kept = kept.subspan(memory.all().size());
     }
+  assert(kept.empty() && "it is the memory of a scene with as many elements");
 }
 
 }  // namespace netloft

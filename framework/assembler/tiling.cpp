@@ -52,7 +52,7 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
   for (std::size_t e = 0; e < family.size(); ++e)
     for (std::size_t d = 0; d < dofs; ++d)
       tiling.vector_map[(e / kLanes * dofs + d) * kLanes + e % kLanes] =
-          numbering.index(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3));
+          numbering.dof(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3)).place;
 }
 
 /// Finds where the block of corners (P, Q) of an element is added.

@@ -129,7 +129,7 @@ void judge_without_forces(Assessment& a, const StaticProblem& problem, const Ass
   }
   std::size_t first = 0;
   while (first + 1 < a.residual.size() && std::isfinite(a.residual[first])) ++first;
-  a.at_fault = assembler.node_name(scene, assembler.numbering().node(static_cast<std::int32_t>(first)));
+  a.at_fault = assembler.node_name(scene, assembler.numbering().node(Dof(first)));
   a.reason = "the solver ended at a state where forces overflowed, such as at " + a.at_fault;
 }
 
@@ -144,7 +144,8 @@ SolveStatus status_of(const Assessment& a, const StaticProblem& problem, const L
 /// Where the tangent of an energy was first found not to be positive definite.
 std::string first_not_convex(const StaticProblem& problem, const Assembler& assembler, const Scene& scene) {
   return "its tangent is not positive definite, first met at " +
-         assembler.node_name(scene, assembler.numbering().node(std::max(0, problem.last_factor().column)));
+         assembler.node_name(scene,
+                             assembler.numbering().node(Dof(std::max(0, problem.last_factor().column))));
 }
 
 /// Counts of `now` that `before` had not.

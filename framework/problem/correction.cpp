@@ -12,7 +12,7 @@ double node_distance(const Numbering& numbering, std::uint32_t node, std::span<c
                      std::span<const double> y) {
   std::array<double, 3> way{};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(numbering.index(node, axis));
+    const auto i = numbering.dof(node, axis).at();
     way[static_cast<std::size_t>(axis)] = y[i] - x[i];
   }
   return std::hypot(way[0], way[1], way[2]);

@@ -15,9 +15,9 @@ NodeMasses::NodeMasses(Assembler& assembler) : assembler_(assembler) {
   node_of_body_.assign(bodies.size(), Node::kNone);
   for (std::int32_t i = 0; i < numbering.unknowns(); ++i) {
     std::size_t place = 0;
-    Node& n = node_of(numbering.node(i), place);
+    Node& n = node_of(numbering.node(Dof(i)), place);
     n.unknown[n.count] = static_cast<std::size_t>(i);
-    n.axis[n.count++] = 3 * place + static_cast<std::size_t>(numbering.axis(i));
+    n.axis[n.count++] = 3 * place + static_cast<std::size_t>(numbering.axis(Dof(i)));
   }
   blocks_.resize(assembler.mass_numbers());
 }

@@ -69,7 +69,7 @@ std::vector<double> node_moves(const Assessment& a, const Assembler& assembler) 
   std::vector<double> squares;
   for (const auto* u : {&a.growing, &a.growing_later})
     for (std::size_t i = 0; i < u->size(); ++i) {
-      const std::size_t node = assembler.numbering().node(static_cast<std::int32_t>(i));
+      const std::size_t node = assembler.numbering().node(Dof(i));
       if (node >= squares.size()) squares.resize(node + 1, 0.0);
       squares[node] += (*u)[i] * (*u)[i];
     }
@@ -96,8 +96,9 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
     case NETLOFT_LINEAR_SOLVE: {
       const auto column = problem.last_factor().column;
       return "the tangent stiffness is singular" +
-             (column >= 0 ? ", first met at " + assembler.node_name(scene, assembler.numbering().node(column))
-                          : std::string());
+             (column >= 0
+                  ? ", first met at " + assembler.node_name(scene, assembler.numbering().node(Dof(column)))
+                  : std::string());
     }
     case NETLOFT_LEFT_DOMAIN:
       return problem.met_bad_numbers() ? "forces overflowed"

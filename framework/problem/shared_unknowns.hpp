@@ -10,7 +10,7 @@ namespace netloft {
 /// mass, and its equation holds at every moment, so that what it was before does not matter.
 inline bool is_shared(const Assembler& assembler, std::size_t i) {
   if (assembler.is_place(i)) return false;
-  const std::uint32_t node = assembler.numbering().node(static_cast<std::int32_t>(i));
+  const std::uint32_t node = assembler.numbering().node(Dof(i));
   return std::ranges::none_of(assembler.body_nodes(), [&](const auto& body) { return body[1] == node; });
 }
 

@@ -40,10 +40,10 @@ template <class Visit>
 void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end, std::span<const double> v,
                Visit&& visit) {
   for (std::int32_t i = begin; i < end;) {
-    const std::uint32_t node = numbering.node(i);
+    const std::uint32_t node = numbering.node(Dof(i));
     const std::int32_t first = i;
     double sum = 0;
-    for (; i < end && numbering.node(i) == node; ++i)
+    for (; i < end && numbering.node(Dof(i)) == node; ++i)
       sum += v[static_cast<std::size_t>(i)] * v[static_cast<std::size_t>(i)];
     visit(node, first, i, std::sqrt(sum));
   }
@@ -169,9 +169,7 @@ bool StaticProblem::is_driven() {
 double StaticProblem::largest_extent(std::span<const double> x) const {
   double largest = 0;
   const Numbering& numbering = assembler_.numbering();
-  const auto at = [&](std::uint32_t node, int axis) {
-    return x[static_cast<std::size_t>(numbering.index(node, axis))];
-  };
+  const auto at = [&](std::uint32_t node, int axis) { return x[numbering.dof(node, axis).at()]; };
   for (const auto& family : assembler_.families())
     for (std::size_t e = 0; e < family->size(); ++e)
       for (int corner = 1; corner < family->nodes_per_element(); ++corner)

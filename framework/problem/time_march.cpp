@@ -355,7 +355,7 @@ class March {
     std::size_t worst = 0;
     for (std::size_t i = 0; i < error_.size(); ++i)
       if (std::abs(error_[i]) > std::abs(error_[worst])) worst = i;
-    state_.largest_of = assembler_.numbering().node(static_cast<std::int32_t>(worst));
+    state_.largest_of = assembler_.numbering().node(Dof(worst));
   }
 
   /// Steps that one which is looked at stands for: several where stability makes them short and many.
@@ -387,9 +387,7 @@ class March {
   double tolerated_energy() const { return settings_.accuracy * settings_.pace * tried_.scale(); }
 
   std::string fastest_node() const {
-    const auto node = [&](std::size_t i) {
-      return assembler_.numbering().node(static_cast<std::int32_t>(i));
-    };
+    const auto node = [&](std::size_t i) { return assembler_.numbering().node(Dof(i)); };
     double fastest = 0;
     std::uint32_t which = 0;
     for (std::size_t i = 0; i < state_.v.size();) {

@@ -251,10 +251,9 @@ std::string TransientProblem::obstacle_to_explicit(const Scene& scene) {
 void TransientProblem::note_loads(std::span<const double> residual) {
   const Numbering& numbering = assembler_.numbering();
   for (std::size_t i = 0; i < residual.size();) {
-    const std::uint32_t node = numbering.node(static_cast<std::int32_t>(i));
+    const std::uint32_t node = numbering.node(Dof(i));
     double sum = 0;
-    for (; i < residual.size() && numbering.node(static_cast<std::int32_t>(i)) == node; ++i)
-      sum += residual[i] * residual[i];
+    for (; i < residual.size() && numbering.node(Dof(i)) == node; ++i) sum += residual[i] * residual[i];
     least_load_ = std::max(least_load_, std::sqrt(sum));
   }
 }

@@ -98,8 +98,9 @@ void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
   site.members = 0;
   const auto dof = [&](std::uint32_t i, bool of_carrier) {
     const std::uint32_t node = family.node(element, static_cast<int>(i / 3));
-    return assembler_.numbering().index(of_carrier ? assembler_.carrier(node) : node,
-                                        static_cast<int>(i % 3));
+    return assembler_.numbering()
+        .dof(of_carrier ? assembler_.carrier(node) : node, static_cast<int>(i % 3))
+        .place;
   };
   for (std::uint32_t i = 0; i < 3 * site.nodes; ++i) site.dof[i] = dof(i, true);
   for (std::uint32_t p = 0; p < site.nodes; ++p)
@@ -122,8 +123,8 @@ void MemberProblem::list_rotations() {
   std::vector<bool> turns(static_cast<std::size_t>(p.size));
   for (const auto& body : assembler_.body_nodes())
     for (int axis = 0; axis < 3; ++axis)
-      if (const auto i = assembler_.numbering().index(body[1], axis); i < p.size)
-        turns[static_cast<std::size_t>(i)] = true, rotations_.push_back(static_cast<std::size_t>(i));
+      if (const Dof i = assembler_.numbering().dof(body[1], axis); assembler_.numbering().is_unknown(i))
+        turns[i.at()] = true, rotations_.push_back(i.at());
   if (rotations_.empty()) return;
   for (std::size_t c = 0; c < turns.size(); ++c)
     for (auto k = static_cast<std::size_t>(p.column_start[c]);

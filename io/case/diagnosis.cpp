@@ -57,8 +57,7 @@ class Diagnosis {
   Point at(std::uint32_t node) const {
     Point p{};
     for (int axis = 0; axis < 3; ++axis)
-      p[static_cast<std::size_t>(axis)] =
-          x_[static_cast<std::size_t>(assembler_.numbering().index(node, axis))];
+      p[static_cast<std::size_t>(axis)] = x_[assembler_.numbering().dof(node, axis).at()];
     return p;
   }
 

@@ -135,8 +135,7 @@ TEST(Body, KeepsItsAngularMomentumAsItTumbles) {
   const auto momentum = [&](std::span<const double> x, std::span<const double> v) {
     const Vec3<double> psi = vector_of(m.assembler.rotation(0, x));
     Vec3<double> rate;
-    for (int k = 0; k < 3; ++k)
-      rate[k] = v[static_cast<std::size_t>(m.assembler.numbering().index(1, k))];  // the arm is 1 m
+    for (int k = 0; k < 3; ++k) rate[k] = v[m.assembler.numbering().dof(1, k).at()];  // the arm is 1 m
     const auto axes = turned_axes(psi);
     const Vec3<double> w = spin_of(psi, rate);
     Vec3<double> L;

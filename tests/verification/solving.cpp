@@ -70,8 +70,7 @@ double elastic_energy(const Solved& solved) {
 std::array<double, 3> Solved::vector_at(const std::vector<double>& v, std::uint32_t node) const {
   std::array<double, 3> at{};
   for (int axis = 0; axis < 3; ++axis)
-    at[static_cast<std::size_t>(axis)] =
-        v[static_cast<std::size_t>(assembler->numbering().index(node, axis))];
+    at[static_cast<std::size_t>(axis)] = v[assembler->numbering().dof(node, axis).at()];
   return at;
 }
 

@@ -31,9 +31,7 @@ TEST(TowedRope, IsInBalanceWhereTheIndependentProgramHasIt) {
   const SolvedFile s = solve_in_bars("towed-rope.toml", "rope", 10);
   Assembler& assembler = *s.solved.assembler;
   std::vector<double> x = assembler.start(), residual(x.size());
-  const auto at = [&](std::uint32_t node, int axis) {
-    return static_cast<std::size_t>(assembler.numbering().index(node, axis));
-  };
+  const auto at = [&](std::uint32_t node, int axis) { return assembler.numbering().dof(node, axis).at(); };
   for (const auto& node : want.nodes) {
     const std::uint32_t id = s.part("rope").nodes.at(static_cast<std::size_t>(node[0]));
     x[at(id, 0)] = node[1], x[at(id, 1)] = 0, x[at(id, 2)] = node[2];

@@ -16,8 +16,7 @@ Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1
 Vector at_node(const Assembler& assembler, std::uint32_t node, std::span<const double> field) {
   Vector v{};
   for (int axis = 0; axis < 3; ++axis)
-    v[static_cast<std::size_t>(axis)] =
-        field[static_cast<std::size_t>(assembler.numbering().index(node, axis))];
+    v[static_cast<std::size_t>(axis)] = field[assembler.numbering().dof(node, axis).at()];
   return v;
 }
 
@@ -53,8 +52,7 @@ std::vector<double> over_dofs(const Assembler& assembler, const std::vector<Vect
   std::vector<double> x(assembler.numbering().dofs());
   for (std::uint32_t n = 0; n < positions.size(); ++n)
     for (int axis = 0; axis < 3; ++axis)
-      x[static_cast<std::size_t>(assembler.numbering().index(n, axis))] =
-          positions[n][static_cast<std::size_t>(axis)];
+      x[assembler.numbering().dof(n, axis).at()] = positions[n][static_cast<std::size_t>(axis)];
   return x;
 }
 

@@ -176,7 +176,7 @@ TEST(Assembler, ReportsWhatHoldsTheGearAsReactions) {
   const auto r = a.residual(a.assembler.start());
   const double half = 0.5 * std::acos(-1.0) / 4 * 1e-4 * (7850 - 1025) * 9.81;
   const auto at = [&](std::uint32_t node, int axis) {
-    return r[static_cast<std::size_t>(a.assembler.numbering().index(node, axis))];
+    return r[a.assembler.numbering().dof(node, axis).at()];
   };
   // The bar is stretched by 1 m: it pulls with 100 N. What holds it pulls up with that and half the weight.
   EXPECT_NEAR(at(top, 2), 100 + half, 1e-12 * 100);
@@ -217,7 +217,7 @@ TEST(Assembler, NamesTheElementThatHasNoForce) {
   auto x = a.assembler.start();
   double energy = 0;
   ASSERT_TRUE(a.assembler.evaluate(x, {.energy = &energy}));
-  const auto place = static_cast<std::size_t>(a.assembler.numbering().index(chain[151], 0));
+  const auto place = a.assembler.numbering().dof(chain[151], 0).at();
   x[place] += 0.7;  // bar 150 is 1.7 m long
   EXPECT_FALSE(a.assembler.evaluate(x, {.energy = &energy}));
   EXPECT_EQ(a.assembler.fault().status, NETLOFT_OUTSIDE_DOMAIN);

@@ -125,7 +125,7 @@ TEST(Frames, KeepWhatPositionsRoundOff) {
   std::vector<double> x(base.size()), low(base.size());
   assembler.place_from(base, u, x, low);
   EXPECT_EQ(x, base);
-  const auto at = [&](int axis) { return static_cast<std::size_t>(assembler.numbering().index(1, axis)); };
+  const auto at = [&](int axis) { return assembler.numbering().dof(1, axis).at(); };
   EXPECT_NEAR(low[at(0)], 1e-17 * std::sqrt(0.5), 1e-32);
   EXPECT_NEAR(low[at(2)], -1e-17 * std::sqrt(0.5), 1e-32);
   assembler.place_from(base, std::vector{0.3}, x, low);

@@ -29,7 +29,7 @@ std::uint32_t shared_node(const Assembled& a, std::size_t part) {
   return a.assembler.families()[0]->global_nodes().at(part).node;
 }
 std::size_t shared(const Assembled& a, std::size_t part) {
-  return static_cast<std::size_t>(a.assembler.numbering().index(shared_node(a, part), 0));
+  return a.assembler.numbering().dof(shared_node(a, part), 0).at();
 }
 
 TEST(Globals, AreUnknownsWhereTheirPartSaysSo) {
@@ -37,8 +37,8 @@ TEST(Globals, AreUnknownsWhereTheirPartSaysSo) {
   const Numbering& numbering = a.assembler.numbering();
   EXPECT_EQ(a.plan.unknowns, 3 * 144u - 70 + 1);
   EXPECT_EQ(static_cast<std::size_t>(numbering.unknowns()), a.plan.unknowns);
-  EXPECT_TRUE(numbering.is_unknown(static_cast<std::int32_t>(shared(a, 0))));
-  EXPECT_FALSE(numbering.is_unknown(static_cast<std::int32_t>(shared(a, 1))));
+  EXPECT_TRUE(numbering.is_unknown(Dof(shared(a, 0))));
+  EXPECT_FALSE(numbering.is_unknown(Dof(shared(a, 1))));
   EXPECT_EQ(a.plan.families[0].globals.size(), 1u);
 }
 

@@ -19,13 +19,12 @@ Scene leashes() {
 }
 
 double force_on(Assembled& a, const std::vector<double>& x, std::uint32_t node) {
-  return a.residual(x)[static_cast<std::size_t>(a.assembler.numbering().index(node, 0))];
+  return a.residual(x)[a.assembler.numbering().dof(node, 0).at()];
 }
 
 std::vector<double> shifted(const Assembled& a, double by) {
   auto x = a.assembler.start();
-  for (std::uint32_t n = 0; n < 150; ++n)
-    x[static_cast<std::size_t>(a.assembler.numbering().index(n, 0))] += by + 0.01 * n;
+  for (std::uint32_t n = 0; n < 150; ++n) x[a.assembler.numbering().dof(n, 0).at()] += by + 0.01 * n;
   return x;
 }
 
@@ -58,7 +57,7 @@ TEST(Memory, KeepsItsPastWhenAnElementHasNoForceThere) {
   Assembled a(leashes());
   ASSERT_TRUE(a.assembler.remember(shifted(a, 3)));
   auto x = shifted(a, 7);
-  x[static_cast<std::size_t>(a.assembler.numbering().index(140, 0))] = 1001;
+  x[a.assembler.numbering().dof(140, 0).at()] = 1001;
   EXPECT_FALSE(a.assembler.remember(x));
   EXPECT_EQ(a.assembler.fault_sentence(a.scene), "second element 70 (test/leash): no force at this state");
   EXPECT_NEAR(force_on(a, shifted(a, 3), 5), 0, 1e-12);

@@ -19,13 +19,13 @@ TEST(Numbering, PutsUnknownsFirstInTheOrderOfTheNodes) {
   const Numbering n(s.scene);
   EXPECT_EQ(n.unknowns(), 5);
   EXPECT_EQ(n.dofs(), 9u);
-  EXPECT_EQ(n.index(1, 0), 0);
-  EXPECT_EQ(n.index(1, 2), 1);
-  EXPECT_EQ(n.index(2, 0), 2);
-  EXPECT_EQ(n.index(2, 2), 4);
-  EXPECT_EQ(n.index(0, 0), 5);
-  EXPECT_EQ(n.index(0, 2), 7);
-  EXPECT_EQ(n.index(1, 1), 8);
+  EXPECT_EQ(n.dof(1, 0), Dof(0));
+  EXPECT_EQ(n.dof(1, 2), Dof(1));
+  EXPECT_EQ(n.dof(2, 0), Dof(2));
+  EXPECT_EQ(n.dof(2, 2), Dof(4));
+  EXPECT_EQ(n.dof(0, 0), Dof(5));
+  EXPECT_EQ(n.dof(0, 2), Dof(7));
+  EXPECT_EQ(n.dof(1, 1), Dof(8));
 }
 
 TEST(Numbering, FindsNodeAndAxisOfEveryPlace) {
@@ -34,7 +34,7 @@ TEST(Numbering, FindsNodeAndAxisOfEveryPlace) {
   const Numbering n(s.scene);
   for (std::uint32_t node = 0; node < 5; ++node)
     for (int axis = 0; axis < 3; ++axis) {
-      const auto place = n.index(node, axis);
+      const auto place = n.dof(node, axis);
       EXPECT_EQ(n.node(place), node);
       EXPECT_EQ(n.axis(place), axis);
       EXPECT_EQ(n.is_unknown(place), !(s.scene.held[node] & (1 << axis)));

@@ -19,13 +19,15 @@ struct Tiled {
   explicit Tiled(Scene given)
       : scene(std::move(given)),
         plan(make_plan(scene, plugins())),
-        family(scene, plan.families[0]),
+        families(1),
+        family(*(families[0] = std::make_unique<ElementFamily>(scene, plan.families[0]))),
         numbering(scene),
-        blocks(make_blocks({}, scene, true)),
+        blocks(make_blocks(families, scene, true)),
         tiling(make_tiling(family, scene, numbering, blocks, true, 0)) {}
   Scene scene;
   Plan plan;
-  ElementFamily family;
+  std::vector<std::unique_ptr<ElementFamily>> families;
+  ElementFamily& family;
   Numbering numbering;
   NodeBlocks blocks;
   Tiling tiling;
@@ -111,7 +113,7 @@ TEST(Tiling, MapsEveryLaneToThePlacesOfItsNodes) {
   for (std::size_t e = 0; e < t.family.size(); ++e)
     for (std::size_t d = 0; d < 9; ++d)
       EXPECT_EQ(t.tiling.vector_map[(e / 64 * 9 + d) * 64 + e % 64],
-                t.numbering.index(t.family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3)));
+                t.numbering.dof(t.family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3)).place);
 }
 
 }  // namespace

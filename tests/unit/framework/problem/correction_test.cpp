@@ -36,7 +36,7 @@ TEST(Correction, IsTheWayToTheEquilibriumWhereForcesAreLinear) {
   const Solved s = solve_sketch(standing_bar(100, 1.005), 1);
   EXPECT_EQ(s.solution.statistics.iterations, 0);
   EXPECT_NEAR(s.solution.correction, 0.005, 1e-14);
-  const auto z = static_cast<std::size_t>(s.assembler->numbering().index(1, 2));
+  const auto z = s.assembler->numbering().dof(1, 2).at();
   EXPECT_NEAR(s.solution.corrected[z], 1.01, 1e-14);
   EXPECT_EQ(s.solution.x[z], 1.005);
 }

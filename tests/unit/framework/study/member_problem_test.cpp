@@ -147,7 +147,7 @@ Scene ropes_on_a_body() {
 
 /// Whether an unknown belongs to the rotation of the only body.
 bool turns(const Taken& taken, std::size_t unknown) {
-  return taken.assembled.assembler.numbering().node(static_cast<std::int32_t>(unknown)) ==
+  return taken.assembled.assembler.numbering().node(Dof(unknown)) ==
          taken.assembled.assembler.body_nodes()[0][1];
 }
 

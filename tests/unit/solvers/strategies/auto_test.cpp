@@ -37,9 +37,7 @@ Found find(const Scene& scene, const Values& parameters = {}, Limits limits = {}
   Found f{find_equilibrium({&scene, &assembler, &registry, nullptr, make_factorisation}, options,
                            {&registry.strategy(strategy), parameters}),
           0};
-  const auto at = [&](int axis) {
-    return f.solution.x[static_cast<std::size_t>(assembler.numbering().index(1, axis))];
-  };
+  const auto at = [&](int axis) { return f.solution.x[assembler.numbering().dof(1, axis).at()]; };
   f.away = std::hypot(at(1), at(2));
   return f;
 }

@@ -39,7 +39,7 @@ struct TakenAsMembers {
     std::vector<double> x = assembler.start(), all(assembled.scene.positions.size());
     assembler.place(u, x);
     for (std::uint32_t i = 0; i < all.size(); ++i)
-      all[i] = x[static_cast<std::size_t>(assembler.numbering().index(i / 3, static_cast<int>(i % 3)))];
+      all[i] = x[assembler.numbering().dof(i / 3, static_cast<int>(i % 3)).at()];
     return all;
   }
 
