@@ -99,7 +99,12 @@ Assembler::Assembler(const Scene& scene, const Plan& plan, int threads,
 
 Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
                      std::vector<std::unique_ptr<ElementFamily>>&& families)
-    : scene_nodes_(scene.node_count()),
+    : Assembler(scene, nodes, make_blocks(families, nodes, plan.symmetric), plan, threads,
+                std::move(families)) {}
+
+Assembler::Assembler(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, const Plan& plan,
+                     int threads, std::vector<std::unique_ptr<ElementFamily>>&& families)
+    : Placement(scene, nodes, blocks, plan.symmetric),
       water_(scene.water),
       current_(scene.current),
       waves_(plan.kind == AnalysisKind::dynamics ? scene.waves : nullptr),
@@ -108,14 +113,8 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
       ground_passes_(scene.ground != std::array<double, 3>{}),
       tangent_(plan.tangent),
       families_(std::move(families)),
-      numbering_(nodes),
-      axes_(scene.frames),
-      guides_(scene.guides),
+      pattern_(make_pattern(blocks, numbering_, plan.symmetric)),
       workers_(threads) {
-  const NodeBlocks blocks = make_blocks(families_, nodes, plan.symmetric);
-  pattern_ = make_pattern(blocks, numbering_, plan.symmetric);
-  frames_ = Frames(nodes, numbering_, blocks, plan.symmetric);
-  bodies_ = Bodies(nodes, numbering_, blocks, plan.symmetric);
   groups_ = find_family_groups(families_);
   std::size_t tiles = 0;
   for (FamilyGroup& group : groups_) {
@@ -129,11 +128,10 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, i
     for (FamilyGroup& group : groups_) group.carried_tiles = find_carried_tiles(group.tiling, nodes.carried);
   value_slots_ = pattern_.slots + 9 * tiles;
   tile_energy_.resize(tiles);
-  find_start(nodes);
   for (std::size_t w = 0; w < workers_.size(); ++w)
     workspaces_.push_back(std::make_unique<Workspace>(widest_element(families_), plan,
                                                       current_.flows() || waves_, waves_ != nullptr));
-  remember(start_);
+  remember(start());
 }
 
 Assembler::~Assembler() = default;
@@ -145,124 +143,6 @@ void Assembler::make_memories(bool between) {
     memories_.push_back(make_memory(*families_[f], tiles, ground_passes_));
     stretch_rates_.emplace_back(tiles, between && element.members ? element.member_count : 0);
   }
-}
-
-void Assembler::find_start(const Scene& nodes) {
-  start_.resize(numbering_.dofs());
-  for (std::uint32_t n = 0; n < nodes.node_count(); ++n)
-    for (int axis = 0; axis < 3; ++axis)
-      start_[numbering_.dof(n, axis).at()] =
-          nodes.positions[3 * std::size_t{n} + static_cast<std::size_t>(axis)];
-  bodies_.place(start_);
-}
-
-/// Calls visit(index among all dofs, axis, moment) for every degree of freedom that a guide moves.
-template <class Visit>
-void Assembler::visit_guided(double time, const Visit& visit) const {
-  for (const Guide& guide : guides_) {
-    const Course::Moment moment = guide.course.at(time);
-    for (std::size_t i = 0; i < guide.nodes.size(); ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (guide.axes[i] & (1 << axis))
-          visit(numbering_.dof(guide.nodes[i], static_cast<int>(axis)).at(), axis, moment);
-  }
-}
-
-void Assembler::place(std::span<const double> u, std::span<double> x, double time) const {
-  assert(is_over_unknowns(u) && is_over_dofs(x));
-  for (std::size_t i = 0; i < u.size(); ++i) x[i] = start_[i] + u[i];
-  frames_.place(start_, u, x);
-  visit_guided(
-      time, [&](std::size_t i, std::size_t axis, const Course::Moment& m) { x[i] = start_[i] + m.d[axis]; });
-  bodies_.place(x);
-}
-
-void Assembler::place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
-                           std::span<double> x_low) const {
-  assert(is_over_dofs(base) && is_over_unknowns(u) && is_over_dofs(x) && is_over_dofs(x_low));
-  assert(!has_bodies() && "a body carries nodes by products, whose digits are not kept");
-  std::copy(u.begin(), u.end(), x_low.begin());
-  std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
-  frames_.turn_back(u, x_low);
-  for (std::size_t i = 0; i < x.size(); ++i) {  // the sum of two numbers and its rounding error (Knuth 1969)
-    const double way = x_low[i];
-    x[i] = base[i] + way;
-    const double moved = x[i] - base[i];
-    x_low[i] = (base[i] - (x[i] - moved)) + (way - moved);
-  }
-}
-
-void Assembler::move(double time, std::span<const double> x, std::span<const double> v,
-                     std::span<const double> a, std::span<double> all_v, std::span<double> all_a) const {
-  assert(is_over_dofs(x) && is_over_dofs(all_v) && is_over_dofs(all_a));
-  assert(is_over_unknowns(v) && is_over_unknowns(a));
-  for (const auto& [from, to] : {std::pair{v, all_v}, std::pair{a, all_a}}) {
-    std::copy(from.begin(), from.end(), to.begin());
-    std::fill(to.begin() + static_cast<std::ptrdiff_t>(from.size()), to.end(), 0.0);
-    frames_.turn_back(from, to);
-  }
-  visit_guided(time, [&](std::size_t i, std::size_t axis, const Course::Moment& m) {
-    all_v[i] = m.v[axis], all_a[i] = m.a[axis];
-  });
-  bodies_.move(x, all_v, all_a);
-}
-
-std::array<double, 3> Assembler::node_position(std::uint32_t node, std::span<const double> x) const {
-  assert(is_over_dofs(x));
-  std::array<double, 3> place{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    place[axis] = x[numbering_.dof(node, static_cast<int>(axis)).at()];
-  return place;
-}
-
-std::array<double, 3> Assembler::rotation(std::size_t body, std::span<const double> x) const {
-  auto turn = node_position(bodies_.pairs()[body][1], x);
-  for (double& component : turn) component /= bodies_.arm(body);
-  return turn;
-}
-
-void Assembler::take_rotations(const Assembler& from, std::span<const double> x, std::span<double> u) const {
-  for (std::size_t b = 0; b < bodies_.pairs().size(); ++b) {
-    const auto turn = from.rotation(b, x);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto at = numbering_.dof(bodies_.pairs()[b][1], static_cast<int>(axis)).at();
-      if (at < u.size()) u[at] = bodies_.arm(b) * turn[axis] - start_[at];
-    }
-  }
-}
-
-std::vector<double> Assembler::node_positions(std::span<const double> x) const {
-  std::vector<double> all;
-  all.reserve(3 * scene_nodes_);
-  for (std::uint32_t node = 0; node < scene_nodes_; ++node) {
-    const auto place = node_position(node, x);
-    all.insert(all.end(), place.begin(), place.end());
-  }
-  return all;
-}
-
-std::vector<double> Assembler::displacements(std::span<const double> positions) const {
-  std::vector<double> u(static_cast<std::size_t>(numbering_.unknowns()));
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const std::uint32_t node = numbering_.node(Dof(i));
-    if (3 * std::size_t{node} >= positions.size()) continue;  // shared unknowns have no position
-    const auto own = static_cast<std::size_t>(numbering_.axis(Dof(i)));
-    const auto frame = axes_.find(node);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto at = numbering_.dof(node, static_cast<int>(axis)).at();
-      const double way = positions[3 * std::size_t{node} + axis] - start_[at];
-      u[i] += frame == axes_.end() ? (axis == own ? way : 0.0) : frame->second[3 * axis + own] * way;
-    }
-  }
-  return u;
-}
-
-std::vector<double> Assembler::displacements_to(std::span<const double> x) const {
-  assert(is_over_dofs(x));
-  std::vector<double> u = displacements(node_positions(x));
-  for (std::size_t i = 0; i < u.size(); ++i)
-    if (numbering_.node(Dof(i)) >= scene_nodes_) u[i] = x[i] - start_[i];
-  return u;
 }
 
 /// The geometric term of a body needs forces, so they are evaluated even if the caller did not ask for them.
@@ -303,33 +183,6 @@ bool Assembler::find_rate_matrices(std::span<const double> x, Request request, B
   if (!run_carried(x, request)) return false;
   matrices.damping = damping_values_.data(), matrices.mass = mass_values_.data();
   return true;
-}
-
-bool Assembler::shorten_rotations(std::span<double> u, std::span<double> v, std::span<double> a) const {
-  return bodies_.shorten(start_, u, v, a);
-}
-
-std::array<double, 3> Assembler::reaction(std::uint32_t node, std::span<const double> residual,
-                                          std::uint8_t axes) const {
-  return part_of(node, residual, true, axes);
-}
-std::array<double, 3> Assembler::unbalanced(std::uint32_t node, std::span<const double> residual) const {
-  return part_of(node, residual, false, kAllAxes);
-}
-
-std::array<double, 3> Assembler::part_of(std::uint32_t node, std::span<const double> residual, bool held,
-                                         std::uint8_t axes) const {
-  assert(is_over_dofs(residual));
-  const auto frame = axes_.find(node);
-  std::array<double, 3> force{};
-  for (std::size_t own = 0; own < 3; ++own) {
-    const Dof place = numbering_.dof(node, static_cast<int>(own));
-    if (numbering_.is_unknown(place) == held || !(axes & (1 << own))) continue;
-    const double f = residual[place.at()];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      force[axis] += frame == axes_.end() ? (axis == own ? f : 0.0) : frame->second[3 * axis + own] * f;
-  }
-  return force;
 }
 
 const FamilyGroup& Assembler::group_of(std::size_t family) const {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/assembler/between.hpp"
-#include "framework/assembler/bodies.hpp"
-#include "framework/assembler/frames.hpp"
 #include "framework/assembler/memory.hpp"
+#include "framework/assembler/placement.hpp"
 #include "framework/assembler/riders.hpp"
 #include "framework/assembler/workers.hpp"
 
@@ -45,62 +44,18 @@ struct ElementFault {
 /// The sum over all families of a scene. It gathers positions, evaluates active terms on tiles of 64
 /// elements, those of all families on the same nodes, and scatters. Vectors over all dofs are in the order of
 /// `numbering()`. Evaluation allocates nothing.
-class Assembler {
+class Assembler : public Placement {
  public:
   Assembler(const Scene& scene, const Plan& plan, int threads);
   ~Assembler();
   Assembler(const Assembler&) = delete;
   Assembler& operator=(const Assembler&) = delete;
 
-  const Numbering& numbering() const { return numbering_; }
   const SparsePattern& pattern() const { return pattern_; }
   std::size_t value_slots() const { return value_slots_; }
   std::span<const std::unique_ptr<ElementFamily>> families() const { return families_; }
   /// Threads among which an evaluation is divided; 1 if the scene is too small to gain from more.
   int threads_used() const;
-
-  /// Positions over all dofs at displacements u of the unknowns [m]; guides are where they are at `time` [s].
-  void place(std::span<const double> u, std::span<double> x, double time = 0) const;
-  /// Positions at displacements u from positions `base`, as their double-precision values and the low-order
-  /// part that these round off [m]. No node may be carried by a body.
-  void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
-                  std::span<double> x_low) const;
-  bool has_bodies() const { return !bodies_.empty(); }
-  /// The origin of the body that carries a node; a node that none carries is its own.
-  std::uint32_t carrier(std::uint32_t node) const { return bodies_.carrier(node); }
-  /// Rates over all dofs at positions x from those of the unknowns and those of the guides.
-  void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
-            std::span<double> all_v, std::span<double> all_a) const;
-  /// Rotations of bodies by more than ¾ of a turn become the same rotations by shorter vectors, in
-  /// displacements u of the unknowns and their rates, which may be empty. Between two solutions only: a
-  /// displacement in between would lead nowhere. Returns whether some did.
-  bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;
-  /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
-  /// the scene [m].
-  std::vector<double> displacements(std::span<const double> positions) const;
-  /// Displacements of the unknowns that bring all of them to where `x` has them, a vector over all degrees of
-  /// freedom of an assembler with as many, numbered alike.
-  std::vector<double> displacements_to(std::span<const double> x) const;
-  /// Turns the bodies in displacements u as those of another division of the same gear are at x.
-  void take_rotations(const Assembler& from, std::span<const double> x, std::span<double> u) const;
-  /// Positions of the nodes of the scene, three of each, out of a vector x over all degrees of freedom [m];
-  /// velocities or displacements likewise. What elements share is in no place and is left out.
-  std::vector<double> node_positions(std::span<const double> x) const;
-  std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
-  /// Whether an entry of a vector over all dofs belongs to a node of the scene: it is a coordinate [m].
-  bool is_place(std::size_t i) const { return numbering_.node(Dof(i)) < scene_nodes_; }
-  /// The rotation vector of a body at positions x over all dofs [rad].
-  std::array<double, 3> rotation(std::size_t body, std::span<const double> x) const;
-  /// Whether a guide moves some held node.
-  bool is_guided() const { return !guides_.empty(); }
-  /// Splits a residual [N] at a node into the reaction of its hold (along the held axes) and the unbalanced
-  /// force, in the world frame.
-  std::array<double, 3> reaction(std::uint32_t node, std::span<const double> residual,
-                                 std::uint8_t axes = kAllAxes) const;
-  std::array<double, 3> unbalanced(std::uint32_t node, std::span<const double> residual) const;
-
-  /// Initial positions over all dofs [m].
-  const std::vector<double>& start() const { return start_; }
 
   /// Evaluates at positions x (over all dofs). Returns false if an element could not be evaluated: see
   /// fault().
@@ -134,8 +89,6 @@ class Assembler {
   bool masses(std::span<const double> x, std::span<double> blocks, double& coupled);
   /// Numbers in `blocks` of masses().
   std::size_t mass_numbers() const { return 3 * numbering_.dofs() + 9 * bodies_.pairs().size(); }
-  /// Nodes of each body: its origin and its rotation.
-  const std::vector<std::array<std::uint32_t, 2>>& body_nodes() const { return bodies_.pairs(); }
   /// Force of one active term summed per part of the family, +dE/dx [N]: 3 numbers per part.
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
                 const Kinematics& motion = {});
@@ -164,18 +117,14 @@ class Assembler {
   };
 
  private:
-  bool is_over_dofs(std::span<const double> v) const { return v.size() == numbering_.dofs(); }
-  bool is_over_unknowns(std::span<const double> v) const {
-    return v.size() == static_cast<std::size_t>(numbering_.unknowns());
-  }
-
   struct Workspace;
   Assembler(const Scene& scene, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>> families);
   /// `nodes` are those of the scene and of the families' shared unknowns.
   Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>>&& families);
-  void find_start(const Scene& nodes);
+  Assembler(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, const Plan& plan, int threads,
+            std::vector<std::unique_ptr<ElementFamily>>&& families);
   void make_memories(bool between);
   bool run_group(const FamilyGroup& group, std::span<const double> x, const Request& request);
   void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
@@ -191,8 +140,6 @@ class Assembler {
   void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,
               Workspace& w) const;
   netloft_tile make_tile(std::size_t family, std::size_t tile, const Kinematics& motion, Workspace& w) const;
-  std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
-                                std::uint8_t axes) const;
   bool hand_on(std::span<const double> x, const Request& request);
   bool run_carried(std::span<const double> x, const Request& request);
   bool find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices);
@@ -219,12 +166,9 @@ class Assembler {
                    const Evaluate& evaluate, const Visit& visit);
   bool remember_family(std::size_t family, std::span<const double> x, const Kinematics& motion);
   bool add_masses(std::span<const double> x, std::size_t family, std::span<double> blocks, double& coupled);
-  template <class Visit>
-  void visit_guided(double time, const Visit& visit) const;
   void report(std::size_t family, const netloft_tile& tile, int status, Workspace& w);
   bool collect_faults();
 
-  std::size_t scene_nodes_;
   SceneWater water_;
   Current current_;
   std::shared_ptr<const WaterField> waves_;  // null in statics, too
@@ -233,17 +177,12 @@ class Assembler {
   bool ground_passes_;
   TangentChoice tangent_;
   std::vector<std::unique_ptr<ElementFamily>> families_;
-  Numbering numbering_;
-  std::map<std::uint32_t, std::array<double, 9>> axes_;  // of turned nodes
-  Frames frames_;
-  Bodies bodies_;
-  std::vector<Guide> guides_;
   SparsePattern pattern_;
   std::vector<FamilyGroup> groups_;
   std::vector<Memory> memories_;       // per family
   std::vector<Memory> stretch_rates_;  // per family, of members [m/s]; empty but for mean forces of steps
   std::size_t value_slots_ = 0;
-  std::vector<double> start_, tile_energy_, body_forces_, damping_values_, mass_values_;
+  std::vector<double> tile_energy_, body_forces_, damping_values_, mass_values_;
   Workers workers_;
   std::vector<std::unique_ptr<Workspace>> workspaces_;
   ElementFault fault_;

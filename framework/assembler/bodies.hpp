@@ -27,7 +27,6 @@ struct BodyMatrices {
 /// that does work on ψ, over the arm.
 class Bodies {
  public:
-  Bodies() = default;
   Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return pairs_.empty(); }

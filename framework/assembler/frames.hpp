@@ -11,7 +11,6 @@ namespace netloft {
 /// exact.
 class Frames {
  public:
-  Frames() = default;
   Frames(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return nodes_.empty(); }

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/bodies.hpp"
+#include "framework/assembler/frames.hpp"
+
+#include <array>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace netloft {
+
+/// Kinematics between unknowns and nodes, which elements know nothing of: where the nodes of a scene are and
+/// how they move, with holds, guides, frames of their own and bodies that carry them. Vectors over all dofs
+/// are in the order of `numbering()`.
+class Placement {
+ public:
+  /// `nodes` are those of the scene and all that behave like nodes; `blocks` the pairs of them that share
+  /// matrix values.
+  Placement(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, bool symmetric);
+
+  const Numbering& numbering() const { return numbering_; }
+
+  /// Positions over all dofs at displacements u of the unknowns [m]; guides are where they are at `time` [s].
+  void place(std::span<const double> u, std::span<double> x, double time = 0) const;
+  /// Positions at displacements u from positions `base`, as their double-precision values and the low-order
+  /// part that these round off [m]. No node may be carried by a body.
+  void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
+                  std::span<double> x_low) const;
+  bool has_bodies() const { return !bodies_.empty(); }
+  /// The origin of the body that carries a node; a node that none carries is its own.
+  std::uint32_t carrier(std::uint32_t node) const { return bodies_.carrier(node); }
+  /// Rates over all dofs at positions x from those of the unknowns and those of the guides.
+  void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
+            std::span<double> all_v, std::span<double> all_a) const;
+  /// Rotations of bodies by more than ¾ of a turn become the same rotations by shorter vectors, in
+  /// displacements u of the unknowns and their rates, which may be empty. Between two solutions only: a
+  /// displacement in between would lead nowhere. Returns whether some did.
+  bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;
+  /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
+  /// the scene [m].
+  std::vector<double> displacements(std::span<const double> positions) const;
+  /// Displacements of the unknowns that bring all of them to where `x` has them, a vector over all degrees of
+  /// freedom of an assembler with as many, numbered alike.
+  std::vector<double> displacements_to(std::span<const double> x) const;
+  /// Turns the bodies in displacements u as those of another division of the same gear are at x.
+  void take_rotations(const Placement& from, std::span<const double> x, std::span<double> u) const;
+  /// Positions of the nodes of the scene, three of each, out of a vector x over all degrees of freedom [m];
+  /// velocities or displacements likewise. What elements share is in no place and is left out.
+  std::vector<double> node_positions(std::span<const double> x) const;
+  std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
+  /// Whether an entry of a vector over all dofs belongs to a node of the scene: it is a coordinate [m].
+  bool is_place(std::size_t i) const { return numbering_.node(Dof(i)) < scene_nodes_; }
+  /// The rotation vector of a body at positions x over all dofs [rad].
+  std::array<double, 3> rotation(std::size_t body, std::span<const double> x) const;
+  /// Whether a guide moves some held node.
+  bool is_guided() const { return !guides_.empty(); }
+  /// Splits a residual [N] at a node into the reaction of its hold (along the held axes) and the unbalanced
+  /// force, in the world frame.
+  std::array<double, 3> reaction(std::uint32_t node, std::span<const double> residual,
+                                 std::uint8_t axes = kAllAxes) const;
+  std::array<double, 3> unbalanced(std::uint32_t node, std::span<const double> residual) const;
+
+  /// Initial positions over all dofs [m].
+  const std::vector<double>& start() const { return start_; }
+  /// Nodes of each body: its origin and its rotation.
+  const std::vector<std::array<std::uint32_t, 2>>& body_nodes() const { return bodies_.pairs(); }
+
+ protected:
+  bool is_over_dofs(std::span<const double> v) const { return v.size() == numbering_.dofs(); }
+  bool is_over_unknowns(std::span<const double> v) const {
+    return v.size() == static_cast<std::size_t>(numbering_.unknowns());
+  }
+
+  std::size_t scene_nodes_;
+  Numbering numbering_;
+  std::map<std::uint32_t, std::array<double, 9>> axes_;  // of turned nodes
+  Frames frames_;
+  Bodies bodies_;
+
+ private:
+  template <class Visit>
+  void visit_guided(double time, const Visit& visit) const;
+  std::array<double, 3> part_of(std::uint32_t node, std::span<const double> residual, bool held,
+                                std::uint8_t axes) const;
+
+  std::vector<Guide> guides_;
+  std::vector<double> start_;
+};
+
+}  // namespace netloft
