@@ -94,6 +94,8 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
                   ? ", and some led to a state without forces: " + assembler.fault_sentence(scene)
                   : std::string());
     case NETLOFT_LINEAR_SOLVE: {
+      if (problem.last_factor().status == FactorStatus::out_of_memory)
+        return "there is not enough memory, or room in files, for the factor of its matrix";
       const auto column = problem.last_factor().column;
       return "the tangent stiffness is singular" +
              (column >= 0

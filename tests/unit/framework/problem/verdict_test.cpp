@@ -326,6 +326,24 @@ TEST(Verdict, NamesTheNodeWhereTheTangentIsSingular) {
   EXPECT_EQ(solved.solution.at_fault, "bar node 1");
 }
 
+/// As one is of a matrix that is too large.
+class WithoutRoom final : public Factorisation {
+ public:
+  std::string description() const override { return "without room"; }
+  void analyse(const SparsePattern&) override {}
+  FactorResult factorise(std::span<const double>) override { return {FactorStatus::out_of_memory}; }
+  void solve(std::span<const double>, std::span<double>) override {}
+};
+
+TEST(Verdict, SaysThatMemoryIsWantedAndNotThatTheTangentIsSingular) {
+  Solving how;
+  how.make = [](MatrixClass) { return std::make_unique<WithoutRoom>(); };
+  const Solved s = solve_sketch(sample::hanging_panel(4, 34), how);
+  EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
+  EXPECT_TRUE(contains(s.solution.reason, "not enough memory")) << s.solution.reason;
+  EXPECT_FALSE(contains(s.solution.reason, "singular")) << s.solution.reason;
+}
+
 TEST(Verdict, NamesTheElementThatHasNoForceAtTheStart) {
   Sketch s;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(2, 0, 0);
