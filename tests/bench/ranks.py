@@ -80,6 +80,8 @@ def main():
                 for ranks in numbers(options.ranks):
                     of_ranks[ranks] = measure(options, cells, kind, ranks, options.repeats, how)
                     row(of_ranks[ranks], kind, name_of(of_ranks[ranks]))
+                if max(of_ranks) == 1:
+                    continue
                 seconds, memory = fit(of_ranks, "factorise"), fit(of_ranks, "foreseen_bytes")
                 fits.append(f"{alone['unknowns']} {kind}, {name_of(of_ranks[max(of_ranks)])}: s = {seconds[0]:.2f} of time, 64 ranks "
                             f"{seconds[1]:.2f} s; s = {memory[0]:.2f} of memory, 64 ranks {memory[1] / 1e6:.0f} MB")

@@ -26,6 +26,7 @@ COMMANDS = {  # what it is called with
     "large_study.py": (PROGRAM, LIBRARY / "studies/83-112-speed-depth.toml", "--draws", "1", "--nodes", "100", "--engines", "pool", "--jobs", "1"),
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
     "estimates.py": (PROGRAM, "ropes", "--places", "1"),
+    "steering.py": (SOURCE,),
     "ranks.py": (PROGRAM.parent / "bench_ranks", "--cells", "8", "--ranks", "1", "--repeats", "1"),
 }
 # Minutes on the least that they take, and an independent integrator that is not built everywhere.
