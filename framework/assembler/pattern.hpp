@@ -2,7 +2,7 @@
 #pragma once
 #include "framework/assembler/family.hpp"
 #include "framework/assembler/numbering.hpp"
-#include "framework/problem/factorisation.hpp"
+#include "framework/assembler/sparse_pattern.hpp"
 
 #include <memory>
 #include <span>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/assembler/sparse_pattern.hpp"
+
 #include <netloft/plugin.h>
 
 #include <cstdint>
@@ -11,25 +13,6 @@
 #include <vector>
 
 namespace netloft {
-
-/// Where a sparse matrix may be non-zero: compressed columns, rows ascending, every diagonal entry present.
-/// Symmetric matrices keep the lower triangle only.
-struct SparsePattern {
-  std::int32_t size = 0;                   // unknowns
-  std::vector<std::int32_t> column_start;  // size + 1
-  std::vector<std::int32_t> row;           // one per entry
-  std::vector<std::int32_t> node;          // unknown -> node, for orderings of the node graph; size long
-  bool symmetric = true;
-  std::vector<std::int32_t> slot;  // entry -> where its value stands; empty: entry k at k
-  std::size_t slots = 0;           // values there are, when `slot` is not empty
-
-  std::size_t entries() const { return row.size(); }
-  std::size_t slot_of(std::size_t entry) const {
-    return slot.empty() ? entry : static_cast<std::size_t>(slot[entry]);
-  }
-  std::size_t value_slots() const { return slot.empty() ? entries() : slots; }
-  bool operator==(const SparsePattern&) const = default;
-};
 
 /// What is known of a matrix before it is factorised. Of the first two, the lower triangle is given.
 enum class MatrixClass { positive_definite, symmetric, unsymmetric };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/element_data.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/registry.hpp"
 
+#include "framework/parameters/nearest.hpp"
 #include "framework/registry/library.hpp"
-#include "framework/registry/nearest.hpp"
 
 #include <set>
 

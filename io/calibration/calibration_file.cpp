@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/calibration/calibration_file.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/toml/document.hpp"
 #include "io/units/units.hpp"
 #include "io/variables/read_variable.hpp"

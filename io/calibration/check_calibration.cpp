@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/calibration/scene_model.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/sweep/path_run.hpp"
 #include "io/units/units.hpp"
 #include "io/variables/scene_faults.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/catalogue/part_choice.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/toml/merge.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/catalogue/catalogue.hpp"
 #include "io/catalogue/folders.hpp"
 #include "io/cli/commands.hpp"

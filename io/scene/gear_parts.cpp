@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/gear_parts.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/catalogue/part_kinds.hpp"
 #include "io/gear/twine_coordinates.hpp"
 #include "io/scene/idle_keys.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/part_reader.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/scene/idle_keys.hpp"
 #include "io/scene/own_data.hpp"
 #include "io/scene/part_names.hpp"

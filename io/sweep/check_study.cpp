@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/sweep/check_study.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/case/case.hpp"
 #include "io/sweep/path_run.hpp"
 #include "io/variables/scene_faults.hpp"

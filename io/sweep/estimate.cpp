@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/sweep/estimate.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/sweep/site.hpp"
 #include "io/sweep/statistics.hpp"
 #include "io/sweep/study_plots.hpp"

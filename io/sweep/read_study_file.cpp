@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/sweep/study_file.hpp"
 #include "io/units/units.hpp"
 #include "io/variables/read_variable.hpp"

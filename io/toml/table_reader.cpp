@@ -6,7 +6,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/units/in_quotes.hpp"
 #include "io/units/units.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/units/common_words.hpp"
 #include "io/units/expression.hpp"
 #include "io/units/in_quotes.hpp"

@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 rooms=(framework plugins solvers io)
 breaches=0
 
-checks=(check_top_level check_arrows check_readmes check_first_lines check_documents check_component_names
+checks=(check_top_level check_arrows check_floors check_readmes check_first_lines check_documents check_component_names
         check_linear_algebra check_function_lengths check_words check_promises check_one_definition)
 
 main() {
@@ -45,6 +45,18 @@ check_arrows() {
   forbid_includes solvers 'plugins|io' 'solvers see only the framework'
   forbid_includes io 'plugins' 'nothing includes a plugin'
   forbid_headers framework 'toml(\+\+|plusplus)?[./]|hdf5|H5|highfive/' 'no TOML and no HDF5 in the framework'
+}
+
+# Folders of the framework stand on one another in the order of the table in its README.
+check_floors() {
+  local folders=() above i
+  mapfile -t folders < <(grep -oE '^\| `[a-z]+/' framework/README.md | tr -d '|`/ ')
+  ((${#folders[@]} >= 5)) || breach 'framework/README.md: no table of folders found'
+  for ((i = 0; i + 1 < ${#folders[@]}; ++i)); do
+    [[ -d framework/${folders[i]} ]] || continue
+    above=$(IFS='|' && echo "${folders[*]:i+1}")
+    forbid_headers "framework/${folders[i]}" "framework/($above)/" "the README of the framework has it below"
+  done
 }
 
 forbid_includes() { forbid_headers "$1" "(\.\./|netloft/)*($2)/" "$3"; }

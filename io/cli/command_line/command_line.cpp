@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/command_line/command_line.hpp"
 
-#include "framework/registry/nearest.hpp"
+#include "framework/parameters/nearest.hpp"
 #include "io/cli/command_line/groups.hpp"
 
 namespace netloft::io {
