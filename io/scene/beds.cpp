@@ -3,10 +3,10 @@
 
 #include "framework/parameters/find_number.hpp"
 #include "io/scene/known_parameters.hpp"
+#include "io/units/in_metres.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 
@@ -31,12 +31,6 @@ std::vector<Bed> beds_of(const LoadedScene& loaded) {
       beds.push_back({&part, loaded.place_of(part.name), *plane,
                       number_or(0, part.parameters, parameter::kBedSoftness.name)});
   return beds;
-}
-
-std::string in_metres(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g m", length);
-  return text;
 }
 
 void check_height(const Bed& bed, const Scene& scene, Diagnostics& diagnostics) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/halves.hpp"
 
+#include "io/units/in_metres.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace netloft::io {
 
@@ -20,12 +21,6 @@ struct Beyond {
   double by;  // [m]
   bool is_held;
 };
-
-std::string in_metres(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g m", length);
-  return text;
-}
 
 bool is_held_across(const Scene& scene, std::uint32_t node) {
   return (scene.held[node] & kAxisY) && (scene.carried.empty() || !scene.carried[node]);
@@ -70,7 +65,7 @@ void add_pairs(const LoadedScene& loaded, std::span<const double> positions,
     const auto y = [&](const RigidBody* body) { return positions[3 * std::size_t{body->origin} + 1]; };
     if (y(bodies[1]) < y(bodies[0]))
       crossings.push_back({parts[0], false,
-                           bodies[1]->name + " is " + in_metres(y(bodies[0]) - y(bodies[1])) +
+                           bodies[1]->name + " is " + in_metres(y(bodies[0]) - y(bodies[1]), 3) +
                                " to port of " + bodies[0]->name + ": they have crossed"});
   }
 }
@@ -89,7 +84,7 @@ std::vector<Crossing> find_crossings(const LoadedScene& loaded, std::span<const 
   const bool is_held = std::any_of(beyond.begin(), beyond.end(), [](const auto& b) { return b.is_held; });
   crossings.push_back({beyond[0].part, is_held,
                        list_names(loaded, beyond) + (beyond.size() == 1 ? " lies " : " lie up to ") +
-                           in_metres(beyond[0].by) +
+                           in_metres(beyond[0].by, 3) +
                            " beyond the plane of symmetry, y = 0: the half to starboard and its mirror image "
                            "have crossed"});
   return crossings;

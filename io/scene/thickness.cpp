@@ -3,9 +3,9 @@
 
 #include "framework/parameters/find_number.hpp"
 #include "io/scene/known_parameters.hpp"
+#include "io/units/in_metres.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 
 namespace netloft::io {
@@ -24,12 +24,6 @@ double bar_of(const Geometry& geometry) {
   const auto *rest = find_data(geometry.data, datum::kRestLength),
              *parallel = find_data(geometry.data, datum::kParallel);
   return rest && parallel ? rest->front() / parallel->front() : 0;
-}
-
-std::string in_metres(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g m", length);
-  return text;
 }
 
 }  // namespace

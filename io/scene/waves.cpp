@@ -3,21 +3,15 @@
 
 #include "io/scene/keys.hpp"
 #include "io/scene/parameter_reader.hpp"
+#include "io/units/in_metres.hpp"
 #include "io/waves/jonswap.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace netloft::io {
 
 namespace {
-
-std::string in_metres(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g m", length);
-  return text;
-}
 
 double depth_of(const WaveKeys& keys, const Scene& scene) {
   if (keys.depth > 0) return keys.depth;
