@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/static_problem.hpp"
 
+#include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
 
 #include <algorithm>
@@ -10,24 +11,6 @@
 namespace netloft {
 
 namespace {
-
-template <class... Args>
-struct Callback {
-  /// A C function that forwards to a member of the StaticProblem behind `host`; no exception passes.
-  template <auto Member>
-  static int call(void* host, Args... args) noexcept {
-    const HostCall back;
-    auto& problem = *static_cast<StaticProblem*>(host);
-    try {
-      return (problem.*Member)(args...);
-    } catch (const std::exception& e) {
-      problem.keep_message(e.what());
-      return NETLOFT_ERROR;
-    } catch (...) {
-      return NETLOFT_ERROR;
-    }
-  }
-};
 
 MatrixKind kind_of(std::uint32_t want) {
   if (want & NETLOFT_WANT_TANGENT) return MatrixKind::exact;
@@ -87,18 +70,16 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   interface_.host = this, interface_.u = u_.data();
   interface_.message = message_, interface_.message_size = sizeof message_;
   interface_.traits = traits_of(assembler);
-  interface_.evaluate =
-      Callback<std::uint32_t, const double*, double*, double*>::call<&StaticProblem::evaluate>;
-  interface_.factorise = Callback<int, double>::call<&StaticProblem::factorise>;
-  interface_.factorise_between = Callback<double, double>::call<&StaticProblem::factorise_between>;
-  interface_.solve = Callback<const double*, double*>::call<&StaticProblem::solve>;
-  interface_.multiply = Callback<int, double, const double*, double*>::call<&StaticProblem::multiply>;
-  interface_.row_sums = Callback<int, double, double*>::call<&StaticProblem::row_sums>;
+  interface_.evaluate = HostFunction<&StaticProblem::evaluate>::call;
+  interface_.factorise = HostFunction<&StaticProblem::factorise>::call;
+  interface_.factorise_between = HostFunction<&StaticProblem::factorise_between>::call;
+  interface_.solve = HostFunction<&StaticProblem::solve>::call;
+  interface_.multiply = HostFunction<&StaticProblem::multiply>::call;
+  interface_.row_sums = HostFunction<&StaticProblem::row_sums>::call;
   interface_.negative_pivots = [](void* host) {
     return static_cast<StaticProblem*>(host)->last_factor().negative_pivots;
   };
-  interface_.progress =
-      Callback<const double*, double, const double*, const char*>::call<&StaticProblem::progress>;
+  interface_.progress = HostFunction<&StaticProblem::progress>::call;
   interface_.step_length = [](void* host, const double* du) {
     return static_cast<StaticProblem*>(host)->step_length(du);
   };

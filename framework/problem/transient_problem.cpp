@@ -2,7 +2,7 @@
 #include "framework/problem/transient_problem.hpp"
 
 #include "framework/problem/shared_unknowns.hpp"
-#include "framework/registry/plugin_call.hpp"
+#include "framework/registry/host_function.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,24 +11,6 @@
 namespace netloft {
 
 namespace {
-
-template <class... Args>
-struct Callback {
-  /// A C function that forwards to a member of the TransientProblem behind `host`; no exception passes.
-  template <auto Member>
-  static int call(void* host, Args... args) noexcept {
-    const HostCall back;
-    auto& problem = *static_cast<TransientProblem*>(host);
-    try {
-      return (problem.*Member)(args...);
-    } catch (const std::exception& e) {
-      problem.keep_message(e.what());
-      return NETLOFT_ERROR;
-    } catch (...) {
-      return NETLOFT_ERROR;
-    }
-  }
-};
 
 const char* trouble_of(netloft_outcome outcome, StaticProblem::Stop stop) {
   switch (outcome) {
@@ -64,14 +46,10 @@ TransientProblem::TransientProblem(Assembler& assembler, double mass_damping, So
   interface_.size = sizeof interface_;
   interface_.unknowns = static_cast<std::uint32_t>(size()), interface_.host = this;
   interface_.message = message_, interface_.message_size = sizeof message_;
-  interface_.residual = Callback<double, const double*, const double*, const double*,
-                                 double*>::call<&TransientProblem::residual>;
-  interface_.accelerate =
-      Callback<double, const double*, const double*, double*>::call<&TransientProblem::accelerate>;
-  interface_.solve =
-      Callback<double, const double*, double, const double*, double, double*>::call<&TransientProblem::solve>;
-  interface_.solve_between = Callback<const double*, double, const double*, double, double, double,
-                                      double*>::call<&TransientProblem::solve_between>;
+  interface_.residual = HostFunction<&TransientProblem::residual>::call;
+  interface_.accelerate = HostFunction<&TransientProblem::accelerate>::call;
+  interface_.solve = HostFunction<&TransientProblem::solve>::call;
+  interface_.solve_between = HostFunction<&TransientProblem::solve_between>::call;
   interface_.scratch = [](void* host, std::uint32_t index) {
     auto& self = *static_cast<TransientProblem*>(host);
     while (self.scratch_.size() <= index) self.scratch_.emplace_back(self.size());

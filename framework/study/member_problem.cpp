@@ -4,6 +4,7 @@
 #include <netloft/vectors.hpp>
 
 #include "framework/assembler/pattern.hpp"
+#include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
 
 #include <algorithm>
@@ -39,19 +40,6 @@ bool all_finite(std::span<const double> v) {
 }
 
 }  // namespace
-
-/// A C function that forwards to a member of the problem behind `host`; no exception passes.
-template <class... Args, int (MemberProblem::*Method)(Args...)>
-struct MemberProblem::Callback<Method> {
-  static int call(void* host, Args... args) noexcept {
-    const HostCall back;
-    try {
-      return (static_cast<MemberProblem*>(host)->*Method)(args...);
-    } catch (...) {
-      return NETLOFT_ERROR;
-    }
-  }
-};
 
 MemberProblem::MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                              std::function<void(const IterationRecord&)> on_iteration)
@@ -155,15 +143,15 @@ void MemberProblem::fill_interface() {
   interface_.traits = assembler_.pattern().symmetric ? std::uint32_t{NETLOFT_SYMMETRIC} : 0u;
   interface_.member = members_.data(), interface_.part = part_.data();
   interface_.largest_coordinate = largest_of(x_);
-  interface_.chords = Callback<&MemberProblem::chords>::call;
-  interface_.changes = Callback<&MemberProblem::changes>::call;
-  interface_.evaluate = Callback<&MemberProblem::evaluate>::call;
-  interface_.add_forces = Callback<&MemberProblem::add_forces>::call;
-  interface_.set_matrix = Callback<&MemberProblem::set_matrix>::call;
-  interface_.set_matrix_along = Callback<&MemberProblem::set_matrix_along>::call;
-  interface_.factorise = Callback<&MemberProblem::factorise>::call;
-  interface_.solve = Callback<&MemberProblem::solve>::call;
-  interface_.progress = Callback<&MemberProblem::progress>::call;
+  interface_.chords = HostFunction<&MemberProblem::chords>::call;
+  interface_.changes = HostFunction<&MemberProblem::changes>::call;
+  interface_.evaluate = HostFunction<&MemberProblem::evaluate>::call;
+  interface_.add_forces = HostFunction<&MemberProblem::add_forces>::call;
+  interface_.set_matrix = HostFunction<&MemberProblem::set_matrix>::call;
+  interface_.set_matrix_along = HostFunction<&MemberProblem::set_matrix_along>::call;
+  interface_.factorise = HostFunction<&MemberProblem::factorise>::call;
+  interface_.solve = HostFunction<&MemberProblem::solve>::call;
+  interface_.progress = HostFunction<&MemberProblem::progress>::call;
 }
 
 /// w = Σ c v of all members, v over all degrees of freedom.

@@ -32,9 +32,6 @@ class MemberProblem {
   Stop stop() const { return stop_; }
 
  private:
-  template <auto Method>
-  struct Callback;
-
   void list_members();
   void list_members(const ElementFamily& family);
   void add_site(const ElementFamily& family, std::size_t element, std::span<const netloft_member> told);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/reasons.hpp"
+#include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
 #include "framework/study/study_host.hpp"
 
@@ -13,24 +14,6 @@
 namespace netloft {
 
 namespace {
-
-template <class Result, class... Args>
-struct Callback {
-  /// A C function that forwards to a member of the RunningStudy behind `host`; no exception passes.
-  template <auto Member>
-  static Result call(void* host, Args... args) noexcept {
-    const HostCall back;
-    auto& study = *static_cast<RunningStudy*>(host);
-    try {
-      return (study.*Member)(args...);
-    } catch (const std::exception& e) {
-      study.keep_message(e.what());
-    } catch (...) {
-      study.keep_message("an exception without a sentence");
-    }
-    return static_cast<Result>(NETLOFT_ERROR);
-  }
-};
 
 netloft_ending ending_of(const Solution& s) {
   switch (s.status) {
@@ -138,19 +121,18 @@ void RunningStudy::fill_interface(const double* start) {
   s.stiffness = largest_stiffness(*site_->scene, registry);
   s.message = message_, s.message_size = sizeof message_;
 
-  s.size_of = Callback<std::uint32_t, std::uint32_t>::call<&RunningStudy::size_of>;
-  s.solve = Callback<int, netloft_stage*>::call<&RunningStudy::solve>;
-  s.call = Callback<int, const char*, const char*, netloft_stage*>::call<&RunningStudy::call>;
-  s.transfer =
-      Callback<int, std::uint32_t, const double*, std::uint32_t, double*>::call<&RunningStudy::transfer>;
-  s.assess = Callback<int, netloft_stage*>::call<&RunningStudy::assess>;
-  s.problem = Callback<int, netloft_stage*, netloft_problem*>::call<&RunningStudy::problem>;
-  s.members = Callback<int, netloft_stage*, netloft_members*>::call<&RunningStudy::members>;
+  s.size_of = HostFunction<&RunningStudy::size_of>::call;
+  s.solve = HostFunction<&RunningStudy::solve>::call;
+  s.call = HostFunction<&RunningStudy::call>::call;
+  s.transfer = HostFunction<&RunningStudy::transfer>::call;
+  s.assess = HostFunction<&RunningStudy::assess>::call;
+  s.problem = HostFunction<&RunningStudy::problem>::call;
+  s.members = HostFunction<&RunningStudy::members>::call;
   s.work_left = [](void* study) {
     const HostCall back;
     return static_cast<RunningStudy*>(study)->work_left();
   };
-  s.answer = Callback<int, const double*>::call<&RunningStudy::answer>;
+  s.answer = HostFunction<&RunningStudy::answer>::call;
 }
 
 void RunningStudy::keep_message(const char* text) { std::snprintf(message_, sizeof message_, "%s", text); }
