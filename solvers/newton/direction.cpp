@@ -78,6 +78,7 @@ std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double d
       const Direction direction = solve(iterate, damping, note);
       if (iterate.slope({s_}) < 0) return direction;
     }
+    led_uphill_ = factor == Factor::ok;
     if (damping >= p_.most_damping || factor == Factor::failed) return {};
   }
 }

@@ -27,6 +27,8 @@ class Directions {
   std::optional<Direction> find_short_undamped(Iterate& iterate);
   /// A step with at least the damping μ. None: no matrix could be factorised, or with none s leads downhill.
   std::optional<Direction> find(Iterate& iterate, double damping);
+  /// There was a factor, but no step of it led downhill.
+  bool led_uphill() const { return led_uphill_; }
 
  private:
   std::optional<Direction> find_symmetric(Iterate& iterate, double damping);
@@ -39,6 +41,7 @@ class Directions {
   const Newton::Parameters& p_;
   NegativeCurvature& curvature_;
   std::vector<double> s_;
+  bool led_uphill_ = false;
   double convex_share_ = 1;          // θ of the last time
   bool tests_near_definite_ = true;  // K + μ M was positive definite the last time, or K nearly so
 };

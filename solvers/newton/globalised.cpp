@@ -42,7 +42,7 @@ class Globalised {
     for (bool first = true; iterate_.report(note); first = false) {
       if (!iterate_.split_residual()) return Outcome::left_domain;
       const auto direction = find_direction(first);
-      if (!direction) return Outcome::linear_solve;
+      if (!direction) return directions_.led_uphill() ? Outcome::step_too_short : Outcome::linear_solve;
       note = direction->note;
       const Step step = rules_.take(iterate_, *direction);
       damping_ = adapted(direction->damping, end_, step, p_);
