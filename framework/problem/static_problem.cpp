@@ -4,6 +4,8 @@
 #include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
 
+#include <netloft/imbalance.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -426,13 +428,12 @@ double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> 
   return 4 * std::numeric_limits<double>::epsilon() * stiffness * largest;
 }
 
-/// Further from the start than any gear can be long: nothing holds what drives it.
+/// So far from the start that the gear's size no longer matters: nothing holds what drives it.
 bool StaticProblem::has_run_away(std::span<const double> x) const {
-  constexpr double kFar = 1000;
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i)
     largest = std::max(largest, std::abs(x[i] - assembler_.start()[i]));
-  return largest > kFar * gear_size_;
+  return kMatters * largest > gear_size_;
 }
 
 /// Sums up the largest moves from one accepted point to the next.

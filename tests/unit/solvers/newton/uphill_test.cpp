@@ -50,7 +50,6 @@ Outcome outcome_of(Summit summit) {
                            .most_damping = 64,
                            .factor = 8,
                            .flatness = 0.1,
-                           .uphill = 2,
                            .refinements = 4},
                           problem);
 }
