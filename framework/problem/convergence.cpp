@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/convergence.hpp"
 
-#include "framework/problem/correction.hpp"
-
 #include <netloft/imbalance.hpp>
 
 #include <algorithm>
@@ -13,7 +11,6 @@ namespace netloft {
 namespace {
 
 constexpr double kFalls = 0.5;
-constexpr double kWorthless = kSamePlace * kSamePlace;  // of (5)
 
 }  // namespace
 
@@ -36,7 +33,7 @@ bool may_stop(Convergence c, double residual, double residual_before) {
 bool has_nothing_to_gain(const Imbalance& i, double gain, double size) {
   const double matters = kMatters * i.load;
   return std::isfinite(i.load) && i.rounding <= matters && i.residual <= matters &&
-         gain <= kWorthless * i.load * size;
+         gain <= kTolerance * i.load * size;
 }
 
 }  // namespace netloft

@@ -14,6 +14,9 @@ struct Imbalance {
   bool is_in_time = false;  // a step in time, whose inertia rounds, too
 };
 
+/// The tolerance (1) of an equilibrium, where nobody says another.
+inline constexpr double kTolerance = 1e-10;
+
 /// Whether forces balance, to a tolerance ε of the load. This page alone says what that means.
 ///   within tolerance:  r ≤ ε F                                                            (1)
 ///   at round-off:      r ≤ min(b, β F)                                                    (2)
@@ -33,8 +36,8 @@ bool may_stop(Convergence c, double residual, double residual_before);
 
 /// Twines that flicker between slack and taut can leave a residual that no step reduces. It is as good as
 /// round-off if (3) holds, r ≤ β F, and the energy g that a Newton step would gain is next to nothing:
-///   g ≤ p² F L,   p = kSamePlace                                                          (5)
-/// with L the size of the gear: a stiffness of F/L would let it move by p L. By g ≈ ½ r δ, with r no more
+///   g ≤ ε F L,   ε = kTolerance                                                           (5)
+/// with L the size of the gear: a stiffness of F/L would let it move by √ε L. By g ≈ ½ r δ, with r no more
 /// than β F, it is about 1e-7 L off at most for the largest of such residuals.
 bool has_nothing_to_gain(const Imbalance& i, double gain, double size);
 

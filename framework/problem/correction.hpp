@@ -2,6 +2,8 @@
 #pragma once
 #include "framework/problem/static_problem.hpp"
 
+#include <cmath>
+
 namespace netloft {
 
 /// The Newton step that is left at u:
@@ -27,8 +29,8 @@ NodeDistance furthest_node(const Scene& scene, const Numbering& numbering, std::
 double largest_node_distance(const Scene& scene, const Numbering& numbering, std::span<const double> x,
                              std::span<const double> y);
 
-/// What is one place, of the gear's size: three digits above the round-off of positions found to a tolerance
-/// of 1e-8.
-inline constexpr double kSamePlace = 1e-5;
+/// What is one place, of the gear's size: about an equilibrium energies go with the square of a distance, and
+/// they are as good as the tolerance.
+inline const double kSamePlace = std::sqrt(kTolerance);
 
 }  // namespace netloft

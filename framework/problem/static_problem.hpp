@@ -35,7 +35,7 @@ struct JudgedPoint;  // assessment.hpp
 
 /// When to stop.
 struct Limits {
-  double tolerance = 1e-10;  // largest nodal residual over the largest nodal load
+  double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // of the processor that the user allows
   const std::atomic<bool>* interrupt = nullptr;

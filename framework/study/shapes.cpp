@@ -13,7 +13,7 @@ namespace {
 
 // Of the energy, or of the work of the largest load over the gear's size: what a move within one place leaves
 // of an energy that is stationary.
-constexpr double kSameEnergy = kSamePlace * kSamePlace;
+constexpr double kSameEnergy = kTolerance;
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
