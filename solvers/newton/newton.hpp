@@ -17,7 +17,7 @@ namespace netloft::newton {
 ///   (K + θ (K₊ − K) + μ M) s = −r, θ of 0, … 1 so that it is positive definite            (2)
 ///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
 ///   t by (L) of line_search.hpp: m does not rise, and is nearly flat                      (4)
-///   t = 1 if m(1) ≤ m(0) − r·s, unless the step before went uphill                   (5)
+///   t = 1 if m(1) ≤ m(0) − c_up r·s, unless the step before went uphill                   (5)
 ///   u ± t v, K v = λ M v with the least λ < 0, t by (D) of descent_search.hpp             (6)
 ///   t by (S) of line_search.hpp: m is nearly flat and not above m(0) but for rounding     (7)
 ///   u + t s + ½ t² a, a = −(K + θ (K₊ − K) + μ M)⁻¹ r″(s, s)                              (8)
@@ -51,7 +51,7 @@ namespace netloft::newton {
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;
-    double damping = 0, least_damping = 0, most_damping = 0, factor = 0, flatness = 0;
+    double damping = 0, least_damping = 0, most_damping = 0, factor = 0, flatness = 0, uphill = 0;
     std::int64_t refinements = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);

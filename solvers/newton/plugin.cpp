@@ -32,6 +32,9 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
       "fraction of the slope that may be left where a search along a line ends, and of its bracket that a "
       "new point keeps from either end",
       {.lo = 1e-3, .hi = 0.5, .fallback = 0.1});
+  newton.real("uphill", &Newton::Parameters::uphill, "1",
+              "multiple of the slope by which every other whole step may raise the energy; 0: none",
+              {.lo = 0, .hi = 100, .fallback = 2});
   newton.integer("refinements", &Newton::Parameters::refinements,
                  "points that such a search spends on a better one once one will do", 0, 100, 4);
 }

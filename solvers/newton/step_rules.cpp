@@ -78,11 +78,11 @@ Step StepRules::take_by_energy(Iterate& iterate, const Direction& direction) {
   return {Step::Rule::energy, found->t};
 }
 
-/// (5): a whole step that lowers m, or raises it by no more than its slope promises to lower it. The step
-/// after one that went uphill is left to the line search.
+/// (5): a whole step that lowers m, or raises it by no more than `uphill` allows. The step after one that
+/// went uphill is left to the line search.
 std::optional<Sample> StepRules::try_whole_step(Iterate& iterate, const Path& path) const {
   if (last_went_uphill_) return {};
-  const double most = iterate.energy() - iterate.slope(path);
+  const double most = iterate.energy() - p_.uphill * iterate.slope(path);
   const auto whole = iterate.merit(path, 1);
   return whole && whole->value <= most ? whole : std::nullopt;
 }

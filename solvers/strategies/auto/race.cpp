@@ -12,12 +12,15 @@ namespace {
 /// g of (1): the price of what succeeds is least with it.
 constexpr double kGrowth = 2;
 
+/// What is little of an element.
+double little(const Study& study) { return kMatters * study.element_size(); }
+
 /// The start of the study; a little beside it where elements have no force there, which a solver cannot
 /// leave.
 Displacements start_with_forces(Study& study) {
   const Stage start = study.assess({.name = "the start"}, study.start());
   if (start.has_forces() || start.is_stationary()) return study.start();
-  return perturbed(study.start(), study.element_size());
+  return perturbed(study.start(), little(study));
 }
 
 /// The saddle displaced along what grows there, so that no node moves by more than `length`, to side 0 or
@@ -90,7 +93,7 @@ Stage Race::off_saddle(Stage saddle, double work) {
     if (study_.work_left() <= over_at_) break;
     const Ask ask{.name = "off an unstable equilibrium",
                   .work = std::min(work, study_.work_left() - over_at_)};
-    Stage next = study_.call(strategy, "", ask, beside(saddle, study_.element_size(), side));
+    Stage next = study_.call(strategy, "", ask, beside(saddle, little(study_), side));
     if (next.has_converged() || next.flutters()) return next;
     if (next.ending == Ending::unstable && study_.work_left() > 0) saddle = std::move(next);
   }

@@ -50,6 +50,7 @@ Outcome outcome_of(Summit summit) {
                            .most_damping = 64,
                            .factor = 8,
                            .flatness = 0.1,
+                           .uphill = 2,
                            .refinements = 4},
                           problem);
 }
