@@ -61,14 +61,14 @@ class March {
         problem_(assembler, settings.mass_damping, solver, make, without_work(limits)),
         budget_(assembler, settings.mass_damping),
         state_(from ? *from : state_at_rest(assembler)),
-        other_start_(state_),
         next_(state_),
         shown_(assembler, settings.mass_damping),
         winches_(scene, assembler, limits.tolerance),
         error_(state_.u.size()),
         residual_(assembler.numbering().dofs()),
         mean_forces_(residual_.size()),
-        corners_(find_corners()) {
+        corners_(find_corners()),
+        other_start_(state_) {
     winches_.set_state(state_.winches);
   }
 

@@ -97,14 +97,14 @@ struct AchievedAccuracy {
   double allowed = 0;  // error of one step by (2)
   double largest = 0;  // estimated for an accepted step, at time t and of a node
   double t = 0;        // [s]
-  std::string node;
+  std::string node = {};
   double sum = 0;  // of the largest errors of all steps: that of the path, if no motion enlarges or damps it
   bool is_checked = false;  // against another march: what follows is known
   // error of the path by (3), at a time and of a node; infinite: the other was lost; NaN: not told, for its
   // steps were the same
   double path = 0;
   double path_at = 0;  // [s]
-  std::string path_of;
+  std::string path_of = {};
   /// The path is not known as well as was asked for.
   bool is_missed() const { return is_checked && !(path <= asked); }
 };
