@@ -17,7 +17,7 @@ constexpr double kEnergyRoundOff = 1e-13;
 
 /// How all searches along a line go on.
 inline Refinement refinement_of(const Newton::Parameters& p) {
-  return {.margin = p.flatness, .most = static_cast<int>(p.refinements)};
+  return {.margin = p.margin, .most = static_cast<int>(p.refinements)};
 }
 
 /// u(t) = u + t s + ½ t² a; straight where `a` is empty.

@@ -51,7 +51,8 @@ namespace netloft::newton {
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;
-    double damping = 0, least_damping = 0, most_damping = 0, factor = 0, flatness = 0, uphill = 0;
+    double damping = 0, least_damping = 0, most_damping = 0, factor = 0;
+    double flatness = 0, uphill = 0, margin = 0;
     std::int64_t refinements = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);

@@ -27,14 +27,17 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
   newton.real("factor", &Newton::Parameters::factor, "1",
               "by which it falls after a step of more than half the length, and rises where no step is found",
               {.lo = 1.1, .hi = 1e3, .fallback = 8});
-  newton.real(
-      "flatness", &Newton::Parameters::flatness, "1",
-      "fraction of the slope that may be left where a search along a line ends, and of its bracket that a "
-      "new point keeps from either end",
-      {.lo = 1e-3, .hi = 0.5, .fallback = 0.1});
+  newton.real("flatness", &Newton::Parameters::flatness, "1",
+              "fraction of the slope that may be left where a search along a line ends: with 0.1, a cod-end "
+              "under follower pressure ran away",
+              {.lo = 1e-3, .hi = 1, .fallback = 0.2});
   newton.real("uphill", &Newton::Parameters::uphill, "1",
               "multiple of the slope by which every other whole step may raise the energy; 0: none",
               {.lo = 0, .hi = 100, .fallback = 2});
+  newton.real("margin", &Newton::Parameters::margin, "1",
+              "fraction of its bracket that a new point of such a search keeps from either end: with 0.2, a "
+              "saddle at round-off was not left",
+              {.lo = 1e-3, .hi = 0.5, .fallback = 0.1});
   newton.integer("refinements", &Newton::Parameters::refinements,
                  "points that such a search spends on a better one once one will do", 0, 100, 4);
 }

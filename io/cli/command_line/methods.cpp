@@ -70,9 +70,9 @@ void add_stability_command(CLI::App& app, Options& o) {
   command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases")
       ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
   command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
-      ->check(between(0.001, 1e6));
+      ->check(numbers_between(0.001, 1e6));
   command->add_option("--work", s.work, "for one case, in factorisations of its tangent; else any")
-      ->check(between(1.0, 1e9));
+      ->check(numbers_between(1.0, 1e9));
   command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
   command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
   command->add_option("--threads", o.threads, "threads of the assembly; else one")

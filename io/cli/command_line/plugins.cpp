@@ -21,7 +21,7 @@ void add_test_command(CLI::App& app, Options& o) {
       "test", "check the elements, laws and solvers of a plugin: derivatives, balance, lanes, manners");
   test->add_option("PLUGIN", o.target, "plugin file (.so), plugin name or element type")->required();
   test->add_option("--seconds", o.seconds, "processor time for the checks of one component; else 60")
-      ->check(between(0.001, 1e6));
+      ->check(numbers_between(0.001, 1e6));
   add_plugin_options(*test, o);
 }
 

@@ -19,7 +19,7 @@ CLI::Option* as_words(CLI::Option* option, const std::string& type) {
   return as_word(option, type)->allow_extra_args(false);
 }
 
-CLI::Validator between(double low, double high) {
+CLI::Validator numbers_between(double low, double high) {
   return CLI::Validator(
       [low, high](const std::string& text) {
         double value = 0;

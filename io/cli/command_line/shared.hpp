@@ -16,7 +16,7 @@ CLI::Option* as_word(CLI::Option* option, const std::string& type);
 /// The same of an option that may be repeated.
 CLI::Option* as_words(CLI::Option* option, const std::string& type);
 /// CLI::Range lets what is no number at all pass.
-CLI::Validator between(double low, double high);
+CLI::Validator numbers_between(double low, double high);
 
 void add_color_option(CLI::App& command, Options& o);
 void add_json_option(CLI::App& command, Options& o);

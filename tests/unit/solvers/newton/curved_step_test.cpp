@@ -65,6 +65,7 @@ int iterations_of(double steepness) {
                              .factor = 8,
                              .flatness = 0.2,
                              .uphill = 2,
+                             .margin = 0.1,
                              .refinements = 4};
   EXPECT_EQ(solve_globalised(p, problem), Outcome::stopped);
   EXPECT_NEAR(valley.u[0], 3, 1e-6);

@@ -49,8 +49,9 @@ Outcome outcome_of(Summit summit) {
                            .least_damping = 1e-7,
                            .most_damping = 64,
                            .factor = 8,
-                           .flatness = 0.1,
+                           .flatness = 0.2,
                            .uphill = 2,
+                           .margin = 0.1,
                            .refinements = 4},
                           problem);
 }
