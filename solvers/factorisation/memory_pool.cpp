@@ -43,7 +43,9 @@ MemoryPool::FreeBlock* MemoryPool::pop(std::size_t size_class) {
 void* MemoryPool::take(std::size_t bytes) {
   if (bytes > kLargestBlock) return nullptr;
   const std::size_t size_class = smallest_class_holding(std::max(bytes, kSmallestBlock));
-  if (void* block = pop(size_class)) return count_as_used(block);
+  // malloc may give a little more than was asked for, so that a block comes back to the next class.
+  for (const std::size_t near : {size_class, size_class + 1})
+    if (void* block = pop(near)) return count_as_used(block);
   return count_as_used(take_block(bytes_of_class(size_class)));
 }
 
