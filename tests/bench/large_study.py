@@ -66,8 +66,10 @@ def by_slurm(options, folder):
             return why_not
         chunk = max(1, options.draws // (4 * options.jobs))
         call(options.netloft, "study", "submit", "s.study", "--engine", "slurm", "--chunk", str(chunk), cwd=folder)
-        call(local_slurm.find("sbatch"), "--wait", "slurm.sh", cwd=folder / "s.study",
+        call(local_slurm.find("sbatch"), "slurm.sh", cwd=folder / "s.study",
              env={**os.environ, "SLURM_CONF": slurm.environment["SLURM_CONF"]})
+        while call(options.netloft, "study", "missing", "s.study", cwd=folder, code=(0, 1, 3)).strip():
+            time.sleep(0.5)  # sbatch --wait looks every half minute
     finally:
         slurm.stop()
     return ""
