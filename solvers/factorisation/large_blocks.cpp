@@ -61,8 +61,8 @@ void* map_file(const std::filesystem::path& folder, std::size_t bytes) {
   return block == MAP_FAILED ? nullptr : block;
 }
 
-/// Bytes of a block in a file; 0 of any other. Blocks of files begin with a page, those of malloc hardly
-/// ever.
+/// Bytes of a block in a file; 0 of any other. Blocks of files begin with a page, those of malloc
+/// seldom do.
 std::size_t bytes_in_file(void* block) {
   static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   if (!has_mapped || reinterpret_cast<std::uintptr_t>(block) % page != 0) return 0;

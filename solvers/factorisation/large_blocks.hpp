@@ -5,7 +5,8 @@
 
 namespace netloft {
 
-/// A smaller one saves no memory to speak of.
+/// A smaller one saves no memory to speak of, and costs time: from 64 KiB and 1 MiB on, a run of 196 605
+/// unknowns spends 0.61 and 0.45 s in the system, from 16 MiB, 64 MiB and 1 GiB on 0.23 to 0.26.
 constexpr std::size_t kLargeBlock = std::size_t{1} << 26;  // [bytes]
 
 /// From now on, blocks of take_block() of at least `from` bytes lie in files in this folder, out of core: the
