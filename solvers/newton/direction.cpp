@@ -7,32 +7,36 @@
 
 namespace netloft::newton {
 
-Directions::Directions(const Newton::Parameters& parameters, const Problem& problem,
-                       NegativeCurvature& curvature)
-    : p_(parameters), curvature_(curvature), s_(problem.size()) {}
+namespace {
 
-std::optional<Direction> Directions::find_short_undamped(Iterate& iterate) {
+const Direction kNoFactor{.failure = Outcome::linear_solve};
+const Direction kLeadsUphill{.failure = Outcome::step_too_short};
+
+}  // namespace
+
+Direction Directions::find_first(Iterate& iterate, double damping) {
   Problem& problem = iterate.problem();
-  if (problem.factorise(Matrix::exact, 0) != Factor::ok) return {};
-  const Direction newton = solve(iterate, 0);
-  const bool is_usable = problem.step_length(s_) <= 1 && iterate.slope({s_}) < 0;
-  return is_usable ? std::optional(newton) : std::nullopt;
+  if (problem.factorise(Matrix::exact, 0) == Factor::ok) {
+    const Direction newton = solve(iterate, 0);
+    if (problem.step_length(s_) <= 1 && iterate.slope({s_}) < 0) return newton;
+  }
+  return find(iterate, damping);
 }
 
-std::optional<Direction> Directions::find(Iterate& iterate, double damping) {
+Direction Directions::find(Iterate& iterate, double damping) {
   return iterate.problem().symmetric() ? find_symmetric(iterate, damping)
                                        : find_unsymmetric(iterate, damping);
 }
 
 /// The factorisation itself tells whether the matrix is positive definite.
-std::optional<Direction> Directions::find_symmetric(Iterate& iterate, double damping) {
+Direction Directions::find_symmetric(Iterate& iterate, double damping) {
   const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
   if (factor == Factor::ok) {
     tests_near_definite_ = true;
     return solve(iterate, damping);
   }
-  if (factor != Factor::not_positive) return {};
-  if (auto found = find_nearly_definite(iterate, damping)) return found;
+  if (factor != Factor::not_positive) return kNoFactor;
+  if (const auto found = find_nearly_definite(iterate, damping)) return *found;
   return find_partly_convex(iterate, damping);
 }
 
@@ -44,7 +48,7 @@ std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, doub
     tests_near_definite_ = false;
     return {};
   }
-  const auto sigma = curvature_.factorise_nearly_definite(iterate.problem());
+  const auto sigma = nearly_definite_.factorise(iterate.problem());
   tests_near_definite_ = sigma.has_value();
   if (!sigma) return {};
   Direction direction = solve(iterate, *sigma, "nearly definite");
@@ -52,10 +56,10 @@ std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, doub
   return direction;
 }
 
-std::optional<Direction> Directions::find_partly_convex(Iterate& iterate, double damping) {
+Direction Directions::find_partly_convex(Iterate& iterate, double damping) {
   Problem& problem = iterate.problem();
-  if (problem.evaluate(problem.u(), Matrix::convex) != Evaluation::ok) return {};
-  if (factorise_partly_convex(problem, std::max(damping, p_.least_damping)) != Factor::ok) return {};
+  if (problem.evaluate(problem.u(), Matrix::convex) != Evaluation::ok) return kNoFactor;
+  if (factorise_partly_convex(problem, std::max(damping, range_.least)) != Factor::ok) return kNoFactor;
   return solve(iterate, damping, "convex part");
 }
 
@@ -65,21 +69,21 @@ Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
     if (const Factor factor = problem.factorise_between(convex_share_, shift); factor != Factor::not_positive)
       return factor;
   Factor factor = problem.factorise(Matrix::convex, shift);
-  while (factor == Factor::not_positive && shift < p_.most_damping)  // by rounding alone
-    factor = problem.factorise(Matrix::convex, shift = raised(shift, p_.factor, p_));
+  while (factor == Factor::not_positive && shift < range_.most)  // by rounding alone
+    factor = problem.factorise(Matrix::convex, shift = range_.raised(shift));
   return factor;
 }
 
 /// Raises μ until s leads downhill.
-std::optional<Direction> Directions::find_unsymmetric(Iterate& iterate, double damping) {
-  for (const char* note = "";; note = "more damping", damping = raised(damping, p_.factor, p_)) {
+Direction Directions::find_unsymmetric(Iterate& iterate, double damping) {
+  for (const char* note = "";; note = "more damping", damping = range_.raised(damping)) {
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
     if (factor == Factor::ok) {
       const Direction direction = solve(iterate, damping, note);
       if (iterate.slope({s_}) < 0) return direction;
     }
-    led_uphill_ = factor == Factor::ok;
-    if (damping >= p_.most_damping || factor == Factor::failed) return {};
+    if (damping >= range_.most || factor == Factor::failed)
+      return factor == Factor::ok ? kLeadsUphill : kNoFactor;
   }
 }
 

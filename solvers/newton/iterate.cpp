@@ -13,8 +13,8 @@ Iterate::Iterate(Problem& problem)
       r_trial_(problem.size()),
       d_(problem.conservative() ? 0 : problem.size()) {}
 
-double Iterate::round_off(const Path& path) const {
-  return kEnergyRoundOff * (std::abs(energy_) + std::abs(dot(d_, path.s)));
+bool Iterate::promises_round_off(const Path& path) const {
+  return -slope(path) <= kEnergyRoundOff * (std::abs(energy_) + std::abs(dot(d_, path.s)));
 }
 
 bool Iterate::evaluate(Matrix matrix) {

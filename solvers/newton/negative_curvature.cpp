@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/newton/negative_curvature.hpp"
 
-#include <netloft/imbalance.hpp>
-
-#include <algorithm>
 #include <cmath>
 
 #include "solvers/newton/descent_search.hpp"
@@ -11,17 +8,8 @@
 namespace netloft::newton {
 
 NegativeCurvature::NegativeCurvature(const Newton::Parameters& parameters, const Problem& problem)
-    : p_(parameters), sigma_(parameters.least_damping), curvature_(problem.symmetric() ? problem.size() : 0) {
+    : p_(parameters), curvature_(problem.symmetric() ? problem.size() : 0) {
   downhill_.reserve(problem.size());
-}
-
-/// From one below that of the last time, by `factor`.
-std::optional<double> NegativeCurvature::factorise_nearly_definite(Problem& problem) {
-  for (sigma_ = std::max(p_.least_damping, sigma_ / p_.factor); sigma_ <= kMatters * (1 + kShortest);
-       sigma_ *= p_.factor)
-    if (problem.factorise(Matrix::exact, sigma_) == Factor::ok) return sigma_;
-  sigma_ = p_.least_damping;
-  return {};
 }
 
 std::optional<std::span<const double>> NegativeCurvature::find_direction(Problem& problem, double sigma) {

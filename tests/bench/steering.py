@@ -71,7 +71,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "-0.5 * std::inner_product": "energy of a quadratic model",
         "? 2 : 0.5": "halving and doubling",
         "convex_share_": "halving and doubling",
-        "0.5 * least_decrease_": "halving",
+        "0.5 * least_": "halving",
         "2 * kSteps": "as many again",
         "2 * corrections": "half of them",
         "sigma > kLeastSigma / 2": "between two steps",

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace netloft::newton {
+
+/// What became of a direction: whether u has moved, and by which rule.
+struct Step {
+  enum class Rule { none, energy, residual, slope };
+  Rule rule = Rule::none;
+  double damping = 0;          // μ of the matrix that gave the direction
+  double length = 0;           // t, by the rule
+  bool leaves_saddle = false;  // u has moved by (6), then, too
+  explicit operator bool() const { return rule != Rule::none || leaves_saddle; }
+};
+
+}  // namespace netloft::newton
