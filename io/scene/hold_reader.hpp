@@ -7,15 +7,9 @@
 namespace netloft::io {
 
 /// Reads `[[hold]]`: what is held, where, and along which course it goes.
-class HoldReader {
+class HoldReader : ReadingStep {
  public:
-  explicit HoldReader(SceneReading& reading)
-      : root_(reading.root),
-        diagnostics_(reading.diagnostics),
-        draft_(reading.draft),
-        out_(reading.out()),
-        plan_(reading.plan),
-        gear_(reading.gear) {}
+  explicit HoldReader(SceneReading& reading) : ReadingStep(reading) {}
 
   void read();
   /// Nothing moves in a static analysis, unless somebody looks at a motion that way for once.
@@ -28,12 +22,6 @@ class HoldReader {
   void guide(Course course, const HoldEntry& entry, const Hold& hold, TableReader& table);
   void check_hold_name(const HoldEntry& entry, TableReader& table);
 
-  TableReader& root_;
-  Diagnostics& diagnostics_;
-  Draft& draft_;
-  LoadedScene& out_;  // of the draft
-  const NetPlan* plan_;
-  std::optional<GearParts>& gear_;
   std::vector<TableReader> guides_;  // holds that move
   OneSidedHolds one_sided_;
   std::map<std::string, Place> hold_names_;

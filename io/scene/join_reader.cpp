@@ -7,7 +7,7 @@ namespace netloft::io {
 void JoinReader::read() {
   Joiner joiner(draft_.geometries);
   join_by_others(joiner);
-  for (auto& table : reading_.root.tables("join")) {
+  for (auto& table : root_.tables("join")) {
     if (gear_ && is_seam(table)) continue;
     read_join(table, joiner);
   }

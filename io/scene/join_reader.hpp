@@ -6,10 +6,9 @@
 namespace netloft::io {
 
 /// Joins parts, by `[[join]]`, by their meshes and by the net plan, and numbers the nodes of the scene.
-class JoinReader {
+class JoinReader : ReadingStep {
  public:
-  explicit JoinReader(SceneReading& reading)
-      : reading_(reading), diagnostics_(reading.diagnostics), draft_(reading.draft), gear_(reading.gear) {}
+  explicit JoinReader(SceneReading& reading) : ReadingStep(reading), reading_(reading) {}
 
   void read();
 
@@ -30,9 +29,6 @@ class JoinReader {
   void number(Joiner& joiner);
 
   SceneReading& reading_;
-  Diagnostics& diagnostics_;
-  Draft& draft_;
-  std::optional<GearParts>& gear_;
   std::vector<Join> joins_;
 };
 

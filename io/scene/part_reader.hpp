@@ -6,15 +6,9 @@
 namespace netloft::io {
 
 /// Reads parts on nodes of their own, bodies among them. Parts that stand on others are announced, and kept.
-class PartReader {
+class PartReader : ReadingStep {
  public:
-  explicit PartReader(SceneReading& reading)
-      : root_(reading.root),
-        diagnostics_(reading.diagnostics),
-        elements_(reading.elements),
-        draft_(reading.draft),
-        meshes_(reading.meshes),
-        gear_(reading.gear) {}
+  explicit PartReader(SceneReading& reading) : ReadingStep(reading), meshes_(reading.meshes) {}
 
   void read_parts();
   /// Parts that make rigid bodies. Their elements are those of `type`; others may stand on them.
@@ -35,12 +29,7 @@ class PartReader {
   void read_extra_data(const ElementType& type, Geometry& geometry, TableReader& table);
   void check_thickness(const Part& part, const Geometry& geometry, TableReader& table);
 
-  TableReader& root_;
-  Diagnostics& diagnostics_;
-  const ElementChoice& elements_;
-  Draft& draft_;
   MeshParts& meshes_;
-  std::optional<GearParts>& gear_;
   std::vector<std::pair<std::string, TableReader>> riders_;
 };
 

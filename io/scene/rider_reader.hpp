@@ -8,16 +8,9 @@ namespace netloft::io {
 
 /// Reads parts that stand on others, once the scene has its nodes: those with a table of their own, what of a
 /// net plan touches the bed, and the elements that ride on those of a part.
-class RiderReader {
+class RiderReader : ReadingStep {
  public:
-  explicit RiderReader(SceneReading& reading)
-      : root_(reading.root),
-        diagnostics_(reading.diagnostics),
-        elements_(reading.elements),
-        draft_(reading.draft),
-        out_(reading.out()),
-        gear_(reading.gear),
-        companions_(reading.companions) {}
+  explicit RiderReader(SceneReading& reading) : ReadingStep(reading), companions_(reading.companions) {}
 
   void read(const std::string& name, TableReader& table);
   /// Parts of the plan that touch the bed.
@@ -27,12 +20,6 @@ class RiderReader {
  private:
   std::set<std::uint32_t> carried_by_beds() const;
 
-  TableReader& root_;
-  Diagnostics& diagnostics_;
-  const ElementChoice& elements_;
-  Draft& draft_;
-  LoadedScene& out_;  // of the draft
-  std::optional<GearParts>& gear_;
   std::vector<const ElementType*>& companions_;
 };
 

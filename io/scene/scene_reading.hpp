@@ -49,4 +49,25 @@ struct SceneReading {
   std::vector<const ElementType*> companions;  // of parts that follow those of the draft
 };
 
+/// One step of reading a scene: has short names for what all of them work with.
+class ReadingStep {
+ protected:
+  explicit ReadingStep(SceneReading& reading)
+      : root_(reading.root),
+        diagnostics_(reading.diagnostics),
+        elements_(reading.elements),
+        draft_(reading.draft),
+        out_(reading.out()),
+        plan_(reading.plan),
+        gear_(reading.gear) {}
+
+  TableReader& root_;
+  Diagnostics& diagnostics_;
+  const ElementChoice& elements_;
+  Draft& draft_;
+  LoadedScene& out_;  // of the draft
+  const NetPlan* plan_;
+  std::optional<GearParts>& gear_;
+};
+
 }  // namespace netloft::io

@@ -8,14 +8,9 @@
 namespace netloft::io {
 
 /// Reads what a gear is towed through and over: `[water]`, `[tow]`, `[bed]`, and the speed of the `[ship]`.
-class WaterReader {
+class WaterReader : ReadingStep {
  public:
-  explicit WaterReader(SceneReading& reading)
-      : root_(reading.root),
-        diagnostics_(reading.diagnostics),
-        draft_(reading.draft),
-        out_(reading.out()),
-        plan_(reading.plan) {}
+  explicit WaterReader(SceneReading& reading) : ReadingStep(reading) {}
 
   void read();
   /// Waves act on what moves; a static result would be one of still water.
@@ -32,11 +27,6 @@ class WaterReader {
   void read_ship();
   void take_water(const WaterKeys& keys, TableReader& water);
 
-  TableReader& root_;
-  Diagnostics& diagnostics_;
-  Draft& draft_;
-  LoadedScene& out_;  // of the draft
-  const NetPlan* plan_;
   bool says_tow_ = false;
   SeaBottom bottom_;
   std::optional<TautiModel> tauti_;

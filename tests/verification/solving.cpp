@@ -28,6 +28,13 @@ Registry& shipped_plugins() {
 
 namespace {
 
+ParameterBlock parameters_of(const SolverType& solver, const Values& values) {
+  std::vector<std::string> faults;
+  ParameterBlock parameters(solver.parameters, solver.solver.parameter_bytes, values, faults);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  return parameters;
+}
+
 Solution find_by_strategy(const Solved& s, const Solving& how) {
   Registry& registry = shipped_plugins();
   StudyOptions options;
@@ -42,10 +49,7 @@ Solution find_by_strategy(const Solved& s, const Solving& how) {
 
 Solved solve(Scene scene, const Solving& how) {
   const SolverType& solver = shipped_plugins().solver(how.solver);
-  std::vector<std::string> faults;
-  const ParameterBlock parameters(solver.parameters, solver.solver.parameter_bytes, how.solver_parameters,
-                                  faults);
-  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  const ParameterBlock parameters = parameters_of(solver, how.solver_parameters);
   Solved s{std::move(scene), {}, nullptr, {}};
   s.plan = make_plan(s.scene, shipped_plugins());
   s.assembler = std::make_unique<Assembler>(s.scene, s.plan, how.threads);
@@ -54,6 +58,11 @@ Solved solve(Scene scene, const Solving& how) {
   else
     s.solution = find_by_strategy(s, how);
   return s;
+}
+
+netloft_outcome solve_problem(netloft_problem& problem, const std::string& solver, const Values& parameters) {
+  const SolverType& type = shipped_plugins().solver(solver);
+  return call_solver(type, parameters_of(type, parameters).data(), problem);
 }
 
 double elastic_energy(const Solved& solved) {

@@ -47,6 +47,10 @@ struct Solved {
 
 Solved solve(Scene scene, const Solving& how = {});
 
+/// Lets a shipped solver work on a problem that a test has written down.
+netloft_outcome solve_problem(netloft_problem& problem, const std::string& solver,
+                              const Values& parameters = {});
+
 /// Energy at the same positions without gravity: the energy stored in the stretched netting [J].
 double elastic_energy(const Solved& solved);
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "solvers/newton/methods.hpp"
+#include "tests/verification/solving.hpp"
 
-namespace netloft::newton {
+namespace netloft::test {
 namespace {
 
 /// E = ½ (x − 3)² + ½ k (y − x²)²: a valley that bends, k times as steep across as along (after
@@ -58,16 +59,7 @@ struct Valley {
 
 int iterations_of(double steepness) {
   Valley valley(steepness);
-  Problem problem(valley.interface);
-  const Newton::Parameters p{.damping = 0,
-                             .least_damping = 1e-7,
-                             .most_damping = 64,
-                             .factor = 8,
-                             .flatness = 0.2,
-                             .uphill = 2,
-                             .margin = 0.1,
-                             .refinements = 4};
-  EXPECT_EQ(solve_globalised(p, problem), Outcome::stopped);
+  EXPECT_EQ(solve_problem(valley.interface, "newton", {{"damping", 0.0}}), NETLOFT_STOPPED);
   EXPECT_NEAR(valley.u[0], 3, 1e-6);
   return valley.iterations;
 }
@@ -80,4 +72,4 @@ TEST(BentStep, FollowsABentValleyHoweverSteep) {
 }
 
 }  // namespace
-}  // namespace netloft::newton
+}  // namespace netloft::test

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "solvers/newton/methods.hpp"
+#include "tests/verification/solving.hpp"
 
-namespace netloft::newton {
+namespace netloft::test {
 namespace {
 
 /// E = −½ k u², k times as steep as the linear stiffness of 1, as a problem that does not say that its matrix
@@ -42,33 +42,24 @@ struct Summit {
   }
 };
 
-Outcome outcome_of(Summit summit) {
+netloft_outcome outcome_of(Summit summit) {
   summit.interface.host = &summit, summit.interface.u = &summit.u;
-  Problem problem(summit.interface);
-  return solve_globalised({.damping = 0.1,
-                           .least_damping = 1e-7,
-                           .most_damping = 64,
-                           .factor = 8,
-                           .flatness = 0.2,
-                           .uphill = 2,
-                           .margin = 0.1,
-                           .refinements = 4},
-                          problem);
+  return solve_problem(summit.interface, "newton");
 }
 
 TEST(UnsymmetricTangent, IsDampedUntilAStepLeadsDownhill) {
-  EXPECT_EQ(outcome_of(Summit(10)), Outcome::stopped);
+  EXPECT_EQ(outcome_of(Summit(10)), NETLOFT_STOPPED);
 }
 
 TEST(UnsymmetricTangent, OfWhichNoStepLeadsDownhillIsNotSaidToBeSingular) {
-  EXPECT_EQ(outcome_of(Summit(100)), Outcome::step_too_short);
+  EXPECT_EQ(outcome_of(Summit(100)), NETLOFT_STEP_TOO_SHORT);
 }
 
 TEST(UnsymmetricTangent, ThatHasNoFactorIsSaidToBe) {
   Summit summit(100);
   summit.has_factor = false;
-  EXPECT_EQ(outcome_of(summit), Outcome::linear_solve);
+  EXPECT_EQ(outcome_of(summit), NETLOFT_LINEAR_SOLVE);
 }
 
 }  // namespace
-}  // namespace netloft::newton
+}  // namespace netloft::test
