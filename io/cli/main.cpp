@@ -85,11 +85,13 @@ int guarded(Options& o) {
 }
 
 /// Help and versions go to standard output and are no error.
-int explain(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
-  if (app.exit(error) == 0) return kDone;
-  if (std::find(words.begin(), words.end(), "--json") != words.end())
-    std::puts(error_json(error.what(), kWrongInput).c_str());
-  return kWrongInput;
+int explain(const CLI::App& app, const CLI::ParseError& error, const Options& o) {
+  const bool is_error = error.get_exit_code() != 0;
+  if (const std::string fault = unknown_option(app); is_error && !fault.empty())
+    return fail(o, fault, kWrongInput);
+  app.exit(error);
+  if (is_error && o.json) std::puts(error_json(error.what(), kWrongInput).c_str());
+  return is_error ? kWrongInput : kDone;
 }
 
 /// A file that is opened must not become a stream that was closed: what is printed would land in it. Nor is a
@@ -139,14 +141,16 @@ int start(int argc, char** argv) {
     std::fputs(app.help().c_str(), stdout);
     return kDone;
   }
+  const bool wants_json = std::find(o.words.begin(), o.words.end(), "--json") != o.words.end();
   if (const std::string fault = unknown_command(app, std::span(o.words).subspan(1)); !fault.empty()) {
-    o.json = std::find(o.words.begin(), o.words.end(), "--json") != o.words.end();
+    o.json = wants_json;
     return fail(o, fault, kWrongInput);
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return explain(app, e, o.words);
+    o.json = wants_json;
+    return explain(app, e, o);
   }
   o.command = app.get_subcommands().front()->get_name();
   o.given = given_options(app);

@@ -40,6 +40,40 @@ std::string unknown_command(const CLI::App& app, std::span<const std::string> wo
                : "\"; `netloft " + before + "--help` lists them");
 }
 
+namespace {
+
+/// The command that was named last: "study run".
+const CLI::App& innermost(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? app : innermost(*commands.front());
+}
+
+/// "netloft study run"
+std::string full_name(const CLI::App& app) {
+  return app.get_parent() ? full_name(*app.get_parent()) + " " + app.get_name() : app.get_name();
+}
+
+std::vector<std::string> names_of_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+}  // namespace
+
+std::string unknown_option(const CLI::App& app) {
+  for (const std::string& word : app.remaining(true)) {
+    if (!word.starts_with('-')) continue;
+    const CLI::App& command = innermost(app);
+    const std::string name = word.substr(0, word.find('='));
+    const auto near = nearest(name, names_of_options(command));
+    return "there is no option " + name +
+           (near ? "; did you mean " + *near + "?" : "; `" + full_name(command) + " --help` lists them");
+  }
+  return {};
+}
+
 std::vector<std::string> given_options(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands()) {

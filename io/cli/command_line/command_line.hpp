@@ -18,6 +18,10 @@ void add_commands(CLI::App& app, Options& o);
 std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
                             const std::string& before = "");
 
+/// What was left over of a command line that could not be read: its first option that the command does not
+/// have, as a sentence with the option it may stand for; else empty.
+std::string unknown_option(const CLI::App& app);
+
 /// Long names of the options that were given to the command, and to one below it.
 std::vector<std::string> given_options(const CLI::App& app);
 

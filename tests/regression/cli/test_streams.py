@@ -148,6 +148,24 @@ class Commands(InFreshFolder):
         self.assertEqual(ended.code, 2)
         self.assertIn('there is no command "study rum"; did you mean "study run"?', ended.err)
 
+    def test_an_unknown_option_is_named_with_the_one_it_may_stand_for(self):
+        for words, wrong, meant in ((("run", "a.toml", "--out-of-cor"), "--out-of-cor", "--out-of-core"),
+                                    (("run", "--stratgy", "auto", "a.toml"), "--stratgy", "--strategy"),
+                                    (("run", "a.toml", "--stratgy=auto"), "--stratgy", "--strategy"),
+                                    (("study", "run", "a.study", "--threds", "2"), "--threds", "--threads"),
+                                    (("list", "-json"), "-json", "--json"),
+                                    (("--verson",), "--verson", "--version")):
+            with self.subTest(words=words):
+                ended = self.netloft(*words)
+                self.assertEqual((ended.code, ended.err),
+                                 (2, f"netloft: there is no option {wrong}; did you mean {meant}?\n"))
+
+    def test_an_option_that_is_like_no_other_gets_the_help_of_its_command(self):
+        ended = self.netloft("study", "run", "a.study", "--xyzzy", "--json")
+        self.assertEqual(ended.code, 2)
+        self.assertIn("there is no option --xyzzy; `netloft study run --help` lists them", ended.err)
+        self.assertEqual(ended.json()["status"], "wrong input")
+
     def test_no_command_at_all_gets_the_help(self):
         alone = self.netloft()
         self.assertEqual(alone.code, 0)
