@@ -12,12 +12,13 @@ void add_forces(const Scene& scene, Assembler& assembler, std::size_t f, const K
   const ElementFamily& family = *assembler.families()[f];
   std::vector<double> sums(3 * family.parts().size());
   for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
-    if (!assembler.sum_term(answer.x, f, t, sums, motion)) continue;
+    const netloft_term& term = family.active_terms()[t];
+    if ((term.traits & NETLOFT_OF_MEMBERS) || !assembler.sum_term(answer.x, f, t, sums, motion)) continue;
     for (std::size_t p = 0; p < family.parts().size(); ++p)
       answer.forces.push_back({scene.parts[family.parts()[p]].name,
-                               family.active_terms()[t].name,
+                               term.name,
                                {0.0 - sums[3 * p], 0.0 - sums[3 * p + 1], 0.0 - sums[3 * p + 2]},
-                               family.active_terms()[t].traits});
+                               term.traits});
   }
 }
 

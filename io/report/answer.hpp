@@ -16,7 +16,12 @@ using FamilyOutputs = std::vector<std::vector<std::vector<double>>>;
 struct PartForce {
   std::string part, term;
   std::array<double, 3> force{};
-  std::uint32_t traits = 0;  // of the term: NETLOFT_IS_WEIGHT, NETLOFT_IS_DRAG and others
+  std::uint32_t traits = 0;  // of the term: NETLOFT_IS_WEIGHT and others
+
+  bool is_drag() const { return traits & NETLOFT_IS_DRAG; }
+  bool is_weight() const { return traits & NETLOFT_IS_WEIGHT; }
+  /// Of a ground that may pass, along it: friction, and what boards plough up.
+  bool is_along_ground() const { return traits & NETLOFT_READS_GROUND; }
 };
 
 /// Sum of one force of one part over the nodes of a rigid body: its origin and its points.
@@ -29,7 +34,7 @@ struct BodyForce {
 struct Answer {
   std::vector<double> x;
   FamilyOutputs outputs;
-  std::vector<PartForce> forces;
+  std::vector<PartForce> forces;       // but for those of members, which add up to nothing over a part
   std::vector<BodyForce> body_forces;  // of all terms of parts with a node on the body
 };
 

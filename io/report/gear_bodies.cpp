@@ -69,11 +69,10 @@ bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
 /// all else by the part that brings it.
 std::string source_of(const LoadedScene& loaded, const Assembler& assembler, const BodyForce& force) {
   const Part& part = loaded.scene.parts[force.part];
-  const std::uint32_t traits = force.of.traits;
   if (!rides_on_bodies(loaded.scene, part)) return part.name;
-  if (traits & NETLOFT_IS_DRAG) return "water";
-  if (traits & NETLOFT_IS_WEIGHT) return "weight";
-  const bool reads_ground = traits & (NETLOFT_READS_BED | NETLOFT_READS_GROUND);
+  if (force.of.is_drag()) return "water";
+  if (force.of.is_weight()) return "weight";
+  const bool reads_ground = force.of.traits & (NETLOFT_READS_BED | NETLOFT_READS_GROUND);
   return reads_ground || rests_on_ground(assembler, force.part) ? "ground" : part.name;
 }
 

@@ -14,11 +14,6 @@ namespace netloft::io {
 
 namespace {
 
-/// Forces that add up to a kind of load: by what their terms say of themselves, friction by its name.
-bool is_drag(const PartForce& force) { return force.traits & NETLOFT_IS_DRAG; }
-bool is_weight(const PartForce& force) { return force.traits & NETLOFT_IS_WEIGHT; }
-bool is_friction(const PartForce& force) { return force.term == "friction"; }
-
 struct PartGroup {
   std::string name;
   std::vector<std::uint32_t> parts;
@@ -40,13 +35,13 @@ std::vector<PartGroup> kinds_of(const GearView& gear) {
   return kinds;
 }
 
-Vector sum_over(const GearView& gear, const PartGroup& kind, GearView::Kind is_of_kind) {
+Vector sum_over(const GearView& gear, const PartGroup& kind, const GearView::Kind& is_of_kind) {
   Vector sum;
   for (const auto part : kind.parts) sum += gear.force(gear.name(part), is_of_kind);
   return whole_of(sum, gear.times());
 }
 
-bool any_has(const GearView& gear, const PartGroup& kind, GearView::Kind is_of_kind) {
+bool any_has(const GearView& gear, const PartGroup& kind, const GearView::Kind& is_of_kind) {
   return std::any_of(kind.parts.begin(), kind.parts.end(),
                      [&](auto part) { return gear.has_force(gear.name(part), is_of_kind); });
 }
@@ -60,15 +55,16 @@ void add_vector(const std::string& at, const std::string& doc, const Vector& for
 
 void add_drag(const GearView& gear, const std::string& at, const PartGroup& kind,
               std::vector<Figure>& figures) {
-  if (any_has(gear, kind, is_drag))
-    add_vector(at + kind.name + "/", "force of the water", sum_over(gear, kind, is_drag), figures);
+  if (any_has(gear, kind, &PartForce::is_drag))
+    add_vector(at + kind.name + "/", "force of the water", sum_over(gear, kind, &PartForce::is_drag),
+               figures);
 }
 
 void add_weight(const GearView& gear, const std::string& at, const PartGroup& kind,
                 std::vector<Figure>& figures) {
-  if (any_has(gear, kind, is_weight))
+  if (any_has(gear, kind, &PartForce::is_weight))
     figures.push_back({at + kind.name, "N", "weight in water, negative of what floats",
-                       -sum_over(gear, kind, is_weight).z});
+                       -sum_over(gear, kind, &PartForce::is_weight).z});
 }
 
 /// Every part of a kind as a kind of its own.
@@ -82,7 +78,7 @@ std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
 void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::vector<Figure>& figures) {
   double sinking = 0, floating = 0;
   for (const auto& part : parts) {
-    const double weight = -sum_over(gear, part, is_weight).z;
+    const double weight = -sum_over(gear, part, &PartForce::is_weight).z;
     (weight > 0 ? sinking : floating) += weight;
   }
   figures.push_back({"budget/sinking", "N", "weight in water of all parts that sink", sinking});
@@ -201,7 +197,7 @@ void add_force_figures(const GearView& gear, std::vector<Figure>& figures) {
   for (const auto& kind : kinds) add_drag(gear, "drag/", kind, figures);
   for (const auto& part : parts) add_drag(gear, "drag_by_part/", part, figures);
   for (const auto& kind : kinds) add_weight(gear, "weight_in_water/", kind, figures);
-  if (any_has(gear, kinds.front(), is_weight)) add_budget(gear, parts, figures);
+  if (any_has(gear, kinds.front(), &PartForce::is_weight)) add_budget(gear, parts, figures);
   for (const auto& part : parts) add_weight(gear, "weight_in_water_by_part/", part, figures);
 }
 
@@ -213,8 +209,9 @@ void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
     for (const double force : gear.output(part, output::kNormalForce)) normal += force, is_there = true;
   if (!is_there) return;
   figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * normal});
-  if (any_has(gear, all, is_friction))
-    add_vector("ground/friction_", "friction of the ground", sum_over(gear, all, is_friction), figures);
+  if (any_has(gear, all, &PartForce::is_along_ground))
+    add_vector("ground/friction_", "force of the ground along it",
+               sum_over(gear, all, &PartForce::is_along_ground), figures);
   if (const auto* footrope = gear.find_rope(gear.gear().footrope)) add_footrope(gear, *footrope, figures);
 }
 

@@ -54,14 +54,14 @@ std::vector<double> GearView::output(std::uint32_t part, const KnownOutput& know
 
 std::vector<double> GearView::tensions(std::uint32_t part) const { return first_output(part, is_tension); }
 
-Vector GearView::force(const std::string& part, Kind is_of_kind) const {
+Vector GearView::force(const std::string& part, const Kind& is_of_kind) const {
   Vector sum;
   for (const auto& f : answer_.forces)
     if (f.part == part && is_of_kind(f)) sum += {f.force[0], f.force[1], f.force[2]};
   return sum;
 }
 
-bool GearView::has_force(const std::string& part, Kind is_of_kind) const {
+bool GearView::has_force(const std::string& part, const Kind& is_of_kind) const {
   return std::any_of(answer_.forces.begin(), answer_.forces.end(),
                      [&](const PartForce& f) { return f.part == part && is_of_kind(f); });
 }

@@ -2,6 +2,8 @@
 #pragma once
 #include <netloft/vec3.hpp>
 
+#include <functional>
+
 #include "framework/registry/element_outputs.hpp"
 #include "io/report/gear_figures.hpp"
 
@@ -39,10 +41,10 @@ class GearView {
   /// The first output of each element that is a tension [N].
   std::vector<double> tensions(std::uint32_t part) const;
   /// Which forces on a part belong to a kind of load.
-  using Kind = bool (*)(const PartForce& force);
+  using Kind = std::function<bool(const PartForce&)>;
   /// Sum of the forces of a kind on a part [N], of what was modelled.
-  Vector force(const std::string& part, Kind is_of_kind) const;
-  bool has_force(const std::string& part, Kind is_of_kind) const;
+  Vector force(const std::string& part, const Kind& is_of_kind) const;
+  bool has_force(const std::string& part, const Kind& is_of_kind) const;
 
   /// Unit vector of the current at a place; in still water it points aft (along x).
   Vector current_at(const Vector& place) const;

@@ -74,11 +74,6 @@ void shapes_text(const Shapes& shapes, Out out) {
                                       "gear takes");
 }
 
-/// Whether the tables of a gear report this force part by part.
-bool is_in_gear_tables(const std::string& term) {
-  return term == "drag" || term == "weight" || term == "buoyancy" || term == "pressure";
-}
-
 std::string ground_text(const Plan& plan) {
   const auto& v = plan.ground;
   if (v == std::array<double, 3>{})
@@ -91,7 +86,7 @@ void forces_text(const RunResult& result, bool is_of_plan, Out out) {
     fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n",
                    is_of_plan ? "forces as modelled [N]" : "forces on the gear [N]", "x", "y", "z");
   for (const auto& f : result.part_forces)
-    if (f.term != "elastic" && (!is_of_plan || !is_in_gear_tables(f.term)))
+    if (const bool is_in_gear_tables = f.is_drag() || f.is_weight(); !is_of_plan || !is_in_gear_tables)
       fmt::format_to(out, "  {:<24} {:>14.6g} {:>14.6g} {:>14.6g}\n", f.part + ", " + f.term, f.force[0],
                      f.force[1], f.force[2]);
   for (const auto& h : result.hold_forces)

@@ -56,8 +56,7 @@ void forces_text(const StoredResult& result, Out out) {
   fmt::format_to(out, "  {:<24} {:>14} {:>14} {:>14}\n", "forces as modelled [N]", "x", "y", "z");
   if (!are_of_plan(result.figures))
     for (const auto& f : result.part_forces)
-      if (f.term != "elastic" && (f.force[0] != 0 || f.force[1] != 0 || f.force[2] != 0))
-        row(f.part + ", " + f.term, f.force);
+      if (f.force[0] != 0 || f.force[1] != 0 || f.force[2] != 0) row(f.part + ", " + f.term, f.force);
   for (const auto& h : result.hold_forces) row(h.name + ", held", h.force);
   row("sum of all", result.balance);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Figures of gears against closed forms, on scenes whose parts are said to have come from a net plan.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -234,6 +235,17 @@ TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
   EXPECT_TRUE(collect_gear(plain.loaded(), plain.assembler(),
                            ask_elements(scene, plain.assembler(), plain.assembler().start()))
                   .empty());
+}
+
+// Tensions of members are in balance over a part; its loads are what else acts on it.
+TEST(PartForces, AreLoadsAndNotTheTensionsOfMembers) {
+  Case taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1}, test::shipped_plugins());
+  ASSERT_EQ(taut.open(), Case::State::ready);
+  Assembler& assembler = taut.assembler();
+  const auto forces = ask_elements(taut.loaded().scene, assembler, assembler.start()).forces;
+  ASSERT_EQ(forces.size(), 4);
+  EXPECT_EQ(std::ranges::count_if(forces, &PartForce::is_weight), 2);
+  EXPECT_EQ(std::ranges::count_if(forces, &PartForce::is_drag), 2);
 }
 
 TEST(GearText, SpeaksOfPowerAndFuelInTheUnitsOfTheTrade) {
