@@ -72,6 +72,7 @@ RitzPair Arnoldi::outermost(double beyond) const {
     const double rho = std::abs(H_(size_, size_ - 1) * right(size_ - 1, i));
     // Of unit right eigenvectors, the rows of the inverse are as long as χ is short.
     const RitzPair pair{solver.eigenvalues()[i], rho, left.row(i).norm()};
+    if (A_.is_slow(pair.theta)) continue;
     const auto rank_of = [&](const RitzPair& one) {
       return std::pair(rank(one, A_, beyond), std::abs(one.theta));
     };

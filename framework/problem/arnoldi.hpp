@@ -28,7 +28,7 @@ class Arnoldi {
   /// To so many steps in all.
   void extend(Eigen::Index steps);
   /// Of those beyond the circle by more than `beyond` that are known one that diverges, else the outermost;
-  /// if there is none, the outermost of all. Without a number: A has none.
+  /// if there is none, the outermost of all. What is slow for A is left out. Without a number: A has none.
   RitzPair outermost(double beyond) const;
 
  private:

@@ -8,6 +8,9 @@
 
 namespace netloft {
 
+/// How far σ of (4) may be off |s|: where it is further, another σ is for it.
+inline constexpr double kOff = 10;
+
 /// A of (4) of growth.hpp, on vectors (y, v) whose length is that of (8).
 class Cayley {
  public:
@@ -24,6 +27,8 @@ class Cayley {
   bool is_damped() const { return motion_.is_damped; }
   /// s of an eigenvalue μ.
   std::complex<double> rate(std::complex<double> mu) const { return sigma_ * (mu - 1.0) / (mu + 1.0); }
+  /// Whether an eigenvalue μ is left to a smaller σ, as (5a) says.
+  bool is_slow(std::complex<double> mu) const { return std::abs(rate(mu)) < sigma_ / kOff; }
   /// A vector with a share in every direction, the same on every machine.
   Eigen::VectorXd start() const;
   /// By (7): whether a change of K as small as it is known would undo what grows by s along y.

@@ -48,7 +48,10 @@ struct Growth {
 ///   ρ/χ ≤ (|θ| − 1)/10                                                                    (5)
 /// (Y. Saad, Numerical Methods for Large Eigenvalue Problems, 2011, chapters 3 and 6). If it is not after 48
 /// steps, A is far from normal (L. N. Trefethen and M. Embree, Spectra and Pseudospectra, 2005, chapter 16),
-/// and its powers decide: growth that falls from 24 of them to the next may pass.
+/// and its powers decide: growth that falls from 24 of them to the next may pass. What is slower than σ/10 is
+/// left to the smaller σ: with masses of 1, w = σy and all ω ≪ σ, A is next to
+///   (w, v) → (w + 2v, v − 2Kw/σ²),   μ = 1 ± 2iω/σ,                                       (5a)
+/// but zᵀAz of unit vectors goes from 0 to 2. Ritz values may lie anywhere between, and (5) of them be small.
 ///
 /// What grows has Re s > 0, with
 ///   |μ| = ((1 + c)/(1 − c))^½ at its largest, where σ = |s|;   c = Re s/|s|                (6)

@@ -315,6 +315,22 @@ TEST(GrowthWithMass, SwingsNotWhereANeighbourDampsWhatDrivesIt) {
   EXPECT_EQ(growth_with(K, C, {0, 0, 0, 0}).verdict, GrowthVerdict::grows);
 }
 
+// A wire: masses of 1 with ω up to 2e4/s. Its end has so little mass that it follows at 2e6/s, and what
+// drives it feels nothing of it, so that the eigenvalues are those of the wire and of the end by itself: all
+// decay. For the σ that sees the end best the wire's are next to one another.
+TEST(GrowthWithMass, IsNoneOfAWireWhoseEndIsMuchFaster) {
+  for (const std::int32_t size : {200, 600, 2000}) {
+    ThreeDiagonals K(size, -1e8, 2e8, -1e8);
+    const SparsePattern& p = K.pattern;
+    K.values[find_slot(p, size - 1, size - 2)] = 0;
+    std::vector<double> C(K.values.size()), M(K.values.size());
+    for (std::int32_t i = 0; i < size; ++i) C[find_slot(p, i, i)] = M[find_slot(p, i, i)] = 1;
+    C.back() = 100, M.back() = 5e-5;
+    const Growth growth = growth_with(K, C, M);
+    EXPECT_EQ(growth.verdict, GrowthVerdict::none) << size << ": " << growth.rate;
+  }
+}
+
 /// Ziegler's column: two rods of length 1 in a row, masses 2 and 1 at their ends, springs of 1 and dampers of
 /// `damping` in both hinges, and a force P that follows the second rod. H. Ziegler, Die Stabilitätskriterien
 /// der Elastomechanik, Ingenieur-Archiv 20 (1952).
