@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/strategies/auto/race.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace netloft::automatic {
@@ -11,6 +14,12 @@ namespace {
 
 /// g of (1): the price of what succeeds is least with it.
 constexpr double kGrowth = 2;
+
+double largest_of(std::span<const double> v) {
+  double largest = 0;
+  for (const double x : v) largest = std::max(largest, std::abs(x));
+  return largest;
+}
 
 /// What is little of an element.
 double little(const Study& study) { return kMatters * study.element_size(); }
@@ -23,16 +32,25 @@ Displacements start_with_forces(Study& study) {
   return perturbed(study.start(), little(study));
 }
 
-/// The saddle displaced along what grows there, so that no node moves by more than `length`, to side 0 or
-/// side 1. Where it is not known what grows, two different perturbations.
-Displacements beside(const Stage& saddle, double length, int side) {
-  double largest = 0;
-  for (const double g : saddle.growing) largest = std::max(largest, std::abs(g));
-  if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, length, side);
-  const double amplitude = (side == 0 ? length : -length) / largest;
-  Displacements u = saddle.u;
-  for (std::size_t i = 0; i < u.size(); ++i) u[i] += amplitude * saddle.growing[i];
-  return u;
+/// The saddle displaced by t y along what grows there, to side 0 or side 1, so that no node moves by more
+/// than an element. It is driven on from there,
+///   t y·r(u + t y) < 0                                                                    (2)
+/// with the largest such t among halves of an element: what leaves a saddle comes to rest near where (2)
+/// ends. Where it is not known what grows, two different perturbations.
+Displacements beside(Study& study, const Stage& saddle, const Ask& ask, int side) {
+  const double largest = largest_of(saddle.growing);
+  if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, little(study), side);
+  const double element = (side == 0 ? 1 : -1) * study.element_size() / largest;
+  return study.with_problem(ask, saddle.u, [&](Problem& problem) {
+    std::vector<double> r(problem.size());
+    double energy = 0;
+    const auto is_driven_on = [&](double t) {
+      add_scaled(saddle.u, t * element, saddle.growing, problem.u());
+      return problem.evaluate(problem.u(), energy, r) == Evaluation::ok &&
+             element * dot(saddle.growing, r) < 0;
+    };
+    for (double t = 1; t > std::numeric_limits<double>::epsilon() && !is_driven_on(t);) t /= 2;
+  });
 }
 
 }  // namespace
@@ -87,13 +105,12 @@ Stage Race::start_or_go_on(Runner& runner, double work) {
 /// From an unstable equilibrium to one side, and if that does not converge, to the other, of the last
 /// unstable one that was met. What flutters is left alone: the motion comes back to it from either side.
 Stage Race::off_saddle(Stage saddle, double work) {
-  const char* const strategy = study_.conservative() ? "direct" : "pseudo-time";
   if (saddle.ending != Ending::unstable || saddle.flutters()) return saddle;
   for (const int side : {0, 1}) {
     if (study_.work_left() <= over_at_) break;
     const Ask ask{.name = "off an unstable equilibrium",
                   .work = std::min(work, study_.work_left() - over_at_)};
-    Stage next = study_.call(strategy, "", ask, beside(saddle, little(study_), side));
+    Stage next = study_.call("direct", "", ask, beside(study_, saddle, ask, side));
     if (next.has_converged() || next.flutters()) return next;
     if (next.ending == Ending::unstable && study_.work_left() > 0) saddle = std::move(next);
   }
