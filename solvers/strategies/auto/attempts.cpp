@@ -50,8 +50,6 @@ const Row kTable[] = {
      [](const Kind&) { return true; }},
     {{"pseudo-time", "pseudo-time", "", "pseudo-time", "a motion passes by what is unstable"},
      [](const Kind& k) { return !k.sticks; }},
-    {{"relaxed", "relaxed", "", "relaxed", "a solver without a tangent leads where the others stall"},
-     [](const Kind& k) { return !k.sticks; }},
 };
 
 /// The parts that the user leaves out: "restarts+direct".
