@@ -118,6 +118,7 @@ class Case {
   void adopt(const Solution& solution);
   void note_length(const Setting& setting);
   Solution settle(const Watch& watch);
+  Crew crew() const { return {source_.threads, team_.get()}; }
   SiteSource sites();
   StudyOptions study_options(const Limits& limits, const Watch& watch);
   StrategyUse strategy();
@@ -132,7 +133,8 @@ class Case {
   std::string material_damping_;
   std::unique_ptr<Assembler> assembler_;
   std::unique_ptr<Meshes> meshes_;
-  MakeFactorisation make_;  // of one pattern in all stages
+  MakeFactorisation make_;      // of one pattern in all stages
+  std::unique_ptr<Team> team_;  // null: this process alone evaluates
   double reading_seconds_ = 0, setup_seconds_ = 0;
 };
 

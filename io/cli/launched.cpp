@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/launched.hpp"
 
+#include "framework/ranks/share_server.hpp"
+#include "io/cli/commands.hpp"
 #include "io/cli/prefix.hpp"
 
 #include <algorithm>
@@ -37,10 +39,15 @@ std::unique_ptr<Ranks> start_ranks(const Options& options, const Launch& launch)
   }
 }
 
-void serve_ranks(const Launch& launch) {
+void serve_ranks(const Options& options, const Launch& launch) {
   for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(s, SIG_IGN);
-  try {
-    Ranks(ranks_module(), launch).serve();
+  try {  // what is wrong with the command line, rank 0 says
+    Registry registry;
+    find_plugins(options, registry);
+    Ranks ranks(ranks_module(), launch);
+    ShareServer shares(ranks, registry);
+    ranks.serve(&shares);
+  } catch (const UsageError&) {
   } catch (const std::runtime_error&) {
   }
 }

@@ -127,7 +127,7 @@ int serve(int argc, char** argv, const Launch& launch) {
   } catch (const std::runtime_error& e) {
     return fail(o, e.what(), kOther);
   }
-  serve_ranks(launch);
+  serve_ranks(o, launch);
   return kDone;
 }
 

@@ -71,13 +71,15 @@ Ranks::~Ranks() {
   if (rank_ == 0) module_->give(&end);
 }
 
-void Ranks::serve() {
+void Ranks::serve(ServesShares* shares) {
   BranchServer branches(*this);
   for (RanksOrder order;;) {
     module_->wait(&order);
     if (order.kind == RanksOrder::end) return;
     if (order.kind == RanksOrder::mumps)
       module_->run_mumps(&order, nullptr);
+    else if (order.kind == RanksOrder::shares)
+      shares->serve(order.instance, order.job);
     else
       branches.serve(order.instance, static_cast<BranchJob>(order.job));
   }
@@ -91,8 +93,15 @@ void Ranks::call(int instance, int job, int symmetry, void* mumps) {
 }
 
 std::unique_lock<std::mutex> Ranks::begin(int instance, int job) {
+  return give({RanksOrder::branches, instance, job});
+}
+
+std::unique_lock<std::mutex> Ranks::begin_shares(int instance, int job) {
+  return give({RanksOrder::shares, instance, job});
+}
+
+std::unique_lock<std::mutex> Ranks::give(const RanksOrder& order) {
   std::unique_lock lock(one_at_a_time_);
-  const RanksOrder order{RanksOrder::branches, instance, job};
   module_->give(&order);
   return lock;
 }

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <span>
 
+#include "framework/ranks/messages.hpp"
 #include "solvers/factorisation/ranks_module.hpp"
 
 namespace netloft {
@@ -17,10 +18,10 @@ struct Launch {
 };
 Launch launch_of_environment();
 
-/// The processes that factorise together. Rank 0 runs the program; all others serve it and do nothing else.
-/// Factorisations that use it must not outlive it. Threads may use it at the same time, and wait for each
-/// other.
-class Ranks {
+/// The processes that work together: they factorise, and evaluate shares of scenes. Rank 0 runs the program;
+/// all others serve it and do nothing else. Factorisations that use it must not outlive it. Threads may use
+/// it at the same time, and wait for each other.
+class Ranks : public Messages {
  public:
   /// Opens the module and starts MPI. Throws std::runtime_error with a sentence if that cannot be.
   Ranks(const std::filesystem::path& module, const Launch& launch);
@@ -28,19 +29,27 @@ class Ranks {
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
   /// On rank 0: lets the others go.
-  ~Ranks();
+  ~Ranks() override;
 
-  int rank() const { return rank_; }
-  int size() const { return size_; }
-  /// On all ranks but 0, until that lets them go.
-  void serve();
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+  /// On all ranks but 0, until that lets them go. `shares` takes the orders about shares of scenes.
+  void serve(ServesShares* shares = nullptr);
 
-  int next_instance() { return ++instances_; }
+  int next_instance() override { return ++instances_; }
   /// Runs the job of a DMUMPS_STRUC_C on all ranks, `instance` being its number.
   void call(int instance, int job, int symmetry, void* mumps);
 
   /// Gives an order of branches; the ranks are the caller's until it lets the lock go.
   std::unique_lock<std::mutex> begin(int instance, int job);
+  std::unique_lock<std::mutex> begin_shares(int instance, int job) override;
+  void send(int rank, std::span<const std::byte> bytes) override {
+    module_->send(rank, bytes.data(), bytes.size());
+  }
+  void receive(int rank, std::span<std::byte> bytes) override {
+    module_->receive(rank, bytes.data(), bytes.size());
+  }
+  void broadcast(std::span<std::byte> bytes) override { module_->broadcast(bytes.data(), bytes.size()); }
   template <class T>
   void send(int rank, std::span<T> numbers) {
     module_->send(rank, numbers.data(), numbers.size_bytes());
@@ -51,6 +60,8 @@ class Ranks {
   }
 
  private:
+  std::unique_lock<std::mutex> give(const RanksOrder& order);
+
   const RanksModule* module_ = nullptr;
   int rank_ = 0, size_ = 1;
   std::atomic<int> instances_{0};

@@ -116,9 +116,17 @@ void receive(int rank, void* bytes, std::size_t count) {
   });
 }
 
+void broadcast(void* bytes, std::size_t count) {
+  in_pieces(static_cast<char*>(bytes), count, [](char* piece, int size) {
+    MPI_Request request;
+    MPI_Ibcast(piece, size, MPI_BYTE, 0, messages, &request);
+    wait_for(request);
+  });
+}
+
 constexpr netloft::RanksModule kModule{
-    MUMPS_VERSION, sizeof(DMUMPS_STRUC_C), start, give, wait, run_mumps, send, receive};
+    MUMPS_VERSION, sizeof(DMUMPS_STRUC_C), start, give, wait, run_mumps, send, receive, broadcast};
 
 }  // namespace
 
-extern "C" [[gnu::visibility("default")]] const netloft::RanksModule* netloft_ranks_v2() { return &kModule; }
+extern "C" [[gnu::visibility("default")]] const netloft::RanksModule* netloft_ranks_v3() { return &kModule; }

@@ -4,10 +4,10 @@
 
 namespace netloft {
 
-/// Work that rank 0 wants done: a job of a DMUMPS_STRUC_C, or one of those in rank_branches.hpp, with a
-/// number for whoever wants it.
+/// Work that rank 0 wants done: a job of a DMUMPS_STRUC_C, or one of those in rank_branches.hpp or in
+/// framework/ranks/share_orders.hpp, with a number for whoever wants it.
 struct RanksOrder {
-  enum Kind : int { mumps, branches, end };
+  enum Kind : int { mumps, branches, shares, end };
   int kind = end, instance = 0, job = 0, symmetry = 0;
 };
 
@@ -26,9 +26,11 @@ struct RanksModule {
   /// Messages between two ranks, which arrive in the order in which they were sent.
   void (*send)(int rank, const void* bytes, std::size_t count);
   void (*receive)(int rank, void* bytes, std::size_t count);
+  /// Called by all: rank 0 sends, all others receive.
+  void (*broadcast)(void* bytes, std::size_t count);
 };
 
-inline constexpr const char* kRanksSymbol = "netloft_ranks_v2";
+inline constexpr const char* kRanksSymbol = "netloft_ranks_v3";
 using RanksFunction = const RanksModule* (*)();
 
 }  // namespace netloft

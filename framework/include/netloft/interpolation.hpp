@@ -127,6 +127,10 @@ class Surface {
   }
 
   bool empty() const { return f_.empty(); }
+  /// What it was made of.
+  const std::vector<double>& x() const { return x_; }
+  const std::vector<double>& y() const { return y_; }
+  const std::vector<double>& values() const { return f_; }
   bool covers(double x, double y) const {
     return !empty() && x >= x_.front() && x <= x_.back() && y >= y_.front() && y <= y_.back();
   }

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "framework/ranks/share_server.hpp"
 #include "solvers/factorisation/ranks.hpp"
+#include "tests/folders.hpp"
 
 namespace netloft::test {
 
@@ -24,7 +26,11 @@ class RanksInThreads {
     for (int rank = 1; rank < size; ++rank)
       servers_.emplace_back([rank, size] {
         own_rank() = rank;
-        Ranks(kModule, Launch{rank, size, true}).serve();
+        Registry registry;
+        registry.add_folder(plugin_folder());
+        Ranks ranks(kModule, Launch{rank, size, true});
+        ShareServer shares(ranks, registry);
+        ranks.serve(&shares);
       });
     first_ = std::make_unique<Ranks>(kModule, Launch{0, size, true});
   }
@@ -89,9 +95,13 @@ class RanksInThreads {
     std::copy(way.begin(), end, static_cast<char*>(bytes));
     way.erase(way.begin(), end);
   }
+  static void broadcast(void* bytes, std::size_t count) {
+    if (own_rank() > 0) return receive(0, bytes, count);
+    for (int rank = 1; rank < post()->size; ++rank) send(rank, bytes, count);
+  }
   static void run_mumps(const RanksOrder*, void*) {}
 
-  static constexpr RanksModule kModule{"none", 0, start, give, wait, run_mumps, send, receive};
+  static constexpr RanksModule kModule{"none", 0, start, give, wait, run_mumps, send, receive, broadcast};
   std::vector<std::thread> servers_;
   std::unique_ptr<Ranks> first_;
 };
