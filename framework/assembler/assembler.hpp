@@ -60,6 +60,8 @@ class Assembler : public Placement {
 
   /// From now on other processes evaluate shares, where they can.
   void share_with(std::unique_ptr<Partners> partners);
+  /// Processes among which an evaluation is divided.
+  int processes() const { return partners_ ? partners_->size() : 1; }
   /// Divides the scene among `count` processes; all that have made the same scene divide it alike.
   std::vector<Share> shares(std::size_t count) const;
   /// Evaluates a share: its places of the sums are then right, others are not. Sums of bodies and frames of

@@ -18,6 +18,8 @@ class Partners {
   /// Called once, by the assembler that they share with; it is whole then. Throws std::runtime_error where
   /// one of them could not make the scene.
   virtual void join(const Assembler& assembler) = 0;
+  /// How many there are, this process included.
+  virtual int size() const = 0;
   /// The share of this process.
   virtual const Share& own() const = 0;
   /// Whether they can evaluate this: nothing moves.

@@ -30,6 +30,7 @@ class RankPartners : public Partners {
   ~RankPartners() override { begin(ShareJob::close); }
 
   void join(const Assembler& assembler) override;
+  int size() const override { return messages_.size(); }
   const Share& own() const override { return shares_.front(); }
   bool can(const Request& request) const override {
     return !request.motion.v && !request.motion.a && !request.between;

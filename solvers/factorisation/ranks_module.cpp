@@ -61,15 +61,16 @@ void run(DMUMPS_STRUC_C& mumps) {
   if (mumps.job == kBegin) std::fill_n(mumps.icntl, 4, 0);  // silent on every rank
 }
 
-/// MPI waits by asking again and again; a rank without work leaves the processor to others. A sleep is short
-/// at first: jobs of one factorisation follow each other.
-void wait_for(MPI_Request& request) {
-  constexpr auto kShortest = std::chrono::microseconds(20), kLongest = std::chrono::microseconds(1000);
-  auto pause = kShortest;
-  for (int has_come = 0; MPI_Test(&request, &has_come, MPI_STATUS_IGNORE), !has_come;) {
+/// MPI waits by asking again and again; a rank without work leaves the processor to others, and sleeps until
+/// has_come() says so. Each sleep is an eighth longer than the one before, so that a rank is late by about an
+/// eighth of the time it has waited.
+template <class HasCome>
+void sleep_until(const HasCome& has_come) {
+  constexpr std::chrono::nanoseconds kShortest = std::chrono::microseconds(20),
+                                     kLongest = std::chrono::milliseconds(1);
+  constexpr int kLater = 8;
+  for (auto pause = kShortest; !has_come(); pause = std::min(pause + pause / kLater, kLongest))
     std::this_thread::sleep_for(pause);
-    pause = std::min(2 * pause, kLongest);
-  }
 }
 
 /// Matches wait(): MPI_Bcast would not.
@@ -83,7 +84,11 @@ void give(const RanksOrder* order) {
 void wait(RanksOrder* order) {
   MPI_Request request;
   MPI_Ibcast(order, kNumbers, MPI_INT, 0, orders, &request);
-  wait_for(request);
+  sleep_until([&] {
+    int has_come = 0;
+    MPI_Test(&request, &has_come, MPI_STATUS_IGNORE);
+    return has_come;
+  });
 }
 
 void run_mumps(const RanksOrder* order, void* structure) {
@@ -108,20 +113,22 @@ void send(int rank, const void* bytes, std::size_t count) {
             [&](const char* from, int size) { MPI_Send(from, size, MPI_BYTE, rank, 0, messages); });
 }
 
+/// Once a message has begun to come, MPI moves it piece by piece whenever it is asked: no sleep then.
 void receive(int rank, void* bytes, std::size_t count) {
   in_pieces(static_cast<char*>(bytes), count, [&](char* to, int size) {
-    MPI_Request request;
-    MPI_Irecv(to, size, MPI_BYTE, rank, 0, messages, &request);
-    wait_for(request);
+    sleep_until([&] {
+      int has_come = 0;
+      MPI_Iprobe(rank, 0, messages, &has_come, MPI_STATUS_IGNORE);
+      return has_come;
+    });
+    MPI_Recv(to, size, MPI_BYTE, rank, 0, messages, MPI_STATUS_IGNORE);
   });
 }
 
+/// All have their order, and come at once.
 void broadcast(void* bytes, std::size_t count) {
-  in_pieces(static_cast<char*>(bytes), count, [](char* piece, int size) {
-    MPI_Request request;
-    MPI_Ibcast(piece, size, MPI_BYTE, 0, messages, &request);
-    wait_for(request);
-  });
+  in_pieces(static_cast<char*>(bytes), count,
+            [](char* piece, int size) { MPI_Bcast(piece, size, MPI_BYTE, 0, messages); });
 }
 
 constexpr netloft::RanksModule kModule{

@@ -6,9 +6,14 @@
 
 namespace netloft {
 
-TestMatrix tangent_of_panel(int cells, double speed, MatrixKind kind, double shift, Registry& registry) {
+Scene panel_in_current(int cells, double speed) {
   Scene scene = sample::hanging_panel(cells, 36.5);
   if (speed > 0) scene.current.samples = {{0, {0, speed, 0}}};
+  return scene;
+}
+
+TestMatrix tangent_of_panel(int cells, double speed, MatrixKind kind, double shift, Registry& registry) {
+  const Scene scene = panel_in_current(cells, speed);
   const Plan plan = make_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
   TestMatrix matrix;

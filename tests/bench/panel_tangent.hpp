@@ -6,7 +6,10 @@
 
 namespace netloft {
 
-/// A tangent of the hanging panel of cells × cells across a current of `speed` [m/s], out of balance as in an
+/// The hanging panel of cells × cells, across a current of `speed` [m/s].
+Scene panel_in_current(int cells, double speed);
+
+/// A tangent of it, out of balance as in an
 /// iteration, plus `shift` times the linear stiffness.
 TestMatrix tangent_of_panel(int cells, double speed, MatrixKind kind, double shift, Registry& registry);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One factorisation of a tangent of the hanging panel, by this process or by all that mpirun has started.
+// One factorisation of a tangent of the hanging panel, by this process or by all that mpirun has started; and
+// the evaluations that give it.
 //
 //   [mpirun -n N] bench_ranks CELLS definite|indefinite|unsymmetric ranks|same-bits|THREADS [REPEATS]
 //
@@ -7,8 +8,10 @@
 //
 // Rank 0 prints one JSON object: unknowns, wall clock of analysis, of the fastest factorisation and of the
 // fastest solution [s], operations and entries of the factor, what was foreseen for the rank that takes most
-// [bytes], the backward error, whether all repetitions gave the same bits, and a hash of those. Every rank
-// prints what its memory has grown by at most [bytes].
+// [bytes], the backward error, whether all repetitions gave the same bits, and a hash of those. On ranks it
+// prints another one: wall clock of the fastest evaluation of a residual, and of one with its tangent, by
+// rank 0 alone and by all ranks, by turns [s]; and how long it takes until the others have the scene. Every
+// rank prints what its memory has grown by at most [bytes].
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -20,6 +23,8 @@
 #include <functional>
 #include <string>
 
+#include "framework/ranks/rank_team.hpp"
+#include "framework/ranks/share_server.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/ranks.hpp"
@@ -107,6 +112,32 @@ Cost measure(Factorisation& factorisation, const TestMatrix& matrix, int repeats
   return cost;
 }
 
+/// Of rank 0 alone and of all ranks, by turns. They have the same bits, or the bench ends.
+void measure_evaluations(const Task& task, Ranks& ranks, Registry& registry) {
+  const bool is_symmetric = task.kind != MatrixClass::unsymmetric;
+  const Scene scene = panel_in_current(task.cells, is_symmetric ? 0 : 1);
+  const Plan plan = make_plan(scene, registry);
+  RankTeam team(ranks, 1);
+  std::unique_ptr<Assembler> alone, shared;
+  const double one = time_of([&] { alone = make_assembler(scene, plan, {1, nullptr}); });
+  const double all = time_of([&] { shared = make_assembler(scene, plan, {1, &team}); });
+  std::vector<double> r(alone->start().size()), r_shared(r), values(alone->value_slots());
+  double residual[2] = {1e9, 1e9}, tangent[2] = {1e9, 1e9};
+  for (int i = 0; i < task.repeats; ++i)
+    for (const int who : {0, 1}) {
+      Assembler& assembler = who == 0 ? *alone : *shared;
+      Request request{.residual = who == 0 ? r.data() : r_shared.data()};
+      residual[who] = std::min(residual[who], time_of([&] { assembler.evaluate(alone->start(), request); }));
+      request.matrix = is_symmetric ? MatrixKind::convex : MatrixKind::exact, request.values = values.data();
+      tangent[who] = std::min(tangent[who], time_of([&] { assembler.evaluate(alone->start(), request); }));
+    }
+  if (hash_of(r) != hash_of(r_shared)) std::exit(1);
+  std::printf(
+      "{\"unknowns\": %d, \"make\": [%.3f, %.3f], \"residual\": [%.5f, %.5f], \"with_tangent\": [%.5f, "
+      "%.5f]}\n",
+      alone->pattern().size, one, all, residual[0], residual[1], tangent[0], tangent[1]);
+}
+
 void print_memory(int rank, double before) {
   std::printf("{\"rank\": %d, \"grown_bytes\": %.0f}\n", rank, peak_bytes() - before);
 }
@@ -129,6 +160,7 @@ void run(const Task& task, Ranks* ranks) {
       factorisation->description().c_str(), matrix.pattern.size, cost.analyse, cost.factorise, cost.solve,
       factorisation->factor_flops(), factorisation->factor_entries(), factor_bytes_of(*factorisation),
       cost.error, cost.has_same_bits ? "true" : "false", cost.hash);
+  if (ranks && task.repeats > 0) measure_evaluations(task, *ranks, registry);
   print_memory(0, before);
 }
 
@@ -142,6 +174,9 @@ int main(int argc, char** argv) {
   Ranks ranks(test::plugin_folder() + "/mpi/mumps_mpi.so", launch_of_environment());
   if (ranks.rank() == 0) return run(task, &ranks), 0;
   const double before = peak_bytes();
-  ranks.serve();
+  Registry registry;
+  registry.add_folder(test::plugin_folder());
+  ShareServer shares(ranks, registry);
+  ranks.serve(&shares);
   print_memory(ranks.rank(), before);
 }

@@ -5,7 +5,7 @@
     ranks.py BUILD/bin/bench_ranks [--cells 316,577] [--ranks 1,2] [--foresee 4,16,64] [--repeats 3]
 
 Prints, for each size and class of matrix, wall clock of analysis, factorisation and solution, what memory the rank that takes most
-grew by, and what was foreseen for it. --foresee adds what is foreseen for more ranks, by analyses alone. Then a fit of
+grew by, and what was foreseen for it. --foresee adds what is foreseen for more ranks, by analyses alone. Then what the ranks gain on evaluations, rank 0 alone and all of them by turns. Then a fit of
   T(n) = T(1) (s + (1 − s) / n),   T(1) of one process
 to the factorisations (Amdahl 1967), and what it says of 64 ranks. A rank needs a processor: with fewer, times mean nothing.
 """
@@ -40,6 +40,7 @@ def measure(options, cells, kind, ranks, repeats, how="ranks"):
         sys.exit(ended.stdout + ended.stderr)
     lines = [json.loads(line) for line in ended.stdout.splitlines()]
     facts = next(line for line in lines if "what" in line)
+    facts["evaluation"] = next((line for line in lines if "with_tangent" in line), None)
     facts["grown"] = max(line["grown_bytes"] for line in lines if "grown_bytes" in line)
     return facts
 
@@ -47,6 +48,12 @@ def measure(options, cells, kind, ranks, repeats, how="ranks"):
 def row(facts, kind, who):
     print(f"| {facts['unknowns']} | {kind} | {who} | {facts['analyse']:.2f} | {facts['factorise']:.2f} | {facts['solve']:.3f} | "
           f"{facts['grown'] / 1e6:.0f} | {facts['foreseen_bytes'] / 1e6:.0f} | {facts['error']:.0e} |", flush=True)
+
+
+def evaluation_row(facts, kind, ranks):
+    alone_and_shared = ["{:.4f}, {:.4f}: × {:.2f}".format(*facts[key], facts[key][0] / facts[key][1])
+                        for key in ("make", "residual", "with_tangent")]
+    return f"| {facts['unknowns']} | {kind} | {ranks} | " + " | ".join(alone_and_shared) + " |"
 
 
 def name_of(facts):
@@ -68,7 +75,7 @@ def main():
     options = arguments()
     print("| unknowns | matrix | who | analysis [s] | factorisation [s] | solution [s] | grown by [MB] | foreseen [MB] | error |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
-    fits, foreseen = [], []
+    fits, foreseen, evaluations = [], [], []
     for cells in numbers(options.cells):
         for kind in ("definite", "unsymmetric"):
             alone = measure(options, cells, kind, -1, options.repeats)
@@ -80,6 +87,8 @@ def main():
                 for ranks in numbers(options.ranks):
                     of_ranks[ranks] = measure(options, cells, kind, ranks, options.repeats, how)
                     row(of_ranks[ranks], kind, name_of(of_ranks[ranks]))
+                    if how == "ranks" and of_ranks[ranks]["evaluation"]:
+                        evaluations.append(evaluation_row(of_ranks[ranks]["evaluation"], kind, ranks))
                 if max(of_ranks) == 1:
                     continue
                 seconds, memory = fit(of_ranks, "factorise"), fit(of_ranks, "foreseen_bytes")
@@ -89,7 +98,8 @@ def main():
                 for how in ("ranks", "same-bits"):
                     facts = measure(options, cells, kind, ranks, 0, how)
                     foreseen.append(f"{facts['unknowns']} {kind}: {name_of(facts)}, foreseen {facts['foreseen_bytes'] / 1e6:.0f} MB")
-    print("\n".join(["", *fits, *foreseen]))
+    print("\n".join(["", "| unknowns | matrix | ranks | made [s] | residual [s] | with its tangent [s] |", "| --- | --- | --- | --- | --- | --- |",
+                     *evaluations, "", *fits, *foreseen]))
 
 
 if __name__ == "__main__":

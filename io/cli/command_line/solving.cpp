@@ -38,7 +38,7 @@ void add_run_command(CLI::App& app, Options& o) {
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
   run->add_option("--ranks-from", o.ranks_from,
-                  "under mpirun: unknowns from which on all processes factorise together; else 100000")
+                  "under mpirun: unknowns from which on all processes evaluate and factorise; else 100000")
       ->check(CLI::Range(std::int32_t{1}, std::numeric_limits<std::int32_t>::max()))
       ->type_name("UNKNOWNS");
   run->add_flag("--same-bits", o.same_bits,
