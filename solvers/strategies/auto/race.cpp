@@ -107,10 +107,15 @@ Stage Race::start_or_go_on(Runner& runner, double work) {
 Stage Race::off_saddle(Stage saddle, double work) {
   if (saddle.ending != Ending::unstable || saddle.flutters()) return saddle;
   for (const int side : {0, 1}) {
-    if (study_.work_left() <= over_at_) break;
-    const Ask ask{.name = "off an unstable equilibrium",
-                  .work = std::min(work, study_.work_left() - over_at_)};
-    Stage next = study_.call("direct", "", ask, beside(study_, saddle, ask, side));
+    const auto is_over = [&] { return study_.work_left() <= over_at_; };
+    const auto ask = [&] {
+      return Ask{.name = "off an unstable equilibrium",
+                 .work = std::min(work, study_.work_left() - over_at_)};
+    };
+    if (is_over()) break;
+    const Displacements start = beside(study_, saddle, ask(), side);
+    if (is_over()) break;
+    Stage next = study_.call("direct", "", ask(), start);
     if (next.has_converged() || next.flutters()) return next;
     if (next.ending == Ending::unstable && study_.work_left() > 0) saddle = std::move(next);
   }
