@@ -36,7 +36,7 @@ bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<doub
   std::vector<double> step(u.size()), x, residual;
   if (!solve_for_correction(problem, a.residual, step)) return false;
   const double gain = -0.5 * std::inner_product(step.begin(), step.end(), a.residual.begin(), 0.0);
-  if (!has_nothing_to_gain(problem.imbalance_of(a.balance), gain, problem.gear_size())) return false;
+  if (!has_nothing_to_gain(problem.imbalance_of(a.balance), gain, problem.scales().gear_size())) return false;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
   double energy = 0;
   return !problem.recompute(u, x, residual, energy) ||
@@ -88,7 +88,8 @@ Growth find_growth_at_rest(Assembler& assembler, const Assessment& a, const Make
 /// Where forces have no energy. What is left of imbalance changes the stiffness by that over a length.
 void find_what_grows(Assessment& a, const StaticProblem& problem, Assembler& assembler,
                      const MakeFactorisation& make) {
-  Growth growth = find_growth_at_rest(assembler, a, make, a.balance.residual / problem.element_size());
+  Growth growth =
+      find_growth_at_rest(assembler, a, make, a.balance.residual / problem.scales().element_size());
   a.stability = stability_of(growth.verdict);
   a.judging.add(growth.cost);
   if (!growth.grows()) return;
@@ -105,7 +106,7 @@ bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem
   if (before.x.size() != a.x.size() || judged.memory != assembler.memory()) return false;
   const double apart = largest_node_distance(scene, assembler.numbering(), before.x, a.x);
   return apart == 0 ||
-         (apart <= before.correction + a.correction && apart <= kSamePlace * problem.gear_size());
+         (apart <= before.correction + a.correction && apart <= kSamePlace * problem.scales().gear_size());
 }
 
 /// What is left open is asked again.
@@ -133,12 +134,11 @@ void judge_without_forces(Assessment& a, const StaticProblem& problem, const Ass
   a.reason = "the solver ended at a state where forces overflowed, such as at " + a.at_fault;
 }
 
-SolveStatus status_of(const Assessment& a, const StaticProblem& problem, const Limits& limits) {
+SolveStatus status_of(const Assessment& a, const StaticProblem& problem, const Judging& how) {
   const bool is_refused =
-      a.stability == Stability::unstable || (a.stability == Stability::swinging && !limits.accept_swinging);
+      a.stability == Stability::unstable || (a.stability == Stability::swinging && !how.accept_swinging);
   if (a.balance.balanced) return is_refused ? SolveStatus::unstable : SolveStatus::converged;
-  return problem.stop() == StaticProblem::Stop::interrupted ? SolveStatus::interrupted
-                                                            : SolveStatus::not_converged;
+  return problem.stop() == Stop::interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
 }
 
 /// Where the tangent of an energy was first found not to be positive definite.
@@ -161,7 +161,7 @@ Statistics since(const Statistics& before, const Statistics& now) {
 }  // namespace
 
 Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembler,
-                  const MakeFactorisation& make, const Limits& limits, std::span<const double> u,
+                  const MakeFactorisation& make, const Judging& how, std::span<const double> u,
                   netloft_outcome outcome) {
   const Statistics before = problem.statistics();
   const std::string ending = why_it_ended(outcome, problem, assembler, scene);
@@ -181,19 +181,19 @@ Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembl
   if (a.balance.balanced && problem.conservative())
     a.stability = find_stability(problem, u), why_unstable = first_not_convex(problem, assembler, scene);
   if (a.balance.balanced) find_correction(a, problem, assembler, scene, {u.begin(), u.end()});
-  if (a.balance.balanced && !problem.conservative() && limits.ask_growth) {
-    is_known = limits.judged && is_same(*limits.judged, a, problem, assembler, scene);
+  if (a.balance.balanced && !problem.conservative() && how.ask_growth) {
+    is_known = how.known && is_same(*how.known, a, problem, assembler, scene);
     if (is_known)
-      take_stability(a, limits.judged->assessment);
+      take_stability(a, how.known->assessment);
     else
       find_what_grows(a, problem, assembler, make);
     why_unstable = what_grows(a, assembler, scene);
   }
-  a.status = status_of(a, problem, limits);
+  a.status = status_of(a, problem, how);
   const std::string worst = assembler.node_name(scene, a.balance.worst);
   a.at_fault = a.growing.empty() ? worst : where_it_grows(a, assembler, scene);
   a.reason = reason_of(a, ending, worst, why_unstable);
-  if (limits.judged && !is_known && is_decided(a.stability)) *limits.judged = {a, assembler.memory()};
+  if (how.known && !is_known && is_decided(a.stability)) *how.known = {a, assembler.memory()};
   a.judging.add(since(before, problem.statistics()));
   return a;
 }
@@ -201,7 +201,7 @@ Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembl
 Assessment assess_static(const Scene& scene, Assembler& assembler, std::span<const double> u,
                          const Limits& limits, const MakeFactorisation& make) {
   StaticProblem problem(assembler, make, limits);
-  return assess(problem, scene, assembler, make, limits, u, NETLOFT_STOPPED);
+  return assess(problem, scene, assembler, make, limits.judging, u, NETLOFT_STOPPED);
 }
 
 const char* name_of(SolveStatus status) {

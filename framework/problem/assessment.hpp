@@ -51,7 +51,7 @@ inline bool flutters(const Assessment& a) { return a.stability == Stability::swi
 /// holds it against convergence.hpp, asks of what is balanced whether it is stable, and estimates how far it
 /// is from the equilibrium. NETLOFT_STOPPED for a point that no solver is behind.
 Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembler,
-                  const MakeFactorisation& make, const Limits& limits, std::span<const double> u,
+                  const MakeFactorisation& make, const Judging& how, std::span<const double> u,
                   netloft_outcome outcome);
 
 /// The same of a point of the scene, within limits.tolerance.

@@ -47,17 +47,17 @@ std::string what_of_stability(const Assessment& a) {
 
 std::string why_it_stopped(const StaticProblem& problem) {
   switch (problem.stop()) {
-    case StaticProblem::Stop::iterations:
+    case Stop::iterations:
       return "the limit of " + std::to_string(problem.statistics().iterations) + " iterations was reached";
-    case StaticProblem::Stop::time:
+    case Stop::time:
       return kTimeIsOver;
-    case StaticProblem::Stop::work:
+    case Stop::work:
       return "its budget of work was used up";
-    case StaticProblem::Stop::interrupted:
+    case Stop::interrupted:
       return "interrupted";
-    case StaticProblem::Stop::ran_away:
+    case Stop::ran_away:
       return "it runs away: nothing holds what drives it";
-    case StaticProblem::Stop::unsettled:
+    case Stop::unsettled:
       return "it goes on moving and does not come to rest";
     default:
       return "the solver stopped by itself";

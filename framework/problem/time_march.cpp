@@ -228,7 +228,7 @@ class March {
     return (asked >= kProportional ? asked : asked * asked / kProportional) * std::pow(settings_.pace, order);
   }
   double tolerated() const { return allowed() * element_size(); }
-  double element_size() const { return const_cast<TransientProblem&>(problem_).algebra().element_size(); }
+  double element_size() const { return problem_.algebra().scales().element_size(); }
 
   bool has_ended() {
     if (limits_.interrupt && limits_.interrupt->load())

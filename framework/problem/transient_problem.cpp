@@ -12,10 +12,10 @@ namespace netloft {
 
 namespace {
 
-const char* trouble_of(netloft_outcome outcome, StaticProblem::Stop stop) {
+const char* trouble_of(netloft_outcome outcome, Stop stop) {
   switch (outcome) {
     case NETLOFT_STOPPED:
-      return stop == StaticProblem::Stop::interrupted ? "interrupted" : "too many iterations in a step";
+      return stop == Stop::interrupted ? "interrupted" : "too many iterations in a step";
     case NETLOFT_STEP_TOO_SHORT:
       return "no way to the balance of a step was found";
     case NETLOFT_LINEAR_SOLVE:
@@ -178,12 +178,12 @@ int TransientProblem::solve_step(const StepProblem& asked, double* u) {
   netloft_problem& problem = algebra_.interface();
   std::copy_n(u, size(), problem.u);
   const auto outcome = call_solver(*solver_.type, solver_.parameters, problem);
-  if (outcome == NETLOFT_STOPPED && algebra_.stop() == StaticProblem::Stop::arrived) {
+  if (outcome == NETLOFT_STOPPED && algebra_.stop() == Stop::arrived) {
     std::copy_n(problem.u, size(), u);
     return NETLOFT_OK;
   }
   trouble_ = trouble_of(outcome, algebra_.stop());
-  if (algebra_.stop() == StaticProblem::Stop::interrupted || algebra_.met_error()) return NETLOFT_ERROR;
+  if (algebra_.stop() == Stop::interrupted || algebra_.met_error()) return NETLOFT_ERROR;
   algebra_.forget_factor();
   return NETLOFT_OUTSIDE_DOMAIN;
 }

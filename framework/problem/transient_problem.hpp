@@ -29,6 +29,7 @@ class TransientProblem {
   std::size_t size() const { return static_cast<std::size_t>(assembler_.pattern().size); }
   MovingState& state() { return state_; }
   StaticProblem& algebra() { return algebra_; }
+  const StaticProblem& algebra() const { return algebra_; }
   Statistics statistics() const;
   const char* message() const { return message_; }
   void keep_message(const char* text);

@@ -27,12 +27,11 @@ std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t pro
 
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
-                      std::function<void(const IterationRecord&)> on_iteration, std::span<const double> start,
-                      Positions positions) {
+                      Observer observer, std::span<const double> start, Positions positions) {
   if (auto why = why_unfit(solver, traits_of(assembler)))
     return not_started(assembler, start, std::move(*why));
   const double wall = wall_seconds(), cpu = cpu_seconds();
-  StaticProblem problem(assembler, make, limits, std::move(on_iteration));
+  StaticProblem problem(assembler, make, limits, std::move(observer));
   netloft_problem& p = problem.interface();
   const bool has_all =
       positions == Positions::compensated && start.size() == p.unknowns && !assembler.has_bodies();
@@ -48,12 +47,12 @@ Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType
   const std::string factorisation = problem.factorisation_name();
   const std::span<const double> u{p.u, p.unknowns};
   Solution s;
-  static_cast<Assessment&>(s) = assess(problem, scene, assembler, make, limits, u, outcome);
+  static_cast<Assessment&>(s) = assess(problem, scene, assembler, make, limits.judging, u, outcome);
   s.u.assign(u.begin(), u.end());
   if (has_all)
     for (std::size_t i = 0; i < start.size(); ++i) s.u[i] += start[i];
   s.stop = problem.stop();
-  s.does_not_settle = problem.stop() == StaticProblem::Stop::unsettled;
+  s.does_not_settle = problem.stop() == Stop::unsettled;
   s.history = problem.history(), s.factorisation = factorisation;
   s.statistics = statistics;
   s.statistics.total_seconds = wall_seconds() - wall, s.statistics.total_cpu_seconds = cpu_seconds() - cpu;

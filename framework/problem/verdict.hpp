@@ -37,7 +37,7 @@ struct Shapes {
 
 /// Where a solver ended, what the host makes of it, and what it cost.
 struct Solution : Assessment {
-  StaticProblem::Stop stop = StaticProblem::Stop::none;
+  Stop stop = Stop::none;
   double work = 0;               // of all stages, in the units of work.hpp
   std::vector<double> u;         // displacements of the unknowns that x stands for
   bool does_not_settle = false;  // given up because it went on and on (Limits::path), or its motions were
@@ -62,12 +62,12 @@ std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t pro
 /// unknowns (empty: from the start of the scene), recomputes the residual where it ended and judges it. How
 /// far from the equilibrium a balanced point is estimated to be, says `correction`. A stationary point whose
 /// tangent is not positive definite is called unstable, and so is one about which something grows, where
-/// forces have no energy (Limits::ask_growth). A solver that is unfit is not started, and nothing is
+/// forces have no energy (Judging::ask_growth). A solver that is unfit is not started, and nothing is
 /// computed. What elements remember (friction) does not change: an equilibrium is one of the past that the
 /// scene had.
 Solution solve_static(const Scene& scene, Assembler& assembler, const SolverType& solver,
                       const void* parameters, const Limits& limits, const MakeFactorisation& make,
-                      std::function<void(const IterationRecord&)> on_iteration = {},
-                      std::span<const double> start = {}, Positions positions = Positions::plain);
+                      Observer observer = {}, std::span<const double> start = {},
+                      Positions positions = Positions::plain);
 
 }  // namespace netloft

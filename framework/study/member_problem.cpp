@@ -44,9 +44,9 @@ bool all_finite(std::span<const double> v) {
 MemberProblem::MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                              std::function<void(const IterationRecord&)> on_iteration)
     : assembler_(assembler),
-      make_(std::move(make)),
       limits_(limits),
       on_iteration_(std::move(on_iteration)),
+      factors_(std::move(make), statistics_),
       begun_(wall_seconds()),
       begun_cpu_(cpu_seconds()),
       x_(assembler.start()),
@@ -236,31 +236,12 @@ int MemberProblem::set_matrix_along(const double* lines, double* residual) {
 
 int MemberProblem::factorise(int how) {
   const SparsePattern& pattern = assembler_.pattern();
-  const MatrixClass kind = !pattern.symmetric         ? MatrixClass::unsymmetric
-                           : how & NETLOFT_INDEFINITE ? MatrixClass::symmetric
-                                                      : MatrixClass::positive_definite;
-  auto& factorisation = factorisations_[static_cast<std::size_t>(kind)];
-  if (!factorisation) {
-    Timed timed(statistics_.analysis_seconds);
-    auto fresh = make_(kind);
-    fresh->analyse(pattern);
-    factorisation = std::move(fresh);
-  }
-  Timed timed(statistics_.factorisation_seconds);
-  const netloft_factor code =
-      factor_code(factorisation->factorise({values_.data(), pattern.value_slots()}).status);
-  last_ = code == NETLOFT_FACTOR_OK ? factorisation.get() : nullptr;
-  ++statistics_.factorisations;
-  statistics_.refused_factorisations += code != NETLOFT_FACTOR_OK;
-  return code;
+  return factors_.factorise(pattern, how & NETLOFT_INDEFINITE, {values_.data(), pattern.value_slots()});
 }
 
 int MemberProblem::solve(const double* rhs, double* x) {
-  if (!last_) return NETLOFT_ERROR;
-  Timed timed(statistics_.solve_seconds);
-  ++statistics_.solves;
-  last_->solve({rhs, interface_.unknowns}, {x, interface_.unknowns});
-  return NETLOFT_OK;
+  const std::size_t size = interface_.unknowns;
+  return factors_.solve({rhs, size}, {x, size}) ? NETLOFT_OK : NETLOFT_ERROR;
 }
 
 int MemberProblem::progress(double residual, const char* note) {
@@ -270,18 +251,10 @@ int MemberProblem::progress(double residual, const char* note) {
   if (on_iteration_) on_iteration_(record);
   statistics_.total_seconds = record.seconds;
   statistics_.total_cpu_seconds = statistics_.solver_cpu_seconds = cpu_seconds() - begun_cpu_;
-  stop_ = limit_reached(record.seconds);
+  stop_ = limits_.reached(statistics_.iterations, record.seconds, statistics_);
   if (stop_ != Stop::none) return NETLOFT_GIVE_UP;
   ++statistics_.iterations;
   return NETLOFT_GO_ON;
-}
-
-MemberProblem::Stop MemberProblem::limit_reached(double seconds) const {
-  if (limits_.interrupt && limits_.interrupt->load()) return Stop::interrupted;
-  if (statistics_.iterations >= limits_.iterations) return Stop::iterations;
-  if (seconds >= limits_.seconds) return Stop::time;
-  if (limits_.model && limits_.model->of(statistics_) >= limits_.work) return Stop::work;
-  return Stop::none;
 }
 
 }  // namespace netloft

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/problem/static_problem.hpp"
+#include "framework/assembler/assembler.hpp"
+#include "framework/problem/factors.hpp"
+#include "framework/problem/limits.hpp"
 #include "framework/study/member_kernels.hpp"
+
+#include <functional>
 
 namespace netloft {
 
@@ -16,9 +20,6 @@ namespace netloft {
 /// found is a start for a solver that turns them.
 class MemberProblem {
  public:
-  /// Why `progress` told a method to give up.
-  enum class Stop { none, iterations, time, work, interrupted };
-
   /// Members are those of elements that tell them and whose term of members acts; those without any
   /// stiffness (a rope at constant tension) are left out.
   MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
@@ -29,6 +30,7 @@ class MemberProblem {
 
   netloft_members& interface() { return interface_; }
   const Statistics& statistics() const { return statistics_; }
+  /// Why `progress` told a method to give up.
   Stop stop() const { return stop_; }
 
  private:
@@ -41,7 +43,6 @@ class MemberProblem {
   void keep_attitudes(double* residual);
   MemberTable table() const { return {sites_, weights_}; }
   void combine(const double* v, double* w) const;
-  Stop limit_reached(double seconds) const;
 
   int chords(const double* u, double* w);
   int changes(const double* step, double* w);
@@ -54,11 +55,11 @@ class MemberProblem {
   int progress(double residual, const char* note);
 
   Assembler& assembler_;
-  MakeFactorisation make_;
   Limits limits_;
   std::function<void(const IterationRecord&)> on_iteration_;
   netloft_members interface_{};
   Statistics statistics_;
+  Factors factors_;
   Stop stop_ = Stop::none;
   double begun_ = 0, begun_cpu_ = 0, load_ = 0;  // [s], [s]; largest of r in the last evaluation [N]
 
@@ -74,11 +75,9 @@ class MemberProblem {
   std::vector<std::size_t> rotations_;              // of bodies, among the unknowns
   std::vector<std::size_t> of_rotations_, beside_;  // their places on the diagonal, and off it
   std::vector<MemberSite> sites_;
-  std::vector<MemberWeights> weights_;                            // by member
-  std::vector<double> x_, step_;                                  // over all degrees of freedom
-  std::vector<double> tangent_, values_;                          // of r; of (1)
-  std::array<std::unique_ptr<Factorisation>, 3> factorisations_;  // by MatrixClass, made when wanted
-  Factorisation* last_ = nullptr;                                 // null: no good factor
+  std::vector<MemberWeights> weights_;    // by member
+  std::vector<double> x_, step_;          // over all degrees of freedom
+  std::vector<double> tangent_, values_;  // of r; of (1)
 };
 
 }  // namespace netloft

@@ -27,14 +27,14 @@ netloft_ending ending_of(const Solution& s) {
       break;
   }
   switch (s.stop) {
-    case StaticProblem::Stop::time:
-    case StaticProblem::Stop::interrupted:
+    case Stop::time:
+    case Stop::interrupted:
       return NETLOFT_ENDED_INTERRUPTED;
-    case StaticProblem::Stop::work:
-    case StaticProblem::Stop::iterations:
+    case Stop::work:
+    case Stop::iterations:
       return NETLOFT_ENDED_OUT_OF_WORK;
-    case StaticProblem::Stop::unsettled:
-    case StaticProblem::Stop::ran_away:
+    case Stop::unsettled:
+    case Stop::ran_away:
       return NETLOFT_ENDED_UNSETTLED;
     default:
       return NETLOFT_ENDED_NOT_CONVERGED;
@@ -96,27 +96,26 @@ RunningStudy::RunningStudy(StudyHost& host, const netloft_variant& scene, double
       tolerance_(tolerance),
       budget_(work),
       begun_(host.spent()),
-      equilibria_(*site_->scene, *site_->assembler,
-                  StaticProblem(*site_->assembler, host.sites().source().make, {}).gear_size(),
-                  StaticProblem(*site_->assembler, host.sites().source().make, {}).conservative()) {
+      equilibria_(*site_->scene, *site_->assembler, Scales(*site_->assembler).gear_size(),
+                  traits_of(*site_->assembler) & NETLOFT_CONSERVATIVE) {
   fill_interface(start);
 }
 
 void RunningStudy::fill_interface(const double* start) {
-  StaticProblem problem(*site_->assembler, host_.sites().source().make, {});
+  Scales scales(*site_->assembler);
   Registry& registry = *host_.sites().source().registry;
   netloft_study& s = interface_;
   s.size = sizeof s, s.host = this, s.start = start;
-  s.unknowns = problem.interface().unknowns;
+  s.unknowns = static_cast<std::uint32_t>(site_->assembler->pattern().size);
   s.levels = std::max(1u, host_.sites().most_levels() - std::min(scene_.level, host_.sites().most_levels()));
-  s.traits = problem.interface().traits;
+  s.traits = traits_of(*site_->assembler);
   if (!site_->assembler->memory().empty()) s.traits |= NETLOFT_STUDY_REMEMBERS;
   if (site_->scene->current.flows()) s.traits |= NETLOFT_STUDY_FLOWS;
   if (resists_compression(*site_->scene, registry)) s.traits |= NETLOFT_STUDY_COMPRESSION;
   if (MemberProblem::serves(*site_->scene, *site_->assembler)) s.traits |= NETLOFT_STUDY_MEMBERS;
   s.member_count = static_cast<std::uint32_t>(count_members(*site_->assembler));
-  s.gear_size = problem.gear_size(), s.element_size = problem.element_size();
-  const auto load = problem.driving_load();
+  s.gear_size = scales.gear_size(), s.element_size = scales.element_size();
+  const auto load = scales.driving_load();
   s.load = load.sum, s.largest_load = load.largest;
   s.stiffness = largest_stiffness(*site_->scene, registry);
   s.message = message_, s.message_size = sizeof message_;
@@ -245,7 +244,7 @@ int RunningStudy::problem(netloft_stage* stage, netloft_problem* problem) {
   open_stage_ = seen_from_host(*stage), open_site_ = host_.sites().at(open_stage_.variant);
   open_problem_ = std::make_unique<StaticProblem>(*open_site_->assembler, host_.sites().source().make,
                                                   host_.limits_of(open_stage_, *open_site_),
-                                                  host_.options().on_iteration);
+                                                  host_.observer_of(open_stage_));
   *problem = open_problem_->interface();
   problem->u = stage->u;
   return NETLOFT_OK;

@@ -29,6 +29,7 @@ struct StudyOptions {
   Limits limits;     // of the scene itself; `seconds` and `interrupt` hold for the whole study
   double work = std::numeric_limits<double>::infinity();  // budget, in the units of work.hpp
   std::function<void(const IterationRecord&)> on_iteration;
+  KeptPoint* kept = nullptr;  // where accepted points of the scene as it is written are kept
   /// Called after every stage with its record and the displacements of the scene itself where it ended; those
   /// of a stage on a coarser mesh are read off it.
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};

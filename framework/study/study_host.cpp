@@ -64,10 +64,13 @@ Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) {
   if (stage.path > 0) limits.path = stage.path;
   limits.model = &site.model, limits.work = stage.work;
   limits.seconds = seconds_left();
-  if (!is_as_written(stage.variant)) limits.kept = nullptr;
-  limits.ask_growth = is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
-  if (limits.ask_growth) limits.judged = &judged_;
+  limits.judging.ask_growth = is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
+  if (limits.judging.ask_growth) limits.judging.known = &judged_;
   return limits;
+}
+
+Observer StudyHost::observer_of(const netloft_stage& stage) const {
+  return {options_.on_iteration, is_as_written(stage.variant) ? options_.kept : nullptr};
 }
 
 Solution StudyHost::solve(const netloft_stage& stage, const SolverUse& solver) {
@@ -76,7 +79,7 @@ Solution StudyHost::solve(const netloft_stage& stage, const SolverUse& solver) {
   const auto size = static_cast<std::size_t>(site->assembler->pattern().size);
   Solution s =
       solve_static(*site->scene, *site->assembler, *solver.type, parameters.data(), limits_of(stage, *site),
-                   sites_.source().make, options_.on_iteration, {stage.u, size},
+                   sites_.source().make, observer_of(stage), {stage.u, size},
                    stage.flags & NETLOFT_COMPENSATED ? Positions::compensated : Positions::plain);
   record({stage.name, solver.type->type, size, s.status, s.reason, s.statistics, stage.variant,
           site->model.of(s.judging)},

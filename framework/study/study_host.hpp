@@ -28,6 +28,8 @@ class StudyHost {
   Values given_of(const std::string& type) const;
   /// What a stage may use: tolerance and budget are those of the stage, by whoever asks for it.
   Limits limits_of(const netloft_stage& stage, const Site& site);
+  /// Points of the scene as it is written are kept, of no variant.
+  Observer observer_of(const netloft_stage& stage) const;
   /// Solves `stage`, whose variant is seen from the scene as it is written; keeps the record.
   Solution solve(const netloft_stage& stage, const SolverUse& solver);
   /// Judges the point of a stage by a solver that returns at once.

@@ -196,7 +196,7 @@ bool Case::has_topology_of(Case& other) {
 
 Solution Case::judge(std::span<const double> u, Assembler& assembler) const {
   Limits limits = loaded_.analysis.limits;
-  limits.ask_growth = false;
+  limits.judging.ask_growth = false;
   Solution s;
   static_cast<Assessment&>(s) = assess_static(loaded_.scene, assembler, u, limits, make_);
   s.u.assign(u.begin(), u.end());
@@ -228,7 +228,7 @@ StudyOptions Case::study_options(const Limits& limits, const Watch& watch) {
   options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
   options.limits = limits, options.limits.interrupt = watch.interrupt;
   options.given = loaded_.analysis.given;
-  options.limits.kept = watch.kept;
+  options.kept = watch.kept;
   options.work = loaded_.analysis.work, options.on_iteration = watch.on_iteration;
   options.on_stage = watch.on_stage;
   return options;
@@ -271,10 +271,10 @@ Solution Case::settle(const Watch& watch) {
   settling.limits.tolerance =
       std::min(kStepLimits.tolerance, kStepsFiner * loaded_.analysis.limits.tolerance);
   Limits limits = loaded_.analysis.limits;
-  limits.interrupt = watch.interrupt, limits.kept = watch.kept;
+  limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
   Solution s = solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_,
-                            watch.on_iteration);
+                            {watch.on_iteration, watch.kept});
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
   return s;
 }
@@ -327,7 +327,7 @@ std::vector<double> Case::find_start(const Watch& who, Solution& found) {
   source.assembler = &assembler, source.tangent = TangentChoice::exact;
   Limits limits;
   limits.seconds = loaded_.analysis.limits.seconds;
-  limits.accept_swinging = loaded_.analysis.limits.accept_swinging;
+  limits.judging.accept_swinging = loaded_.analysis.limits.judging.accept_swinging;
   StudyOptions options =
       study_options(limits, {.interrupt = who.interrupt, .on_iteration = who.on_iteration});
   options.solver = {&registry_.solver(kSolver), {}};

@@ -90,7 +90,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
   a.strategy = keys.strategy, a.solver = keys.solver, a.work = keys.work;
   a.tangent = static_cast<TangentChoice>(keys.tangent);
   a.limits.tolerance = keys.tolerance, a.limits.iterations = static_cast<int>(keys.max_iterations);
-  a.limits.seconds = keys.max_seconds, a.limits.accept_swinging = keys.swinging != 0;
+  a.limits.seconds = keys.max_seconds, a.limits.judging.accept_swinging = keys.swinging != 0;
   a.kind = static_cast<AnalysisKind>(keys.kind);
   return a;
 }

@@ -23,10 +23,10 @@ std::vector<long> count_allocations(const Scene& scene, const SolverType& solver
   between.reserve(1000);
   long last = count_malloc();
   solve_static(scene, assembler, solver, parameters.data(), limits, make_factorisation,
-               [&](const IterationRecord&) {
+               {.on_iteration = [&](const IterationRecord&) {
                  between.push_back(count_malloc() - last);
                  last = count_malloc();
-               });
+               }});
   return between;
 }
 std::vector<long> count_allocations(const Scene& scene, const std::string& method, int threads) {

@@ -203,7 +203,7 @@ TEST(StaticProblem, GoesOnUntilALimit) {
   EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
   EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
   EXPECT_EQ(c.progress(), NETLOFT_GIVE_UP);
-  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::iterations);
+  EXPECT_EQ(c.problem.stop(), Stop::iterations);
   EXPECT_EQ(c.problem.statistics().iterations, 2);
 }
 
@@ -217,7 +217,7 @@ TEST(StaticProblem, StopsWhenItsBudgetOfWorkIsUsedUp) {
   EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
   c.evaluate(0);
   EXPECT_EQ(c.progress(), NETLOFT_GIVE_UP);
-  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::work);
+  EXPECT_EQ(c.problem.stop(), Stop::work);
 }
 
 TEST(StaticProblem, StopsWhenTimeIsUpOrSomeoneInterrupts) {
@@ -226,7 +226,7 @@ TEST(StaticProblem, StopsWhenTimeIsUpOrSomeoneInterrupts) {
   Called late(hanging_chain().scene, limits);
   late.evaluate(0);
   EXPECT_EQ(late.progress(), NETLOFT_GIVE_UP);
-  EXPECT_EQ(late.problem.stop(), StaticProblem::Stop::time);
+  EXPECT_EQ(late.problem.stop(), Stop::time);
 
   std::atomic<bool> interrupt{false};
   limits = {};
@@ -236,7 +236,7 @@ TEST(StaticProblem, StopsWhenTimeIsUpOrSomeoneInterrupts) {
   EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
   interrupt = true;
   EXPECT_EQ(c.progress(), NETLOFT_GIVE_UP);
-  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::interrupted);
+  EXPECT_EQ(c.problem.stop(), Stop::interrupted);
 }
 
 /// A bar of 1 m and 100 N hanging from its top at height z, pulled at its end with 50 N: 1.5 m long in
@@ -260,7 +260,7 @@ TEST(StaticProblem, ArrivesWhenTheLargestNodalResidualIsSmall) {
   c.p.u[2] = -4e-7;
   c.evaluate(0);
   EXPECT_EQ(c.progress(), NETLOFT_ARRIVED);
-  EXPECT_EQ(c.problem.stop(), StaticProblem::Stop::arrived);
+  EXPECT_EQ(c.problem.stop(), Stop::arrived);
   EXPECT_NEAR(c.problem.history().back().residual, 4e-5, 1e-10);
   EXPECT_NEAR(c.problem.history().back().scale, 50, 1e-3);
 }

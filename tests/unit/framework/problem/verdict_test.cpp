@@ -154,7 +154,7 @@ TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
   ASSERT_NE(loose, tight);
   Assembled a(scene);
   JudgedPoint judged;
-  const Limits limits{.tolerance = 1e-6, .judged = &judged};
+  const Limits limits{.tolerance = 1e-6, .judging = {.known = &judged}};
   const auto asked = [&](std::span<const double> u) {
     const Assessment found = assess_static(a.scene, a.assembler, u, limits, make_factorisation);
     EXPECT_EQ(found.stability, Stability::stable);
@@ -170,7 +170,7 @@ TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
 
 TEST(Verdict, KnowsNoStabilityWithoutAnEnergyIfItMustNotAsk) {
   Solving how;
-  how.limits.ask_growth = false;
+  how.limits.judging.ask_growth = false;
   const Solution s = solve_sketch(bar_with_a_follower(), how).solution;
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
   EXPECT_EQ(s.stability, Stability::unknown);

@@ -202,7 +202,7 @@ TEST(MemberProblem, ServesMembersOnNodesThatMoveAlongTheAxes) {
 }
 
 /// Iterations that `progress` allows under limits.
-int iterations_allowed(const Limits& limits, MemberProblem::Stop& stop) {
+int iterations_allowed(const Limits& limits, Stop& stop) {
   Assembled a(sample::hanging_rope(4));
   std::vector<IterationRecord> records;
   MemberProblem problem(a.assembler, make_factorisation, limits,
@@ -222,17 +222,17 @@ int iterations_allowed(const Limits& limits, MemberProblem::Stop& stop) {
 }
 
 TEST(MemberProblem, GivesUpAtEachOfItsLimits) {
-  MemberProblem::Stop stop;
+  Stop stop;
   EXPECT_EQ(iterations_allowed({.iterations = 4}, stop), 4);
-  EXPECT_EQ(stop, MemberProblem::Stop::iterations);
+  EXPECT_EQ(stop, Stop::iterations);
   const std::atomic<bool> now = true;
   EXPECT_EQ(iterations_allowed({.interrupt = &now}, stop), 0);
-  EXPECT_EQ(stop, MemberProblem::Stop::interrupted);
+  EXPECT_EQ(stop, Stop::interrupted);
   const WorkModel model;  // a factorisation is a unit
   Limits limits;
   limits.model = &model, limits.work = 3;
   EXPECT_EQ(iterations_allowed(limits, stop), 3);
-  EXPECT_EQ(stop, MemberProblem::Stop::work);
+  EXPECT_EQ(stop, Stop::work);
 }
 
 TEST(MemberProblem, SaysWhereThereAreNoForces) {

@@ -36,7 +36,7 @@ TEST(TensionStages, EndWhereTheHostGivesUp) {
   TakenAsMembers taken(sample::hanging_panel(8, 30), {.iterations = 4});
   EXPECT_EQ(Stages(defaults<FromSoft>(), taken.problem.interface()).solve(taken.u), Ending::called_off);
   EXPECT_EQ(taken.problem.statistics().iterations, 4);
-  EXPECT_EQ(taken.problem.stop(), MemberProblem::Stop::iterations);
+  EXPECT_EQ(taken.problem.stop(), Stop::iterations);
 }
 
 }  // namespace

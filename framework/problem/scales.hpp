@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace netloft {
+
+/// Calls visit(node, norm of the node's entries, first, last) for entries begin … end of a vector over the
+/// degrees of freedom, which come node by node.
+template <class Visit>
+void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end, std::span<const double> v,
+               Visit&& visit) {
+  for (std::int32_t i = begin; i < end;) {
+    const std::uint32_t node = numbering.node(Dof(i));
+    const std::int32_t first = i;
+    double sum = 0;
+    for (; i < end && numbering.node(Dof(i)) == node; ++i)
+      sum += v[static_cast<std::size_t>(i)] * v[static_cast<std::size_t>(i)];
+    visit(node, std::sqrt(sum), first, i);
+  }
+}
+
+/// Longest extent of an element along an axis, at positions x over all degrees of freedom [m].
+double largest_extent(const Assembler& assembler, std::span<const double> x);
+
+/// Lengths and loads of a scene as it starts, against which residuals and steps are held.
+class Scales {
+ public:
+  explicit Scales(Assembler& assembler);
+
+  /// Longest extent of an element [m]; 1 where there is none.
+  double element_size() const { return element_size_; }
+  /// Largest distance between coordinates [m], 1 at least.
+  double gear_size() const { return gear_size_; }
+  /// Largest nodal sum of the forces that do not depend on the state [N].
+  double dead_load() const { return dead_load_; }
+
+  /// Nodal sums of the forces that drive the gear: those that do not depend on the state, and those without
+  /// an energy (drag).
+  struct DrivingLoad {
+    double largest = 0, sum = 0;  // over nodes [N]
+  };
+  DrivingLoad driving_load();
+  /// Whether some force acts that is not of elements alone: at positions x, as it is asked for first.
+  bool is_driven(std::span<const double> x);
+
+ private:
+  std::vector<double> sum_of_terms(std::span<const double> x, bool (*counts)(std::uint32_t traits));
+
+  Assembler& assembler_;
+  double element_size_ = 1, gear_size_ = 1, dead_load_ = 0;
+  std::optional<bool> is_driven_;  // once it was asked for
+};
+
+}  // namespace netloft
