@@ -37,6 +37,9 @@ void ShareServer::open(Served& served) {
     served.scene = scene_of(bytes);
     served.plan = plan_of(served.scene, opening, terms);
     make(served);
+  } catch (const std::bad_alloc&) {
+    served.assembler = nullptr;
+    served.fault = "not enough memory for the scene";
   } catch (const std::exception& e) {
     served.assembler = nullptr;
     served.fault = e.what();
