@@ -167,6 +167,12 @@ std::uint32_t RunningStudy::size_of(std::uint32_t level) {
   return site ? static_cast<std::uint32_t>(site->assembler->pattern().size) : 0;
 }
 
+/// Of a strategy that solved no stage of its scene: it may have given up with work left, and would again.
+netloft_ending RunningStudy::ending_without_solution() const {
+  if (host_.is_interrupted()) return NETLOFT_ENDED_INTERRUPTED;
+  return work_left() > 0 ? NETLOFT_ENDED_NOT_CONVERGED : NETLOFT_ENDED_OUT_OF_WORK;
+}
+
 double RunningStudy::work_left() const {
   return host_.is_interrupted() ? 0 : std::max(0.0, budget_ - (host_.spent() - begun_));
 }
@@ -226,8 +232,7 @@ int RunningStudy::call(const char* strategy, const char* parameters, netloft_sta
   unsettled_ += inner.unsettled_;
   if (inner.has_any() && is_scene_itself(*stage)) keep(*stage, s);
   fill(*stage, s, host_.spent() - before);
-  if (!inner.has_any())
-    stage->ending = host_.is_interrupted() ? NETLOFT_ENDED_INTERRUPTED : NETLOFT_ENDED_OUT_OF_WORK;
+  if (!inner.has_any()) stage->ending = inner.ending_without_solution();
   return NETLOFT_OK;
 }
 

@@ -75,6 +75,7 @@ class RunningStudy {
   int problem(netloft_stage* stage, netloft_problem* problem);
   int members(netloft_stage* stage, netloft_members* members);
   double work_left() const;
+  netloft_ending ending_without_solution() const;
   int answer(const double* u);
   void keep_message(const char* text);
 

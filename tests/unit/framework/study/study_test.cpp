@@ -127,6 +127,14 @@ TEST(AStudy, EndsAStageByItsOwnBudget) {
   });
 }
 
+// A strategy that would be cut off again and again is tried again and again.
+TEST(AStudy, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
+  study(compressed_bars(), [](Study& of) {
+    const Stage nothing = of.call("coarse-to-fine", "", {.name = "there is no coarser mesh"}, of.start());
+    EXPECT_EQ(nothing.ending, Ending::not_converged);
+  });
+}
+
 TEST(AStudy, SolvesAnEasierVariantWithoutTakingItForTheScene) {
   const Solution s = study(compressed_bars(), [](Study& of) {
     const Stage soft = of.solve({.name = "soft", .variant = {.compression = 0}}, perturbed(of.start(), 0.1));
