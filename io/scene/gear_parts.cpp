@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/gear_parts.hpp"
 
-#include "framework/parameters/nearest.hpp"
 #include "io/catalogue/part_kinds.hpp"
 #include "io/gear/twine_coordinates.hpp"
+#include "io/scene/gear_model.hpp"
 #include "io/scene/idle_keys.hpp"
 #include "io/scene/inventory.hpp"
 #include "io/scene/known_parameters.hpp"
-#include "io/scene/parameter_reader.hpp"
 #include "io/scene/part_names.hpp"
 #include "io/scene/plan_contact.hpp"
 #include "io/scene/riding.hpp"
@@ -21,54 +20,6 @@
 namespace netloft::io {
 
 namespace {
-
-constexpr double kMostFiner = 100;
-constexpr std::int64_t kFewestNodes = 20;
-
-/// Numbers of the catalogue's that a part may know and its element need not: what is left is known.
-void drop_unknown_numbers(Table& numbers, const ElementType& type, const std::string& key) {
-  std::erase_if(numbers.members, [&](const Member& number) {
-    const std::string name = key + "." + number.key;
-    return std::none_of(type.parameters.begin(), type.parameters.end(),
-                        [&](const auto& p) { return name == p.name; });
-  });
-}
-
-void put(Table& table, const std::string& key, Value value) {
-  const Place place = value.place;
-  table.members.push_back({key, place, std::move(value)});
-}
-
-/// Whether `nodes = "knots"`, beside which no other key says how fine the mesh is.
-bool wants_knots(TableReader& table) {
-  const Value* nodes = table.kind("nodes") == Kind::text ? table.raw("nodes") : nullptr;
-  return nodes && *nodes->as<std::string>() == kKnots;
-}
-
-/// The keys of `[gear]`, without the number of nodes where it is a word.
-Values read_gear_keys(TableReader& table, bool knots) {
-  std::vector<netloft_parameter> keys(gear_keys().begin(), gear_keys().end());
-  if (knots) std::erase_if(keys, [](const auto& key) { return std::string_view(key.name) == "nodes"; });
-  return read_parameters(keys, table);
-}
-
-/// Either the number of nodes or the length of sides says how fine a mesh is.
-void check_fineness(const GearKeys& keys, TableReader& table) {
-  if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
-    table.error("size", "stands beside nodes, and either says how fine the mesh is",
-                "leave one of them out; nodes = 0 leaves it to size, size = 0 to nodes");
-  if (keys.nodes < kFewestNodes && !(keys.nodes == 0 && keys.size > 0))
-    table.error("nodes", "= " + std::to_string(keys.nodes) + " is outside [20, 1000000]",
-                "0 goes with a size alone");
-}
-
-/// Of the names in a gear those that a plan's name stands for: itself, or in the whole both of a pair.
-std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names) {
-  const auto is_there = [&](const std::string& one) { return std::ranges::find(names, one) != names.end(); };
-  if (is_there(name)) return {name};
-  const std::string starboard = "starboard-" + name, port = "port-" + name;
-  return is_there(starboard) && is_there(port) ? std::vector{starboard, port} : std::vector<std::string>{};
-}
 
 /// What the part of a plan bears, where it says so.
 void keep_strength(LoadedScene& loaded, const std::string& part, const Value& numbers, int twines,
@@ -85,169 +36,24 @@ bool is_seam(TableReader& join) {
   return sews;
 }
 
-GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& elements, Draft& draft)
-    : plan_(plan), elements_(elements), draft_(draft), diagnostics_(root.diagnostics()) {
+GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& choice, Draft& draft)
+    : plan_(plan), draft_(draft), diagnostics_(root.diagnostics()) {
   for (const char* key : {"panels", "ropes", "hang", "floats", "points", "ship"}) root.has(key);
   const int errors_before = diagnostics_.errors();
-  draft_.out.gear.emplace();
-  read_model(root, plan);
+  GearInScene& in_scene = draft_.out.gear.emplace();
+  Fineness fineness;
+  if (auto model = read_gear_model(plan, root)) {
+    gear_ = std::move(model->gear), fineness = model->fineness;
+    in_scene.times = gear_.extent == Extent::half ? 2 : 1;
+    in_scene.nodes = fineness.nodes, in_scene.size = fineness.size;
+    in_scene.bill = bill_of(plan), in_scene.sheet = sheet_of(plan, gear_);
+  }
   TableReader table = root.table("elements", Presence::optional);
-  for (const auto& of : gear_elements())
-    if (of.kind != std::string_view(kContact))
-      made_.push_back(read_elements(table, of));
-    else if (const Value* said = table.has(of.kind) ? table.raw(of.kind) : nullptr; said && said->as<Table>())
-      contact_ = *said;
-  read_exceptions(table);
+  elements_.emplace(plan, gear_, table, choice);
   if (diagnostics_.errors() > errors_before) return;
-  mesh_ = divide(gear_, fineness_);
-  if (fineness_.knots) draft_.out.gear->nodes = mesh_.nodes;
+  mesh_ = divide(gear_, fineness);
+  if (fineness.knots) in_scene.nodes = mesh_.nodes;
   own_.resize(mesh_.nodes);
-}
-
-void GearParts::read_model(TableReader& root, const NetPlan& plan) {
-  TableReader table = root.table("gear", Presence::optional);
-  fineness_.knots = wants_knots(table);
-  const Values values = read_gear_keys(table, fineness_.knots);
-  std::vector<std::string> faults;
-  const ParameterBlock block(gear_keys(), sizeof(GearKeys), values, faults);
-  if (!faults.empty()) return;
-  const auto& keys = *static_cast<const GearKeys*>(block.data());
-  fineness_.knots ? check_knots(table) : check_fineness(keys, table);
-  gear_ = make_gear(plan, keys.extent == 1 ? Extent::half : Extent::whole);
-  fineness_.nodes = static_cast<std::size_t>(keys.nodes), fineness_.size = keys.size;
-  read_finer(table);
-  check_halves(table);
-  draft_.out.gear->times = gear_.extent == Extent::half ? 2 : 1;
-  draft_.out.gear->nodes = fineness_.nodes, draft_.out.gear->size = fineness_.size;
-  draft_.out.gear->bill = bill_of(plan), draft_.out.gear->sheet = sheet_of(plan, gear_);
-}
-
-void GearParts::check_knots(TableReader& gear) const {
-  for (const char* key : {"size", "finer"})
-    if (gear.has(key))
-      gear.error(key, "stands beside nodes = \"knots\", which says how fine the mesh is",
-                 "leave one of them out");
-}
-
-/// What the half of a gear cannot have.
-void GearParts::check_halves(TableReader& table) const {
-  if (gear_.extent == Extent::whole) return;
-  for (const auto& body : plan_.bodies)
-    if (body.stands != io::Standing::pair)
-      table.error("extent", "= \"half\", and " + in_quotes(body.name) + " is a body that stands once",
-                  "extent = \"whole\"; half a body is none");
-  if (plan_.ship)
-    for (const auto& moment : plan_.ship->path)
-      if (moment.heading != 0) {
-        table.error("extent", "= \"half\", and the ship turns",
-                    "extent = \"whole\", or leave out ship.path.heading");
-        break;
-      }
-  if (plan_.ship && !plan_.ship->path_port.empty())
-    table.error("extent", "= \"half\", and two ships go ways of their own",
-                "extent = \"whole\", or leave out ship.path_port");
-  for (const auto& rope : plan_.ropes)
-    if (rope.length_port.value_or(rope.length) != rope.length)
-      table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another length to port",
-                  "extent = \"whole\", or leave out length_port");
-  for (const auto& rope : plan_.ropes)
-    if (rope.tension_port.value_or(rope.tension.value_or(0)) != rope.tension.value_or(0))
-      table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another tension to port",
-                  "extent = \"whole\", or leave out tension_port");
-}
-
-/// `finer = { top-codend = 2 }`, by panels and ropes.
-void GearParts::read_finer(TableReader& table) {
-  TableReader finer = table.table("finer", Presence::optional);
-  std::vector<std::string> names;
-  for (const auto& panel : gear_.panels) names.push_back(panel.name);
-  for (const auto& rope : gear_.ropes) names.push_back(rope.name);
-  for (const auto& name : finer.keys()) {
-    const double times = finer.real(name, {.unit = "1",
-                                           .doc = "sides of triangles, or bars, that many times shorter",
-                                           .range = between(1 / kMostFiner, kMostFiner)});
-    const auto meant = meant_by(name, names);
-    if (meant.empty())
-      finer.error(name, "there is no panel or rope " + in_quotes(name), name_hint(name, names));
-    for (const auto& one : meant)
-      if (one == name || !finer.has(one)) fineness_.finer[one] = times;
-  }
-}
-
-/// Whether the name of a rope, a body or of the kind itself stands for what rests on the bed.
-bool GearParts::touches_bed(const std::string& name) const {
-  if (!contact_) return false;
-  const io::Rope* rope = plan_.find_rope(name);
-  const PlanBody* body = plan_.find_body(name);
-  return name == kContact || (rope && rests_on_bed(*rope)) || (body && !shoes_of(*body).empty());
-}
-
-/// `[elements.top-codend]`: what one part of the plan is made of, over what all of its kind are.
-void GearParts::read_exceptions(TableReader& elements) {
-  std::vector<std::string> names;
-  for (const auto& panel : gear_.panels) names.push_back(panel.name);
-  for (const auto& rope : gear_.ropes) names.push_back(rope.name);
-  for (const auto& pieces : gear_.pieces) names.push_back(pieces.name);
-  for (const auto& body : gear_.bodies) names.push_back(body.name);
-  for (const auto& of : gear_elements()) names.push_back(of.kind);
-  for (const auto& name : elements.keys()) {
-    const Value* said = elements.raw(name);
-    const auto meant = meant_by(name, names);
-    if (meant.empty())
-      elements.error(name, "there is nothing named " + in_quotes(name) + " in the net plan",
-                     name_hint(name, names));
-    else if (said->as<Table>() && said->as<Table>()->find(contact_elements().key) && !touches_bed(name))
-      elements.error(name,
-                     std::string("says ") + contact_elements().key + ", and " +
-                         (contact_ ? "does not touch the bed" : "nothing of the plan rests on the bed"),
-                     contact_ ? "footropes, bridles, sweeps, legs and boards with a toe or heel do"
-                              : "[elements.contact] lets all that touches it rest there");
-    else if (!said->as<Table>())
-      elements.error(name, "a table is expected, such as { drag = \"hydro/morison\" }");
-    else if (meant.front() == name)
-      exceptions_[name] = *said;
-    else
-      for (const auto& side : meant) exceptions_of_pairs_[side] = *said;
-  }
-}
-
-GearParts::Made GearParts::read_elements(TableReader& elements, const GearElements& of) const {
-  TableReader table = elements.table(of.kind, Presence::optional);
-  for (const auto& key : table.keys()) table.raw(key);  // read with each part
-  Made made{&of, {table.place(), Table{}}, nullptr};
-  if (const Value* said = elements.raw(of.kind); said && said->as<Table>()) made.said = *said;
-  made.type = elements_.find(
-      table.has("type") ? read_name(table, "type", "element type, such as priour/triangle") : of.type, table);
-  if (made.type && made.type->element.stencil != of.stencil) {
-    table.error("type", made.type->type + " does not stand on what " + of.doc + " are divided into",
-                std::string("such as ") + of.type);
-    made.type = nullptr;
-  }
-  return made;
-}
-
-const GearParts::Made& GearParts::made(std::string_view kind) const {
-  return *std::find_if(made_.begin(), made_.end(), [&](const auto& m) { return m.of->kind == kind; });
-}
-
-/// Parameters of a part: its numbers in the plan, over them what `[elements.KIND]` says of all, and over both
-/// what `[elements.NAME]` says of this one.
-bool GearParts::read_part(const Made& made, const std::string& path, Value numbers, bool is_of_catalogue,
-                          Part& part) const {
-  const int errors_before = diagnostics_.errors();
-  if (Table* table = numbers.as<Table>(); table && is_of_catalogue)
-    drop_unknown_numbers(*table, *made.type, made.of->key);
-  Value whole{numbers.place, Table{}};
-  put(*whole.as<Table>(), made.of->key, std::move(numbers));
-  merge(whole, made.said);
-  for (const auto* exceptions : {&exceptions_of_pairs_, &exceptions_})
-    if (const auto said = exceptions->find(part.name); said != exceptions->end())
-      merge(whole, without_contact(said->second));
-  TableReader reader(whole, diagnostics_, path);
-  reader.has("type");
-  elements_.read(*made.type, reader, part);
-  reader.finish();
-  return diagnostics_.errors() == errors_before;
 }
 
 /// A board starts where warps of such boards have it: as deep as they reach, on the bed where there is one.
@@ -328,10 +134,9 @@ void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
 void GearParts::add_part(std::string_view kind, const std::string& name, const std::string& path,
                          Value numbers, bool is_of_catalogue, Geometry geometry,
                          const std::vector<std::uint32_t>& nodes) {
-  const Made& how = made(kind);
   Part part;
   part.name = name;
-  const bool is_sound = read_part(how, path, std::move(numbers), is_of_catalogue, part);
+  const bool is_sound = elements_->read_part(kind, path, std::move(numbers), is_of_catalogue, part);
   if (const auto fault = thickness_fault(part, geometry); fault && is_sound)
     diagnostics_.error(geometry.names.place, path + "." + fault->key + ": " + fault->message, kThicknessCure);
   geometry.names.name = name;
@@ -343,7 +148,7 @@ void GearParts::add_part(std::string_view kind, const std::string& name, const s
   }
   GearInScene& gear = *draft_.out.gear;
   (kind == "netting" ? gear.panels : gear.ropes).push_back(static_cast<std::uint32_t>(p));
-  draft_.add_part(std::move(part), std::move(geometry), how.type, is_sound);
+  draft_.add_part(std::move(part), std::move(geometry), elements_->type_of(kind), is_sound);
 }
 
 /// Points of the plan that no part has for its own: towing points.
@@ -376,15 +181,14 @@ void GearParts::add_pieces() {
 }
 
 void GearParts::put_pieces(const GearPieces& pieces) {
-  const Made& how = made("floats");
   Part part;
   part.name = pieces.name;
-  const bool is_sound = read_part(how, "floats." + pieces.pieces->name, pieces.pieces->piece,
-                                  !pieces.pieces->part_name.empty(), part);
+  const bool is_sound = elements_->read_part("floats", "floats." + pieces.pieces->name, pieces.pieces->piece,
+                                             !pieces.pieces->part_name.empty(), part);
   std::vector<double> carried(draft_.out.scene.node_count(), 0.0);
   ride_on_nodes(nodes_of(pieces, carried), carried, pieces.number, part);
   draft_.out.gear->pieces.push_back(static_cast<std::uint32_t>(draft_.out.scene.parts.size()));
-  draft_.add_rider(std::move(part), pieces.pieces->place, how.type, is_sound);
+  draft_.add_rider(std::move(part), pieces.pieces->place, elements_->type_of("floats"), is_sound);
 }
 
 /// Where pieces are hung, and how much of the rope or edge every node carries.
@@ -440,34 +244,6 @@ std::string GearParts::point_name(const std::string& name) const {
   return end == "end" ? rope->name + ".starboard" : name;
 }
 
-namespace {
-
-const Value* find_exception(const std::map<std::string, Value>& exceptions, const std::string& name) {
-  const auto said = exceptions.find(name);
-  return said == exceptions.end() ? nullptr : &said->second;
-}
-
-}  // namespace
-
-Value GearParts::contact_of(const std::string& name, std::vector<std::string> on, Place place) const {
-  const GearElements& of = contact_elements();
-  Value table{contact_->place, Table{}};
-  put(*table.as<Table>(), "type", {contact_->place, std::string(of.type)});
-  if (const double radius = radius_along(plan_, name); radius > 0) {
-    Table seabed;
-    put(seabed, "radius", {place, radius});
-    put(*table.as<Table>(), of.key, {place, std::move(seabed)});
-  }
-  merge(table, *contact_);
-  for (const auto* said :
-       {find_exception(exceptions_of_pairs_, "starboard-" + name), find_exception(exceptions_, name)})
-    if (said) merge(table, only_contact(*said));
-  Array names;
-  for (auto& point : on) names.items.push_back({place, std::move(point)});
-  put(*table.as<Table>(), "on", {place, std::move(names)});
-  return table;
-}
-
 /// Of a pair, by the one to starboard.
 bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
@@ -486,21 +262,21 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
 
 std::vector<std::pair<std::string, Value>> GearParts::contacts(const std::set<std::uint32_t>& carried) const {
   std::vector<std::pair<std::string, Value>> all;
-  if (!contact_) return all;
+  if (!elements_->has_contact()) return all;
   for (const io::Rope& rope : plan_.ropes)
     if (rests_on_bed(rope) && !is_carried(rope.name, carried))
-      all.emplace_back(rope.name + "-on-bed", contact_of(rope.name, {rope.name}, rope.place));
+      all.emplace_back(rope.name + "-on-bed", elements_->contact_of(rope.name, {rope.name}, rope.place));
   for (const PlanBody& body : plan_.bodies) {
     auto shoes = shoes_of(body);
     std::erase_if(shoes, [&](const auto& shoe) { return is_carried_at(shoe, carried); });
     if (!shoes.empty())
-      all.emplace_back(body.name + "-on-bed", contact_of(body.name, std::move(shoes), body.place));
+      all.emplace_back(body.name + "-on-bed", elements_->contact_of(body.name, std::move(shoes), body.place));
   }
   return all;
 }
 
 bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
-  if (!plan_.ship || contact_) return false;
+  if (!plan_.ship || elements_->has_contact()) return false;
   return std::ranges::any_of(plan_.ropes, [&](const io::Rope& rope) {
     return rope.role == "footrope" && !is_carried(rope.name, carried);
   });

@@ -4,10 +4,8 @@
 #include "io/gear/start_shape.hpp"
 #include "io/scene/bodies.hpp"
 #include "io/scene/draft.hpp"
-#include "io/scene/element_choice.hpp"
-#include "io/scene/keys.hpp"
+#include "io/scene/plan_elements.hpp"
 
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -28,7 +26,7 @@ bool is_seam(TableReader& join);
 class GearParts {
  public:
   /// `plan` has no errors. Reads `[gear]` and `[elements]`.
-  GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& elements, Draft& draft);
+  GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& choice, Draft& draft);
 
   /// False after an error: then nothing in the scene can be judged.
   bool is_divided() const { return mesh_.nodes > 0; }
@@ -60,26 +58,8 @@ class GearParts {
   bool has_name(const std::string& name) const;
 
  private:
-  /// `[elements.KIND]` and the element type that it chooses.
-  struct Made {
-    const GearElements* of = nullptr;
-    Value said;  // a table
-    const ElementType* type = nullptr;
-  };
-
-  void read_model(TableReader& root, const NetPlan& plan);
-  void check_knots(TableReader& gear) const;
-  void read_finer(TableReader& gear);
-  void check_halves(TableReader& gear) const;
-  Made read_elements(TableReader& elements, const GearElements& of) const;
-  void read_exceptions(TableReader& elements);
-  bool touches_bed(const std::string& name) const;
   bool is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const;
   bool is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const;
-  Value contact_of(const std::string& name, std::vector<std::string> on, Place place) const;
-  const Made& made(std::string_view kind) const;
-  bool read_part(const Made& made, const std::string& path, Value numbers, bool is_of_catalogue,
-                 Part& part) const;
 
   void add_panel(const GearPanel& panel, const PanelMesh& mesh);
   void add_rope(const GearRope& rope, const RopeMesh& mesh);
@@ -94,17 +74,13 @@ class GearParts {
   std::uint32_t scene_node(std::uint32_t gear_node) const;
 
   const NetPlan& plan_;
-  const ElementChoice& elements_;
   Draft& draft_;
   Diagnostics& diagnostics_;
   Gear gear_;
-  Fineness fineness_;
+  std::optional<PlanElements> elements_;  // once it is read
   GearMesh mesh_;
-  std::vector<Made> made_;
-  std::optional<Value> contact_;                                   // `[elements.contact]`, a table
-  std::map<std::string, Value> exceptions_, exceptions_of_pairs_;  // `[elements.NAME]` by part
-  std::vector<KnownCoordinate> known_;                             // points of bodies
-  std::vector<double> start_;                                      // 3 per node of the gear
+  std::vector<KnownCoordinate> known_;  // points of bodies
+  std::vector<double> start_;           // 3 per node of the gear
   /// Parts and own nodes that a node of the gear is: its first is where its position comes from.
   std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;
 };
