@@ -249,8 +249,8 @@ std::vector<Share> Assembler::shares(std::size_t count) const {
 }
 
 void Assembler::share_with(std::unique_ptr<Partners> partners) {
+  if (partners) partners->join(*this);
   partners_ = std::move(partners);
-  if (partners_) partners_->join(*this);
 }
 
 std::unique_ptr<Assembler> make_assembler(const Scene& scene, const Plan& plan, const Crew& crew) {

@@ -37,7 +37,8 @@ class Partners {
 class Team {
  public:
   virtual ~Team() = default;
-  /// Has a scene made by all others, while this process makes it, too. Null: they would gain nothing.
+  /// Has a scene made by all others, while this process makes it, too. Null: the
+  /// scene is small, or it moves.
   virtual std::unique_ptr<Partners> open(const Scene& scene, const Plan& plan) = 0;
 };
 

@@ -8,13 +8,13 @@ namespace netloft {
 
 /// How processes of one program talk, numbered from 0; 0 gives orders, all others wait for them. What they
 /// talk through (MPI) is not known here. Messages between two of them arrive in the order in which they were
-/// sent.
+/// sent, and each is received whole: by a span of its own length.
 class Messages {
  public:
   virtual ~Messages() = default;
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  /// A number for something that all of them have.
+  /// On rank 0: a number for something that all of them will have.
   virtual int next_instance() = 0;
   /// On rank 0: gives all others an order about shares of a scene. They are the caller's until it lets the
   /// lock go.

@@ -21,13 +21,13 @@ class RankPartners : public Partners {
     });
     std::vector<std::byte> bytes = bytes_of(scene);
     ShareOpening opening{terms.size(), bytes.size(), plan.tangent, plan.symmetric, plan.conservative};
-    const auto order = begin(ShareJob::open);
+    const auto lock = order(ShareJob::open);
     messages_.broadcast(writable_bytes_of(opening));
     messages_.broadcast(std::as_writable_bytes(std::span(terms))), messages_.broadcast(bytes);
   }
   RankPartners(const RankPartners&) = delete;
   RankPartners& operator=(const RankPartners&) = delete;
-  ~RankPartners() override { begin(ShareJob::close); }
+  ~RankPartners() override { order(ShareJob::close); }
 
   void join(const Assembler& assembler) override;
   int size() const override { return messages_.size(); }
@@ -40,7 +40,7 @@ class RankPartners : public Partners {
   void set_memory(std::span<const double> kept) override;
 
  private:
-  std::unique_lock<std::mutex> begin(ShareJob job) {
+  std::unique_lock<std::mutex> order(ShareJob job) {
     return messages_.begin_shares(instance_, static_cast<int>(job));
   }
   template <class Do>
@@ -60,18 +60,23 @@ class RankPartners : public Partners {
   std::unique_lock<std::mutex> evaluation_;
 };
 
-/// The others were making the scene meanwhile. What one of them says is an error of that rank.
+/// The others were making the scene meanwhile. What one of them says is an error of that rank. All that an
+/// evaluation needs is made here, so that nothing fails between its beginning and its end.
 void RankPartners::join(const Assembler& assembler) {
   dofs_ = assembler.numbering().dofs();
   shares_ = assembler.shares(static_cast<std::size_t>(messages_.size()));
-  const auto order = begin(ShareJob::join);
+  energies_.reserve(assembler.tile_energies().size());
+  const ShareSizes expected = sizes_of(assembler);
+  const auto lock = order(ShareJob::join);
   std::string fault;
   for (int rank = 1; rank < messages_.size(); ++rank) {
-    std::uint64_t size = 0;
-    messages_.receive(rank, writable_bytes_of(size));
-    std::string sentence(size, ' ');
+    ShareSizes sizes;
+    messages_.receive(rank, writable_bytes_of(sizes));
+    std::string sentence(sizes.sentence, ' ');
     messages_.receive(rank, std::as_writable_bytes(std::span(sentence)));
-    if (fault.empty() && size > 0) fault = "rank " + std::to_string(rank) + ": " + sentence;
+    if (sentence.empty() && sizes != expected)
+      sentence = "its plugins make another scene than those of rank 0";
+    if (fault.empty() && !sentence.empty()) fault = "rank " + std::to_string(rank) + ": " + sentence;
   }
   if (!fault.empty()) throw std::runtime_error(fault);
 }
@@ -82,13 +87,13 @@ void RankPartners::begin(std::span<const double> x, const Request& request) {
                             .residual = request.residual != nullptr,
                             .conservative_only = request.conservative_only,
                             .has_low = m.x_low != nullptr,
-                            .matrix = request.values ? request.matrix : MatrixKind::none,
+                            .matrix = wants_matrix(request) ? request.matrix : MatrixKind::none,
                             .without = request.without,
                             .time = m.time,
                             .cu = m.cu,
                             .cv = m.cv,
                             .ca = m.ca};
-  evaluation_ = begin(ShareJob::evaluate);
+  evaluation_ = order(ShareJob::evaluate);
   for_others([&](int rank, const Share& share) {
     messages_.send(rank, bytes_of(wanted));
     send_needed(rank, share, x);
@@ -120,12 +125,12 @@ void RankPartners::receive_sums(int rank, const Share& share, const Request& req
   }
   if (request.residual)
     for (const Range& range : share.places) receive(request.residual, range);
-  if (request.values) receive(request.values, share.slots);
+  if (wants_matrix(request)) receive(request.values, share.slots);
 }
 
 void RankPartners::set_memory(std::span<const double> kept) {
   if (kept.empty()) return;
-  const auto order = begin(ShareJob::set_memory);
+  const auto lock = order(ShareJob::set_memory);
   for_others([&](int rank, const Share&) { messages_.send(rank, std::as_bytes(kept)); });
 }
 

@@ -27,6 +27,21 @@ void visit_terms(PlanLike& plan, const Visit& visit) {
 }
 enum TermUse : std::uint8_t { kTermIsOn = 1, kTermWhenItMoves = 2 };
 
+/// What the assemblers of all ranks must have in common, and how long a sentence follows that says why one
+/// could not be made.
+struct ShareSizes {
+  std::uint64_t dofs = 0, slots = 0, tiles = 0, remembered = 0, sentence = 0;
+  bool operator==(const ShareSizes&) const = default;
+};
+inline ShareSizes sizes_of(const Assembler& assembler) {
+  return {assembler.numbering().dofs(), assembler.value_slots(), assembler.tile_energies().size(),
+          assembler.memory().size()};
+}
+
+inline bool wants_matrix(const Request& request) {
+  return request.values && request.matrix != MatrixKind::none;
+}
+
 /// What is asked of an evaluation. Positions follow, and what they round off if it is known.
 struct ShareRequest {
   bool energy = false, residual = false, conservative_only = false, has_low = false;

@@ -46,10 +46,19 @@ void ShareServer::open(Served& served) {
   }
 }
 
+Registry& ShareServer::registry() {
+  if (!registry_) {
+    Registry found;
+    find_plugins_(found);
+    registry_ = std::move(found);
+  }
+  return *registry_;
+}
+
 /// Of the components that this rank finds; what acts, rank 0 has decided.
 Plan ShareServer::plan_of(const Scene& scene, const ShareOpening& opening,
                           std::span<const std::uint8_t> terms) {
-  Plan plan = make_plan(scene, registry_, opening.tangent);
+  Plan plan = make_plan(scene, registry(), opening.tangent);
   plan.symmetric = opening.symmetric, plan.conservative = opening.conservative;
   std::size_t next = 0;
   visit_terms(plan, [&](TermPlan& term) {
@@ -61,7 +70,8 @@ Plan ShareServer::plan_of(const Scene& scene, const ShareOpening& opening,
   return plan;
 }
 
-/// Values take room only where the share adds to them.
+/// Values take room only where the share adds to them: its columns, and those next to them, which its tiles
+/// reach and nobody reads or sets to zero.
 void ShareServer::make(Served& served) {
   served.assembler = std::make_unique<Assembler>(served.scene, served.plan, 1);
   const Assembler& assembler = *served.assembler;
@@ -75,8 +85,10 @@ void ShareServer::make(Served& served) {
 }
 
 void ShareServer::join(const Served& served) {
-  const std::uint64_t size = served.fault.size();
-  messages_.send(0, bytes_of(size));
+  ShareSizes sizes;
+  if (served.assembler) sizes = sizes_of(*served.assembler);
+  sizes.sentence = served.fault.size();
+  messages_.send(0, bytes_of(sizes));
   messages_.send(0, std::as_bytes(std::span(served.fault)));
 }
 
@@ -119,7 +131,7 @@ void ShareServer::send_sums(Served& served, const Request& request) {
   }
   if (request.residual)
     for (const Range& range : served.share.places) send(request.residual, range);
-  if (request.values) send(request.values, served.share.slots);
+  if (wants_matrix(request)) send(request.values, served.share.slots);
 }
 
 void ShareServer::set_memory(Served& served) {

@@ -18,6 +18,14 @@ std::filesystem::path ranks_module() {
   return installed_prefix() / "lib" / "netloft" / "mpi" / "mumps_mpi.so";
 }
 
+void find_plugins_of(const Options& options, Registry& registry) {
+  try {
+    find_plugins(options, registry);
+  } catch (const UsageError& e) {
+    throw std::runtime_error(e.message);
+  }
+}
+
 bool is_given(const Options& options, const std::string& name) {
   return std::find(options.given.begin(), options.given.end(), name) != options.given.end();
 }
@@ -41,13 +49,10 @@ std::unique_ptr<Ranks> start_ranks(const Options& options, const Launch& launch)
 
 void serve_ranks(const Options& options, const Launch& launch) {
   for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(s, SIG_IGN);
-  try {  // what is wrong with the command line, rank 0 says
-    Registry registry;
-    find_plugins(options, registry);
+  try {
     Ranks ranks(ranks_module(), launch);
-    ShareServer shares(ranks, registry);
+    ShareServer shares(ranks, [&](Registry& registry) { find_plugins_of(options, registry); });
     ranks.serve(&shares);
-  } catch (const UsageError&) {
   } catch (const std::runtime_error&) {
   }
 }

@@ -174,9 +174,7 @@ int main(int argc, char** argv) {
   Ranks ranks(test::plugin_folder() + "/mpi/mumps_mpi.so", launch_of_environment());
   if (ranks.rank() == 0) return run(task, &ranks), 0;
   const double before = peak_bytes();
-  Registry registry;
-  registry.add_folder(test::plugin_folder());
-  ShareServer shares(ranks, registry);
+  ShareServer shares(ranks, [](Registry& registry) { registry.add_folder(test::plugin_folder()); });
   ranks.serve(&shares);
   print_memory(ranks.rank(), before);
 }

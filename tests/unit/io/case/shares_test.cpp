@@ -193,24 +193,34 @@ TEST(RankTeam, LeavesWhatIsSmallOrMovesToOneProcess) {
   EXPECT_FALSE(RankTeam(all.first(), 1).open(one.loaded().scene, moves));
 }
 
-TEST(RankTeam, SaysWhichRankCouldNotMakeTheScene) {
+std::string fault_of(const Scene& sent, const Case& one) {
   test::RanksInThreads all(3);
-  Case one({test::source_folder() + "/gear-library/scenes/dead-weight-panel.toml", {}, 1},
-           test::shipped_plugins());
-  ASSERT_EQ(one.open(), Case::State::ready);
-  Scene other = one.loaded().scene;
-  other.parts[0].type = "nowhere/triangle";
   RankTeam team(all.first(), 1);
-  auto partners = team.open(other, one.plan());
-  ASSERT_TRUE(partners);
+  auto partners = team.open(sent, one.plan());
   Assembler assembler(one.loaded().scene, one.plan(), 1);
   try {
     assembler.share_with(std::move(partners));
-    FAIL() << "a rank does not find nowhere/triangle";
+    EXPECT_EQ(assembler.processes(), 3);
+    return "";
   } catch (const std::runtime_error& e) {
-    EXPECT_TRUE(std::string(e.what()).starts_with("rank 1: ")) << e.what();
-    EXPECT_NE(std::string(e.what()).find("nowhere"), std::string::npos) << e.what();
+    EXPECT_EQ(assembler.processes(), 1);
+    return e.what();
   }
+}
+
+TEST(RankTeam, SaysWhichRankCouldNotMakeTheScene) {
+  Case one({test::source_folder() + "/gear-library/scenes/dead-weight-panel.toml", {}, 1},
+           test::shipped_plugins());
+  ASSERT_EQ(one.open(), Case::State::ready);
+  EXPECT_EQ(fault_of(one.loaded().scene, one), "");
+  Scene unknown = one.loaded().scene;
+  unknown.parts[0].type = "nowhere/triangle";
+  const std::string fault = fault_of(unknown, one);
+  EXPECT_TRUE(fault.starts_with("rank 1: ")) << fault;
+  EXPECT_NE(fault.find("nowhere"), std::string::npos) << fault;
+  Scene other = one.loaded().scene;
+  other.positions.resize(other.positions.size() + 3), other.held.push_back(0), other.labels.emplace_back();
+  EXPECT_EQ(fault_of(other, one), "rank 1: its plugins make another scene than those of rank 0");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <condition_variable>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <map>
@@ -26,10 +27,8 @@ class RanksInThreads {
     for (int rank = 1; rank < size; ++rank)
       servers_.emplace_back([rank, size] {
         own_rank() = rank;
-        Registry registry;
-        registry.add_folder(plugin_folder());
         Ranks ranks(kModule, Launch{rank, size, true});
-        ShareServer shares(ranks, registry);
+        ShareServer shares(ranks, [](Registry& registry) { registry.add_folder(plugin_folder()); });
         ranks.serve(&shares);
       });
     first_ = std::make_unique<Ranks>(kModule, Launch{0, size, true});
@@ -40,10 +39,10 @@ class RanksInThreads {
   }
   Ranks& first() { return *first_; }
 
-  /// Bytes that have come and that nobody has taken.
+  /// Messages that have come and that nobody has taken.
   static std::size_t unread() {
     std::size_t all = 0;
-    for (const auto& [way, bytes] : post()->bytes) all += bytes.size();
+    for (const auto& [way, messages] : post()->messages) all += messages.size();
     return all;
   }
 
@@ -52,7 +51,7 @@ class RanksInThreads {
     int size = 1;
     std::mutex mutex;
     std::condition_variable arrival;
-    std::map<std::pair<int, int>, std::deque<char>> bytes;
+    std::map<std::pair<int, int>, std::deque<std::vector<char>>> messages;
     std::map<int, std::deque<RanksOrder>> orders;
   };
   static std::unique_ptr<Post>& post() {
@@ -83,17 +82,16 @@ class RanksInThreads {
   static void send(int rank, const void* bytes, std::size_t count) {
     const std::lock_guard lock(post()->mutex);
     const char* from = static_cast<const char*>(bytes);
-    auto& way = post()->bytes[{own_rank(), rank}];
-    way.insert(way.end(), from, from + count);
+    post()->messages[{own_rank(), rank}].emplace_back(from, from + count);
     post()->arrival.notify_all();
   }
   static void receive(int rank, void* bytes, std::size_t count) {
     std::unique_lock lock(post()->mutex);
-    auto& way = post()->bytes[{rank, own_rank()}];
-    post()->arrival.wait(lock, [&] { return way.size() >= count; });
-    const auto end = way.begin() + static_cast<std::ptrdiff_t>(count);
-    std::copy(way.begin(), end, static_cast<char*>(bytes));
-    way.erase(way.begin(), end);
+    auto& way = post()->messages[{rank, own_rank()}];
+    post()->arrival.wait(lock, [&] { return !way.empty(); });
+    if (way.front().size() != count) std::abort();  // as MPI may
+    std::copy(way.front().begin(), way.front().end(), static_cast<char*>(bytes));
+    way.pop_front();
   }
   static void broadcast(void* bytes, std::size_t count) {
     if (own_rank() > 0) return receive(0, bytes, count);
