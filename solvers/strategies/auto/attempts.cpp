@@ -44,7 +44,7 @@ const Row kTable[] = {
      [](const Kind& k) { return k.has_meshes && !k.has_loaded_members && !k.sticks; }},
     {{"tension-stages", "tension/stages", "", "direct",
       "with tensions as unknowns stiff members turn at once"},
-     [](const Kind& k) { return k.has_loaded_members && !k.sticks; }},
+     [](const Kind& k) { return k.has_loaded_members; }},
     {{"direct", "direct", "", "direct", "the start may be near"}, [](const Kind&) { return true; }},
     {{"stiffness-steps", "stiffness-steps", "", "direct", "soft members turn where stiff ones hold fast"},
      [](const Kind&) { return true; }},

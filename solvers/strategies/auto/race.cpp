@@ -102,22 +102,22 @@ Stage Race::start_or_go_on(Runner& runner, double work) {
               : study_.call(attempt.strategy, attempt.parameters, ask, start_);
 }
 
-/// From an unstable equilibrium to one side, and if that does not converge, to the other, of the last
-/// unstable one that was met. What flutters is left alone: the motion comes back to it from either side.
+/// From an unstable equilibrium to one side, and if that does not converge, to the other; likewise from what
+/// is met on the way, if it grows more slowly. What flutters is left alone: the motion comes back to it from
+/// either side.
 Stage Race::off_saddle(Stage saddle, double work) {
-  if (saddle.ending != Ending::unstable || saddle.flutters()) return saddle;
-  for (const int side : {0, 1}) {
-    const auto is_over = [&] { return study_.work_left() <= over_at_; };
-    const auto ask = [&] {
-      return Ask{.name = "off an unstable equilibrium",
-                 .work = std::min(work, study_.work_left() - over_at_)};
-    };
-    if (is_over()) break;
+  const double end = std::max(over_at_, study_.work_left() - work);
+  const auto ask = [&] {
+    return Ask{.name = "off an unstable equilibrium", .work = study_.work_left() - end};
+  };
+  for (int side = 0; side < 2 && saddle.ending == Ending::unstable && !saddle.flutters(); ++side) {
+    if (study_.work_left() <= end) break;
     const Displacements start = beside(study_, saddle, ask(), side);
-    if (is_over()) break;
+    if (study_.work_left() <= end) break;
     Stage next = study_.call("direct", "", ask(), start);
-    if (next.has_converged() || next.flutters()) return next;
-    if (next.ending == Ending::unstable && study_.work_left() > 0) saddle = std::move(next);
+    if (next.has_converged()) return next;
+    if (next.ending == Ending::unstable && next.growth_rate < saddle.growth_rate)
+      saddle = std::move(next), side = -1;
   }
   return saddle;
 }
