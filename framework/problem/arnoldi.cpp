@@ -12,7 +12,8 @@ namespace netloft {
 
 namespace {
 
-// By (5).
+// By (5): the part of its way back to the circle that the estimated error of a Ritz value may be. Chosen: the
+// estimate, which is of first order, may be ten times too small.
 constexpr double kKnown = 0.1;
 // What is left of a vector that is orthogonal already, at least, when it is made so again.
 constexpr double kRemains = 0.5;

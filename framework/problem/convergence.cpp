@@ -10,6 +10,8 @@ namespace netloft {
 
 namespace {
 
+// Chosen: rounding goes up and down from one point to the next; a step that still converges, if only
+// linearly, halves the residual or better.
 constexpr double kFalls = 0.5;
 
 }  // namespace

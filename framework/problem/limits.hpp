@@ -23,6 +23,7 @@ struct Judging {
 /// When to stop.
 struct Limits {
   double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
+  // Chosen: of one solve. `auto` goes on with what it ends.
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // of the processor that the user allows
   const std::atomic<bool>* interrupt = nullptr;

@@ -17,6 +17,7 @@ namespace netloft::newton {
 /// ch. 13 and 15.
 class LeastCurvature {
  public:
+  /// Chosen: a limit, which bounds the memory of a search to twenty vectors.
   static constexpr std::size_t kSteps = 10;
 
   /// Memory for `size` unknowns is reserved, and touched by the first search.

@@ -20,7 +20,8 @@ READ = """io/scene/keys.cpp solvers/strategies/auto/* solvers/strategies/coarse-
 solvers/strategies/stiffness-steps/* solvers/strategies/pseudo-time/* solvers/strategies/relaxed/* solvers/tension/* solvers/newton/*
 solvers/ptc/plugin.cpp solvers/ptc/implicit.cpp solvers/ptc/ptc.hpp solvers/relaxation/* framework/problem/convergence.*
 framework/problem/assessment.* framework/problem/correction.* framework/problem/growth.* framework/problem/arnoldi.*
-framework/problem/cayley.* framework/problem/linear_motion.* framework/problem/static_problem.* framework/problem/work.*
+framework/problem/cayley.* framework/problem/linear_motion.* framework/problem/static_problem.* framework/problem/limits.*
+framework/problem/work.*
 framework/study/running_study.* framework/study/shapes.* framework/include/netloft/strategy.hpp
 framework/include/netloft/imbalance.hpp""".split()
 # Methods that `auto` does not ask for, and what users ask of an analysis besides.
@@ -81,6 +82,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "0.5 * (A[": "symmetric part",
         "kMatricesOfMotion": "matrices of one linearisation",
         "2 * u[i] - step.u": "extrapolation",
+        "side < 2": "a line has two",
         "? 1 : 2": "a rank",
         "i < 2": "orthogonalised twice is enough (Parlett)",
         "time < 2": "orthogonalised twice is enough (Parlett)",
