@@ -54,10 +54,10 @@ class Streams(InFreshFolder):
 
 
 class Signals(InFreshFolder):
-    def run_and_send(self, number, before):
+    def run_and_send(self, number, before, *more):
         """The exit code and the output of a motion that gets a signal, about which `before` was agreed."""
         name = f"{number.name}.hdf"
-        run = subprocess.Popen(self.command("run", *MOTION, "-o", name), cwd=self.folder, env=self.environment(),
+        run = subprocess.Popen(self.command("run", *MOTION, *more, "-o", name), cwd=self.folder, env=self.environment(),
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=lambda: signal.signal(number, before))
         while run.poll() is None and not (self.folder / f"{name}.part").exists():
             time.sleep(0.01)
@@ -68,7 +68,8 @@ class Signals(InFreshFolder):
     def test_a_hangup_and_a_quit_are_interrupts(self):
         for number in (signal.SIGHUP, signal.SIGQUIT):
             with self.subTest(signal=number.name):
-                code, out = self.run_and_send(number, signal.SIG_DFL)
+                # Longer than any machine takes until the signal has come.
+                code, out = self.run_and_send(number, signal.SIG_DFL, "--set", "analysis.duration=1000")
                 self.assertEqual(code, 130)
                 self.assertIn(b"--resume goes on from there", out)
 
