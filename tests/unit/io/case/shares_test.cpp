@@ -39,7 +39,8 @@ Sums sums_at(Assembler& assembler, const Scene& scene, const std::vector<double>
 }
 
 bool have_same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  if (a.size() != b.size()) return false;
+  return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 void expect_same(const Sums& shared, const Sums& alone) {
