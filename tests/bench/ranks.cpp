@@ -133,8 +133,8 @@ void measure_evaluations(const Task& task, Ranks& ranks, Registry& registry) {
     }
   if (hash_of(r) != hash_of(r_shared)) std::exit(1);
   std::printf(
-      "{\"unknowns\": %d, \"make\": [%.3f, %.3f], \"residual\": [%.5f, %.5f], \"with_tangent\": [%.5f, "
-      "%.5f]}\n",
+      "{\"unknowns\": %d, \"make\": [%.3g, %.3g], \"residual\": [%.3g, %.3g], \"with_tangent\": [%.3g, "
+      "%.3g]}\n",
       alone->pattern().size, one, all, residual[0], residual[1], tangent[0], tangent[1]);
 }
 
