@@ -22,7 +22,7 @@ killed() {
   size=$(stat -c %s r.hdf.part)
 }
 limited() { (ulimit "$1" "$2"; "${@:3}"); }
-interrupted() { timeout --preserve-status -s INT "$@"; }
+interrupted() { timeout --foreground --preserve-status -s INT "$@"; }  # once: without --foreground the group gets a second signal
 flip() { python3 -c 'import sys; b = bytearray(open(sys.argv[1], "rb").read()); b[len(b) // 3] ^= 4; open(sys.argv[1], "wb").write(b)' "$1"; }
 line() {
   printf '[parts.line]\ntype = "rope/bar"\nlength = "10 m"\ncells = 4\nsketch = [[%s, 0, 0], [%s, 0, -9]]\n' $1 $(($1 + 1))
