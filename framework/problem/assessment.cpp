@@ -44,7 +44,7 @@ bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<doub
 }
 
 /// Estimates how far u is from the equilibrium; the factor that its stability was found by is used again.
-void find_correction(Assessment& a, StaticProblem& problem, const Assembler& assembler, const Scene& scene,
+void find_correction(Assessment& a, StaticProblem& problem, const AssembledScene& scene,
                      std::vector<double> u) {
   std::vector<double> step(u.size());
   const bool has_factor =
@@ -53,12 +53,13 @@ void find_correction(Assessment& a, StaticProblem& problem, const Assembler& ass
                    : find_correction(problem, u, a.residual, step)))
     return;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
-  a.corrected = problem.positions(u), a.corrected_low = problem.low_digits();
+  a.correction.x = problem.positions(u), a.correction.x_low = problem.low_digits();
   std::vector<double> way(a.x.size());
-  for (std::size_t i = 0; i < way.size(); ++i) way[i] = a.corrected[i] - a.x[i];
+  for (std::size_t i = 0; i < way.size(); ++i) way[i] = a.correction.x[i] - a.x[i];
   if (!a.x_low.empty())
-    for (std::size_t i = 0; i < way.size(); ++i) way[i] += a.corrected_low[i] - a.x_low[i];
-  a.correction = largest_node_distance(scene, assembler.numbering(), std::vector<double>(way.size()), way);
+    for (std::size_t i = 0; i < way.size(); ++i) way[i] += a.correction.x_low[i] - a.x_low[i];
+  a.correction.length =
+      largest_node_distance(scene.scene, scene.assembler.numbering(), std::vector<double>(way.size()), way);
 }
 
 Stability stability_of(GrowthVerdict verdict) {
@@ -76,37 +77,34 @@ Stability stability_of(GrowthVerdict verdict) {
 
 /// Of a gear that has come to rest at x: what moves on from there is resisted by friction with that past, not
 /// with the one before the gear came there.
-Growth find_growth_at_rest(Assembler& assembler, const Assessment& a, const MakeFactorisation& make,
-                           double doubt) {
+Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double doubt) {
+  Assembler& assembler = scene.assembler;
   const std::vector<double> past = assembler.memory();
   if (!assembler.remember(a.x)) return {.verdict = GrowthVerdict::unknown};
-  Growth growth = find_growth(assembler, a.x, make, a.x_low, doubt);
+  Growth growth = find_growth(assembler, a.x, scene.make, a.x_low, doubt);
   assembler.set_memory(past);
   return growth;
 }
 
 /// Where forces have no energy. What is left of imbalance changes the stiffness by that over a length.
-void find_what_grows(Assessment& a, const StaticProblem& problem, Assembler& assembler,
-                     const MakeFactorisation& make) {
-  Growth growth =
-      find_growth_at_rest(assembler, a, make, a.balance.residual / problem.scales().element_size());
+void find_what_grows(Assessment& a, const StaticProblem& problem, const AssembledScene& scene) {
+  Growth growth = find_growth_at_rest(scene, a, a.balance.residual / problem.scales().element_size());
   a.stability = stability_of(growth.verdict);
   a.judging.add(growth.cost);
   if (!growth.grows()) return;
   if (growth.swings()) a.stability = Stability::swinging;
-  a.growing = std::move(growth.mode), a.growing_later = std::move(growth.mode_later);
-  a.growth_rate = growth.rate, a.growth_frequency = growth.frequency;
+  a.growing = {std::move(growth.mode), std::move(growth.mode_later), growth.rate, growth.frequency};
 }
 
 /// Whether `a` is the equilibrium that was judged: they are in one place, and the estimated errors of both,
 /// which are distances from the equilibrium, reach from one to the other.
 bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem& problem,
-             const Assembler& assembler, const Scene& scene) {
+             const AssembledScene& scene) {
   const Assessment& before = judged.assessment;
-  if (before.x.size() != a.x.size() || judged.memory != assembler.memory()) return false;
-  const double apart = largest_node_distance(scene, assembler.numbering(), before.x, a.x);
-  return apart == 0 ||
-         (apart <= before.correction + a.correction && apart <= kSamePlace * problem.scales().gear_size());
+  if (before.x.size() != a.x.size() || judged.memory != scene.assembler.memory()) return false;
+  const double apart = largest_node_distance(scene.scene, scene.assembler.numbering(), before.x, a.x);
+  return apart == 0 || (apart <= before.correction.length + a.correction.length &&
+                        apart <= kSamePlace * problem.scales().gear_size());
 }
 
 /// What is left open is asked again.
@@ -115,14 +113,12 @@ bool is_decided(Stability s) {
 }
 
 void take_stability(Assessment& a, const Assessment& of) {
-  a.stability = of.stability;
-  a.growing = of.growing, a.growing_later = of.growing_later;
-  a.growth_rate = of.growth_rate, a.growth_frequency = of.growth_frequency;
+  a.stability = of.stability, a.growing = of.growing;
 }
 
 /// Where the solver ended there are no forces, or none that are numbers.
-void judge_without_forces(Assessment& a, const StaticProblem& problem, const Assembler& assembler,
-                          const Scene& scene) {
+void judge_without_forces(Assessment& a, const StaticProblem& problem, const AssembledScene& of) {
+  const auto& [scene, assembler, make] = of;
   if (!problem.met_bad_numbers()) {
     a.at_fault = assembler.fault_place(scene);
     a.reason = "the solver ended at a state without forces: " + assembler.fault_sentence(scene);
@@ -160,16 +156,16 @@ Statistics since(const Statistics& before, const Statistics& now) {
 
 }  // namespace
 
-Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembler,
-                  const MakeFactorisation& make, const Judging& how, std::span<const double> u,
-                  netloft_outcome outcome) {
+Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judging& how,
+                  std::span<const double> u, netloft_outcome outcome) {
+  const auto& [scene, assembler, make] = of;
   const Statistics before = problem.statistics();
   const std::string ending = why_it_ended(outcome, problem, assembler, scene);
   Assessment a;
   const bool evaluated = problem.recompute(u, a.x, a.residual, a.energy);
   a.x_low = problem.low_digits();
   if (!evaluated) {
-    judge_without_forces(a, problem, assembler, scene);
+    judge_without_forces(a, problem, of);
     a.judging = since(before, problem.statistics());
     return a;
   }
@@ -180,28 +176,27 @@ Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembl
   bool is_known = false;
   if (a.balance.balanced && problem.conservative())
     a.stability = find_stability(problem, u), why_unstable = first_not_convex(problem, assembler, scene);
-  if (a.balance.balanced) find_correction(a, problem, assembler, scene, {u.begin(), u.end()});
+  if (a.balance.balanced) find_correction(a, problem, of, {u.begin(), u.end()});
   if (a.balance.balanced && !problem.conservative() && how.ask_growth) {
-    is_known = how.known && is_same(*how.known, a, problem, assembler, scene);
+    is_known = how.known && is_same(*how.known, a, problem, of);
     if (is_known)
       take_stability(a, how.known->assessment);
     else
-      find_what_grows(a, problem, assembler, make);
+      find_what_grows(a, problem, of);
     why_unstable = what_grows(a, assembler, scene);
   }
   a.status = status_of(a, problem, how);
   const std::string worst = assembler.node_name(scene, a.balance.worst);
-  a.at_fault = a.growing.empty() ? worst : where_it_grows(a, assembler, scene);
+  a.at_fault = a.growing.mode.empty() ? worst : where_it_grows(a, assembler, scene);
   a.reason = reason_of(a, ending, worst, why_unstable);
   if (how.known && !is_known && is_decided(a.stability)) *how.known = {a, assembler.memory()};
   a.judging.add(since(before, problem.statistics()));
   return a;
 }
 
-Assessment assess_static(const Scene& scene, Assembler& assembler, std::span<const double> u,
-                         const Limits& limits, const MakeFactorisation& make) {
-  StaticProblem problem(assembler, make, limits);
-  return assess(problem, scene, assembler, make, limits.judging, u, NETLOFT_STOPPED);
+Assessment assess_static(const AssembledScene& scene, std::span<const double> u, const Limits& limits) {
+  StaticProblem problem(scene.assembler, scene.make, limits);
+  return assess(problem, scene, limits.judging, u, NETLOFT_STOPPED);
 }
 
 const char* name_of(SolveStatus status) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/problem/assembled_scene.hpp"
 #include "framework/problem/static_problem.hpp"
 
 namespace netloft {
@@ -12,6 +13,21 @@ enum class SolveStatus { converged, unstable, not_converged, interrupted };
 /// near, but its motion may stay small.
 enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
 
+/// What a small disturbance of u turns into that grows, where forces have no energy.
+struct GrowingMotion {
+  std::vector<double> mode;        // over the unknowns, of length 1; empty: nothing is known to grow
+  std::vector<double> mode_later;  // where it swings, a quarter of a period later; else empty
+  double rate = 0;                 // [1/s]; zero where nothing flows
+  double frequency = 0;            // with which it swings [rad/s]
+};
+
+/// The Newton step that is left at a point: an estimate of how far it is from the equilibrium.
+struct StepLeft {
+  std::vector<double> x;                                     // after it, over all dofs; empty: not known
+  std::vector<double> x_low;                                 // what that rounds off
+  double length = std::numeric_limits<double>::quiet_NaN();  // its largest nodal move [m]
+};
+
 /// What the host makes of a point, whoever found it.
 struct Assessment {
   SolveStatus status = SolveStatus::not_converged;
@@ -22,14 +38,9 @@ struct Assessment {
   std::vector<double> x_low;        // what x rounds off [m]; empty: not known
   double energy = 0;                // [J]
   Balance balance;
-  std::vector<double> growing;        // a disturbance of u that grows, where forces have no energy; length 1
-  std::vector<double> growing_later;  // where it swings, a quarter of a period later; else empty
-  double growth_rate = 0;  // of that [1/s], and with which it swings [rad/s]; zero where nothing flows
-  double growth_frequency = 0;
-  std::vector<double> corrected;      // x after the Newton step that is left, over all dofs; empty: not known
-  std::vector<double> corrected_low;  // what that rounds off
-  double correction = std::numeric_limits<double>::quiet_NaN();  // its largest nodal move [m]
-  Statistics judging;                                            // counts of what this took
+  GrowingMotion growing;
+  StepLeft correction;
+  Statistics judging;  // counts of what this took
 };
 
 /// The last equilibrium whose stability was decided, where forces have no energy: what ends there again, as
@@ -50,13 +61,11 @@ inline bool flutters(const Assessment& a) { return a.stability == Stability::swi
 /// Judges displacements u of the unknowns, at which a solver ended with `outcome`: recomputes the residual,
 /// holds it against convergence.hpp, asks of what is balanced whether it is stable, and estimates how far it
 /// is from the equilibrium. NETLOFT_STOPPED for a point that no solver is behind.
-Assessment assess(StaticProblem& problem, const Scene& scene, Assembler& assembler,
-                  const MakeFactorisation& make, const Judging& how, std::span<const double> u,
-                  netloft_outcome outcome);
+Assessment assess(StaticProblem& problem, const AssembledScene& scene, const Judging& how,
+                  std::span<const double> u, netloft_outcome outcome);
 
 /// The same of a point of the scene, within limits.tolerance.
-Assessment assess_static(const Scene& scene, Assembler& assembler, std::span<const double> u,
-                         const Limits& limits, const MakeFactorisation& make);
+Assessment assess_static(const AssembledScene& scene, std::span<const double> u, const Limits& limits);
 
 const char* name_of(SolveStatus status);
 const char* name_of(Stability stability);

@@ -67,7 +67,7 @@ std::string why_it_stopped(const StaticProblem& problem) {
 /// How far each node goes in what grows.
 std::vector<double> node_moves(const Assessment& a, const Assembler& assembler) {
   std::vector<double> squares;
-  for (const auto* u : {&a.growing, &a.growing_later})
+  for (const auto* u : {&a.growing.mode, &a.growing.mode_later})
     for (std::size_t i = 0; i < u->size(); ++i) {
       const std::size_t node = assembler.numbering().node(Dof(i));
       if (node >= squares.size()) squares.resize(node + 1, 0.0);
@@ -116,10 +116,10 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
 
 std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
   std::string text = "a small disturbance grows";
-  if (a.growth_rate > 0) text += " tenfold in " + seconds(std::log(10) / a.growth_rate);
+  if (a.growing.rate > 0) text += " tenfold in " + seconds(std::log(10) / a.growing.rate);
   if (flutters(a))
-    text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growth_frequency);
-  if (a.growing.empty()) return text;
+    text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growing.frequency);
+  if (a.growing.mode.empty()) return text;
   const auto moves = node_moves(a, assembler);
   const double most = moves[furthest(moves)];
   const auto many =

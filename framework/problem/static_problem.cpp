@@ -36,9 +36,9 @@ std::uint32_t traits_of(const Assembler& assembler) {
          (assembler.pattern().symmetric ? std::uint32_t{NETLOFT_SYMMETRIC} : 0);
 }
 
-netloft_outcome call_solver(const SolverType& solver, const void* parameters, netloft_problem& problem) {
-  const PluginCall call({solver.type.c_str(), "solve", nullptr, CallFrame::Kind::method});
-  return static_cast<netloft_outcome>(solver.solver.solve(parameters, &problem));
+netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem) {
+  const PluginCall call({solver.type->type.c_str(), "solve", nullptr, CallFrame::Kind::method});
+  return static_cast<netloft_outcome>(solver.type->solver.solve(solver.parameters, &problem));
 }
 
 double PathLength::up_to(std::span<const double> u) {

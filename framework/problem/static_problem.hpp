@@ -16,8 +16,14 @@ namespace netloft {
 /// NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC, where all forces of a scene are.
 std::uint32_t traits_of(const Assembler& assembler);
 
+/// A solver with its parameters.
+struct SolverChoice {
+  const SolverType* type = nullptr;
+  const void* parameters = nullptr;
+};
+
 /// Lets `solver` work on a problem, and says on whose account as long as it does (plugin_call.hpp).
-netloft_outcome call_solver(const SolverType& solver, const void* parameters, netloft_problem& problem);
+netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem);
 
 /// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
 /// ones.

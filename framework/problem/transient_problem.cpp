@@ -177,7 +177,7 @@ int TransientProblem::solve_step(const StepProblem& asked, double* u) {
   algebra_.begin(step);
   netloft_problem& problem = algebra_.interface();
   std::copy_n(u, size(), problem.u);
-  const auto outcome = call_solver(*solver_.type, solver_.parameters, problem);
+  const auto outcome = call_solver(solver_, problem);
   if (outcome == NETLOFT_STOPPED && algebra_.stop() == Stop::arrived) {
     std::copy_n(problem.u, size(), u);
     return NETLOFT_OK;

@@ -10,12 +10,6 @@
 
 namespace netloft {
 
-/// A solver with its parameters.
-struct SolverChoice {
-  const SolverType* type = nullptr;
-  const void* parameters = nullptr;
-};
-
 /// F(t, u, v, a) = 0 of a scene that moves: what an integrator sees, with the host's statistics behind it.
 /// Residuals and masses come from the assembler; algebraic problems of steps go to whichever solver was
 /// chosen.

@@ -26,7 +26,7 @@ netloft_ending ending_of(const Solution& s) {
     default:
       break;
   }
-  switch (s.stop) {
+  switch (s.run.stop) {
     case Stop::time:
     case Stop::interrupted:
       return NETLOFT_ENDED_INTERRUPTED;
@@ -318,14 +318,14 @@ void RunningStudy::keep(const netloft_stage& stage, const Solution& s) {
 
 void RunningStudy::fill(netloft_stage& stage, const Solution& s, double spent) {
   if (!s.u.empty()) std::copy(s.u.begin(), s.u.end(), stage.u);
-  growing_ = s.growing;
+  growing_ = s.growing.mode;
   stage.ending = ending_of(s), stage.stability = stability_of(s);
   stage.residual = s.balance.residual, stage.load = s.balance.scale, stage.energy = s.energy;
   stage.rounding = s.balance.floor, stage.spent = spent;
-  stage.iterations_done = static_cast<std::uint32_t>(s.statistics.iterations);
-  stage.factorisations = static_cast<std::uint32_t>(s.statistics.factorisations);
+  stage.iterations_done = static_cast<std::uint32_t>(s.cost.statistics.iterations);
+  stage.factorisations = static_cast<std::uint32_t>(s.cost.statistics.factorisations);
   stage.growing = growing_.empty() ? nullptr : growing_.data();
-  stage.growth_rate = s.growth_rate, stage.growth_frequency = flutters(s) ? s.growth_frequency : 0;
+  stage.growth_rate = s.growing.rate, stage.growth_frequency = flutters(s) ? s.growing.frequency : 0;
 }
 
 }  // namespace netloft

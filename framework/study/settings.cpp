@@ -60,8 +60,7 @@ class Search {
     point.is_there = !reactions.empty();
     for (std::size_t k = 0; k < reactions.size(); ++k)
       point.off[static_cast<Eigen::Index>(k)] = reactions[k] / scene_.settings[k].wanted - 1;
-    stages_.insert(stages_.end(), solution.stages.begin(), solution.stages.end());
-    statistics_.add(solution.statistics), work_ += solution.work;
+    cost_.add(solution.cost);
     is_interrupted_ |= solution.status == SolveStatus::interrupted;
     point.solution = std::move(solution);
     return point;
@@ -127,7 +126,7 @@ class Search {
   Solution finished(Point at) const {
     Solution s = std::move(at.solution);
     s.factors = factors_at(at.y);
-    s.stages = stages_, s.statistics = statistics_, s.work = work_;
+    s.cost = cost_;
     if (is_interrupted_) {
       s.status = SolveStatus::interrupted, s.reason = "interrupted while " + list_names() + " was looked for";
     } else if (at.is_there && at.distance() > kTolerance) {
@@ -164,9 +163,7 @@ class Search {
   const Scene& scene_;
   const FindWithFactors& find_;
   MatrixXd slopes_;  // J of (2)
-  std::vector<StageRecord> stages_;
-  Statistics statistics_;
-  double work_ = 0;
+  Cost cost_;        // of all equilibria that were looked for
   bool is_interrupted_ = false;
   std::string failed_;  // why there was no equilibrium further on
 };

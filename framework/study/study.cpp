@@ -31,8 +31,7 @@ Solution at_start(StudyHost& host, const netloft_study& study, Solution none) {
   stage.tolerance = host.options().limits.tolerance, stage.work = host.options().work;
   Solution start = host.assess(stage);
   start.status = SolveStatus::not_converged, start.reason = std::move(none.reason);
-  start.does_not_settle = none.does_not_settle, start.stages = std::move(none.stages);
-  start.statistics = none.statistics, start.work = none.work;
+  start.does_not_settle = none.does_not_settle, start.cost = std::move(none.cost);
   return start;
 }
 
@@ -91,13 +90,12 @@ class SetScenes {
     if (near.status == SolveStatus::converged || near.status == SolveStatus::interrupted) return near;
     Solution found = spend(find_as_set(source, left_, strategy_, start));
     has_one_ |= is_stationary(found);
-    found.stages.insert(found.stages.begin(), near.stages.begin(), near.stages.end());
-    found.statistics.add(near.statistics), found.work += near.work;
+    found.cost.add_before(near.cost);
     return found;
   }
 
   Solution spend(Solution s) {
-    left_.work = std::max(0.0, left_.work - s.work);
+    left_.work = std::max(0.0, left_.work - s.cost.work);
     const double now = cpu_seconds();
     left_.limits.seconds = std::max(0.0, left_.limits.seconds - (now - begun_)), begun_ = now;
     return s;

@@ -77,16 +77,17 @@ Solution StudyHost::solve(const netloft_stage& stage, const SolverUse& solver) {
   const auto site = sites_.at(stage.variant);
   const ParameterBlock parameters = block_of(solver);
   const auto size = static_cast<std::size_t>(site->assembler->pattern().size);
+  const StartPoint start{{stage.u, size},
+                         stage.flags & NETLOFT_COMPENSATED ? Positions::compensated : Positions::plain};
   Solution s =
-      solve_static(*site->scene, *site->assembler, *solver.type, parameters.data(), limits_of(stage, *site),
-                   sites_.source().make, observer_of(stage), {stage.u, size},
-                   stage.flags & NETLOFT_COMPENSATED ? Positions::compensated : Positions::plain);
-  record({stage.name, solver.type->type, size, s.status, s.reason, s.statistics, stage.variant,
+      solve_static({*site->scene, *site->assembler, sites_.source().make}, {solver.type, parameters.data()},
+                   limits_of(stage, *site), start, observer_of(stage));
+  record({stage.name, solver.type->type, size, s.status, s.reason, s.cost.statistics, stage.variant,
           site->model.of(s.judging)},
          *site);
   if (options_.on_stage && !s.u.empty()) {
     const auto moved = stage.variant.level ? sites_.transfer(stage.variant.level, s.u, 0) : s.u;
-    if (!moved.empty()) options_.on_stage(stages_.back(), moved);
+    if (!moved.empty()) options_.on_stage(cost_.stages.back(), moved);
   }
   return s;
 }
@@ -95,15 +96,12 @@ Solution StudyHost::assess(const netloft_stage& stage) { return solve(stage, {&n
 
 void StudyHost::record(StageRecord stage, const Site& site) {
   stage.work += site.model.of(stage.statistics);
-  spent_ += stage.work;
-  stages_.push_back(std::move(stage));
+  cost_.statistics.add(stage.statistics), cost_.work += stage.work;
+  cost_.stages.push_back(std::move(stage));
 }
 
 Solution StudyHost::finish(Solution solution) const {
-  solution.stages = stages_;
-  solution.statistics = {};
-  for (const StageRecord& stage : stages_) solution.statistics.add(stage.statistics);
-  solution.work = spent_;
+  solution.cost = cost_;
   return solution;
 }
 

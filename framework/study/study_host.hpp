@@ -17,7 +17,7 @@ class StudyHost {
 
   Sites& sites() { return sites_; }
   const StudyOptions& options() const { return options_; }
-  double spent() const { return spent_; }
+  double spent() const { return cost_.work; }
   /// By the user, or the user's time is over.
   bool is_interrupted() const;
   bool is_out_of_time() const { return seconds_left() == 0; }
@@ -45,8 +45,8 @@ class StudyHost {
 
   StudyOptions options_;
   Sites sites_;
-  double spent_ = 0, begun_;
-  std::vector<StageRecord> stages_;
+  double begun_;
+  Cost cost_;
   JudgedPoint judged_;  // of the scene as it is written
 };
 

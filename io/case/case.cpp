@@ -165,8 +165,7 @@ Solution Case::solve_from(const std::vector<double>& u, const Watch& watch) {
   Solution near = continue_from(u, kFromElsewhere, watch);
   if (near.status == SolveStatus::converged || near.status == SolveStatus::interrupted) return near;
   Solution found = solve(watch);
-  found.stages.insert(found.stages.begin(), near.stages.begin(), near.stages.end());
-  found.statistics.add(near.statistics), found.work += near.work;
+  found.cost.add_before(near.cost);
   return found;
 }
 
@@ -198,9 +197,8 @@ Solution Case::judge(std::span<const double> u, Assembler& assembler) const {
   Limits limits = loaded_.analysis.limits;
   limits.judging.ask_growth = false;
   Solution s;
-  static_cast<Assessment&>(s) = assess_static(loaded_.scene, assembler, u, limits, make_);
+  static_cast<Assessment&>(s) = assess_static({loaded_.scene, assembler, make_}, u, limits);
   s.u.assign(u.begin(), u.end());
-  s.factorisation = "none";
   return s;
 }
 
@@ -273,7 +271,8 @@ Solution Case::settle(const Watch& watch) {
   Limits limits = loaded_.analysis.limits;
   limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
-  Solution s = solve_static(loaded_.scene, *assembler_, settling.as_solver(), &settling, limits, make_,
+  const SolverType as_solver = settling.as_solver();
+  Solution s = solve_static({loaded_.scene, *assembler_, make_}, {&as_solver, &settling}, limits, {},
                             {watch.on_iteration, watch.kept});
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
   return s;

@@ -10,7 +10,7 @@ namespace netloft::io {
 NumbersOnMesh numbers_of(const Case& solved, const RunResult& result) {
   return {count_mesh(solved.loaded()),
           solved.plan().unknowns,
-          result.solution.statistics.total_seconds,
+          result.solution.cost.statistics.total_seconds,
           result.solution.status == SolveStatus::converged,
           result.scalars,
           result.gear,

@@ -13,9 +13,9 @@ Trial trial_of(Solution&& s, double tolerance) {
   Trial t;
   t.tolerance = tolerance;
   t.status = s.status, t.stability = s.stability, t.reason = std::move(s.reason);
-  t.cpu_seconds = s.statistics.solver_cpu_seconds, t.statistics = s.statistics;
+  t.cpu_seconds = s.cost.statistics.solver_cpu_seconds, t.statistics = s.cost.statistics;
   t.residual = s.balance.residual, t.load = s.balance.scale;
-  t.estimate = s.correction, t.energy = s.energy;
+  t.estimate = s.correction.length, t.energy = s.energy;
   t.x = std::move(s.x), t.u = std::move(s.u);
   return t;
 }

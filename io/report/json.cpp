@@ -38,7 +38,7 @@ Json terms_json(const Scene& scene, const Plan& plan) {
 }
 
 Json seconds_json(const RunResult& r) {
-  const Statistics& b = r.solution.statistics;
+  const Statistics& b = r.solution.cost.statistics;
   return {{"reading", r.reading_seconds},
           {"setup", r.setup_seconds},
           {"assembly", b.assembly_seconds},
@@ -52,7 +52,7 @@ Json seconds_json(const RunResult& r) {
 /// Every stage of the search, those on easier variants included.
 Json stages_json(const Solution& s) {
   Json stages = Json::array();
-  for (const StageRecord& stage : s.stages)
+  for (const StageRecord& stage : s.cost.stages)
     stages.push_back({{"name", stage.name},
                       {"variant",
                        {{"level", stage.variant.level},
@@ -120,6 +120,9 @@ Json hold_forces_json(const RunResult& r) {
 /// JSON.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
+/// What the host's last checks took.
+double judging_seconds(const Statistics& s) { return s.total_cpu_seconds - s.solver_cpu_seconds; }
+
 }  // namespace
 
 std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& extras) {
@@ -157,20 +160,20 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"laws", laws_json(loaded.scene, r.law_use)},
                {"shapes", shapes_json(s.shapes)},
                {"at_fault", s.status == SolveStatus::converged ? Json(nullptr) : Json(s.at_fault)},
-               {"iterations", s.statistics.iterations},
-               {"factorisations", s.statistics.factorisations},
+               {"iterations", s.cost.statistics.iterations},
+               {"factorisations", s.cost.statistics.factorisations},
                {"residual", s.balance.residual},
                {"largest_load", s.balance.scale},
                {"energy", s.energy},
                {"wall_seconds", seconds_json(r)},
-               {"cpu_seconds", s.statistics.total_cpu_seconds},
-               {"judging_cpu_seconds", s.statistics.total_cpu_seconds - s.statistics.solver_cpu_seconds},
+               {"cpu_seconds", s.cost.statistics.total_cpu_seconds},
+               {"judging_cpu_seconds", judging_seconds(s.cost.statistics)},
                {"unknowns", plan.unknowns},
                {"solver", loaded.analysis.solver},
                {"strategy", loaded.analysis.strategy},
                {"stages", stages_json(s)},
-               {"work", s.work},
-               {"factorisation", s.factorisation},
+               {"work", s.cost.work},
+               {"factorisation", s.run.factorisation},
                {"ranks", r.ranks},
                {"terms", terms_json(loaded.scene, plan)},
                {"results", values_json(r.scalars)},
@@ -179,7 +182,7 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"spread", spread_json(r.scalars)},
                {"swing", swing_json(r)},
                {"mesh_note", r.mesh_note.empty() ? Json(nullptr) : Json(r.mesh_note)},
-               {"node_error", s.correction},
+               {"node_error", s.correction.length},
                {"gear", gear_json(loaded, r.gear)},
                {"part_forces", part_forces_json(r)},
                {"hold_forces", hold_forces_json(r)},

@@ -92,7 +92,7 @@ std::optional<Numbers> numbers_at(const LoadedScene& loaded, Assembler& assemble
 /// Evaluates all numbers once more, after the next Newton step, to estimate the solver's error.
 void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   Solution after;
-  after.x = result.solution.corrected, after.x_low = result.solution.corrected_low;
+  after.x = result.solution.correction.x, after.x_low = result.solution.correction.x_low;
   if (const auto numbers = numbers_at(loaded, assembler, std::move(after)))
     note_changes(numbers->scalars, result.scalars), note_changes(numbers->gear, result.gear);
 }
@@ -141,10 +141,10 @@ void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<N
 void collect_swing(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   const Solution& s = result.solution;
   const bool grows = s.stability == Stability::swinging || s.stability == Stability::unstable;
-  if (!grows || s.growing.size() != s.u.size()) return;
+  if (!grows || s.growing.mode.size() != s.u.size()) return;
   const double length = kSmallSwing * length_of(s.x);
   double way = 0;  // of the furthest node, in the first phase
-  for (const auto* along : {&s.growing, &s.growing_later}) {
+  for (const auto* along : {&s.growing.mode, &s.growing.mode_later}) {
     if (along->size() != s.u.size()) continue;
     const Solution one = swung(assembler, s, *along, length), other = swung(assembler, s, *along, -length);
     if (way == 0) {

@@ -46,8 +46,8 @@ nlohmann::ordered_json swing_json(const RunResult& result) {
     return rate > 0 ? nlohmann::ordered_json(of / rate) : nlohmann::ordered_json(nullptr);
   };
   return {{"furthest", result.swings_most},
-          {"tenfold_in", time(std::log(10), s.growth_rate)},
-          {"period", time(2 * std::numbers::pi, flutters(s) ? s.growth_frequency : 0)},
+          {"tenfold_in", time(std::log(10), s.growing.rate)},
+          {"period", time(2 * std::numbers::pi, flutters(s) ? s.growing.frequency : 0)},
           {"per_metre", per_metre}};
 }
 

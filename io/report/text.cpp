@@ -133,10 +133,10 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   for (const auto& sentence : result.warnings) fmt::format_to(out, "  warning: {}\n", sentence);
   shapes_text(s.shapes, out);
   fmt::format_to(out, "  {} unknowns, {} iterations, {} factorisations, work {:.4g}, {:.3g} s\n",
-                 plan.unknowns, s.statistics.iterations, s.statistics.factorisations, s.work,
-                 s.statistics.total_seconds);
-  if (s.stages.size() > 1)
-    for (const StageRecord& stage : s.stages)
+                 plan.unknowns, s.cost.statistics.iterations, s.cost.statistics.factorisations, s.cost.work,
+                 s.cost.statistics.total_seconds);
+  if (s.cost.stages.size() > 1)
+    for (const StageRecord& stage : s.cost.stages)
       fmt::format_to(out, "    {:<44} {:>7} unknowns {:>4} iterations {:>4} factorisations  {}\n",
                      stage_name(stage), stage.unknowns, stage.statistics.iterations,
                      stage.statistics.factorisations, name_of(stage.status));

@@ -116,7 +116,7 @@ void write_convergence(Tree& tree, const Solution& s) {
   std::vector<std::int64_t> iteration, factorisations;
   std::vector<double> residual, scale, energy, seconds;
   std::vector<std::string> note;
-  for (const auto& r : s.history) {
+  for (const auto& r : s.run.history) {
     iteration.push_back(r.iteration), factorisations.push_back(r.factorisations);
     residual.push_back(r.residual), scale.push_back(r.scale), energy.push_back(r.energy),
         seconds.push_back(r.seconds);
@@ -163,7 +163,7 @@ void write_errors_of(Tree& tree, const std::string& at, const std::vector<NamedS
 
 void write_errors(Tree& tree, const RunResult& result) {
   const std::string at = "/netloft/errors/";
-  write_known(tree, at + "nodes", result.solution.correction, "m",
+  write_known(tree, at + "nodes", result.solution.correction.length, "m",
               "estimated error: largest nodal move of the next Newton step");
   write_errors_of(tree, at, result.scalars);
   write_errors_of(tree, at + "gear/", result.gear);
@@ -265,7 +265,7 @@ void write_result(ResultFile& file, const LoadedScene& loaded, Assembler& assemb
   Tree& tree = file.tree();
   write_stages(tree, result);
   write_status(tree, result.solution);
-  write_origins(tree, loaded, context, result.solution.statistics);
+  write_origins(tree, loaded, context, result.solution.cost.statistics);
   write_convergence(tree, result.solution);
   write_forces(tree, loaded, result);
   tree.write_real("/netloft/energy", result.solution.energy, "J",

@@ -101,7 +101,7 @@ class SuiteRun {
       return a;
     }
     e.solution = one.solve(options_.watch);
-    e.out_of_budget = e.solution.statistics.total_cpu_seconds >= seconds_for(size);
+    e.out_of_budget = e.solution.cost.statistics.total_cpu_seconds >= seconds_for(size);
     if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
     e.stability = find_stability(one, e);
     return a;
@@ -185,10 +185,10 @@ class SuiteRun {
     cell.status = name_of(s.status), cell.stability = name_of(a.ended.stability), cell.reason = s.reason;
     if (a.ended.claims_success() && a.ended.stability == Stability::unstable && !a.ended.conservative)
       cell.stability = "unstable: a small disturbance grows";
-    cell.iterations = s.statistics.iterations, cell.factorisations = s.statistics.factorisations;
-    cell.cpu_seconds = s.statistics.total_cpu_seconds, cell.energy = s.energy;
-    cell.stages = s.stages, cell.shapes = s.shapes;
-    cell.history = thinned(s.history);
+    cell.iterations = s.cost.statistics.iterations, cell.factorisations = s.cost.statistics.factorisations;
+    cell.cpu_seconds = s.cost.statistics.total_cpu_seconds, cell.energy = s.energy;
+    cell.stages = s.cost.stages, cell.shapes = s.shapes;
+    cell.history = thinned(s.run.history);
     return cell;
   }
 

@@ -80,7 +80,7 @@ double size_of(const Scene& scene) {
 Reached Branch::reach(std::shared_ptr<Case> the_case, const Values& values) {
   Reached reached;
   Solved solved{std::move(the_case), {}, values};
-  spent_ = {}, work_ = 0;
+  spent_ = {};
   Way way;
   if (!trail_.empty() && trail_.back().the_case->has_topology_of(*solved.the_case)) {
     way = known_places(values);
@@ -93,11 +93,11 @@ Reached Branch::reach(std::shared_ptr<Case> the_case, const Values& values) {
     solved = way.back().solved;
   } else {
     solved.solution = solved.the_case->solve(watch_);
-    spent_.add(solved.solution.statistics), work_ += solved.solution.work;
+    spent_.add(solved.solution.cost);
     if (!way.empty() && has_converged(solved.solution)) look_for_fold(way, solved, reached.events);
   }
   reached.solution = solved.solution;
-  reached.solution.statistics = spent_, reached.solution.work = work_;
+  reached.solution.cost = spent_;
   has_converged(solved.solution) ? trail_.push_back(std::move(solved)) : trail_.clear();
   if (trail_.size() > 2) trail_.erase(trail_.begin());
   return reached;
@@ -122,7 +122,7 @@ Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   Values values;
   const auto near = open_between(from, to, options_.little, values);
   if (!near || !from.the_case->has_topology_of(*near)) return way;
-  const auto tangent = from.the_case->tangent_towards(*near, from.solution.x, spent_);
+  const auto tangent = from.the_case->tangent_towards(*near, from.solution.x, spent_.statistics);
   if (!tangent) return way;
   Solved before{from.the_case, {}, from.values};
   before.solution.x = from.solution.x;
@@ -169,14 +169,14 @@ std::vector<double> Branch::led_on(const Way& way, double at) {
 Solution Branch::step(Case& the_case, const Way& way, double at) {
   Solution solution = the_case.continue_from(the_case.assembler().displacements_to(led_on(way, at)),
                                              options_.iterations, watch_);
-  spent_.add(solution.statistics), work_ += solution.work;
+  spent_.add(solution.cost);
   return solution;
 }
 
 bool Branch::may_have_jumped(const Way& way, std::size_t place) const {
   const Solution& found = way[place].solved.solution;
   const Case& the_case = *way[place].solved.the_case;
-  if (place < 2) return found.statistics.iterations > options_.few_iterations;
+  if (place < 2) return found.cost.statistics.iterations > options_.few_iterations;
   const auto led = led_on({way[place - 2], way[place - 1]}, way[place].at);
   const double off = largest_move(the_case, led, found.x).distance;
   return is_noticed(off, the_case) &&

@@ -16,7 +16,7 @@ struct Solved {
 
 /// How the next equilibrium was reached.
 struct Reached {
-  Solution solution;                // its statistics and work are those of all that was solved on the way
+  Solution solution;                // its cost is that of all that was solved on the way
   bool was_continued = false;       // else it was found anew
   std::vector<std::string> events;  // folds and jumps, as sentences
 };
@@ -83,8 +83,7 @@ class Branch {
   const Watch& watch_;
   BranchOptions options_;
   std::vector<Solved> trail_;  // the last two equilibria, the newest behind
-  Statistics spent_;           // on the way to the next one
-  double work_ = 0;
+  Cost spent_;                 // on the way to the next one
 };
 
 }  // namespace netloft::io

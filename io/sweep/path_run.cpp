@@ -97,8 +97,9 @@ class PathRun {
 
   void fill(PointRecord& record, Case& the_case, const Solution& s) const {
     record.status = name_of(s.status), record.reason = s.reason;
-    record.iterations = s.statistics.iterations, record.factorisations = s.statistics.factorisations;
-    record.work = s.work;
+    record.iterations = s.cost.statistics.iterations,
+    record.factorisations = s.cost.statistics.factorisations;
+    record.work = s.cost.work;
     record.figures = figures_of(the_case, s);
     if (study_.figures.empty()) return;
     std::erase_if(record.figures, [&](const StudyFigure& figure) {

@@ -83,11 +83,12 @@ struct Row {
 };
 
 Row print_row(io::Case& scene, const Solution& s, double cpu) {
-  const Statistics& finest = s.stages.empty() ? s.statistics : s.stages.back().statistics;
+  const Statistics& finest = s.cost.stages.empty() ? s.cost.statistics : s.cost.stages.back().statistics;
   const double unit = factorisation_time(scene, s.x);
-  std::printf("  %8zu %5d %5d %6d %6d %7.1f %9.3f %7.1f %8.2f   %s\n", s.u.size(), s.statistics.iterations,
-              finest.iterations, finest.factorisations, s.statistics.factorisations,
-              s.statistics.factorisation_seconds / unit, cpu, cpu / unit, gibibytes(), name_of(s.status));
+  std::printf("  %8zu %5d %5d %6d %6d %7.1f %9.3f %7.1f %8.2f   %s\n", s.u.size(),
+              s.cost.statistics.iterations, finest.iterations, finest.factorisations,
+              s.cost.statistics.factorisations, s.cost.statistics.factorisation_seconds / unit, cpu,
+              cpu / unit, gibibytes(), name_of(s.status));
   std::fflush(stdout);
   return {static_cast<double>(s.u.size()), cpu};
 }

@@ -55,8 +55,9 @@ void time_share(int cells, int threads, Registry& registry) {
   const ParameterBlock parameters(newton.parameters, newton.solver.parameter_bytes, {}, faults);
   Limits limits;
   limits.iterations = 30;
-  const Solution s = solve_static(scene, assembler, newton, parameters.data(), limits, make_factorisation);
-  const Statistics& b = s.statistics;
+  const Solution s =
+      solve_static({scene, assembler, make_factorisation}, {&newton, parameters.data()}, limits);
+  const Statistics& b = s.cost.statistics;
   const double total = b.assembly_seconds + b.analysis_seconds + b.factorisation_seconds + b.solve_seconds;
   std::printf("%8zu %7d %9d %8.1f %% %13.1f %% %7.1f %% %8.1f %%\n", plan.unknowns, threads, b.factorisations,
               100 * b.assembly_seconds / total, 100 * b.factorisation_seconds / total,

@@ -53,7 +53,7 @@ void print_row(const std::string& type, int cells, const Run& r, const Shape& wa
   const Shape found = shape_of(r.result);
   const auto& solution = r.result.solved.solution;
   std::printf("%-16s %5d %9zu %11d %9.3f %13.4f %13.4f  %s\n", type.c_str(), cells,
-              r.result.solved.plan.unknowns, solution.statistics.iterations, r.seconds,
+              r.result.solved.plan.unknowns, solution.cost.statistics.iterations, r.seconds,
               std::abs(found.lowest_z - want.lowest_z), std::abs(found.mid_width - want.mid_width),
               name_of(solution.status));
 }
@@ -89,7 +89,7 @@ void print_codend(const std::string& type, const std::string& cells, const Coden
   }
   const auto error = [](double found, double exact) { return 100 * (found / exact - 1); };
   std::printf("%-16s %9s %9zu %11d %9.3f %10.3f %10.3f %10.3f  %s\n", type.c_str(), cells.c_str(),
-              s.solved.plan.unknowns, s.solved.solution.statistics.iterations, seconds,
+              s.solved.plan.unknowns, s.solved.solution.cost.statistics.iterations, seconds,
               error(s.solved.position(s.node("codend", "aft"))[0], want.length), error(radius, want.radius),
               error(-s.solved.total_reaction()[0], want.drag), name_of(s.solved.solution.status));
 }

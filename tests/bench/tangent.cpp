@@ -24,10 +24,11 @@ void run(int cells, double speed, TangentChoice tangent, const char* name, Regis
   const ParameterBlock parameters(newton.parameters, newton.solver.parameter_bytes, {}, faults);
   Limits limits;
   limits.tolerance = 1e-8, limits.iterations = 500;
-  const Solution s = solve_static(scene, assembler, newton, parameters.data(), limits, make_factorisation);
+  const Solution s =
+      solve_static({scene, assembler, make_factorisation}, {&newton, parameters.data()}, limits);
   std::printf("%6.1f  %8zu  %-10s %10d %15d %9.3f  %s, residual %.1e N of %.3g N\n", speed, plan.unknowns,
-              name, s.statistics.iterations, s.statistics.factorisations, s.statistics.total_cpu_seconds,
-              name_of(s.status), s.balance.residual, s.balance.scale);
+              name, s.cost.statistics.iterations, s.cost.statistics.factorisations,
+              s.cost.statistics.total_cpu_seconds, name_of(s.status), s.balance.residual, s.balance.scale);
 }
 
 }  // namespace

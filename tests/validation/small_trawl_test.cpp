@@ -16,7 +16,7 @@ namespace {
 
 SolvedFile solve_trawl(const std::string& model) {
   SolvedFile s = solve_file("validation/small-trawl/" + model + ".toml");
-  const Statistics& b = s.solved.solution.statistics;
+  const Statistics& b = s.solved.solution.cost.statistics;
   EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
   std::printf("%s: %zu unknowns, %d iterations, %d factorisations, %.3f s\n", model.c_str(),
               s.solved.plan.unknowns, b.iterations, b.factorisations, b.total_cpu_seconds);

@@ -88,13 +88,13 @@ TEST_P(CodendWithCatch, SwellsAsTheAxisymmetricMembraneDoes) {
   ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
   const Measured m = measure(s);
   std::printf("%-8s %3d iterations: length %.6f m (%.2e), largest radius %.6f m (%.2e), drag %.3f N (%.2e)\n",
-              c.name, s.solved.solution.statistics.iterations, m.length, relative(m.length, c.length),
+              c.name, s.solved.solution.cost.statistics.iterations, m.length, relative(m.length, c.length),
               m.largest_radius, relative(m.largest_radius, c.largest_radius), m.drag,
               relative(m.drag, c.drag));
   EXPECT_LT(relative(m.length, c.length), c.length_error);
   EXPECT_LT(relative(m.largest_radius, c.largest_radius), c.radius_error);
   EXPECT_LT(relative(m.drag, c.drag), c.drag_error);
-  EXPECT_LE(s.solved.solution.statistics.iterations, 60);
+  EXPECT_LE(s.solved.solution.cost.statistics.iterations, 60);
 }
 
 /// The drag is the pressure times the opening at the catch front, where no netting balances it.
@@ -185,7 +185,7 @@ TEST_P(CodendWithCatch, FindsTheFrontOfTheVolumeThatFiftyMeshesHold) {
   const SolvedFile meshes = solve_codend(GetParam());
   const SolvedFile volume = solve_codend(GetParam(), by_volume(volume_of(meshes)));
   ASSERT_EQ(volume.solved.solution.status, SolveStatus::converged) << volume.solved.solution.reason;
-  const Statistics &a = meshes.solved.solution.statistics, &b = volume.solved.solution.statistics;
+  const Statistics &a = meshes.solved.solution.cost.statistics, &b = volume.solved.solution.cost.statistics;
   std::printf("%-8s %.6f m3: front %.9f meshes, nodes %.1e m apart; %d and %d iterations, %.2f and %.2f s\n",
               GetParam().name, volume_of(meshes), front_of(volume), farthest(meshes, volume), a.iterations,
               b.iterations, a.total_cpu_seconds, b.total_cpu_seconds);
@@ -204,7 +204,8 @@ TEST_P(CodendWithCatch, IsTheSameWithItsFrontGivenAsItWasFound) {
   ASSERT_EQ(meshes.solved.solution.status, SolveStatus::converged) << meshes.solved.solution.reason;
   std::printf("%-8s %.1f m3 fill %.6f meshes; by meshes %.9f m3, nodes %.1e m apart; %d and %d iterations\n",
               GetParam().name, wanted, front_of(volume), volume_of(meshes), farthest(meshes, volume),
-              volume.solved.solution.statistics.iterations, meshes.solved.solution.statistics.iterations);
+              volume.solved.solution.cost.statistics.iterations,
+              meshes.solved.solution.cost.statistics.iterations);
   EXPECT_NEAR(volume_of(meshes), wanted, 1e-5);
   EXPECT_LT(farthest(meshes, volume), 1e-6);
 }
@@ -277,7 +278,7 @@ TEST(LumpedCodend, SwellsAsTheAxisymmetricMembraneDoes) {
     ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
     const Measured m = measure(s);
     std::printf("lumped, EA %g N, %d iterations: length %.2e, largest radius %.2e, drag %.2e\n", c.EA,
-                s.solved.solution.statistics.iterations, relative(m.length, c.length),
+                s.solved.solution.cost.statistics.iterations, relative(m.length, c.length),
                 relative(m.largest_radius, c.largest_radius), relative(m.drag, c.drag));
     EXPECT_LT(relative(m.length, c.length), 5e-4);
     EXPECT_LT(relative(m.largest_radius, c.largest_radius), 1e-3);
@@ -338,7 +339,7 @@ TEST_P(Tractrix, IsWhatATubeBetweenTwoRingsTendsTo) {
                                    std::string("parts.net.division=") + t.division, "parts.ring.cells=" + n});
   ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
   std::printf("%3d round, %2d along, %3d iterations\n", t.round, t.along,
-              s.solved.solution.statistics.iterations);
+              s.solved.solution.cost.statistics.iterations);
   const std::vector<Ring> rings = rings_of(s, t.along);
   for (const auto& ring : kRings) {
     const double shape = relative(radius_at(rings, &Ring::z, std::min(ring.z, rings.back().z)), ring.r);

@@ -50,7 +50,7 @@ Errors compare(const Solved& s, const Level& level) {
 void print(const char* what, const Solved& s, const Errors& e) {
   std::printf(
       "%-22s %4d iterations  node %.1e m  lowest z %.1e m  energy %.1e  elastic %.1e  reaction %.1e  %s\n",
-      what, s.solution.statistics.iterations, e.worst_node, e.lowest_z, e.energy, e.elastic, e.top,
+      what, s.solution.cost.statistics.iterations, e.worst_node, e.lowest_z, e.energy, e.elastic, e.top,
       name_of(s.solution.stability));
 }
 
@@ -161,7 +161,7 @@ TEST(ClassicNewton, IsReportedForWhatItFindsOnTheHangingPanel) {
       const Solved s = solve_as_published(sample::hanging_panel(n, height));
       const Solution& found = s.solution;
       std::printf("%2d cells, %5.2f m: %s, %d iterations; %s\n", n, height, name_of(found.status),
-                  found.statistics.iterations, found.reason.c_str());
+                  found.cost.statistics.iterations, found.reason.c_str());
       if (found.status == SolveStatus::converged) {
         const Errors e = compare(s, read_level("hanging-panel.txt", n));
         EXPECT_EQ(found.stability, Stability::stable);

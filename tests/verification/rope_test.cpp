@@ -32,7 +32,7 @@ TEST_P(RopeInBars, LiesAsTheIndependentProgramSays) {
                force = std::hypot(start[0] - want.values[1], start[2] - want.values[2]) /
                        std::hypot(want.values[1], want.values[2]);
   std::printf("%4d bars: %3d iterations, node %.1e m, energy %.1e, reaction %.1e\n", want.n,
-              s.solution.statistics.iterations, worst, energy, force);
+              s.solution.cost.statistics.iterations, worst, energy, force);
   EXPECT_LT(worst, 1e-9);
   EXPECT_LT(energy, 1e-12);
   EXPECT_LT(force, 1e-10);

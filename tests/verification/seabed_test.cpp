@@ -73,7 +73,7 @@ TEST(CatenaryOnSeabed, ApproachesTheRigidBedAsItsStiffnessGrows) {
     ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
     const double error = relative(pull_at(s, "wire", "start"), exact);
     std::printf("stiffness %.0e N/m2: %3d iterations, top tension %.3f N, error %.2e\n", k,
-                s.solved.solution.statistics.iterations, pull_at(s, "wire", "start"), error);
+                s.solved.solution.cost.statistics.iterations, pull_at(s, "wire", "start"), error);
     EXPECT_LT(error, before);
     before = k < 1e5 ? error / 4 : 3e-6;
   }
@@ -90,7 +90,7 @@ TEST(RopeOverSeabed, IsHeldByTheFrictionOfWhatSlidesAndNoMore) {
     // The end was sketched at its held position, so its half bar is not dragged; the rest of the rope is.
     const double pull = -s.solved.reaction(s.node("rope", "start"))[0] + friction * 0.5 * 80 / bars;
     std::printf("%3d bars: %2d iterations, pull %.4f N, error %.2e\n", bars,
-                s.solved.solution.statistics.iterations, pull, relative(pull, exact));
+                s.solved.solution.cost.statistics.iterations, pull, relative(pull, exact));
     EXPECT_LT(relative(pull, exact), 1e-4);
     const auto end = s.solved.position(s.node("rope", "end"));
     EXPECT_NEAR(end[0], 80, 1e-12) << "40 m away it sticks to where it was laid";
@@ -128,9 +128,9 @@ TEST(TowedChain, IsPulledByItsDragAndTheFrictionOfAllThatSlides) {
       const auto r = s.solved.reaction(s.node("chain", "start"));
       const double pull = -(r[0] * chain.cos() + r[2] * chain.sin());
       std::printf("slope %4.1f, friction %.2f: %2d iterations, pull %.3f N, exact %.3f N\n", slope, friction,
-                  s.solved.solution.statistics.iterations, pull, chain.exact());
+                  s.solved.solution.cost.statistics.iterations, pull, chain.exact());
       EXPECT_LT(relative(pull, chain.exact()), 5e-3);
-      EXPECT_LE(s.solved.solution.statistics.iterations, 15);
+      EXPECT_LE(s.solved.solution.cost.statistics.iterations, 15);
     }
 }
 

@@ -54,7 +54,7 @@ Solved solve(Scene scene, const Solving& how) {
   s.plan = make_plan(s.scene, shipped_plugins());
   s.assembler = std::make_unique<Assembler>(s.scene, s.plan, how.threads);
   if (how.strategy.empty())
-    s.solution = solve_static(s.scene, *s.assembler, solver, parameters.data(), how.limits, how.make);
+    s.solution = solve_static({s.scene, *s.assembler, how.make}, {&solver, parameters.data()}, how.limits);
   else
     s.solution = find_by_strategy(s, how);
   return s;
@@ -62,7 +62,7 @@ Solved solve(Scene scene, const Solving& how) {
 
 netloft_outcome solve_problem(netloft_problem& problem, const std::string& solver, const Values& parameters) {
   const SolverType& type = shipped_plugins().solver(solver);
-  return call_solver(type, parameters_of(type, parameters).data(), problem);
+  return call_solver({&type, parameters_of(type, parameters).data()}, problem);
 }
 
 double elastic_energy(const Solved& solved) {

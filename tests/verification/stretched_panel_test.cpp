@@ -115,7 +115,7 @@ Errors compare(const Solved& s, const Level& level) {
 void print(const char* what, int n, const Solved& s, const Errors& e) {
   std::printf(
       "%-17s %2d cells %3d iterations  node %.1e m  width %.1e m  energy %+.1e  top %.1e  left half %.1e\n",
-      what, n, s.solution.statistics.iterations, e.worst_node, e.width, e.energy, e.top, e.top_left);
+      what, n, s.solution.cost.statistics.iterations, e.worst_node, e.width, e.energy, e.top, e.top_left);
 }
 
 class StretchedPanel : public testing::TestWithParam<std::tuple<Case, int>> {};

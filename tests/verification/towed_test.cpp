@@ -61,7 +61,7 @@ TEST_P(TowedRopeInBars, LiesAsTheIndependentProgramSays) {
   const auto top = s.solved.reaction(s.node("rope", "start"));
   const double force = std::hypot(top[0] - want.values[0], top[2] - want.values[1]);
   std::printf("%4d bars: %3d iterations, node %.1e m, reaction %.1e N\n", want.n,
-              s.solved.solution.statistics.iterations, worst, force);
+              s.solved.solution.cost.statistics.iterations, worst, force);
   EXPECT_LT(worst, 1e-7);
   EXPECT_LT(force, 1e-7);
 }

@@ -96,7 +96,7 @@ inline Scene loose_load() {
 }
 
 inline bool has_note(const Solved& s, const std::string& note) {
-  for (const IterationRecord& record : s.solution.history)
+  for (const IterationRecord& record : s.solution.run.history)
     if (record.note == note) return true;
   return false;
 }

@@ -58,7 +58,7 @@ TEST_P(KnownAnswers, StopsAtTheLimit) {
   const Solved s = solve_so(sample::hanging_panel(8, 34), limits);
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
   EXPECT_TRUE(says(s, "limit of 2 iterations")) << s.solution.reason;
-  EXPECT_EQ(s.solution.statistics.iterations, 2);
+  EXPECT_EQ(s.solution.cost.statistics.iterations, 2);
 }
 
 TEST_P(KnownAnswersWithoutEnergy, FindsARopeInACurrent) {

@@ -9,7 +9,7 @@ namespace {
 TEST_P(OtherNewton, FindsTheRopeThatOursFindsBySearchingLines) {
   const Solved other = solve_by_it(rope_near_its_shape());
   expect_same_shape(other, solve(rope_near_its_shape()));
-  EXPECT_EQ(other.solution.factorisation.find("CHOLMOD"), std::string::npos);  // any definiteness will do
+  EXPECT_EQ(other.solution.run.factorisation.find("CHOLMOD"), std::string::npos);  // any definiteness will do
 }
 
 TEST_P(OtherNewton, FindsTheRopeThatOursFindsByWholeStepsFromSlack) {
@@ -25,9 +25,10 @@ TEST_P(OtherNewton, FindsThePanelThatOursFinds) {
 
 TEST_P(OtherNewton, ReportsEveryAcceptedPoint) {
   const Solution s = solve_by_it(rope_near_its_shape()).solution;
-  ASSERT_EQ(s.history.size(), static_cast<std::size_t>(s.statistics.iterations) + 1);
-  for (std::size_t i = 0; i < s.history.size(); ++i) EXPECT_EQ(s.history[i].iteration, static_cast<int>(i));
-  EXPECT_GE(s.statistics.factorisations, s.statistics.iterations);
+  ASSERT_EQ(s.run.history.size(), static_cast<std::size_t>(s.cost.statistics.iterations) + 1);
+  for (std::size_t i = 0; i < s.run.history.size(); ++i)
+    EXPECT_EQ(s.run.history[i].iteration, static_cast<int>(i));
+  EXPECT_GE(s.cost.statistics.factorisations, s.cost.statistics.iterations);
 }
 
 TEST_P(OtherNewton, StopsWhenItIsTold) {
@@ -36,7 +37,7 @@ TEST_P(OtherNewton, StopsWhenItIsTold) {
   const Solution s = solve_by_it(sample::hanging_rope(40), kWholeSteps, limits).solution;
   EXPECT_EQ(s.status, SolveStatus::not_converged);
   EXPECT_NE(s.reason.find("the limit of 3 iterations was reached"), std::string::npos) << s.reason;
-  EXPECT_EQ(s.history.size(), 4u);
+  EXPECT_EQ(s.run.history.size(), 4u);
 }
 
 // Its measure of progress, the sum of squares of the residual, has low points where nothing is in balance.
@@ -51,7 +52,7 @@ TEST_P(OtherNewton, SaysThatNoStepBringsASlackRopeCloser) {
 TEST_P(OtherNewton, HasNothingToDoWhereAllIsHeld) {
   const Solution s = solve_by_it(sample::hanging_rope(1)).solution;
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
-  EXPECT_EQ(s.statistics.factorisations, 0);
+  EXPECT_EQ(s.cost.statistics.factorisations, 0);
 }
 
 TEST_P(OtherNewton, RefusesAStrategyThatItDoesNotHave) {

@@ -72,7 +72,7 @@ void describe(CLI::App& app, Wish& wish) {
 
 void print_history(const Solution& solution) {
   std::printf("    iteration  residual N      load N        energy J  factors  seconds\n");
-  for (const auto& i : solution.history)
+  for (const auto& i : solution.run.history)
     std::printf("    %9d  %10.3e  %10.3e  %14.7e  %7d  %7.3f  %s\n", i.iteration, i.residual, i.scale,
                 i.energy, i.factorisations, i.seconds, i.note);
 }
@@ -80,13 +80,13 @@ void print_history(const Solution& solution) {
 void print_row(const NeutralCase& gear, const SolvedGear& s) {
   const Solution& n = s.solved.solution;
   std::printf("%-18s %5zu %8zu %5d %7d %8.5f %7.1fx %9.2e %9.2e  %s\n", gear.name.c_str(), gear.nodes.size(),
-              s.solved.plan.unknowns, n.statistics.iterations, n.statistics.factorisations, s.cpu_seconds,
-              gear.femnet.cpu_seconds / s.cpu_seconds, s.furthest.distance, s.residual_over_tension(),
-              name_of(n.status));
+              s.solved.plan.unknowns, n.cost.statistics.iterations, n.cost.statistics.factorisations,
+              s.cpu_seconds, gear.femnet.cpu_seconds / s.cpu_seconds, s.furthest.distance,
+              s.residual_over_tension(), name_of(n.status));
 }
 
 void print_stages(const SolvedGear& s) {
-  for (const StageRecord& stage : s.solved.solution.stages)
+  for (const StageRecord& stage : s.solved.solution.cost.stages)
     std::printf("    %-34s %3d factorisations, %.4f s, %s\n", stage.name.c_str(),
                 stage.statistics.factorisations, stage.statistics.total_cpu_seconds, name_of(stage.status));
 }

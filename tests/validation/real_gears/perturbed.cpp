@@ -41,7 +41,7 @@ Reliability solve_perturbed(const NeutralCase& gear, const Modelling& modelling,
   std::vector<Effort> efforts;
   for (const Start& start : starts_of(drawings)) {
     const Solution s = solve_by_strategy(gear, modelling, start, how).solved.solution;
-    efforts.push_back({s.status == SolveStatus::converged, s.statistics.factorisations});
+    efforts.push_back({s.status == SolveStatus::converged, s.cost.statistics.factorisations});
   }
   return summarise(std::move(efforts));
 }

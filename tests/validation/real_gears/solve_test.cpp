@@ -10,7 +10,7 @@ namespace netloft::real_gears {
 namespace {
 
 void print(const NeutralCase& gear, const SolvedGear& s) {
-  const Statistics& b = s.solved.solution.statistics;
+  const Statistics& b = s.solved.solution.cost.statistics;
   std::printf(
       "%s: %zu unknowns, %d iterations, %d factorisations, %.3f s, %.0f times less than FEMNET; furthest "
       "%.1e m; "
@@ -96,7 +96,7 @@ TEST_P(RealGear, IsInEquilibriumFromSoftToStiffWithFewFactorisations) {
   const SolvedGear s = solve(gear_, {}, {}, how);
   print(gear_, s);
   EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
-  EXPECT_LE(s.solved.solution.statistics.factorisations, most_factorisations(GetParam()));
+  EXPECT_LE(s.solved.solution.cost.statistics.factorisations, most_factorisations(GetParam()));
   EXPECT_LT(s.residual_over_tension(), 1e-9);
   if (s.furthest.distance > 1e-3) expect_another_answer(gear_, s);
 }

@@ -22,7 +22,7 @@ std::vector<long> count_allocations(const Scene& scene, const SolverType& solver
   std::vector<long> between;
   between.reserve(1000);
   long last = count_malloc();
-  solve_static(scene, assembler, solver, parameters.data(), limits, make_factorisation,
+  solve_static({scene, assembler, make_factorisation}, {&solver, parameters.data()}, limits, {},
                {.on_iteration = [&](const IterationRecord&) {
                  between.push_back(count_malloc() - last);
                  last = count_malloc();

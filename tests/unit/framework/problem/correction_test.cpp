@@ -34,17 +34,17 @@ Scene standing_bar(double load, double height) {
 /// that.
 TEST(Correction, IsTheWayToTheEquilibriumWhereForcesAreLinear) {
   const Solved s = solve_sketch(standing_bar(100, 1.005), 1);
-  EXPECT_EQ(s.solution.statistics.iterations, 0);
-  EXPECT_NEAR(s.solution.correction, 0.005, 1e-14);
+  EXPECT_EQ(s.solution.cost.statistics.iterations, 0);
+  EXPECT_NEAR(s.solution.correction.length, 0.005, 1e-14);
   const auto z = s.assembler->numbering().dof(1, 2).at();
-  EXPECT_NEAR(s.solution.corrected[z], 1.01, 1e-14);
+  EXPECT_NEAR(s.solution.correction.x[z], 1.01, 1e-14);
   EXPECT_EQ(s.solution.x[z], 1.005);
 }
 
 TEST(Correction, IsKnownAtAnUnstableEquilibriumToo) {
   const Solved s = solve_sketch(standing_bar(-100, 0.995), 1);
   EXPECT_EQ(s.solution.status, SolveStatus::unstable);
-  EXPECT_NEAR(s.solution.correction, 0.005, 1e-14);
+  EXPECT_NEAR(s.solution.correction.length, 0.005, 1e-14);
 }
 
 TEST(Correction, IsKnownWhereForcesHaveNoEnergy) {
@@ -58,7 +58,7 @@ TEST(Correction, IsKnownWhereForcesHaveNoEnergy) {
   const double distance =
       largest_node_distance(tight.scene, tight.assembler->numbering(), loose.solution.x, tight.solution.x);
   ASSERT_GT(distance, 1e-9);
-  EXPECT_NEAR(loose.solution.correction / distance, 1, 0.1);
+  EXPECT_NEAR(loose.solution.correction.length / distance, 1, 0.1);
 }
 
 TEST(Correction, TellsTheErrorOfALooselySolvedPanel) {
@@ -71,8 +71,8 @@ TEST(Correction, TellsTheErrorOfALooselySolvedPanel) {
         largest_node_distance(tight.scene, tight.assembler->numbering(), loose.solution.x, tight.solution.x);
     if (distance < 1e-11) continue;  // the last step went further than it had to
     ++told;
-    EXPECT_LT(loose.solution.correction, 2 * distance) << tolerance;
-    EXPECT_GT(loose.solution.correction, 0.5 * distance) << tolerance;
+    EXPECT_LT(loose.solution.correction.length, 2 * distance) << tolerance;
+    EXPECT_GT(loose.solution.correction.length, 0.5 * distance) << tolerance;
   }
   EXPECT_GE(told, 2);
 }
@@ -81,8 +81,8 @@ TEST(Correction, IsNotKnownWhereNothingIsBalanced) {
   Solving how;
   how.limits.iterations = 2;
   const Solved s = solve(sample::hanging_panel(4, 34), how);
-  EXPECT_TRUE(std::isnan(s.solution.correction));
-  EXPECT_TRUE(s.solution.corrected.empty());
+  EXPECT_TRUE(std::isnan(s.solution.correction.length));
+  EXPECT_TRUE(s.solution.correction.x.empty());
 }
 
 /// A quarter turn is no way of 1.57 m; the carried point moves by √2 r.

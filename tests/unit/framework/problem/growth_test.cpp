@@ -553,9 +553,9 @@ TEST(Growth, IsThatOfTheMotionOfAFloatInItsDragCrisis) {
   ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
   EXPECT_TRUE(flutters(s.solution));
   EXPECT_EQ(s.solution.stability, Stability::swinging);
-  const double swings = 6 * std::numbers::pi / s.solution.growth_frequency;
-  EXPECT_NEAR(rate_of_motion(scene, s.solution.u, s.solution.growing, swings), s.solution.growth_rate,
-              0.1 * s.solution.growth_rate);
+  const double swings = 6 * std::numbers::pi / s.solution.growing.frequency;
+  EXPECT_NEAR(rate_of_motion(scene, s.solution.u, s.solution.growing.mode, swings), s.solution.growing.rate,
+              0.1 * s.solution.growing.rate);
 }
 
 TEST(Growth, IsThatOfTheMotionOfAFloatThatTopples) {
@@ -564,9 +564,9 @@ TEST(Growth, IsThatOfTheMotionOfAFloatThatTopples) {
   ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
   EXPECT_FALSE(flutters(s.solution));
   EXPECT_EQ(s.solution.stability, Stability::unstable);
-  const double duration = 3 / s.solution.growth_rate;
-  EXPECT_NEAR(rate_of_motion(scene, s.solution.u, s.solution.growing, duration), s.solution.growth_rate,
-              0.1 * s.solution.growth_rate);
+  const double duration = 3 / s.solution.growing.rate;
+  EXPECT_NEAR(rate_of_motion(scene, s.solution.u, s.solution.growing.mode, duration), s.solution.growing.rate,
+              0.1 * s.solution.growing.rate);
 }
 
 TEST(Growth, IsNoneOfAFloatThatStandsUp) {

@@ -78,7 +78,8 @@ SolverType quitter() {
 Solution given_up(const Scene& scene, double u) {
   Assembled a(scene);
   given_up_at = u;
-  return solve_static(a.scene, a.assembler, quitter(), nullptr, {.tolerance = 1e-8}, make_factorisation);
+  const SolverType type = quitter();
+  return solve_static({a.scene, a.assembler, make_factorisation}, {&type}, {.tolerance = 1e-8});
 }
 
 /// Two bars hung side by side; only the second may move, along z. The first is pulled with 100 N, and so is
@@ -156,16 +157,16 @@ TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
   JudgedPoint judged;
   const Limits limits{.tolerance = 1e-6, .judging = {.known = &judged}};
   const auto asked = [&](std::span<const double> u) {
-    const Assessment found = assess_static(a.scene, a.assembler, u, limits, make_factorisation);
+    const Assessment found = assess_static({a.scene, a.assembler, make_factorisation}, u, limits);
     EXPECT_EQ(found.stability, Stability::stable);
     return found.judging.solves > 10;
   };
   EXPECT_TRUE(asked(loose));
   EXPECT_FALSE(asked(loose));
   EXPECT_FALSE(asked(tight));
-  judged.assessment.correction = 0;
+  judged.assessment.correction.length = 0;
   EXPECT_TRUE(asked(tight));
-  EXPECT_EQ(judged.assessment.x, assess_static(a.scene, a.assembler, tight, {}, make_factorisation).x);
+  EXPECT_EQ(judged.assessment.x, assess_static({a.scene, a.assembler, make_factorisation}, tight, {}).x);
 }
 
 TEST(Verdict, KnowsNoStabilityWithoutAnEnergyIfItMustNotAsk) {
@@ -179,17 +180,17 @@ TEST(Verdict, KnowsNoStabilityWithoutAnEnergyIfItMustNotAsk) {
 TEST(Verdict, NamesWhatGrowsWhereForcesHaveNoEnergy) {
   const Solved s = solve_with("newton", toppling_bar(0), {}, {});
   ASSERT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
-  ASSERT_EQ(s.solution.growing.size(), 3u);
-  EXPECT_NEAR(s.solution.growing[2], 0, 1e-6) << "it topples, and does not shorten";
+  ASSERT_EQ(s.solution.growing.mode.size(), 3u);
+  EXPECT_NEAR(s.solution.growing.mode[2], 0, 1e-6) << "it topples, and does not shorten";
 }
 
 TEST(Verdict, JudgesAPointThatNoSolverIsBehind) {
   Assembled a(standing_bar(100));
   std::vector<double> u(a.plan.unknowns, 0.0);
-  EXPECT_EQ(assess_static(a.scene, a.assembler, u, {}, make_factorisation).status,
+  EXPECT_EQ(assess_static({a.scene, a.assembler, make_factorisation}, u, {}).status,
             SolveStatus::not_converged);
   u.back() = 0.01;
-  const Assessment found = assess_static(a.scene, a.assembler, u, {}, make_factorisation);
+  const Assessment found = assess_static({a.scene, a.assembler, make_factorisation}, u, {});
   EXPECT_EQ(found.status, SolveStatus::converged) << found.reason;
   EXPECT_EQ(found.stability, Stability::stable);
 }
@@ -217,11 +218,12 @@ TEST(Verdict, SaysWhyASolverIsUnfit) {
 TEST(Verdict, DoesNotStartASolverThatIsUnfit) {
   was_called = false;
   Assembled a(bar_with_a_follower());
-  const Solution s = solve_static(a.scene, a.assembler, wants_an_energy(), nullptr, {}, make_factorisation);
+  const SolverType type = wants_an_energy();
+  const Solution s = solve_static({a.scene, a.assembler, make_factorisation}, {&type}, {});
   EXPECT_FALSE(was_called);
   EXPECT_EQ(s.status, SolveStatus::not_converged);
   EXPECT_TRUE(contains(s.reason, "conservative")) << s.reason;
-  EXPECT_EQ(s.statistics.residuals + s.judging.residuals, 0) << "nothing is computed";
+  EXPECT_EQ(s.cost.statistics.residuals + s.judging.residuals, 0) << "nothing is computed";
   EXPECT_EQ(s.x, a.assembler.start());
 }
 
@@ -245,7 +247,7 @@ TEST(Verdict, NeverTakesAResidualThatMattersForBalance) {
       for (const double offset : {0.0, 1.0, -3.0, 20.0}) {
         Assembled a(far_bar(std::pow(10, stiffness), std::pow(10, distance)));
         const std::vector<double> u{0, 0, offset * 1e-16 * std::pow(10, distance)};
-        const Assessment s = assess_static(a.scene, a.assembler, u, {}, make_factorisation);
+        const Assessment s = assess_static({a.scene, a.assembler, make_factorisation}, u, {});
         if (s.status == SolveStatus::not_converged) {
           ++refused;
           continue;
@@ -288,8 +290,8 @@ TEST(Verdict, NamesTheLimitThatWasReached) {
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
   EXPECT_TRUE(contains(s.solution.reason, "limit of 3 iterations")) << s.solution.reason;
   EXPECT_TRUE(contains(s.solution.at_fault, "net node")) << s.solution.at_fault;
-  EXPECT_EQ(s.solution.statistics.iterations, 3);
-  EXPECT_EQ(s.solution.history.size(), 4u);
+  EXPECT_EQ(s.solution.cost.statistics.iterations, 3);
+  EXPECT_EQ(s.solution.run.history.size(), 4u);
 
   how.limits = {};
   how.limits.seconds = 0;
@@ -389,7 +391,8 @@ TEST(Verdict, KeepsTheResidualOfThePlaceItReports) {
   ASSERT_TRUE(s.assembler->evaluate(s.solution.x, {.energy = &energy, .residual = residual.data()}));
   EXPECT_EQ(s.solution.residual, residual);
   EXPECT_EQ(s.solution.energy, energy);
-  EXPECT_EQ(s.solution.history.size(), static_cast<std::size_t>(s.solution.statistics.iterations) + 1);
+  EXPECT_EQ(s.solution.run.history.size(),
+            static_cast<std::size_t>(s.solution.cost.statistics.iterations) + 1);
 }
 
 TEST(Verdict, FindsTheSameBitsWithOneTwoAndThreeThreads) {
@@ -403,7 +406,7 @@ TEST(Verdict, FindsTheSameBitsWithOneTwoAndThreeThreads) {
     EXPECT_EQ(one.solution.x, more.solution.x);
     EXPECT_EQ(one.solution.residual, more.solution.residual);
     EXPECT_EQ(one.solution.energy, more.solution.energy);
-    EXPECT_EQ(one.solution.statistics.iterations, more.solution.statistics.iterations);
+    EXPECT_EQ(one.solution.cost.statistics.iterations, more.solution.cost.statistics.iterations);
   }
 }
 

@@ -37,7 +37,7 @@ struct Model {
           ++asked;
           SetEquilibrium found;
           EXPECT_EQ(start.empty(), asked == 1) << "every equilibrium is looked for from the one before";
-          found.solution.u = {1}, found.solution.work = 1;
+          found.solution.u = {1}, found.solution.cost.work = 1;
           std::vector<double> lengths;
           for (const double factor : factors) lengths.push_back(100 * factor);
           if (lengths[0] < shortest) {
@@ -69,7 +69,7 @@ TEST(Settings, FindALengthFarFromWhereTheyBegin) {
   ASSERT_EQ(s.status, SolveStatus::converged);
   EXPECT_NEAR(100 * s.factors[0], exact, 1e-8 * exact);
   EXPECT_LT(model.asked, 3 + std::log(exact / 100) / 0.05 + 6) << "steps of 5 %, and few at the end";
-  EXPECT_DOUBLE_EQ(s.work, model.asked);
+  EXPECT_DOUBLE_EQ(s.cost.work, model.asked);
 }
 
 TEST(Settings, FindTwoLengthsThatPullAtOneAnother) {

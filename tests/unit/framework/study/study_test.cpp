@@ -65,8 +65,8 @@ TEST(AStudy, ChoosesWhatTheStrategyAnswered) {
     of.answer(stage.u);
   });
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
-  ASSERT_EQ(s.stages.size(), 1u) << "an answer that a stage has judged is not judged again";
-  EXPECT_EQ(s.stages[0].name, "first");
+  ASSERT_EQ(s.cost.stages.size(), 1u) << "an answer that a stage has judged is not judged again";
+  EXPECT_EQ(s.cost.stages[0].name, "first");
 }
 
 TEST(AStudy, JudgesAnAnswerItself) {
@@ -141,8 +141,8 @@ TEST(AStudy, SolvesAnEasierVariantWithoutTakingItForTheScene) {
     EXPECT_EQ(soft.ending, Ending::converged);
   });
   EXPECT_EQ(s.status, SolveStatus::not_converged) << "a variant is no answer";
-  ASSERT_EQ(s.stages.size(), 1u);
-  EXPECT_EQ(s.stages[0].variant.compression, 0);
+  ASSERT_EQ(s.cost.stages.size(), 1u);
+  EXPECT_EQ(s.cost.stages[0].variant.compression, 0);
 }
 
 /// Iterations of a stage whose solver is named, and asked to make one step an iteration.
@@ -154,7 +154,7 @@ int iterations_of_named_solver(std::map<std::string, Values> given) {
                  perturbed(of.start(), 0.3));
       },
       1000, {}, std::move(given));
-  return s.statistics.iterations;
+  return s.cost.statistics.iterations;
 }
 
 TEST(AStudy, LetsTheUsersOwnParametersHoldOverThoseOfTheStrategy) {
@@ -174,7 +174,7 @@ int iterations_of_called_strategy(std::map<std::string, Values> given) {
         of.call("pseudo-time", "path=1e-9", {.name = "pseudo-time", .work = 100}, perturbed(of.start(), 0.3));
       },
       1000, {}, std::move(given));
-  return s.stages.at(0).statistics.iterations;
+  return s.cost.stages.at(0).statistics.iterations;
 }
 
 TEST(AStudy, GivesTheUsersOwnParametersToAStrategyThatIsCalled) {
@@ -244,7 +244,7 @@ TEST(AStudy, HandsAMethodOfTheStrategysOwnTheProblem) {
     of.answer(u);
   });
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
-  EXPECT_GT(s.statistics.factorisations, 0) << "its work is counted";
+  EXPECT_GT(s.cost.statistics.factorisations, 0) << "its work is counted";
 }
 
 TEST(AStudy, HasTheSumOfAllStages) {
@@ -253,9 +253,10 @@ TEST(AStudy, HasTheSumOfAllStages) {
   });
   int iterations = 0;
   double work = 0;
-  for (const StageRecord& stage : s.stages) iterations += stage.statistics.iterations, work += stage.work;
-  EXPECT_EQ(s.statistics.iterations, iterations);
-  EXPECT_DOUBLE_EQ(s.work, work);
+  for (const StageRecord& stage : s.cost.stages)
+    iterations += stage.statistics.iterations, work += stage.work;
+  EXPECT_EQ(s.cost.statistics.iterations, iterations);
+  EXPECT_DOUBLE_EQ(s.cost.work, work);
   EXPECT_EQ(s.shapes.times, 3) << "the same shape, three times";
 }
 

@@ -97,8 +97,8 @@ TEST(CoarserMeshes, LeadToTheAnswerThatIsFoundWithoutThem) {
   auto a = opened(kPanel, with), b = opened(kPanel, without);
   const Solution sa = a->solve(), sb = b->solve();
   EXPECT_EQ(sa.status, SolveStatus::converged) << sa.reason;
-  ASSERT_GT(sa.stages.size(), 1u);
-  EXPECT_EQ(sa.stages.back().unknowns, a->plan().unknowns);
+  ASSERT_GT(sa.cost.stages.size(), 1u);
+  EXPECT_EQ(sa.cost.stages.back().unknowns, a->plan().unknowns);
   const auto xa = a->positions(sa.x), xb = b->positions(sb.x);
   for (std::size_t d = 0; d < xa.size(); ++d) EXPECT_NEAR(xa[d], xb[d], 1e-7);
 }

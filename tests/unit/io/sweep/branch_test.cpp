@@ -84,7 +84,7 @@ class BranchTest : public testing::Scratch {
       const Reached reached = branch.reach(the_case, values);
       EXPECT_EQ(reached.solution.status, SolveStatus::converged) << reached.solution.reason;
       heights.push_back(the_case->positions(reached.solution.x)[3 * 1 + 2]);
-      factorisations_.push_back(reached.solution.statistics.factorisations);
+      factorisations_.push_back(reached.solution.cost.statistics.factorisations);
       for (const auto& event : reached.events) events_.push_back(event);
       was_continued_.push_back(reached.was_continued);
     }

@@ -9,8 +9,8 @@ INSTANTIATE_TEST_SUITE_P(Kinsol, OtherNewton, testing::Values("kinsol"),
 
 TEST(Kinsol, FactorisesOnceAnIteration) {
   const Solution s = solve_by("kinsol", rope_near_its_shape()).solution;
-  EXPECT_GT(s.statistics.iterations, 0);
-  EXPECT_EQ(s.statistics.factorisations, s.statistics.iterations);
+  EXPECT_GT(s.cost.statistics.iterations, 0);
+  EXPECT_EQ(s.cost.statistics.factorisations, s.cost.statistics.iterations);
 }
 
 }  // namespace

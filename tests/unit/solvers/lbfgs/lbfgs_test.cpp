@@ -18,16 +18,16 @@ Values preconditioned_by(const std::string& word) { return {{"preconditioner", w
 
 TEST(Lbfgs, FactorisesTheLinearStiffnessOnceAndNothingElse) {
   const Solved s = solve_with("lbfgs", sample::hanging_panel(8, 34));
-  EXPECT_EQ(s.solution.statistics.factorisations, 1);
-  EXPECT_EQ(s.solution.statistics.matrices, 0);
+  EXPECT_EQ(s.solution.cost.statistics.factorisations, 1);
+  EXPECT_EQ(s.solution.cost.statistics.matrices, 0);
   const Solved diagonal = solve_with("lbfgs", sample::hanging_panel(8, 34), preconditioned_by("diagonal"));
-  EXPECT_EQ(diagonal.solution.statistics.factorisations, 0);
+  EXPECT_EQ(diagonal.solution.cost.statistics.factorisations, 0);
 }
 
 TEST(Lbfgs, TakesFewerStepsWithTheLinearStiffness) {
   const auto residuals = [](const char* word) {
     return solve_with("lbfgs", sample::hanging_panel(8, 34), preconditioned_by(word))
-        .solution.statistics.residuals;
+        .solution.cost.statistics.residuals;
   };
   EXPECT_LT(2 * residuals("stiffness"), residuals("none"));
 }

@@ -51,7 +51,7 @@ TEST(PseudoTransient, UsesTheConvexPartWhereTheTangentIsIndefinite) {
 TEST(PseudoTransient, EndsAsNewtonsMethodBecauseStepsGrow) {
   const auto iterations = [](double growth) {
     return solve_with("ptc", two_bar_truss(), {{"step", 10.0}, {"growth", growth}})
-        .solution.statistics.iterations;
+        .solution.cost.statistics.iterations;
   };
   EXPECT_LT(2 * iterations(10), iterations(1));
 }
@@ -75,7 +75,7 @@ TEST(ImplicitSteps, FindACodEndWithALongNarrowNeck) {
        "parts.codend.panel.along=108", "parts.codend.cells=[14,20]", "parts.codend.tube.radius=0.2072",
        "parts.codend.twine.EA=39694.6", "parts.catch.catch.meshes=20", "parts.catch.catch.pressure=413.2"});
   EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
-  EXPECT_LT(s.solved.solution.statistics.iterations, 60);
+  EXPECT_LT(s.solved.solution.cost.statistics.iterations, 60);
 }
 
 TEST(ImplicitSteps, GiveUpWhatGoesRoundForEver) {
@@ -85,7 +85,7 @@ TEST(ImplicitSteps, GiveUpWhatGoesRoundForEver) {
   const Solved s = solve_with("ptc", whirling_bar(), kImplicit, limits);
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
   EXPECT_TRUE(says(s, "does not come to rest")) << s.solution.reason;
-  EXPECT_LT(s.solution.statistics.iterations, 200);
+  EXPECT_LT(s.solution.cost.statistics.iterations, 200);
 }
 
 }  // namespace

@@ -43,14 +43,14 @@ Found find(const Scene& scene, const Values& parameters = {}, Limits limits = {}
 }
 
 bool has_stage(const Solution& s, const std::string& name) {
-  return std::any_of(s.stages.begin(), s.stages.end(),
+  return std::any_of(s.cost.stages.begin(), s.cost.stages.end(),
                      [&](const StageRecord& stage) { return stage.name == name; });
 }
 
 /// For messages.
 std::string stages_of(const Solution& s) {
   std::string text;
-  for (const StageRecord& stage : s.stages)
+  for (const StageRecord& stage : s.cost.stages)
     text += "\n" + stage.name + " by " + stage.solver + ": " + name_of(stage.status) + ", work " +
             std::to_string(stage.work) + ", " + stage.reason;
   return text;
@@ -159,7 +159,7 @@ TEST(Auto, MovesOffAnEquilibriumThatIsNotStableWhereForcesHaveNoEnergy) {
   const Solution s = find(toppling_bar(0), {{"without", std::string("tension-stages")}}).solution;
   ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
   EXPECT_TRUE(has_stage(s, "off an unstable equilibrium")) << stages_of(s);
-  EXPECT_TRUE(s.growing.empty()) << "nothing grows any more";
+  EXPECT_TRUE(s.growing.mode.empty()) << "nothing grows any more";
   EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.1, 1e-6) << "it hangs";
 }
 
@@ -179,8 +179,8 @@ TEST(Auto, DoesNotConvergeWithoutTime) {
 
 TEST(Auto, DoesTheSameStagesWithTheSameBitsAgain) {
   const Solution a = find(slack_rope(1e6)).solution, b = find(slack_rope(1e6)).solution;
-  ASSERT_EQ(a.stages.size(), b.stages.size());
-  EXPECT_EQ(a.work, b.work);
+  ASSERT_EQ(a.cost.stages.size(), b.cost.stages.size());
+  EXPECT_EQ(a.cost.work, b.cost.work);
   EXPECT_EQ(a.x, b.x);
 }
 

@@ -67,7 +67,7 @@ TEST(InteriorPoint, LeadsAPanelThatStartsSlackToWhereItHangs) {
   there.positions = found.positions;
   const test::Solved confirmed = test::solve(there, {{}, {.tolerance = 1e-5}}), direct = test::solve(panel);
   ASSERT_EQ(confirmed.solution.status, SolveStatus::converged) << confirmed.solution.reason;
-  EXPECT_LE(confirmed.solution.statistics.iterations, 4);
+  EXPECT_LE(confirmed.solution.cost.statistics.iterations, 4);
   EXPECT_NEAR(confirmed.lowest_z(), direct.lowest_z(), 1e-4);
 }
 

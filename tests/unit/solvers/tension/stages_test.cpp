@@ -20,7 +20,7 @@ void expect_same_place(const Scene& scene, double size) {
   Scene there = scene;
   there.positions = taken.positions();
   const test::Solved confirmed = test::solve(there, {{}, {.tolerance = 1e-8}}), direct = test::solve(scene);
-  EXPECT_LE(confirmed.solution.statistics.iterations, 3);
+  EXPECT_LE(confirmed.solution.cost.statistics.iterations, 3);
   ASSERT_EQ(confirmed.solution.status, SolveStatus::converged) << confirmed.solution.reason;
   ASSERT_EQ(direct.solution.status, SolveStatus::converged) << direct.solution.reason;
   EXPECT_LT(test::largest_difference(direct.solution.x, confirmed.solution.x), 1e-6 * size);
