@@ -32,12 +32,11 @@ int settle(const void* parameters, netloft_problem* problem) {
   watch.on_step = [&](const StepRecord& step, std::span<const double> u) {
     return step.steps % s.look_every == 0 && look(*problem, u, residual);
   };
-  const MarchState from = state_at_rest(*s.assembler, {problem->u, problem->unknowns});
+  const MarchState from = state_at_rest(s.scene.assembler, {problem->u, problem->unknowns});
   const double begun = cpu_seconds();
   MarchSettings how = s.march;
   how.judged = false;  // where it arrives is judged, not how it came there
-  const MarchResult r =
-      march(*s.scene, *s.assembler, s.integrator, s.solver, s.make, s.limits, how, watch, &from);
+  const MarchResult r = march(s.scene, s.methods, s.limits, how, watch, &from);
   std::copy(r.u.begin(), r.u.end(), problem->u);
   if (r.status == MarchStatus::stopped || r.status == MarchStatus::interrupted) return NETLOFT_STOPPED;
   const bool moved_on = r.status == MarchStatus::finished || cpu_seconds() - begun > s.limits.seconds;
@@ -49,11 +48,12 @@ int settle(const void* parameters, netloft_problem* problem) {
 }  // namespace
 
 SolverType Settling::as_solver() const {
+  const IntegratorType& stands_for = *methods.integrator.type;
   SolverType type;
-  type.type = integrator.type->type;
-  type.origin = integrator.type->origin;
+  type.type = stands_for.type;
+  type.origin = stands_for.origin;
   type.solver.size = sizeof type.solver;
-  type.solver.name = integrator.type->integrator.name, type.solver.doc = integrator.type->integrator.doc;
+  type.solver.name = stands_for.integrator.name, type.solver.doc = stands_for.integrator.doc;
   type.solver.solve = &settle;
   return type;
 }

@@ -8,11 +8,8 @@ namespace netloft {
 /// residual is no more than the tolerance allows. It stands before the host as any other solver, so that the
 /// statistics and the verdict are the same.
 struct Settling {
-  Assembler* assembler = nullptr;
-  const Scene* scene = nullptr;
-  IntegratorChoice integrator;
-  SolverChoice solver;  // of implicit steps
-  MakeFactorisation make;
+  AssembledScene scene;
+  StepMethods methods;
   Limits limits;  // of one step's problem
   MarchSettings march;
   std::int64_t look_every = 20;  // steps between looks at the residual

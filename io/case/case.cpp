@@ -262,9 +262,8 @@ Solution Case::settle(const Watch& watch) {
   const auto scheme =
       block_of(integrator.parameters, integrator.integrator.parameter_bytes, d.integrator_parameters);
   const auto steps = block_of(solver.parameters, solver.solver.parameter_bytes, {});
-  Settling settling{
-      assembler_.get(), &loaded_.scene, {&integrator, scheme.data()}, {&solver, steps.data()}, make_,
-      kStepLimits,      d.march};
+  const AssembledScene scene{loaded_.scene, *assembler_, make_};
+  Settling settling{scene, {{&integrator, scheme.data()}, {&solver, steps.data()}}, kStepLimits, d.march};
   settling.limits.interrupt = watch.interrupt;
   settling.limits.tolerance =
       std::min(kStepLimits.tolerance, kStepsFiner * loaded_.analysis.limits.tolerance);
@@ -272,8 +271,7 @@ Solution Case::settle(const Watch& watch) {
   limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
   const SolverType as_solver = settling.as_solver();
-  Solution s = solve_static({loaded_.scene, *assembler_, make_}, {&as_solver, &settling}, limits, {},
-                            {watch.on_iteration, watch.kept});
+  Solution s = solve_static(scene, {&as_solver, &settling}, limits, {}, {watch.on_iteration, watch.kept});
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
   return s;
 }
@@ -309,8 +307,9 @@ MarchResult Case::march(const MarchWatch& watch, const Watch& who, const MarchSt
     from = &at_rest.emplace(state_at_rest(*assembler_, u));
     at_rest->winches = Winches::state_at_rest(s.factors);
   }
-  MarchResult result = netloft::march(loaded_.scene, *assembler_, {&integrator, scheme.data()},
-                                      {&solver, steps.data()}, make_, limits, a.dynamics.march, watch, from);
+  MarchResult result = netloft::march({loaded_.scene, *assembler_, make_},
+                                      {{&integrator, scheme.data()}, {&solver, steps.data()}}, limits,
+                                      a.dynamics.march, watch, from);
   result.reason += remark;
   return result;
 }

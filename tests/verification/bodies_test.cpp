@@ -86,7 +86,7 @@ struct Marching {
     const ParameterBlock own(type.parameters, type.integrator.parameter_bytes, {}, wrong);
     const SolverType& newton = plugins().solver("newton");
     const ParameterBlock of_newton(newton.parameters, newton.solver.parameter_bytes, {}, wrong);
-    return march(scene, assembler, {&type, own.data()}, {&newton, of_newton.data()}, make_factorisation,
+    return march({scene, assembler, make_factorisation}, {{&type, own.data()}, {&newton, of_newton.data()}},
                  {.tolerance = 1e-10, .iterations = 50}, settings, watch, from);
   }
 };

@@ -69,8 +69,8 @@ struct Moving {
   MarchResult run(const std::string& integrator, const Values& values, const MarchSettings& settings,
                   const MarchState* from = nullptr) {
     const Chosen chosen(integrator, values);
-    return march(scene, assembler, chosen.choice(), {&solver_type, solver_block.data()}, make_factorisation,
-                 limits, settings, watch, from);
+    return march({scene, assembler, make_factorisation},
+                 {chosen.choice(), {&solver_type, solver_block.data()}}, limits, settings, watch, from);
   }
 
   std::vector<std::string> faults;
