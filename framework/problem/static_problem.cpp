@@ -243,7 +243,8 @@ double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> 
   return 4 * std::numeric_limits<double>::epsilon() * stiffness * configuration_.rounded_length(x[i]);
 }
 
-/// So far from the start that the gear's size no longer matters: nothing holds what drives it.
+/// What a load F has moved by d is held by a stiffness of F/d. Against that which the load itself gives a
+/// gear of length L, as weight does to a pendulum, it is F/d ≤ kMatters F/L: nothing holds what drives it.
 bool StaticProblem::has_run_away(std::span<const double> x) const {
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i)

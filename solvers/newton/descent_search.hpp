@@ -4,13 +4,17 @@
 
 namespace netloft::newton {
 
-/// How far to go along a line that curves downwards, where nothing tells how far it does. Falls, at t:
+/// How far to go along a line that curves downwards, where nothing tells how far it does. t = 1 is as far as
+/// the direction at t = 0 says something: an element. Falls, at t:
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise                                                       (D)
 /// The largest t found that falls: a small t is halved until one falls, or doubled until one does not, and
-/// secants of m' go on between.
+/// secants of m' go on between. t stays below
+///   1/margin:                                                                               (E)
+/// a longer bracket keeps its new points, `margin` of it from either end, farther than 1 from the start, and
+/// what is nearer would not be seen.
 struct DescentSearch {
   Refinement refinement = {};
-  double longest() const { return 1 / refinement.margin; }
+  double longest() const { return 1 / refinement.margin; }  // (E)
 
   /// `merit(t)` gives a Sample, or nothing where elements are not defined. Empty: m does not fall at all.
   template <class Merit>

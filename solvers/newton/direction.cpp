@@ -63,7 +63,8 @@ Direction Directions::find_partly_convex(Iterate& iterate, double damping) {
   return solve(iterate, damping, "convex part");
 }
 
-/// K + θ (K₊ − K), with half the θ of the last time, or twice as much until it will do.
+/// K + θ (K₊ − K), with half the θ of the last time, or twice as much until it will do. A θ
+/// below kMatters adds no stiffness that matters.
 Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   for (convex_share_ = std::max(0.5 * convex_share_, kMatters); convex_share_ < 1; convex_share_ *= 2)
     if (const Factor factor = problem.factorise_between(convex_share_, shift); factor != Factor::not_positive)

@@ -10,7 +10,8 @@
 
 namespace netloft::newton {
 
-/// K is nearly definite where K + σ M is positive definite with a σ of `least_damping` to kMatters.
+/// K is nearly definite where K + σ M is positive definite with a σ of `least_damping` to kMatters, the least
+/// stiffness that matters over M.
 class NearlyDefinite {
  public:
   explicit NearlyDefinite(const DampingRange& range) : range_(range), sigma_(range.least) {}

@@ -34,10 +34,12 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
   newton.real("uphill", &Newton::Parameters::uphill, "1",
               "multiple of the slope by which every other whole step may raise the energy; 0: none",
               {.lo = 0, .hi = 100, .fallback = 2});
-  newton.real("margin", &Newton::Parameters::margin, "1",
-              "fraction of its bracket that a new point of such a search keeps from either end: with 0.2, a "
-              "saddle at round-off was not left",
-              {.lo = 1e-3, .hi = 0.5, .fallback = 0.1});
+  newton.real(
+      "margin", &Newton::Parameters::margin, "1",
+      "fraction of its bracket that a new point of such a search keeps from either end, and one over the "
+      "most "
+      "elements that a step off a saddle moves a node by: with 0.2, a saddle at round-off was not left",
+      {.lo = 1e-3, .hi = 0.5, .fallback = 0.1});
   newton.integer("refinements", &Newton::Parameters::refinements,
                  "points that such a search spends on a better one once one will do", 0, 100, 4);
 }

@@ -21,8 +21,11 @@ double largest_of(std::span<const double> v) {
   return largest;
 }
 
-/// What is little of an element.
-double little(const Study& study) { return kMatters * study.element_size(); }
+/// Of an element, how far beside a point to begin that a solver cannot leave: small, for an element may be a
+/// whole warp, and by one it would be another start.
+constexpr double kBeside = 1e-3;
+
+double little(const Study& study) { return kBeside * study.element_size(); }
 
 /// The start of the study; a little beside it where elements have no force there, which a solver cannot
 /// leave.
