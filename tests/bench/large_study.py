@@ -117,6 +117,13 @@ def compare_engines(options, folder):
                 sys.exit(1)
 
 
+def factorisations_by_draw(rows):
+    sums = {}
+    for row in rows:
+        sums[row["draw"]] = sums.get(row["draw"], 0) + int(row["factorisations"])
+    return sums.values()
+
+
 def compare_points(options, folder):
     """Factorisations along paths and of points by themselves, of the same draws."""
     counts = {}
@@ -125,9 +132,11 @@ def compare_points(options, folder):
         by_pool(options, folder / name)
         call(options.netloft, "study", "collect", "s.study", cwd=folder / name, code=(0, 1, 3))
         rows = rows_of(folder / name)
-        counts[name] = sum(int(row["factorisations"]) for row in rows)
+        of_draws = factorisations_by_draw(rows)
+        counts[name] = sum(of_draws)
         print(f"{name:<9} {len(rows):>6} points, {counts[name]:>7} factorisations, {cost_of(folder / name):.1f} s of CPU, "
-              f"{sum(row['status'] != 'converged' for row in rows)} without a stable equilibrium")
+              f"{sum(row['status'] != 'converged' for row in rows)} without a stable equilibrium, "
+              f"{min(of_draws)} to {max(of_draws)} for a draw")
     print(f"points over path: {counts['points'] / counts['path']:.2f}")
 
 
