@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gear/gear_mesh.hpp"
 
+#include "io/gear/gear_size.hpp"
 #include "io/gear/knots.hpp"
 #include "io/gear/seam_lines.hpp"
 #include "io/gear/triangulation.hpp"
@@ -19,18 +20,11 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kNear = 0.05;  // relative deviation from the requested number of nodes
-constexpr int kTrials = 8;      // sizes that are tried to reach the requested number
-constexpr double kMostNodes = 5e6;
+constexpr double kNear = 0.05;   // relative deviation from the requested number of nodes
+constexpr int kTrials = 8;       // sizes that are tried to reach the requested number
 constexpr double kGrid = 1e-10;  // relative to the cloth; makes port and starboard exactly alike
 
 constexpr int kPartings = 5;  // rounds in which coincident sides of two cloths are separated
-
-double finer(const Fineness& fineness, const GearPanel& panel) {
-  for (const auto& name : {panel.name, panel.panel->name})
-    if (const auto at = fineness.finer.find(name); at != fineness.finer.end()) return at->second;
-  return 1;
-}
 
 /// A border of a cloth: the positions of its nodes in repose, and their numbers.
 struct Border {
@@ -374,62 +368,6 @@ class Divider {
   std::vector<int> senses_;        // one per cloth
   GearMesh mesh_;
 };
-
-double area_of(const Gear& gear, const Fineness& fineness) {
-  double area = 0;
-  for (const auto& panel : gear.panels)
-    for (const auto& edge : panel.outline.edges) {
-      const PanelPoint a = spread(*panel.panel, edge.from), b = spread(*panel.panel, edge.to);
-      area += std::pow(finer(fineness, panel), 2) * (a.x * b.y - b.x * a.y) / 2;
-    }
-  return area;
-}
-
-/// Of ropes but warps, which have bars of their own length.
-double length_of(const Gear& gear) {
-  double length = 0;
-  for (const auto& rope : gear.ropes)
-    if (rope.rope->role != kWarp) length += rope.length;
-  return length;
-}
-
-/// The size h for a number N of nodes, from the area A of netting in equal triangles, a factor for the nodes
-/// that the mesher adds, and the length L of ropes:
-///   N = 1.2 · 2 A/(√3 h²) + L/h                                                                        (1)
-/// The first guess, which lines that are finer than h then correct.
-double size_for(const Gear& gear, const Fineness& fineness) {
-  const double n = static_cast<double>(std::max<std::size_t>(fineness.nodes, 3));
-  const double a = 1.2 * 2 / std::numbers::sqrt3 * area_of(gear, fineness), l = length_of(gear);
-  return (l + std::sqrt(l * l + 4 * n * a)) / (2 * n);
-}
-
-/// About the number of knots: two a mesh.
-double knots_of(const Gear& gear) {
-  double knots = 0;
-  for (const auto& panel : gear.panels)
-    for (const auto& edge : panel.outline.edges) knots += edge.from.x * edge.to.y - edge.to.x * edge.from.y;
-  return std::abs(knots);
-}
-
-/// The shortest bar, for whatever is divided by length.
-double shortest_bar(const Gear& gear) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& panel : gear.panels) shortest = std::min(shortest, panel.panel->mesh / 2);
-  return shortest;
-}
-
-void check_knots(const Gear& gear) {
-  if (const double knots = knots_of(gear); knots > kMostNodes)
-    throw std::invalid_argument(
-        fmt::format("the netting has {:.3g} knots; {:g} nodes are the most", knots, kMostNodes));
-}
-
-void check_size(const Gear& gear, const Fineness& fineness) {
-  const double netting = area_of(gear, fineness) / std::pow(fineness.size, 2);
-  if (netting + length_of(gear) / fineness.size > kMostNodes)
-    throw std::invalid_argument(
-        fmt::format("elements of {:g} m would have more than {:g} nodes", fineness.size, kMostNodes));
-}
 
 }  // namespace
 
