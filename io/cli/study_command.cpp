@@ -2,13 +2,12 @@
 #include "io/cli/error_json.hpp"
 #include "io/cli/prefix.hpp"
 #include "io/cli/session.hpp"
-#include "io/cli/watchdog.hpp"
-#include "io/cli/worker_pool.hpp"
+#include "io/cli/study_run.hpp"
+#include "io/cli/study_text.hpp"
 #include "io/files/whole_file.hpp"
 #include "io/sweep/check_study.hpp"
 #include "io/sweep/engine_script.hpp"
 #include "io/sweep/estimate.hpp"
-#include "io/sweep/path_run.hpp"
 #include "io/sweep/sensitivity.hpp"
 #include "io/sweep/study_plots.hpp"
 #include "io/sweep/study_table.hpp"
@@ -19,7 +18,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <optional>
 #include <set>
@@ -30,15 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-void print(const Options& o, const Json& json, const std::string& text) {
-  std::puts(o.json ? json.dump(2, ' ', false, Json::error_handler_t::replace).c_str() : text.c_str());
-}
-
-/// "1 item", "2 items".
-std::string count_of(std::size_t n, const char* what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-}
 
 Study read_study(const fs::path& folder) {
   try {
@@ -97,7 +86,7 @@ void say_plan(const Options& o, const Study& study, const fs::path& folder) {
   if (before) text += fmt::format("  {} computed before\n", count_of(before, "item"));
   text +=
       fmt::format("  written to {}; `netloft study run {}` computes them", folder.string(), folder.string());
-  print(o, json, text);
+  print_answer(o, json, text);
 }
 
 int plan_study(const Options& o) {
@@ -124,147 +113,6 @@ int plan_study(const Options& o) {
 
 // ---- run
 
-std::size_t read_id(std::string_view word, const std::string& all, std::size_t most) {
-  std::size_t id = 0;
-  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), id);
-  if (word.empty() || code != std::errc() || end != word.data() + word.size())
-    throw UsageError{"--items " + all + ": \"" + std::string(word) +
-                     "\" is no number; write 1-10 or 1-10,15"};
-  if (id < 1 || id > most)
-    throw UsageError{fmt::format("--items {}: there is no item {}; the study has 1 to {}", all, id, most)};
-  return id;
-}
-
-/// "1-10,15" as places of items in the study; all of them if nothing is said.
-std::vector<std::size_t> read_items(const std::string& text, std::size_t count) {
-  std::vector<std::size_t> places;
-  if (text.empty())
-    for (std::size_t i = 0; i < count; ++i) places.push_back(i);
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    const std::string_view range(text.data() + at, comma - at);
-    const std::size_t dash = range.find('-');
-    const std::size_t from = read_id(range.substr(0, dash), text, count);
-    const std::size_t to =
-        dash == std::string_view::npos ? from : read_id(range.substr(dash + 1), text, count);
-    if (to < from) throw UsageError{fmt::format("--items {}: {} comes after {}", text, from, to)};
-    for (std::size_t id = from; id <= to; ++id) places.push_back(id - 1);
-    at = comma + 1;
-  }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  return places;
-}
-
-void note_failure(const fs::path& folder, const StudyItem& item, const std::string& reason) {
-  try {
-    write_whole(failure_path(folder, item), reason + "\n");
-  } catch (const WriteError&) {  // the item stays missing without a reason, such as where the disk is full
-  }
-}
-
-/// What is left where a plugin does not come back.
-int end_item(const fs::path& folder, const StudyItem& item, const Overdue& overdue) {
-  if (!overdue.interrupted) note_failure(folder, item, overdue.sentence);
-  std::fprintf(stderr, "netloft: %s; item %zu has no record\n", overdue.sentence.c_str(), item.id);
-  return overdue.interrupted ? kInterrupted : kNotConverged;
-}
-
-/// Solves one item in this process.
-int compute(const Options& o, const Study& study, const StudyItem& item) {
-  Registry registry;
-  find_plugins(o, registry);
-  const fs::path folder = o.target;
-  Watchdog watchdog([&](const Overdue& overdue) { return end_item(folder, item, overdue); });
-  const Watch watch{.interrupt = &interrupt_flag(),
-                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
-  const PathContext context{folder, &registry, watch, std::max(o.threads, 1)};
-  const auto record = run_path(study, item, context);
-  if (!record) return kInterrupted;
-  write_whole(record_path(folder, item), record_text(*record));
-  std::error_code none;
-  fs::remove(failure_path(folder, item), none);
-  return kDone;
-}
-
-/// Items that are to be computed, and how that went.
-class Campaign {
- public:
-  Campaign(const Options& o, const Study& study, std::vector<std::size_t> places)
-      : o_(o), study_(study), asked_(places.size()), terminal_(o.color, o.json) {
-    std::string fault;
-    for (const std::size_t place : places)
-      if (!find_record(o.target, study.items[place], fault)) left_.push_back(place);
-  }
-
-  int run() {
-    const int jobs = o_.study.jobs > 0 ? o_.study.jobs : threads_for(o_);
-    if (asked_ == 1 && left_.size() == 1)
-      return alone();
-    else
-      run_workers(
-          left_.size(), jobs, [&](std::size_t job) { return command(left_[job]); },
-          [&](std::size_t job, const WorkerEnd& end) { note(left_[job], end); }, interrupt_flag());
-    return finish();
-  }
-
- private:
-  /// Where somebody else starts one program for every item.
-  int alone() {
-    const StudyItem& item = study_.items[left_.front()];
-    try {
-      const int code = compute(o_, study_, item);
-      done_ = code == kDone;
-      return code == kNotConverged ? code : finish();
-    } catch (const StudyError& e) {
-      note_failure(o_.target, item, e.what());
-      throw;
-    }
-  }
-
-  std::vector<std::string> command(std::size_t place) const {
-    std::vector<std::string> words = {"/proc/self/exe",          "study",   "run",  o_.target, "--items",
-                                      std::to_string(place + 1), "--color", "never"};
-    for (const std::string& folder : o_.plugins) words.insert(words.end(), {"--plugins", folder});
-    if (o_.threads > 0) words.insert(words.end(), {"--threads", std::to_string(o_.threads)});
-    return words;
-  }
-
-  void note(std::size_t place, const WorkerEnd& end) {
-    if (end.code != kDone && interrupt_flag()) return;
-    end.code == kDone ? ++done_ : ++failed_;
-    if (end.code != kDone) {
-      const std::string sentence = end.sentence();
-      note_failure(o_.target, study_.items[place], sentence);
-      terminal_.say(fmt::format("netloft: item {}: {}", place + 1, sentence));
-    }
-    terminal_.progress_in_steps("items", done_ + failed_, left_.size(), std::to_string(place + 1));
-  }
-
-  int finish() {
-    terminal_.clear();
-    const std::size_t before = asked_ - left_.size();
-    const Json json = {
-        {"items", asked_}, {"computed", done_}, {"computed_before", before}, {"failed", failed_}};
-    print(o_, json,
-          fmt::format("{}: {} computed, {} before, {} failed", count_of(asked_, "item"), done_, before,
-                      failed_));
-    if (interrupt_flag()) return end_interrupted(terminal_, what_is_left());
-    return failed_ ? kOther : kDone;
-  }
-
-  std::string what_is_left() const {
-    return fmt::format("{} of {} left; `netloft study run {}` goes on", left_.size() - done_ - failed_,
-                       count_of(asked_, "item"), o_.target);
-  }
-
-  const Options& o_;
-  const Study& study_;
-  std::size_t asked_, done_ = 0, failed_ = 0;
-  Terminal terminal_;
-  std::vector<std::size_t> left_;  // places of items without a record
-};
-
 /// A sentence about a file that is no longer what it was when the study was planned; empty if there is none.
 std::string what_changed(const Study& study, const fs::path& folder) {
   for (const auto& [path, hash] : study.files)
@@ -273,12 +121,12 @@ std::string what_changed(const Study& study, const fs::path& folder) {
   return {};
 }
 
-int run_study(const Options& o) {
+int run_planned(const Options& o) {
   catch_interrupts();
   const Study study = read_study(o.target);
   if (const std::string changed = what_changed(study, o.target); !changed.empty())
     throw StudyError(changed + "; plan it again");
-  return Campaign(o, study, read_items(o.study.items, study.items.size())).run();
+  return run_study(o, study);
 }
 
 // ---- engines
@@ -318,8 +166,8 @@ int write_script(const Options& o) {
   const fs::path path = folder / script_name(engine);
   write_whole(path, engine_script(engine, study, script));
   const std::string start = engine == Engine::slurm ? "sbatch --wait slurm.sh" : "bash parallel.sh";
-  print(o, {{"script", path.string()}, {"items_per_task", engine == Engine::slurm ? script.chunk : 1}},
-        fmt::format("written to {}; in that folder `{}` computes the study", path.string(), start));
+  print_answer(o, {{"script", path.string()}, {"items_per_task", engine == Engine::slurm ? script.chunk : 1}},
+               fmt::format("written to {}; in that folder `{}` computes the study", path.string(), start));
   return kDone;
 }
 
@@ -340,12 +188,12 @@ int collect_study(const Options& o) {
   std::string text = fmt::format("{}: {}", study.name, count_of(table.rows.size(), "point"));
   for (const auto& [status, count] : counts) text += fmt::format(", {} {}", count, status);
   text += fmt::format("\n  written to {}", (folder / "table.csv").string() + ", table.hdf and costs.csv");
-  print(o,
-        {{"points", table.rows.size()},
-         {"by_status", counts},
-         {"missing_items", table.missing_items},
-         {"sentences", table.sentences}},
-        text);
+  print_answer(o,
+               {{"points", table.rows.size()},
+                {"by_status", counts},
+                {"missing_items", table.missing_items},
+                {"sentences", table.sentences}},
+               text);
   if (table.missing_items) return kOther;
   return counts.size() == 1 && counts.contains("converged") ? kDone : kNotConverged;
 }
@@ -381,8 +229,8 @@ int show_study(const Options& o) {
         "-o {}: a picture has one plot, and {} figures vary; name one with --figure, or write .html",
         page.string(), plots.size())};
   write_whole(page, ending == ".svg" ? draw_svg(plots.front()) : draw_html("Study " + study.name, plots));
-  print(o, {{"output", page.string()}, {"plots", plots.size()}},
-        fmt::format("{} written to {}", count_of(plots.size(), "plot"), page.string()));
+  print_answer(o, {{"output", page.string()}, {"plots", plots.size()}},
+               fmt::format("{} written to {}", count_of(plots.size(), "plot"), page.string()));
   return kDone;
 }
 
@@ -444,7 +292,7 @@ int analyse_sensitivity(const Options& o) {
 
 int study_command(const Options& o) {
   if (o.study.action == "plan") return plan_study(o);
-  if (o.study.action == "run") return run_study(o);
+  if (o.study.action == "run") return run_planned(o);
   if (o.study.action == "missing") return list_missing(o);
   if (o.study.action == "show") return show_study(o);
   if (o.study.action == "estimate") return estimate_study(o);
