@@ -35,10 +35,10 @@ Step MeritSteps::take(Iterate& iterate, const Direction& direction) {
   return {Step::Rule::energy, direction.damping, found->t};
 }
 
-/// (5): a whole step that lowers m, or raises it by no more than `uphill` allows. The step after one that
-/// went uphill is left to the line search.
+/// (5): a whole step that lowers m, or raises it by no more than `uphill` allows. A long one, and the step
+/// after one that went uphill, are left to the line search.
 std::optional<Sample> MeritSteps::try_whole_step(Iterate& iterate, const Path& path) const {
-  if (last_went_uphill_) return {};
+  if (last_went_uphill_ || iterate.problem().step_length(path.s) > 1) return {};
   const double most = iterate.energy() - p_.uphill * iterate.slope(path);
   const auto whole = iterate.merit(path, 1);
   return whole && whole->value <= most ? whole : std::nullopt;

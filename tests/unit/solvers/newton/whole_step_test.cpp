@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/verification/solving.hpp"
+
+namespace netloft::test {
+namespace {
+
+/// r = u/√|u|, a force without an energy; an element is as long as 1. Newton's own step leads from u to −u
+/// and back again for ever, and by the trapezoidal rule it does no work on the way.
+struct Root {
+  double u = 1, tangent = 0, kept = 0;
+  int iterations = 0;
+  netloft_problem interface {};
+
+  Root() {
+    interface.size = sizeof interface, interface.host = this, interface.unknowns = 1, interface.u = &u;
+    interface.evaluate = [](void* host, std::uint32_t want, const double* at, double* energy, double* r) {
+      const bool asks_gradient = (want & NETLOFT_WANT_GRADIENT) != 0;
+      if (energy) *energy = 0;
+      if (r) *r = *at == 0 || asks_gradient ? 0 : *at / std::sqrt(std::abs(*at));
+      if (want & NETLOFT_WANT_TANGENT) static_cast<Root*>(host)->tangent = 0.5 / std::sqrt(std::abs(*at));
+      return int{NETLOFT_OK};
+    };
+    interface.factorise = [](void* host, int, double shift) {
+      auto& self = *static_cast<Root*>(host);
+      self.kept = self.tangent + shift;
+      return int{NETLOFT_FACTOR_OK};
+    };
+    interface.solve = [](void* host, const double* rhs, double* x) {
+      *x = *rhs / static_cast<Root*>(host)->kept;
+      return int{NETLOFT_OK};
+    };
+    interface.progress = [](void* host, const double*, double, const double* r, const char*) {
+      if (std::abs(*r) < 1e-9) return int{NETLOFT_ARRIVED};
+      return static_cast<Root*>(host)->iterations++ < 100 ? int{NETLOFT_GO_ON} : int{NETLOFT_GIVE_UP};
+    };
+    interface.step_length = [](void*, const double* du) { return std::abs(*du); };
+  }
+};
+
+TEST(WholeStep, IsLeftToTheSearchWhereItIsLongerThanAnElement) {
+  Root root;
+  solve_problem(root.interface, "newton", {{"damping", 0.0}});
+  EXPECT_NEAR(root.u, 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace netloft::test
