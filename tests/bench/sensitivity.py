@@ -42,7 +42,7 @@ class Parameter:
         self.component, self.name = component, described["name"]
         self.is_whole = described["kind"] == "integer"
         self.default = float(described["default"])
-        lo, hi = re.fullmatch(r"[\[(]\s*(.+?),\s*(.+?)\s*[\])]", described["allowed"]).groups()
+        lo, hi = re.match(r"[\[(]\s*(.+?),\s*(.+?)\s*[\])]", described["allowed"]).groups()
         self.lo, self.hi = float(lo.replace("∞", "inf")), float(hi.replace("∞", "inf"))
 
     def scaled(self, factor):
@@ -60,7 +60,7 @@ class Parameter:
 
 def is_number(described):
     """Numbers that have a default between two ends."""
-    has_range = re.fullmatch(r"[\[(].+,.+[\])]", described["allowed"])
+    has_range = re.match(r"[\[(].+,.+[\])]", described["allowed"])
     return described["kind"] in ("real", "integer") and has_range and re.fullmatch(r"[-+0-9.e]+", described["default"])
 
 

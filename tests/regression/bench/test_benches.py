@@ -24,6 +24,7 @@ COMMANDS = {  # what it is called with
     "sensitivity.py": (PROGRAM, SOURCE / "tests/stability", "--draw", "3", "--case", "flat-sketch", "--of", "auto"),
     "motions.py": (PROGRAM, SOURCE, "--scenes", "pendulum", "--schemes", "newmark", "--accuracies", "1e-1"),
     "large_study.py": (PROGRAM, LIBRARY / "studies/83-112-speed-depth.toml", "--draws", "1", "--nodes", "100", "--engines", "pool", "--jobs", "1"),
+    "library_gears.py": (PROGRAM, LIBRARY, "--nodes", "100", "--only", "flume-3.0kn"),
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
     "estimates.py": (PROGRAM, "ropes", "--places", "1"),
     "steering.py": (SOURCE,),
