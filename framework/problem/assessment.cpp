@@ -77,18 +77,18 @@ Stability stability_of(GrowthVerdict verdict) {
 
 /// Of a gear that has come to rest at x: what moves on from there is resisted by friction with that past, not
 /// with the one before the gear came there.
-Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double doubt) {
+Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a) {
   Assembler& assembler = scene.assembler;
   const std::vector<double> past = assembler.memory();
   if (!assembler.remember(a.x)) return {.verdict = GrowthVerdict::unknown};
-  Growth growth = find_growth(assembler, a.x, scene.make, a.x_low, doubt);
+  Growth growth = find_growth(assembler, {a.x, a.x_low, a.correction.x, a.correction.x_low}, scene.make);
   assembler.set_memory(past);
   return growth;
 }
 
-/// Where forces have no energy. What is left of imbalance changes the stiffness by that over a length.
-void find_what_grows(Assessment& a, const StaticProblem& problem, const AssembledScene& scene) {
-  Growth growth = find_growth_at_rest(scene, a, a.balance.residual / problem.scales().element_size());
+/// Where forces have no energy.
+void find_what_grows(Assessment& a, const AssembledScene& scene) {
+  Growth growth = find_growth_at_rest(scene, a);
   a.stability = stability_of(growth.verdict);
   a.judging.add(growth.cost);
   if (!growth.grows()) return;
@@ -182,7 +182,7 @@ Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judgin
     if (is_known)
       take_stability(a, how.known->assessment);
     else
-      find_what_grows(a, problem, of);
+      find_what_grows(a, of);
     why_unstable = what_grows(a, assembler, scene);
   }
   a.status = status_of(a, problem, how);

@@ -34,6 +34,7 @@ Cayley::Cayley(const SparsePattern& p, const LinearMotion& m, Factorisation& fac
       C_(make_sparse(p, m.C)),
       M_(make_sparse(p, m.M)),
       convex_(make_sparse(p, m.convex)),
+      K_error_(m.K_error.empty() ? Eigen::SparseMatrix<double>(p.size, p.size) : make_sparse(p, m.K_error)),
       factor_(factor),
       cost_(cost),
       sum_(m.K.size()),
@@ -79,10 +80,10 @@ Vector Cayley::start() const {
   return z;
 }
 
-bool Cayley::is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y, double doubt) const {
-  const Vector size = y.cwiseAbs();
-  const Vector noise = kRoundingOfK * (K_.cwiseAbs() * size) + doubt * size;
-  return (s * (C_ * y) + s * s * (M_ * y)).norm() <= noise.norm();
+bool Cayley::is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const {
+  const Eigen::VectorXcd driving = s * (C_ * y) + s * s * (M_ * y), error = K_error_ * y;
+  return driving.norm() <= kRoundingOfK * (K_.cwiseAbs() * y.cwiseAbs()).norm() ||
+         std::abs(y.dot(driving)) <= std::abs(y.dot(error));
 }
 
 }  // namespace netloft

@@ -32,12 +32,12 @@ class Cayley {
   /// A vector with a share in every direction, the same on every machine.
   Eigen::VectorXd start() const;
   /// By (7): whether a change of K as small as it is known would undo what grows by s along y.
-  bool is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y, double doubt) const;
+  bool is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const;
 
  private:
   using Sparse = Eigen::SparseMatrix<double>;
   const LinearMotion& motion_;
-  Sparse K_, C_, M_, convex_;
+  Sparse K_, C_, M_, convex_, K_error_;
   Eigen::Index dimension_;
   Factorisation& factor_;
   Statistics& cost_;

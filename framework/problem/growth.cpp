@@ -72,7 +72,7 @@ void take_mode(const Eigen::VectorXcd& y, Growth& g) {
   if (g.frequency > 0) g.mode_later.assign(later.begin(), later.end());
 }
 
-Growth growth_of(const RitzPair& pair, const Cayley& A, double doubt) {
+Growth growth_of(const RitzPair& pair, const Cayley& A) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
   if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};  // powers saw it grow
@@ -82,19 +82,19 @@ Growth growth_of(const RitzPair& pair, const Cayley& A, double doubt) {
   g.rate = s.real(), g.frequency = std::abs(s.imag());
   take_mode(y, g);
   const bool is_for_damping_to_tell = !A.is_damped() && g.swings();
-  if (g.per_power <= kGrows || is_for_damping_to_tell || A.is_in_doubt(s, y, doubt))
+  if (g.per_power <= kGrows || is_for_damping_to_tell || A.is_in_doubt(s, y))
     g.verdict = GrowthVerdict::marginal, g.per_power = std::min(g.per_power, kGrows);
   return g;
 }
 
 /// Where the largest Ritz value is not known.
-Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi, double doubt) {
+Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   Powers powers(A);
   const GrowthVerdict verdict = powers.judge();
   if (verdict != GrowthVerdict::grows) return {.verdict = verdict};
   arnoldi.begin(powers.vector());
   arnoldi.extend(kSteps);
-  return growth_of(arnoldi.outermost(kBeyond), A, doubt);
+  return growth_of(arnoldi.outermost(kBeyond), A);
 }
 
 /// With the residual that A itself leaves: rounding keeps that of the recurrence, which is as small, from
@@ -110,16 +110,16 @@ RitzPair checked(Cayley& A, RitzPair pair) {
 }
 
 /// For the σ that A has.
-Growth growth_by(Cayley& A, Arnoldi& arnoldi, double doubt) {
+Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
   arnoldi.begin(A.start());
   for (const int steps : {kSteps, 2 * kSteps}) {
     arnoldi.extend(steps);
     const RitzPair pair = arnoldi.outermost(kBeyond);
     if (std::isnan(pair.beyond())) return {.verdict = GrowthVerdict::unknown};
     if (pair.beyond() <= kBeyond) return {};
-    if (pair.is_known() && checked(A, pair).is_known()) return growth_of(pair, A, doubt);
+    if (pair.is_known() && checked(A, pair).is_known()) return growth_of(pair, A);
   }
-  return growth_by_powers(A, arnoldi, doubt);
+  return growth_by_powers(A, arnoldi);
 }
 
 double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
@@ -134,8 +134,7 @@ int steps_of_sigma(double fastest) {
 
 }  // namespace
 
-Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make,
-                   double doubt) {
+Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make) {
   Growth most;
   Statistics cost;
   if (is_stable_by_energy(pattern, motion, make, cost)) return {.cost = cost};
@@ -150,7 +149,7 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, con
   for (int step = steps_of_sigma(fastest_rate(pattern, motion)); step >= 0 && !is_decided(); --step) {
     const double sigma = sigma_at(step);
     Growth growth{.verdict = GrowthVerdict::unknown};
-    if (A.set(sigma) || A.set(kAside * sigma)) growth = growth_by(A, arnoldi, doubt);
+    if (A.set(sigma) || A.set(kAside * sigma)) growth = growth_by(A, arnoldi);
     const bool diverges = growth.grows() && !growth.swings();
     if (growth.verdict > most.verdict || diverges) most = std::move(growth);
   }
@@ -158,11 +157,10 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, con
   return most;
 }
 
-Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make,
-                   std::span<const double> x_low, double doubt) {
+Growth find_growth(Assembler& assembler, const RestPlace& place, const MakeFactorisation& make) {
   LinearMotion motion;
-  if (!linearise(assembler, x, x_low, motion)) return {.verdict = GrowthVerdict::unknown};
-  Growth growth = find_growth(assembler.pattern(), motion, make, doubt);
+  if (!linearise(assembler, place, motion)) return {.verdict = GrowthVerdict::unknown};
+  Growth growth = find_growth(assembler.pattern(), motion, make);
   growth.cost.matrices += kMatricesOfMotion;
   return growth;
 }

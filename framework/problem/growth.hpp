@@ -59,8 +59,9 @@ struct Growth {
 /// swing, as a hundredth of the damping decides; if it swings where nothing damps, in still water without
 /// losses: a little damping may stop it or not (Bolotin), and water, which resists with the square of the
 /// speed, stops it at an amplitude that falls with its rate; if powers have not settled; or if rounding of K,
-/// or what the imbalance f changes in it over a length l, would undo it:
-///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y| + (f/l) |y|‖                                            (7)
+/// or what K changes by over the Newton step δ that is left, as a soft mode may leave a long one, would undo
+/// it:
+///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y|‖   or   |yᴴ(s²M + sC) y| ≤ |yᴴ(K(x + δ) − K(x)) y|      (7)
 ///
 /// Lengths are those of an energy,
 ///   ‖(y, v)‖² = yᵀ(K₊ + σ²M) y + vᵀM v,   K₊ the convex part of K                          (8)
@@ -71,10 +72,7 @@ struct Growth {
 /// −1 ± ib of K = [1 −b; b 1] grows for any b.) Unknown where K + σC + σ²M could not be factorised. There is
 /// no chance in it, and no clock: the same equilibrium has the same verdict.
 ///
-/// `x_low`: what x rounds off, if it is known. `doubt` is f/l of (7) [N/m].
-Growth find_growth(Assembler& assembler, std::span<const double> x, const MakeFactorisation& make,
-                   std::span<const double> x_low = {}, double doubt = 0);
-Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make,
-                   double doubt = 0);
+Growth find_growth(Assembler& assembler, const RestPlace& place, const MakeFactorisation& make);
+Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make);
 
 }  // namespace netloft

@@ -105,15 +105,17 @@ bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, const Ma
          is_symmetric_part_positive(p, m.K, make, cost);
 }
 
-bool linearise(Assembler& assembler, std::span<const double> x, std::span<const double> x_low,
-               LinearMotion& m) {
-  const double* low = x_low.empty() ? nullptr : x_low.data();
+bool linearise(Assembler& assembler, const RestPlace& at, LinearMotion& m) {
   const std::size_t slots = assembler.value_slots();  // more than the pattern has
   std::vector<double> metric(slots);
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->assign(slots, 0.0);
-  const auto evaluate = [&](std::vector<double>& A, MatrixKind kind, double cu, double cv, double ca) {
-    const Kinematics motion{.cu = cu, .cv = cv, .ca = ca, .x_low = low};
+  const auto evaluate_at = [&](std::span<const double> x, std::span<const double> low, std::vector<double>& A,
+                               MatrixKind kind, double cu, double cv, double ca) {
+    const Kinematics motion{.cu = cu, .cv = cv, .ca = ca, .x_low = low.empty() ? nullptr : low.data()};
     return assembler.evaluate(x, {.matrix = kind, .values = A.data(), .motion = motion});
+  };
+  const auto evaluate = [&](std::vector<double>& A, MatrixKind kind, double cu, double cv, double ca) {
+    return evaluate_at(at.x, at.x_low, A, kind, cu, cv, ca);
   };
   if (!evaluate(m.K, MatrixKind::exact, 1, 0, 0) || !evaluate(m.C, MatrixKind::exact, 0, 1, 0) ||
       !evaluate(m.M, MatrixKind::exact, 0, 0, 1) || !evaluate(m.convex, MatrixKind::convex, 1, 0, 0) ||
@@ -123,6 +125,12 @@ bool linearise(Assembler& assembler, std::span<const double> x, std::span<const 
   let_follow(assembler.pattern(), metric, m);
   for (std::size_t i = 0; i < slots; ++i) m.convex[i] += kLittle * metric[i];
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->resize(assembler.pattern().value_slots());
+  m.K_error.assign(at.corrected.empty() ? 0 : slots, 0.0);
+  if (!at.corrected.empty() &&
+      !evaluate_at(at.corrected, at.corrected_low, m.K_error, MatrixKind::exact, 1, 0, 0))
+    m.K_error.clear();
+  m.K_error.resize(m.K_error.empty() ? 0 : m.K.size());
+  for (std::size_t i = 0; i < m.K_error.size(); ++i) m.K_error[i] -= m.K[i];
   return true;
 }
 

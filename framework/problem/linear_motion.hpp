@@ -11,15 +11,24 @@ namespace netloft {
 struct LinearMotion {
   std::vector<double> K, C, M;  // [N/m], [N s/m], [kg]
   std::vector<double> convex;   // symmetric positive definite, about what K is [N/m]
+  std::vector<double> K_error;  // what K changes by from here to where the equilibrium is; empty: not known
   bool is_damped = true;        // some element damps
 };
 
-/// The matrices at x. False: see the assembler's fault.
-bool linearise(Assembler& assembler, std::span<const double> x, std::span<const double> x_low,
-               LinearMotion& motion);
+/// A place next to an equilibrium, over all dofs.
+struct RestPlace {
+  std::span<const double> x;
+  std::span<const double> x_low = {};      // what x rounds off; empty: not known
+  std::span<const double> corrected = {};  // x after the Newton step that is left; empty: not known
+  std::span<const double> corrected_low = {};
+};
 
-/// That `linearise` evaluates: those of a motion, and the linear stiffness.
-inline constexpr int kMatricesOfMotion = 5;
+/// The matrices there. False: see the assembler's fault.
+bool linearise(Assembler& assembler, const RestPlace& place, LinearMotion& motion);
+
+/// That `linearise` evaluates at most: those of a motion, the linear stiffness, and K where the equilibrium
+/// is.
+inline constexpr int kMatricesOfMotion = 6;
 
 /// What a matrix that is assembled from many elements may round off, of its largest entry.
 inline constexpr double kRoundingOfMatrix = 1e-9;

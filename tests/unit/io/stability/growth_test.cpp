@@ -21,7 +21,7 @@ double growth_of(const std::string& scene, const std::vector<std::string>& overr
   EXPECT_EQ(one.open(turn_over), Case::State::ready);
   const Solution s = one.solve();
   EXPECT_TRUE(s.balance.balanced) << s.reason;
-  return find_growth(one.assembler(), s.x, make_factorisation).per_power;
+  return find_growth(one.assembler(), {s.x}, make_factorisation).per_power;
 }
 
 constexpr const char* kFloat = "tests/stability/scenes/float-on-rope.toml";
