@@ -44,14 +44,14 @@ namespace netloft::newton {
 /// arXiv:1201.5885, 2012).
 ///
 /// At round-off, where the step promises less than the energy can resolve, a step is accepted if it does not
-/// raise ‖r‖; or where all forces have an energy, and μ = 0 or no other step is found, by (7), the
-/// approximate Wolfe conditions (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
+/// raise ‖r‖; or where μ = 0 or no other step is found, by (7), the approximate Wolfe conditions (W. W. Hager
+/// and H. Zhang, SIAM J. Optim. 16, 2005).
 ///
 /// Negative curvature. Where all forces have an energy, μ is small, K is indefinite and K + σ M with a σ
 /// of `least_damping` to kMatters is not, K is nearly definite: K + σ M is then the matrix of (2),
 /// and (6) leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979), with no node going
 /// farther than 1/`margin` elements. At round-off, where no step is accepted, the same is tried once at every
-/// point, however much damping is left.
+/// point, however much damping is left, if K is symmetric.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;

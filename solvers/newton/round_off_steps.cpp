@@ -35,7 +35,7 @@ Step RoundOffSteps::fall_back(Iterate& iterate, double damping) {
   Step step;
   if (problem.factorise(Matrix::exact, 0) == Factor::ok)
     step = take_newton_step(iterate);
-  else if (const auto sigma = nearly_definite_.factorise(problem)) {
+  else if (const auto sigma = problem.symmetric() ? nearly_definite_.factorise(problem) : std::nullopt) {
     const auto v = curvature_.find_direction(problem, *sigma);
     step = v ? Step{.damping = *sigma, .leaves_saddle = curvature_.leave_along(*v, iterate)}
              : take_by_slope(iterate, solve(iterate), *sigma);
@@ -46,7 +46,7 @@ Step RoundOffSteps::fall_back(Iterate& iterate, double damping) {
 
 bool RoundOffSteps::may_fall_back(Iterate& iterate, double damping) const {
   const bool has_fallen_back_here = fell_back_at_ && *fell_back_at_ == iterate.count();
-  return damping != 0 && !has_fallen_back_here && iterate.is_conservative() && iterate.problem().symmetric();
+  return damping != 0 && !has_fallen_back_here;
 }
 
 Step RoundOffSteps::take_newton_step(Iterate& iterate) {
@@ -61,7 +61,7 @@ Step RoundOffSteps::take_by_slope(Iterate& iterate, std::span<const double> s, d
   const Step none{.damping = damping};
   const Path path{s};
   const Sample first{0, iterate.energy(), iterate.slope(path)};
-  if (!iterate.is_conservative() || first.slope >= 0 || stall_.stalls_with(-first.slope)) return none;
+  if (first.slope >= 0 || stall_.stalls_with(-first.slope)) return none;
   const SlopeSearch search{.noise = kEnergyRoundOff * std::abs(iterate.energy()),
                            .flatness = p_.flatness,
                            .refinement = refinement_of(p_)};

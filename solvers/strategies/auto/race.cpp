@@ -105,9 +105,9 @@ Stage Race::start_or_go_on(Runner& runner, double work) {
               : study_.call(attempt.strategy, attempt.parameters, ask, start_);
 }
 
-/// From an unstable equilibrium to one side, and if that does not converge, to the other; likewise from what
-/// is met on the way, if it grows more slowly. What flutters is left alone: the motion comes back to it from
-/// either side.
+/// From an unstable equilibrium to one side, and if that does not converge, to the other; likewise from every
+/// other that is met on the way: a gear in which several things grow is moved off once for each. What
+/// flutters is left alone: the motion comes back to it from either side.
 Stage Race::off_saddle(Stage saddle, double work) {
   const double end = std::max(over_at_, study_.work_left() - work);
   const auto ask = [&] {
@@ -119,8 +119,7 @@ Stage Race::off_saddle(Stage saddle, double work) {
     if (study_.work_left() <= end) break;
     Stage next = study_.call("direct", "", ask(), start);
     if (next.has_converged()) return next;
-    if (next.ending == Ending::unstable && next.growth_rate < saddle.growth_rate)
-      saddle = std::move(next), side = -1;
+    if (next.ending == Ending::unstable) saddle = std::move(next), side = -1;
   }
   return saddle;
 }
