@@ -71,7 +71,6 @@ struct Growth {
 /// by Cholesky factorisations, which are tried first. (That K + Kᵀ is positive definite is not enough: s² =
 /// −1 ± ib of K = [1 −b; b 1] grows for any b.) Unknown where K + σC + σ²M could not be factorised. There is
 /// no chance in it, and no clock: the same equilibrium has the same verdict.
-///
 Growth find_growth(Assembler& assembler, const RestPlace& place, const MakeFactorisation& make);
 Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make);
 

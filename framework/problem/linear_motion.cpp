@@ -3,6 +3,8 @@
 
 #include "framework/assembler/pattern.hpp"
 
+#include <netloft/imbalance.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +14,9 @@ namespace {
 
 // τ of (2) [s]
 constexpr double kFollows = 1e-3;
-// Of the metric in the norm (8), for what nothing else keeps: midway between what a matrix rounds off, 1e-9,
-// and the least stiffness that matters, 1e-3.
-constexpr double kLittle = 1e-6;
+// Of the metric in the norm (8), for what nothing else keeps: midway between what a matrix rounds off and the
+// least stiffness that matters.
+const double kLittle = std::sqrt(kRoundingOfMatrix * kMatters);
 
 bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
   if (p.symmetric) return true;

@@ -228,14 +228,28 @@ int RunningStudy::call(const char* strategy, const char* parameters, netloft_sta
   const ParameterBlock block(type.parameters, type.strategy.parameter_bytes, values, faults);
   if (!faults.empty()) throw std::invalid_argument(faults.front());
   const double before = host_.spent();
-  RunningStudy inner(host_, seen.variant, seen.tolerance, seen.work, stage->u);
-  inner.run(type, block.data());
-  const Solution s = inner.best();
-  unsettled_ += inner.unsettled_;
-  if (inner.has_any() && is_scene_itself(*stage)) keep(*stage, s);
-  fill(*stage, s, host_.spent() - before);
-  if (!inner.has_any()) stage->ending = inner.ending_without_solution();
+  StageRequest request{.by = type.type, .parameters = std::move(values), .variant = seen.variant};
+  request.tolerance = seen.tolerance, request.start = {stage->u, stage->u + size_of(stage->variant.level)};
+  const KnownStage* known = host_.find_known(request);
+  const KnownStage came = known ? *known : run_inner(type, block.data(), seen, std::move(request));
+  unsettled_ += came.unsettled;
+  if (came.has_solution && is_scene_itself(*stage)) keep(*stage, came.solution);
+  fill(*stage, came.solution, host_.spent() - before);
+  if (!came.has_solution) stage->ending = came.ending_without_solution;
   return NETLOFT_OK;
+}
+
+/// What ended with work left is known: more work would not change it.
+KnownStage RunningStudy::run_inner(const StrategyType& type, const void* parameters,
+                                   const netloft_stage& seen, StageRequest request) {
+  RunningStudy inner(host_, seen.variant, seen.tolerance, seen.work, seen.u);
+  inner.run(type, parameters);
+  KnownStage came{.asked = std::move(request), .solution = inner.best(), .has_solution = inner.has_any()};
+  came.unsettled = inner.unsettled_, came.ending_without_solution = inner.ending_without_solution();
+  const bool is_asked_again = !is_as_written(seen.variant) || !is_stationary(came.solution);
+  const bool has_ended = inner.work_left() > 0 && ending_of(came.solution) != NETLOFT_ENDED_OUT_OF_WORK;
+  if (has_ended && is_asked_again) host_.keep_known(came);
+  return came;
 }
 
 int RunningStudy::transfer(std::uint32_t from, const double* u, std::uint32_t to, double* out) {

@@ -8,15 +8,6 @@
 
 namespace netloft {
 
-namespace {
-
-bool is_same(const netloft_variant& a, const netloft_variant& b) {
-  return a.level == b.level && a.stiffness_cap == b.stiffness_cap && a.compression == b.compression &&
-         a.current == b.current;
-}
-
-}  // namespace
-
 Sites::Sites(SiteSource source) : source_(std::move(source)) {
   auto own = std::make_shared<Site>();
   own->scene = source_.scene, own->assembler = source_.assembler;

@@ -21,6 +21,35 @@ const SolverType& no_solver() {
   return type;
 }
 
+// Of known stages, for each unknown of the scene: some eight points on its own mesh, or less than a factor of
+// netting takes, which has 90 numbers for each of 3000 unknowns and more of larger meshes.
+constexpr std::size_t kNumbersKept = 64;
+
+bool was_cut_off(const Solution& s) { return s.run.stop == Stop::work || s.run.stop == Stop::iterations; }
+
+/// Whether the stage may be asked for again. Judging a point costs next to nothing, and an equilibrium of the
+/// scene itself is what was looked for.
+bool is_asked_again(const netloft_stage& stage, const SolverUse& solver, const Solution& s) {
+  const bool is_found = is_as_written(stage.variant) && is_stationary(s);
+  return solver.type != &no_solver() && s.status != SolveStatus::interrupted && !s.u.empty() && !is_found;
+}
+
+StageRequest request_of(const netloft_stage& stage, const SolverUse& solver, std::size_t size) {
+  return {.by = solver.type->type,
+          .parameters = solver.parameters,
+          .variant = stage.variant,
+          .tolerance = stage.tolerance,
+          .path = stage.path,
+          .iterations = stage.iterations,
+          .flags = stage.flags,
+          .start = {stage.u, stage.u + size}};
+}
+
+Solution at_no_cost(Solution s) {
+  s.cost = {}, s.judging = {};
+  return s;
+}
+
 ParameterBlock block_of(const SolverUse& use) {
   std::vector<std::string> faults;
   ParameterBlock block(use.type->parameters, use.type->solver.parameter_bytes, use.parameters, faults);
@@ -31,7 +60,10 @@ ParameterBlock block_of(const SolverUse& use) {
 }  // namespace
 
 StudyHost::StudyHost(const SiteSource& source, const StudyOptions& options)
-    : options_(options), sites_(source), begun_(cpu_seconds()) {}
+    : options_(options),
+      sites_(source),
+      known_(kNumbersKept * static_cast<std::size_t>(source.assembler->pattern().size)),
+      begun_(cpu_seconds()) {}
 
 double StudyHost::seconds_left() const {
   return std::max(0.0, options_.limits.seconds - (cpu_seconds() - begun_));
@@ -73,18 +105,30 @@ Observer StudyHost::observer_of(const netloft_stage& stage) const {
   return {options_.on_iteration, is_as_written(stage.variant) ? options_.kept : nullptr};
 }
 
+const KnownStage* StudyHost::find_known(const StageRequest& request) {
+  const KnownStage* known = known_.find(request);
+  if (known) cost_.work += sites_.at(as_written())->model.of({.residuals = 1});
+  return known;
+}
+
 Solution StudyHost::solve(const netloft_stage& stage, const SolverUse& solver) {
+  const auto size =
+      static_cast<std::size_t>(sites_.find_level(stage.variant.level)->assembler->pattern().size);
+  StageRequest request = request_of(stage, solver, size);
+  const KnownStage* known = find_known(request);
+  if (known && !known->is_cut_off) return at_no_cost(known->solution);
   const auto site = sites_.at(stage.variant);
   const ParameterBlock parameters = block_of(solver);
-  const auto size = static_cast<std::size_t>(site->assembler->pattern().size);
-  const StartPoint start{{stage.u, size},
-                         stage.flags & NETLOFT_COMPENSATED ? Positions::compensated : Positions::plain};
+  const std::vector<double> from = known ? known->solution.u : request.start;
+  const StartPoint start{from, stage.flags & NETLOFT_COMPENSATED ? Positions::compensated : Positions::plain};
   Solution s =
       solve_static({*site->scene, *site->assembler, sites_.source().make}, {solver.type, parameters.data()},
                    limits_of(stage, *site), start, observer_of(stage));
   record({stage.name, solver.type->type, size, s.status, s.reason, s.cost.statistics, stage.variant,
           site->model.of(s.judging)},
          *site);
+  if (is_asked_again(stage, solver, s))
+    known_.keep({.asked = std::move(request), .solution = s, .is_cut_off = was_cut_off(s)});
   if (options_.on_stage && !s.u.empty()) {
     const auto moved = stage.variant.level ? sites_.transfer(stage.variant.level, s.u, 0) : s.u;
     if (!moved.empty()) options_.on_stage(cost_.stages.back(), moved);

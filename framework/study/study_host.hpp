@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/study/known_stages.hpp"
 #include "framework/study/member_problem.hpp"
 #include "framework/study/shapes.hpp"
 #include "framework/study/study.hpp"
@@ -30,7 +31,12 @@ class StudyHost {
   Limits limits_of(const netloft_stage& stage, const Site& site);
   /// Points of the scene as it is written are kept, of no variant.
   Observer observer_of(const netloft_stage& stage) const;
-  /// Solves `stage`, whose variant is seen from the scene as it is written; keeps the record.
+  /// What came of the same request before; null: nothing is known of it. To be told costs an evaluation: a
+  /// strategy that asks for the same without end comes to its end.
+  const KnownStage* find_known(const StageRequest& request);
+  void keep_known(KnownStage stage) { known_.keep(std::move(stage)); }
+  /// Solves `stage`, whose variant is seen from the scene as it is written; keeps the record. What is known
+  /// is not solved again, and no stage.
   Solution solve(const netloft_stage& stage, const SolverUse& solver);
   /// Judges the point of a stage by a solver that returns at once.
   Solution assess(const netloft_stage& stage);
@@ -45,6 +51,7 @@ class StudyHost {
 
   StudyOptions options_;
   Sites sites_;
+  KnownStages known_;
   double begun_;
   Cost cost_;
   JudgedPoint judged_;  // of the scene as it is written
@@ -81,6 +88,8 @@ class RunningStudy {
 
  private:
   void fill_interface(const double* start);
+  KnownStage run_inner(const StrategyType& type, const void* parameters, const netloft_stage& seen,
+                       StageRequest request);
   netloft_stage seen_from_host(const netloft_stage& stage);
   bool is_scene_itself(const netloft_stage& stage) const;
   void keep(const netloft_stage& stage, const Solution& solution);

@@ -14,6 +14,11 @@ bool is_as_written(const netloft_variant& v) {
   return v.level == 0 && v.stiffness_cap == 0 && v.compression == 1 && v.current == 1;
 }
 
+bool is_same(const netloft_variant& a, const netloft_variant& b) {
+  return a.level == b.level && a.stiffness_cap == b.stiffness_cap && a.compression == b.compression &&
+         a.current == b.current;
+}
+
 netloft_variant combined(const netloft_variant& outer, const netloft_variant& inner) {
   netloft_variant both = as_written();
   both.level = outer.level + inner.level;

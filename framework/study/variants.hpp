@@ -8,6 +8,7 @@ namespace netloft {
 /// The scene as it is written.
 netloft_variant as_written();
 bool is_as_written(const netloft_variant& variant);
+bool is_same(const netloft_variant& a, const netloft_variant& b);
 /// `inner` seen from within `outer`: levels add up, factors multiply, of two caps the lower one holds.
 netloft_variant combined(const netloft_variant& outer, const netloft_variant& inner);
 /// What makes it easier: "elements x 4, stiffness up to 120 N, no compression"; empty: as written.

@@ -22,7 +22,8 @@ solvers/ptc/plugin.cpp solvers/ptc/implicit.cpp solvers/ptc/ptc.hpp solvers/rela
 framework/problem/assessment.* framework/problem/correction.* framework/problem/growth.* framework/problem/arnoldi.*
 framework/problem/cayley.* framework/problem/linear_motion.* framework/problem/static_problem.* framework/problem/limits.*
 framework/problem/work.*
-framework/study/running_study.* framework/study/shapes.* framework/include/netloft/strategy.hpp
+framework/study/running_study.* framework/study/study_host.*
+framework/study/known_stages.* framework/study/shapes.* framework/include/netloft/strategy.hpp
 framework/include/netloft/imbalance.hpp""".split()
 # Methods that `auto` does not ask for, and what users ask of an analysis besides.
 NOT_ITS_OWN = {

@@ -30,28 +30,26 @@ struct Row {
 /// In the order in which they are tried, which was chosen on draws of the hard cases; `suits` says for which
 /// scenes.
 const Row kTable[] = {
-    {{"relaxed", "relaxed", "", "relaxed", "elements stick and slide, which no tangent foresees"},
-     [](const Kind& k) { return k.sticks; }},
     // The coarser mesh by this strategy again, and so on to the coarsest that is worth its price; what the
     // user says of `auto` holds there, too.
     // What is left then is to find out which members are slack, one by one by Newton's method; tension/only
     // finds it for all at once.
-    {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0,then=tension/only", "direct",
+    {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0,then=tension/only",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
-     [](const Kind& k) { return k.has_meshes && k.has_loaded_members && !k.sticks; }},
-    {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0", "direct",
+     [](const Kind& k) { return k.has_meshes && k.has_loaded_members; }},
+    {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0",
       "a coarser mesh costs a fraction and leads near"},
-     [](const Kind& k) { return k.has_meshes && !k.has_loaded_members && !k.sticks; }},
-    {{"tension-stages", "tension/stages", "", "direct",
-      "with tensions as unknowns stiff members turn at once"},
+     [](const Kind& k) { return k.has_meshes && !k.has_loaded_members; }},
+    {{"tension-stages", "tension/stages", "", "with tensions as unknowns stiff members turn at once"},
      [](const Kind& k) { return k.has_loaded_members; }},
-    {{"direct", "direct", "", "direct", "the start may be near"}, [](const Kind&) { return true; }},
-    {{"stiffness-steps", "stiffness-steps", "", "direct", "soft members turn where stiff ones hold fast"},
+    {{"relaxed", "relaxed", "", "elements stick and slide, which no tangent foresees"},
+     [](const Kind& k) { return k.sticks; }},
+    {{"direct", "direct", "", "the start may be near"}, [](const Kind&) { return true; }},
+    {{"stiffness-steps", "stiffness-steps", "", "soft members turn where stiff ones hold fast"},
      [](const Kind&) { return true; }},
-    {{"pseudo-time", "pseudo-time", "", "pseudo-time", "a motion passes by what is unstable"},
+    {{"pseudo-time", "pseudo-time", "", "a motion passes by what is unstable"},
      [](const Kind& k) { return !k.sticks; }},
-    {{"relaxed", "relaxed", "", "relaxed",
-      "a body that hangs by one point turns freely, where a tangent is singular"},
+    {{"relaxed", "relaxed", "", "a body that hangs by one point turns freely, where a tangent is singular"},
      [](const Kind& k) { return k.has_bodies && !k.sticks; }},
 };
 

@@ -14,7 +14,6 @@ struct Attempt {
   const char* name;        // as `without` and the report have it
   const char* strategy;    // who makes it
   const char* parameters;  // of that
-  const char* goes_on_by;  // strategy that goes on where it was cut off at a point of the scene itself
   const char* because;     // why it is tried at this place
 };
 

@@ -82,10 +82,11 @@ bool Race::is_decided() const { return best_.has_converged() || study_.work_left
 
 void Race::run_slice(Runner& runner, double slice) {
   const double work = std::min(slice, study_.work_left() - over_at_);
-  Stage stage = start_or_go_on(runner, work);
+  const Attempt& attempt = runner.attempt;
+  Stage stage =
+      study_.call(attempt.strategy, attempt.parameters, {.name = attempt.name, .work = work}, start_);
   runner.is_out = !stage.was_cut_off();
-  if (!runner.is_out && stage.has_forces()) runner.cut_off_at = stage.u;
-  runner.is_near = runner.cut_off_at && stage.imbalance() <= kOnlyAStart;
+  runner.is_near = !runner.is_out && stage.has_forces() && stage.imbalance() <= kOnlyAStart;
   stage = off_saddle(std::move(stage), work);
   if (stage.flutters()) look_on_for_as_much_again();
   keep_better(with_compensated_positions(std::move(stage)));
@@ -95,14 +96,6 @@ void Race::run_slice(Runner& runner, double slice) {
 void Race::look_on_for_as_much_again() {
   const double spent = budget_ - study_.work_left();
   if (over_at_ == 0) over_at_ = std::max(0.0, study_.work_left() - spent);
-}
-
-Stage Race::start_or_go_on(Runner& runner, double work) {
-  const Attempt& attempt = runner.attempt;
-  const Ask ask{.name = attempt.name, .work = work};
-  const auto from = std::exchange(runner.cut_off_at, std::nullopt);
-  return from ? study_.call(attempt.goes_on_by, "", ask, *from)
-              : study_.call(attempt.strategy, attempt.parameters, ask, start_);
 }
 
 /// From an unstable equilibrium to one side, and if that does not converge, to the other; likewise from every

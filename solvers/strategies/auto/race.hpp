@@ -2,7 +2,6 @@
 #pragma once
 #include "solvers/strategies/auto/attempts.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace netloft::automatic {
@@ -25,14 +24,12 @@ class Race {
  private:
   struct Runner {
     Attempt attempt;
-    bool is_out = false;                           // not tried again
-    bool is_near = false;                          // cut off where the scene is nearly in balance
-    std::optional<Displacements> cut_off_at = {};  // a point of the scene itself; else it begins again
+    bool is_out = false;   // not tried again
+    bool is_near = false;  // cut off where the scene is nearly in balance
   };
 
   void run_round(double slice);
   void run_slice(Runner& runner, double slice);
-  Stage start_or_go_on(Runner& runner, double work);
   Stage off_saddle(Stage saddle, double work);
   Stage with_compensated_positions(Stage stage);
   void look_on_for_as_much_again();

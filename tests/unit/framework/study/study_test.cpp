@@ -135,6 +135,52 @@ TEST(AStudy, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   });
 }
 
+TEST(AStudy, SolvesNothingTwice) {
+  const Solution s = study(compressed_bars(), [](Study& of) {
+    const auto ask = [&](double cap) {
+      return of.solve({.name = "soft", .variant = {.stiffness_cap = cap}}, perturbed(of.start(), 0.1));
+    };
+    const Stage first = ask(100), again = ask(100), other = ask(50);
+    ASSERT_TRUE(first.has_converged());
+    EXPECT_EQ(again.u, first.u);
+    EXPECT_TRUE(again.has_converged());
+    EXPECT_GT(first.factorisations, 0u);
+    EXPECT_EQ(again.factorisations, 0u);
+    EXPECT_GT(again.spent, 0) << "a strategy that asks for the same without end must come to its end";
+    EXPECT_LT(again.spent, 0.5 * first.spent);
+    EXPECT_NE(other.u, first.u);
+  });
+  EXPECT_EQ(s.cost.stages.size(), 2u) << "what is known is no stage";
+}
+
+TEST(AStudy, GoesOnWhereAStageWasCutOff) {
+  study(compressed_bars(), [](Study& of) {
+    const Displacements start = perturbed(of.start(), 0.2);
+    const auto ask = [&](const Displacements& from, double path) {
+      return of.solve({.name = "short", .path = path, .iterations = 2}, from);
+    };
+    const Stage first = ask(start, 0), second = ask(start, 0);
+    ASSERT_EQ(first.ending, Ending::out_of_work);
+    EXPECT_NE(second.u, first.u);
+    EXPECT_EQ(second.u, ask(first.u, 1e6).u) << "with another limit, so that it is another stage";
+  });
+}
+
+TEST(AStudy, KnowsWhatAStrategyCameToThatHasEnded) {
+  const Solution s = study(compressed_bars(), [](Study& of) {
+    const auto ask = [&](double work) {
+      return of.call("direct", "", {.name = "lent", .variant = {.stiffness_cap = 100}, .work = work},
+                     perturbed(of.start(), 0.1));
+    };
+    EXPECT_EQ(ask(1).ending, Ending::out_of_work);
+    const Stage first = ask(1000), again = ask(1000);
+    EXPECT_TRUE(first.has_converged());
+    EXPECT_EQ(again.u, first.u);
+    EXPECT_LT(again.spent, 1);
+  });
+  EXPECT_EQ(s.cost.stages.size(), 2u) << "one that was cut off, and the rest of it";
+}
+
 TEST(AStudy, SolvesAnEasierVariantWithoutTakingItForTheScene) {
   const Solution s = study(compressed_bars(), [](Study& of) {
     const Stage soft = of.solve({.name = "soft", .variant = {.compression = 0}}, perturbed(of.start(), 0.1));
