@@ -246,7 +246,7 @@ KnownStage RunningStudy::run_inner(const StrategyType& type, const void* paramet
   inner.run(type, parameters);
   KnownStage came{.asked = std::move(request), .solution = inner.best(), .has_solution = inner.has_any()};
   came.unsettled = inner.unsettled_, came.ending_without_solution = inner.ending_without_solution();
-  const bool is_asked_again = !is_as_written(seen.variant) || !is_stationary(came.solution);
+  const bool is_asked_again = !is_as_written(seen.variant) || came.solution.status != SolveStatus::converged;
   const bool has_ended = inner.work_left() > 0 && ending_of(came.solution) != NETLOFT_ENDED_OUT_OF_WORK;
   if (has_ended && is_asked_again) host_.keep_known(came);
   return came;

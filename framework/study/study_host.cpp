@@ -30,7 +30,7 @@ bool was_cut_off(const Solution& s) { return s.run.stop == Stop::work || s.run.s
 /// Whether the stage may be asked for again. Judging a point costs next to nothing, and an equilibrium of the
 /// scene itself is what was looked for.
 bool is_asked_again(const netloft_stage& stage, const SolverUse& solver, const Solution& s) {
-  const bool is_found = is_as_written(stage.variant) && is_stationary(s);
+  const bool is_found = is_as_written(stage.variant) && s.status == SolveStatus::converged;
   return solver.type != &no_solver() && s.status != SolveStatus::interrupted && !s.u.empty() && !is_found;
 }
 

@@ -85,9 +85,11 @@ void Race::run_slice(Runner& runner, double slice) {
   const Attempt& attempt = runner.attempt;
   Stage stage =
       study_.call(attempt.strategy, attempt.parameters, {.name = attempt.name, .work = work}, start_);
-  runner.is_out = !stage.was_cut_off();
-  runner.is_near = !runner.is_out && stage.has_forces() && stage.imbalance() <= kOnlyAStart;
+  const bool is_near = stage.was_cut_off() && stage.has_forces() && stage.imbalance() <= kOnlyAStart;
+  const double left = study_.work_left();
   stage = off_saddle(std::move(stage), work);
+  runner.is_out = !stage.was_cut_off() && left - study_.work_left() < work;
+  runner.is_near = is_near;
   if (stage.flutters()) look_on_for_as_much_again();
   keep_better(with_compensated_positions(std::move(stage)));
 }
