@@ -77,18 +77,18 @@ Stability stability_of(GrowthVerdict verdict) {
 
 /// Of a gear that has come to rest at x: what moves on from there is resisted by friction with that past, not
 /// with the one before the gear came there.
-Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a) {
+Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double gear_size) {
   Assembler& assembler = scene.assembler;
   const std::vector<double> past = assembler.memory();
   if (!assembler.remember(a.x)) return {.verdict = GrowthVerdict::unknown};
-  Growth growth = find_growth(assembler, {a.x, a.x_low, a.correction.x, a.correction.x_low}, scene.make);
+  Growth growth = find_growth(assembler, rest_place(a, gear_size), scene.make);
   assembler.set_memory(past);
   return growth;
 }
 
 /// Where forces have no energy.
-void find_what_grows(Assessment& a, const AssembledScene& scene) {
-  Growth growth = find_growth_at_rest(scene, a);
+void find_what_grows(Assessment& a, const AssembledScene& scene, double gear_size) {
+  Growth growth = find_growth_at_rest(scene, a, gear_size);
   a.stability = stability_of(growth.verdict);
   a.judging.add(growth.cost);
   if (!growth.grows()) return;
@@ -182,7 +182,7 @@ Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judgin
     if (is_known)
       take_stability(a, how.known->assessment);
     else
-      find_what_grows(a, of);
+      find_what_grows(a, of, problem.scales().gear_size());
     why_unstable = what_grows(a, assembler, scene);
   }
   a.status = status_of(a, problem, how);
@@ -192,6 +192,15 @@ Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judgin
   if (how.known && !is_known && is_decided(a.stability)) *how.known = {a, assembler.memory()};
   a.judging.add(since(before, problem.statistics()));
   return a;
+}
+
+RestPlace rest_place(const Assessment& a, double gear_size) {
+  const double reach = kSamePlace * gear_size;
+  return {.x = a.x,
+          .x_low = a.x_low,
+          .after = a.correction.x,
+          .after_low = a.correction.x_low,
+          .share = a.correction.length > reach ? reach / a.correction.length : 1};
 }
 
 Assessment assess_static(const AssembledScene& scene, std::span<const double> u, const Limits& limits) {

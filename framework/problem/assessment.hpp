@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/problem/assembled_scene.hpp"
+#include "framework/problem/linear_motion.hpp"
 #include "framework/problem/static_problem.hpp"
 
 namespace netloft {
@@ -49,6 +50,9 @@ struct JudgedPoint {
   Assessment assessment;
   std::vector<double> memory;  // what elements remembered
 };
+
+/// Where it rests, for linear_motion.hpp.
+RestPlace rest_place(const Assessment& a, double gear_size);
 
 /// Forces balance there, whether or not it is stable.
 inline bool is_stationary(const Assessment& a) {

@@ -81,9 +81,10 @@ Vector Cayley::start() const {
 }
 
 bool Cayley::is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const {
-  const Eigen::VectorXcd driving = s * (C_ * y) + s * s * (M_ * y), error = K_error_ * y;
-  return driving.norm() <= kRoundingOfK * (K_.cwiseAbs() * y.cwiseAbs()).norm() ||
-         std::abs(y.dot(driving)) <= std::abs(y.dot(error));
+  const Eigen::VectorXcd driven = s * (C_ * y) + s * s * (M_ * y);
+  if (driven.norm() <= kRoundingOfK * (K_.cwiseAbs() * y.cwiseAbs()).norm()) return true;
+  const double wanted = y.dot(driven).real(), change = y.dot(K_error_ * y).real();
+  return s.imag() == 0 && wanted > 0 && change >= wanted;
 }
 
 }  // namespace netloft

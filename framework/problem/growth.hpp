@@ -58,10 +58,10 @@ struct Growth {
 /// It is marginal, not told from none, if |μ| ≤ kGrows: a pair then decays or grows by less than 6 % in a
 /// swing, as a hundredth of the damping decides; if it swings where nothing damps, in still water without
 /// losses: a little damping may stop it or not (Bolotin), and water, which resists with the square of the
-/// speed, stops it at an amplitude that falls with its rate; if powers have not settled; or if rounding of K,
-/// or what K changes by over the Newton step δ that is left, as a soft mode may leave a long one, would undo
-/// it:
-///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y|‖   or   |yᴴ(s²M + sC) y| ≤ |yᴴ(K(x + δ) − K(x)) y|      (7)
+/// speed, stops it at an amplitude that falls with its rate; if powers have not settled; or if rounding of K
+/// would undo it; or, of what diverges, what K changes by over the Newton step δ that is left, no farther
+/// than one place reaches (kSamePlace), for along a soft mode a small imbalance leaves a long step:
+///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y|‖   or   0 < yᵀ(s²M + sC) y ≤ yᵀ(K(x + δ) − K(x)) y       (7)
 ///
 /// Lengths are those of an energy,
 ///   ‖(y, v)‖² = yᵀ(K₊ + σ²M) y + vᵀM v,   K₊ the convex part of K                          (8)

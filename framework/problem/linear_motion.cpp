@@ -77,6 +77,29 @@ void let_follow(const SparsePattern& p, std::span<const double> metric, LinearMo
   });
 }
 
+/// a + t (b - a); what is empty is zero.
+std::vector<double> between(std::span<const double> a, std::span<const double> b, double t) {
+  std::vector<double> there(a.begin(), a.end());
+  there.resize(std::max(a.size(), b.size()));
+  for (std::size_t i = 0; i < there.size(); ++i) there[i] += t * ((b.empty() ? 0 : b[i]) - there[i]);
+  return there;
+}
+
+/// K_error; empty where the step is not known, or elements are not defined where it leads.
+std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& at,
+                                        const std::vector<double>& K) {
+  if (at.after.empty()) return {};
+  const std::vector<double> x = between(at.x, at.after, at.share),
+                            low = between(at.x_low, at.after_low, at.share);
+  std::vector<double> change(assembler.value_slots());
+  const Kinematics motion{.cu = 1, .x_low = low.empty() ? nullptr : low.data()};
+  if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = change.data(), .motion = motion}))
+    return {};
+  change.resize(K.size());
+  for (std::size_t i = 0; i < K.size(); ++i) change[i] -= K[i];
+  return change;
+}
+
 }  // namespace
 
 double fastest_rate(const SparsePattern& p, const LinearMotion& m) {
@@ -111,13 +134,10 @@ bool linearise(Assembler& assembler, const RestPlace& at, LinearMotion& m) {
   const std::size_t slots = assembler.value_slots();  // more than the pattern has
   std::vector<double> metric(slots);
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->assign(slots, 0.0);
-  const auto evaluate_at = [&](std::span<const double> x, std::span<const double> low, std::vector<double>& A,
-                               MatrixKind kind, double cu, double cv, double ca) {
-    const Kinematics motion{.cu = cu, .cv = cv, .ca = ca, .x_low = low.empty() ? nullptr : low.data()};
-    return assembler.evaluate(x, {.matrix = kind, .values = A.data(), .motion = motion});
-  };
+  const double* low = at.x_low.empty() ? nullptr : at.x_low.data();
   const auto evaluate = [&](std::vector<double>& A, MatrixKind kind, double cu, double cv, double ca) {
-    return evaluate_at(at.x, at.x_low, A, kind, cu, cv, ca);
+    const Kinematics motion{.cu = cu, .cv = cv, .ca = ca, .x_low = low};
+    return assembler.evaluate(at.x, {.matrix = kind, .values = A.data(), .motion = motion});
   };
   if (!evaluate(m.K, MatrixKind::exact, 1, 0, 0) || !evaluate(m.C, MatrixKind::exact, 0, 1, 0) ||
       !evaluate(m.M, MatrixKind::exact, 0, 0, 1) || !evaluate(m.convex, MatrixKind::convex, 1, 0, 0) ||
@@ -127,12 +147,7 @@ bool linearise(Assembler& assembler, const RestPlace& at, LinearMotion& m) {
   let_follow(assembler.pattern(), metric, m);
   for (std::size_t i = 0; i < slots; ++i) m.convex[i] += kLittle * metric[i];
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->resize(assembler.pattern().value_slots());
-  m.K_error.assign(at.corrected.empty() ? 0 : slots, 0.0);
-  if (!at.corrected.empty() &&
-      !evaluate_at(at.corrected, at.corrected_low, m.K_error, MatrixKind::exact, 1, 0, 0))
-    m.K_error.clear();
-  m.K_error.resize(m.K_error.empty() ? 0 : m.K.size());
-  for (std::size_t i = 0; i < m.K_error.size(); ++i) m.K_error[i] -= m.K[i];
+  m.K_error = change_of_stiffness(assembler, at, m.K);
   return true;
 }
 

@@ -18,9 +18,10 @@ struct LinearMotion {
 /// A place next to an equilibrium, over all dofs.
 struct RestPlace {
   std::span<const double> x;
-  std::span<const double> x_low = {};      // what x rounds off; empty: not known
-  std::span<const double> corrected = {};  // x after the Newton step that is left; empty: not known
-  std::span<const double> corrected_low = {};
+  std::span<const double> x_low = {};  // what x rounds off; empty: not known
+  std::span<const double> after = {};  // x after the Newton step that is left; empty: not known
+  std::span<const double> after_low = {};
+  double share = 1;  // of that step, at most as far as one place reaches
 };
 
 /// The matrices there. False: see the assembler's fault.

@@ -11,15 +11,14 @@ namespace netloft {
 namespace {
 
 bool ask_the_same(const StageRequest& a, const StageRequest& b) {
-  return a.by == b.by && is_same(a.variant, b.variant) && a.tolerance == b.tolerance && a.path == b.path &&
-         a.iterations == b.iterations && a.flags == b.flags && a.parameters == b.parameters &&
-         a.start == b.start;
+  return a.by_strategy == b.by_strategy && a.by == b.by && is_same(a.variant, b.variant) &&
+         a.tolerance == b.tolerance && a.path == b.path && a.iterations == b.iterations &&
+         a.flags == b.flags && a.parameters == b.parameters && a.start == b.start;
 }
 
 std::size_t numbers_of(const KnownStage& stage) {
-  constexpr std::size_t kOfAPoint = sizeof(IterationRecord) / sizeof(double);
   const Solution& s = stage.solution;
-  std::size_t sum = stage.asked.start.size() + kOfAPoint * s.run.history.size();
+  std::size_t sum = stage.asked.start.size();
   for (const auto* v : {&s.u, &s.x, &s.residual, &s.x_low, &s.growing.mode, &s.growing.mode_later,
                         &s.correction.x, &s.correction.x_low})
     sum += v->size();
@@ -28,10 +27,12 @@ std::size_t numbers_of(const KnownStage& stage) {
 
 }  // namespace
 
-const KnownStage* KnownStages::find(const StageRequest& request) const {
+const KnownStage* KnownStages::find(const StageRequest& request) {
   const auto found = std::find_if(stages_.begin(), stages_.end(),
                                   [&](const KnownStage& s) { return ask_the_same(s.asked, request); });
-  return found == stages_.end() ? nullptr : &*found;
+  if (found == stages_.end()) return nullptr;
+  stages_.splice(stages_.end(), stages_, found);
+  return &*found;
 }
 
 void KnownStages::keep(KnownStage stage) {
@@ -42,6 +43,7 @@ void KnownStages::keep(KnownStage stage) {
   const auto before = std::find_if(stages_.begin(), stages_.end(),
                                    [&](const KnownStage& s) { return ask_the_same(s.asked, stage.asked); });
   if (before != stages_.end()) forget(before);
+  stage.solution.cost = {}, stage.solution.judging = {}, stage.solution.run.history.clear();
   numbers_ += numbers_of(stage);
   stages_.push_back(std::move(stage));
   while (numbers_ > most_) forget(stages_.begin());

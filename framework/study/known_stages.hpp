@@ -11,7 +11,8 @@ namespace netloft {
 
 /// What a strategy asks for, but for how much work it may cost.
 struct StageRequest {
-  std::string by;  // type of the solver or of the strategy
+  bool by_strategy = false;  // else by a solver
+  std::string by;            // its type
   Values parameters;
   netloft_variant variant{};  // seen from the scene as it is written
   double tolerance = 0, path = 0;
@@ -30,23 +31,24 @@ struct KnownStage {
   int unsettled = 0;  // stages within it that did not come to rest
 };
 
-/// What has been asked for in a study, so that nothing is solved twice. A strategy that was cut off is called
-/// again from the same start: what it has solved costs nothing then, and the stage that was cut off goes on
-/// where it ended. No strategy needs a memory of its own.
+/// Stages that have been solved in a study, so that none is solved twice. A strategy that was cut off is
+/// called again from the same start: what it has solved costs next to nothing then, and the stage that was
+/// cut off goes on where it ended. What a strategy does by methods of its own is not known, and done again.
 ///
-/// The oldest are forgotten where all together would take more than `most` numbers.
+/// Those that were not asked for longest are forgotten where all together would take more than `most`
+/// numbers.
 class KnownStages {
  public:
   explicit KnownStages(std::size_t most) : most_(most) {}
 
   /// Null: it has not been asked for, or is forgotten.
-  const KnownStage* find(const StageRequest& request) const;
-  /// In the place of what came of the same request before.
+  const KnownStage* find(const StageRequest& request);
+  /// In the place of what came of the same request before; without what it cost and how it went on.
   void keep(KnownStage stage);
 
  private:
   std::size_t most_, numbers_ = 0;
-  std::list<KnownStage> stages_;  // in the order in which they were asked for
+  std::list<KnownStage> stages_;  // in the order in which they were last asked for
 };
 
 }  // namespace netloft

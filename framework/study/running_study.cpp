@@ -228,7 +228,8 @@ int RunningStudy::call(const char* strategy, const char* parameters, netloft_sta
   const ParameterBlock block(type.parameters, type.strategy.parameter_bytes, values, faults);
   if (!faults.empty()) throw std::invalid_argument(faults.front());
   const double before = host_.spent();
-  StageRequest request{.by = type.type, .parameters = std::move(values), .variant = seen.variant};
+  StageRequest request{
+      .by_strategy = true, .by = type.type, .parameters = std::move(values), .variant = seen.variant};
   request.tolerance = seen.tolerance, request.start = {stage->u, stage->u + size_of(stage->variant.level)};
   const KnownStage* known = host_.find_known(request);
   const KnownStage came = known ? *known : run_inner(type, block.data(), seen, std::move(request));
@@ -246,9 +247,8 @@ KnownStage RunningStudy::run_inner(const StrategyType& type, const void* paramet
   inner.run(type, parameters);
   KnownStage came{.asked = std::move(request), .solution = inner.best(), .has_solution = inner.has_any()};
   came.unsettled = inner.unsettled_, came.ending_without_solution = inner.ending_without_solution();
-  const bool is_asked_again = !is_as_written(seen.variant) || came.solution.status != SolveStatus::converged;
   const bool has_ended = inner.work_left() > 0 && ending_of(came.solution) != NETLOFT_ENDED_OUT_OF_WORK;
-  if (has_ended && is_asked_again) host_.keep_known(came);
+  if (has_ended) host_.keep_known(came);
   return came;
 }
 

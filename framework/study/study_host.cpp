@@ -21,21 +21,17 @@ const SolverType& no_solver() {
   return type;
 }
 
-// Of known stages, for each unknown of the scene: some eight points on its own mesh, or less than a factor of
-// netting takes, which has 90 numbers for each of 3000 unknowns and more of larger meshes.
-constexpr std::size_t kNumbersKept = 64;
+// Of known stages, for each unknown of the scene: some twenty points on its own mesh. That is what a factor
+// of netting takes: 90 numbers for each of 3000 unknowns, 170 for each of 1e6.
+constexpr std::size_t kNumbersKept = 128;
 
-bool was_cut_off(const Solution& s) { return s.run.stop == Stop::work || s.run.stop == Stop::iterations; }
-
-/// Whether the stage may be asked for again. Judging a point costs next to nothing, and an equilibrium of the
-/// scene itself is what was looked for.
-bool is_asked_again(const netloft_stage& stage, const SolverUse& solver, const Solution& s) {
-  const bool is_found = is_as_written(stage.variant) && s.status == SolveStatus::converged;
-  return solver.type != &no_solver() && s.status != SolveStatus::interrupted && !s.u.empty() && !is_found;
+bool was_cut_off(const Solution& s) {
+  return !is_stationary(s) && (s.run.stop == Stop::work || s.run.stop == Stop::iterations);
 }
 
 StageRequest request_of(const netloft_stage& stage, const SolverUse& solver, std::size_t size) {
-  return {.by = solver.type->type,
+  return {.by_strategy = false,
+          .by = solver.type->type,
           .parameters = solver.parameters,
           .variant = stage.variant,
           .tolerance = stage.tolerance,
@@ -43,11 +39,6 @@ StageRequest request_of(const netloft_stage& stage, const SolverUse& solver, std
           .iterations = stage.iterations,
           .flags = stage.flags,
           .start = {stage.u, stage.u + size}};
-}
-
-Solution at_no_cost(Solution s) {
-  s.cost = {}, s.judging = {};
-  return s;
 }
 
 ParameterBlock block_of(const SolverUse& use) {
@@ -107,8 +98,17 @@ Observer StudyHost::observer_of(const netloft_stage& stage) const {
 
 const KnownStage* StudyHost::find_known(const StageRequest& request) {
   const KnownStage* known = known_.find(request);
-  if (known) cost_.work += sites_.at(as_written())->model.of({.residuals = 1});
+  if (known) asked_again_ += sites_.at(as_written())->model.of({.residuals = 1});
   return known;
+}
+
+/// An equilibrium of the scene itself is what was looked for.
+void StudyHost::keep_known(KnownStage stage) {
+  const bool is_scene =
+      is_as_written(stage.asked.variant) && stage.asked.tolerance <= options_.limits.tolerance;
+  const bool is_found = is_scene && stage.solution.status == SolveStatus::converged;
+  const bool is_interrupted = stage.solution.status == SolveStatus::interrupted;
+  if (!is_found && !is_interrupted && !stage.solution.u.empty()) known_.keep(std::move(stage));
 }
 
 Solution StudyHost::solve(const netloft_stage& stage, const SolverUse& solver) {
@@ -116,19 +116,20 @@ Solution StudyHost::solve(const netloft_stage& stage, const SolverUse& solver) {
       static_cast<std::size_t>(sites_.find_level(stage.variant.level)->assembler->pattern().size);
   StageRequest request = request_of(stage, solver, size);
   const KnownStage* known = find_known(request);
-  if (known && !known->is_cut_off) return at_no_cost(known->solution);
+  if (known && !known->is_cut_off) return known->solution;
   const auto site = sites_.at(stage.variant);
   const ParameterBlock parameters = block_of(solver);
-  const std::vector<double> from = known ? known->solution.u : request.start;
-  const StartPoint start{from, stage.flags & NETLOFT_COMPENSATED ? Positions::compensated : Positions::plain};
+  const StartPoint start{known ? known->solution.u : request.start,
+                         stage.flags & NETLOFT_COMPENSATED ? Positions::compensated : Positions::plain};
   Solution s =
       solve_static({*site->scene, *site->assembler, sites_.source().make}, {solver.type, parameters.data()},
                    limits_of(stage, *site), start, observer_of(stage));
   record({stage.name, solver.type->type, size, s.status, s.reason, s.cost.statistics, stage.variant,
           site->model.of(s.judging)},
          *site);
-  if (is_asked_again(stage, solver, s))
-    known_.keep({.asked = std::move(request), .solution = s, .is_cut_off = was_cut_off(s)});
+  // Judging a point costs next to nothing.
+  if (solver.type != &no_solver())
+    keep_known({.asked = std::move(request), .solution = s, .is_cut_off = was_cut_off(s)});
   if (options_.on_stage && !s.u.empty()) {
     const auto moved = stage.variant.level ? sites_.transfer(stage.variant.level, s.u, 0) : s.u;
     if (!moved.empty()) options_.on_stage(cost_.stages.back(), moved);

@@ -18,7 +18,7 @@ class StudyHost {
 
   Sites& sites() { return sites_; }
   const StudyOptions& options() const { return options_; }
-  double spent() const { return cost_.work; }
+  double spent() const { return cost_.work + asked_again_; }
   /// By the user, or the user's time is over.
   bool is_interrupted() const;
   bool is_out_of_time() const { return seconds_left() == 0; }
@@ -34,7 +34,7 @@ class StudyHost {
   /// What came of the same request before; null: nothing is known of it. To be told costs an evaluation: a
   /// strategy that asks for the same without end comes to its end.
   const KnownStage* find_known(const StageRequest& request);
-  void keep_known(KnownStage stage) { known_.keep(std::move(stage)); }
+  void keep_known(KnownStage stage);
   /// Solves `stage`, whose variant is seen from the scene as it is written; keeps the record. What is known
   /// is not solved again, and no stage.
   Solution solve(const netloft_stage& stage, const SolverUse& solver);
@@ -52,6 +52,7 @@ class StudyHost {
   StudyOptions options_;
   Sites sites_;
   KnownStages known_;
+  double asked_again_ = 0;  // work
   double begun_;
   Cost cost_;
   JudgedPoint judged_;  // of the scene as it is written

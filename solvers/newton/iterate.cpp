@@ -13,9 +13,11 @@ Iterate::Iterate(Problem& problem)
       r_trial_(problem.size()),
       d_(problem.conservative() ? 0 : problem.size()) {}
 
-bool Iterate::promises_round_off(const Path& path) const {
-  return -slope(path) <= kEnergyRoundOff * (std::abs(energy_) + std::abs(dot(d_, path.s)));
+double Iterate::round_off(const Path& path) const {
+  return kEnergyRoundOff * (std::abs(energy_) + std::abs(dot(d_, path.s)));
 }
+
+bool Iterate::promises_round_off(const Path& path) const { return -slope(path) <= round_off(path); }
 
 bool Iterate::evaluate(Matrix matrix) {
   return problem_.evaluate(problem_.u(), energy_, r_, matrix) == Evaluation::ok;

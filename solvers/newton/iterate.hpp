@@ -38,7 +38,9 @@ class Iterate {
   /// All forces have an energy: there are no d.
   bool is_conservative() const { return d_.empty(); }
   double slope(const Path& path) const { return dot(r_, path.s); }
-  /// What a step promises to gain along a path is no more than rounding may change of the merit.
+  /// What rounding may change of the merit along a path.
+  double round_off(const Path& path) const;
+  /// What a step promises to gain along a path is no more than that.
   bool promises_round_off(const Path& path) const;
   /// Points accepted so far.
   std::size_t count() const { return count_; }

@@ -51,7 +51,7 @@ namespace netloft::newton {
 /// of `least_damping` to kMatters is not, K is nearly definite: K + σ M is then the matrix of (2),
 /// and (6) leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979), with no node going
 /// farther than 1/`margin` elements. At round-off, where no step is accepted, the same is tried once at every
-/// point, however much damping is left, if K is symmetric.
+/// point, however much damping is left.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;

@@ -35,7 +35,8 @@ Step RoundOffSteps::fall_back(Iterate& iterate, double damping) {
   Step step;
   if (problem.factorise(Matrix::exact, 0) == Factor::ok)
     step = take_newton_step(iterate);
-  else if (const auto sigma = problem.symmetric() ? nearly_definite_.factorise(problem) : std::nullopt) {
+  else if (const auto sigma =
+               iterate.is_conservative() ? nearly_definite_.factorise(problem) : std::nullopt) {
     const auto v = curvature_.find_direction(problem, *sigma);
     step = v ? Step{.damping = *sigma, .leaves_saddle = curvature_.leave_along(*v, iterate)}
              : take_by_slope(iterate, solve(iterate), *sigma);
@@ -62,9 +63,8 @@ Step RoundOffSteps::take_by_slope(Iterate& iterate, std::span<const double> s, d
   const Path path{s};
   const Sample first{0, iterate.energy(), iterate.slope(path)};
   if (first.slope >= 0 || stall_.stalls_with(-first.slope)) return none;
-  const SlopeSearch search{.noise = kEnergyRoundOff * std::abs(iterate.energy()),
-                           .flatness = p_.flatness,
-                           .refinement = refinement_of(p_)};
+  const SlopeSearch search{
+      .noise = iterate.round_off(path), .flatness = p_.flatness, .refinement = refinement_of(p_)};
   const auto found = search([&](double t) { return iterate.merit(path, t); }, first);
   if (!found || !iterate.try_move(path, found->t)) return none;
   return {Step::Rule::slope, damping, found->t};

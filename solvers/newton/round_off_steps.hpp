@@ -36,8 +36,9 @@ class RoundOffSteps {
 
   /// Moves u by the whole of s if that does not raise ‖r‖; else, undamped, by (7).
   Step take(Iterate& iterate, const Direction& direction);
-  /// Where damping leads nowhere, once at every point: by Newton's own step; or where K is symmetric and
-  /// nearly definite, off the saddle; or where nothing curves downwards, either, by a step of K + σ M.
+  /// Where damping leads nowhere, once at every point: by Newton's own step; or where all forces have an
+  /// energy and K is nearly definite, off the saddle; or where nothing curves downwards, either, by a step of
+  /// K + σ M.
   Step fall_back(Iterate& iterate, double damping);
   /// (7) may be tried again: u has moved by the energy.
   void reset_stall_count() { stall_.reset(); }

@@ -27,6 +27,12 @@ constexpr double kBeside = 1e-3;
 
 double little(const Study& study) { return kBeside * study.element_size(); }
 
+bool is_one_place(const Study& study, const Displacements& a, const Displacements& b) {
+  double apart = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) apart = std::max(apart, std::abs(a[i] - b[i]));
+  return apart <= little(study);
+}
+
 /// The start of the study; a little beside it where elements have no force there, which a solver cannot
 /// leave.
 Displacements start_with_forces(Study& study) {
@@ -101,20 +107,25 @@ void Race::look_on_for_as_much_again() {
 }
 
 /// From an unstable equilibrium to one side, and if that does not converge, to the other; likewise from every
-/// other that is met on the way: a gear in which several things grow is moved off once for each. What
+/// other that is met on the way, once: a gear in which several things grow is moved off once for each. What
 /// flutters is left alone: the motion comes back to it from either side.
 Stage Race::off_saddle(Stage saddle, double work) {
   const double end = std::max(over_at_, study_.work_left() - work);
   const auto ask = [&] {
     return Ask{.name = "off an unstable equilibrium", .work = study_.work_left() - end};
   };
+  std::vector<Displacements> met{saddle.u};
   for (int side = 0; side < 2 && saddle.ending == Ending::unstable && !saddle.flutters(); ++side) {
     if (study_.work_left() <= end) break;
     const Displacements start = beside(study_, saddle, ask(), side);
     if (study_.work_left() <= end) break;
     Stage next = study_.call("direct", "", ask(), start);
     if (next.has_converged()) return next;
-    if (next.ending == Ending::unstable) saddle = std::move(next), side = -1;
+    const bool is_another = next.ending == Ending::unstable &&
+                            std::none_of(met.begin(), met.end(), [&](const Displacements& one) {
+                              return is_one_place(study_, one, next.u);
+                            });
+    if (is_another) saddle = std::move(next), met.push_back(saddle.u), side = -1;
   }
   return saddle;
 }

@@ -228,6 +228,7 @@ TEST(GrowthOfMatrices, IsMarginalWhereTheStiffnessIsNotKnownThatWell) {
   const auto verdict = [&](double error) { return growth_without_mass(K, C, error).verdict; };
   EXPECT_EQ(verdict(0), GrowthVerdict::grows);
   EXPECT_EQ(verdict(1e-4), GrowthVerdict::grows);
+  EXPECT_EQ(verdict(-1e-2), GrowthVerdict::grows) << "it would grow all the more";
   EXPECT_EQ(verdict(1e-2), GrowthVerdict::marginal);
 }
 
