@@ -42,9 +42,8 @@ const Row kTable[] = {
      [](const Kind& k) { return k.has_meshes && !k.has_loaded_members; }},
     {{"tension-stages", "tension/stages", "", "with tensions as unknowns stiff members turn at once"},
      [](const Kind& k) { return k.has_loaded_members; }},
-    // After these two: a relaxation takes more steps the finer the mesh. Long lines of 12 000 unknowns on the
-    // bed
-    // took eight times as long by it as by the stages of tensions.
+    // After these two: a relaxation takes more steps the finer the mesh. Long lines of 12 000 unknowns took
+    // eight times as long by it as by the stages of tensions.
     {{"relaxed", "relaxed", "", "elements stick and slide, which no tangent foresees"},
      [](const Kind& k) { return k.sticks; }},
     {{"direct", "direct", "", "the start may be near"}, [](const Kind&) { return true; }},
