@@ -163,6 +163,32 @@ TEST(Auto, MovesOffAnEquilibriumThatIsNotStableWhereForcesHaveNoEnergy) {
   EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.1, 1e-6) << "it hangs";
 }
 
+/// Two bars that stand on their feet, loaded by 10 N and `second` newtons.
+Scene two_toppling_bars(double second) {
+  Sketch s;
+  s.scene.water.gravity = 0;
+  for (const double load : {10.0, second}) {
+    const double y = load == 10 ? 0 : 5;
+    const auto foot = s.node(0, y, 0, kAllAxes), top = s.node(0, y, 1 - load / 100);
+    const std::string name = load == 10 ? "first" : "second";
+    s.rope(name, {foot, top}, 1, 100).parameters["rope.EA_compression"] = 100.0;
+    s.part(name + "-load", "test/load", {{"z", -load}}, {top});
+    s.part(name + "-push", "test/follower", {{"k", 0.0}}, {foot, top}).data["rest_length"] = {1};
+  }
+  return s.scene;
+}
+
+// What is met on the way off one unstable equilibrium is another.
+TEST(Auto, MovesOffOncePerThingThatGrows) {
+  plugins();
+  for (const double second : {5.0, 10.001, 20.0}) {
+    const Solution s = find(two_toppling_bars(second), {{"without", std::string("tension-stages")}}).solution;
+    ASSERT_EQ(s.status, SolveStatus::converged) << second << s.reason << stages_of(s);
+    EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1 - std::max(10.0, second) / 100, 1e-6);
+    EXPECT_EQ(std::count_if(s.x.begin(), s.x.end(), [](double x) { return x < -1; }), 2) << "both hang";
+  }
+}
+
 TEST(Auto, SaysOfWhatGoesRoundAndRoundThatItDoesNotSettle) {
   plugins();
   const Solution s = find(whirling_bar()).solution;
