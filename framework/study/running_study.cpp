@@ -97,6 +97,7 @@ RunningStudy::RunningStudy(StudyHost& host, const netloft_variant& scene, double
       tolerance_(tolerance),
       budget_(work),
       begun_(host.spent()),
+      unit_(site_->model.of_iteration() / site_->model.unit),
       equilibria_(*site_->scene, *site_->assembler, Scales(*site_->assembler).gear_size(),
                   traits_of(*site_->assembler) & NETLOFT_CONSERVATIVE) {
   fill_interface(start);
@@ -176,10 +177,11 @@ netloft_ending RunningStudy::ending_without_solution() const {
 }
 
 double RunningStudy::work_left() const {
-  return host_.is_interrupted() ? 0 : std::max(0.0, budget_ - (host_.spent() - begun_));
+  return host_.is_interrupted() ? 0 : std::max(0.0, budget_ - (host_.spent() - begun_)) / unit_;
 }
 
-/// The stage with what it leaves open, checked. Its variant is that of the scene as it is written.
+/// The stage with what it leaves open, checked. Its variant and its work are those of the scene as it is
+/// written.
 netloft_stage RunningStudy::seen_from_host(const netloft_stage& stage) {
   const netloft_variant& v = stage.variant;
   const bool is_fraction = v.compression >= 0 && v.compression <= 1 && v.current >= 0 && v.current <= 1;
@@ -190,7 +192,7 @@ netloft_stage RunningStudy::seen_from_host(const netloft_stage& stage) {
   netloft_stage seen = stage;
   seen.variant = combined(scene_, v);
   seen.tolerance = std::max(stage.tolerance, tolerance_);
-  seen.work = stage.work > 0 ? std::min(stage.work, work_left()) : work_left();
+  seen.work = unit_ * (stage.work > 0 ? std::min(stage.work, work_left()) : work_left());
   if (!seen.name) seen.name = "";
   return seen;
 }
@@ -335,7 +337,7 @@ void RunningStudy::fill(netloft_stage& stage, const Solution& s, double spent) {
   growing_ = s.growing.mode;
   stage.ending = ending_of(s), stage.stability = stability_of(s);
   stage.residual = s.balance.residual, stage.load = s.balance.scale, stage.energy = s.energy;
-  stage.rounding = s.balance.floor, stage.spent = spent;
+  stage.rounding = s.balance.floor, stage.spent = spent / unit_;
   stage.iterations_done = static_cast<std::uint32_t>(s.cost.statistics.iterations);
   stage.factorisations = static_cast<std::uint32_t>(s.cost.statistics.factorisations);
   stage.growing = growing_.empty() ? nullptr : growing_.data();

@@ -58,10 +58,11 @@ class StudyHost {
   JudgedPoint judged_;  // of the scene as it is written
 };
 
-/// A study as one strategy sees it: a variant of the scene is its scene, a part of the work its budget.
+/// A study as one strategy sees it: a variant of the scene is its scene, a part of the work its budget, which
+/// is told to it in Newton iterations of that scene.
 class RunningStudy {
  public:
-  /// `tolerance`, `work`: of its scene.
+  /// `tolerance`: of its scene; `work`: in iterations of the scene as it is written, as the host counts.
   RunningStudy(StudyHost& host, const netloft_variant& scene, double tolerance, double work,
                const double* start);
   RunningStudy(const RunningStudy&) = delete;
@@ -99,8 +100,8 @@ class RunningStudy {
 
   StudyHost& host_;
   netloft_variant scene_;
-  std::shared_ptr<Site> site_;  // of that
-  double tolerance_, budget_, begun_;
+  std::shared_ptr<Site> site_;                // of that
+  double tolerance_, budget_, begun_, unit_;  // unit_: an iteration of its scene, in work of the host
   netloft_study interface_{};
   char message_[256] = "";
   std::vector<double> growing_;       // of the last stage

@@ -18,7 +18,7 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
       false);
   s.real("slice", &Options::slice, "1",
          "work of the first slice of each attempt, and of each look for another shape, in Newton iterations "
-         "of the scene as it is written",
+         "of the mesh on which they are made",
          {.lo = 1, .hi = 1e9, .fallback = 200});
   s.text("without", &Options::without, "parts to leave out, such as restarts+tension-stages", "");
 }

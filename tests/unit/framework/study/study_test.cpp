@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "framework/problem/work.hpp"
+#include "framework/study/study_host.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"
@@ -236,6 +237,52 @@ TEST(AStudy, LendsItsSceneToAnotherStrategy) {
     of.answer(stage.u);
   });
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+}
+
+/// A chain of 40 bars, and two bars for its coarser mesh.
+class TwoMeshes final : public Levels {
+ public:
+  unsigned most() const override { return 2; }
+  const Scene* scene(unsigned level) override { return level == 0 ? &fine : level == 1 ? &coarse : nullptr; }
+  std::vector<double> carry(unsigned, std::span<const double>, unsigned) override { return {}; }
+
+  Scene fine = chain(40), coarse = taut_bars();
+
+ private:
+  static Scene chain(int bars) {
+    Sketch s;
+    std::vector<std::uint32_t> nodes{s.node(0, 0, 0, kAllAxes)};
+    for (int i = 1; i < bars; ++i) nodes.push_back(s.node(i, 0, 0));
+    nodes.push_back(s.node(1.1 * bars, 0, 0, kAllAxes));
+    s.rope("bars", nodes, 1, 1e4);
+    return s.scene;
+  }
+};
+
+TEST(AStudy, TellsWorkInIterationsOfTheMeshThatTheStrategyIsCalledFor) {
+  TwoMeshes meshes;
+  Registry& registry = shipped_plugins();
+  const Plan plan = make_plan(meshes.fine, registry);
+  Assembler assembler(meshes.fine, plan, 1);
+  StudyOptions options;
+  options.solver.type = &registry.solver("newton");
+  StudyHost host({&meshes.fine, &assembler, &registry, &meshes, make_factorisation}, options);
+  netloft_variant coarser = as_written();
+  coarser.level = 1;
+  const WorkModel model = host.sites().at(coarser)->model;
+  EXPECT_LT(model.of_iteration(), 0.5 * model.unit);
+
+  EXPECT_EQ(RunningStudy(host, as_written(), 1e-9, 10, nullptr).work_left(), 10);
+  RunningStudy running(host, coarser, 1e-9, 10, nullptr);
+  const double budget = running.work_left();
+  EXPECT_DOUBLE_EQ(budget, 10 * model.unit / model.of_iteration());
+  const double before = host.spent();
+  Study study(running.interface());
+  const Stage stage = study.solve({.name = "one iteration", .iterations = 1}, perturbed(study.start(), 0.3));
+  EXPECT_EQ(stage.iterations, 1u);
+  EXPECT_GE(stage.spent, 1) << "a factorisation, a solution, a matrix and residuals";
+  EXPECT_NEAR(stage.spent, (host.spent() - before) * model.unit / model.of_iteration(), 1e-9);
+  EXPECT_NEAR(running.work_left(), budget - stage.spent, 1e-9);
 }
 
 TEST(AStudy, RefusesWhatDoesNotExistWithASentence) {
