@@ -164,6 +164,7 @@ bool Assembler::hand_on(std::span<const double> x, const Request& request) {
     return false;
   const Kinematics& m = request.motion;
   bodies_.hand_on(x, {m.v, m.a, m.cu, m.cv, m.ca}, residual, matrices, exact);
+  if (request.values && request.matrix == MatrixKind::metric) bodies_.resist_turning(request.values);
   return true;
 }
 

@@ -75,10 +75,10 @@ Bodies::Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks&
       targets_[point.node].clear();
       if (!scene.stands_still(body.origin)) targets_[point.node].push_back({body.origin, -1});
       if (turns) targets_[point.node].push_back({turn, static_cast<int>(points_.size())});
-      points_.push_back({point.node, places_of(numbering, point.node), point.r, bodies_.size(),
-                         turns ? blocks.base(turn, turn) : kNoBlock});
+      points_.push_back({point.node, places_of(numbering, point.node), point.r, bodies_.size()});
     }
-    bodies_.push_back({places_of(numbering, body.origin), places_of(numbering, turn), body.arm()});
+    bodies_.push_back({places_of(numbering, body.origin), places_of(numbering, turn), body.arm(),
+                       turns ? blocks.base(turn, turn) : kNoBlock});
     pairs_.push_back({body.origin, turn});
   }
   slopes_.resize(points_.size());
@@ -198,10 +198,19 @@ void Bodies::hand_on(std::span<const double> x, const BodyMotion& motion, double
       const double f = residual[p.at[i]];
       residual[body.origin[i]] += f;
       for (std::size_t c = 0; c < 3; ++c) residual[body.rotation[c]] += slopes_[k].G[3 * i + c] * f;
-      for (std::size_t c = 0; c < 9 && matrices.values && exact && p.rotation_block != kNoBlock; ++c)
-        matrices.values[p.rotation_block + c] += motion.cu * f * slopes_[k].second[i][c];
+      for (std::size_t c = 0; c < 9 && matrices.values && exact && body.rotation_block != kNoBlock; ++c)
+        matrices.values[body.rotation_block + c] += motion.cu * f * slopes_[k].second[i][c];
       residual[p.at[i]] = 0;
     }
+  }
+}
+
+void Bodies::resist_turning(double* metric) const {
+  for (const Body& body : bodies_) {
+    if (body.rotation_block == kNoBlock) continue;
+    double* A = metric + body.rotation_block;
+    const double trace = A[0] + A[4] + A[8];
+    for (std::size_t i = 0; i < 9; ++i) A[i] = trace * kIdentity[i];
   }
 }
 

@@ -48,6 +48,10 @@ class Bodies {
   /// may be null.
   void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
                const BodyMatrices& matrices, bool exact);
+  /// In a metric, which is passed on by (3), the rotation block A of each body becomes
+  ///   tr(A) I ≥ A                                                                           (5)
+  /// A is singular where the body hangs by points on one line: about it, it turns freely.
+  void resist_turning(double* metric) const;
   /// Masses, blocks of nodes, are passed on, (3); `between` has a block per body, origin x rotation.
   void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
   /// Rotation vectors of more than ¾ of a turn become those of the same rotation that are shorter, and rates
@@ -63,13 +67,13 @@ class Bodies {
   struct Body {
     Place origin, rotation;
     double arm;
+    std::size_t rotation_block;  // of its rotation with itself; unset if it cannot turn
   };
   struct Point {
     std::uint32_t node;
     Place at;
     std::array<double, 3> r;
     std::size_t body;
-    std::size_t rotation_block;  // of the body's rotation with itself; unset if it cannot turn
   };
   /// Derivatives of the place of a point.
   struct Slopes {

@@ -63,6 +63,14 @@ TEST(Bodies, HandTheWholeWeightOnToWhatHoldsThem) {
   EXPECT_NEAR(solved.reaction(kAnchor)[2], weight, 1e-6);
 }
 
+/// Nothing resists a turn about the line of its two points but the metric.
+TEST(Bodies, AreFoundHangingThoughTheyTurnFreelyAboutTheLineOfTheirPoints) {
+  const auto solved = solve(link_on_a_rope());
+  ASSERT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
+  EXPECT_EQ(solved.solution.stability, Stability::neutral);
+  for (const auto node : {kUpper, kLower, kTail}) EXPECT_NEAR(solved.position(node)[0], 0, 1e-6);
+}
+
 /// Forces and moments about the world's origin of what only pulls on itself add up to nothing, carried or
 /// not.
 TEST(Bodies, TakeTheMomentsOfTheirPoints) {
