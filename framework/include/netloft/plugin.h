@@ -510,8 +510,7 @@ enum netloft_study_trait {
   NETLOFT_STUDY_FLOWS = 1 << 21,       /* there is a current */
   NETLOFT_STUDY_COMPRESSION = 1 << 22, /* some stiffness of what is slack differs from zero */
   NETLOFT_STUDY_MEMBERS =
-      1 << 23,                   /* `members` works: tension is borne by members, on nodes that move freely */
-  NETLOFT_STUDY_BODIES = 1 << 24 /* rigid bodies turn; one that hangs by a point meets no resistance to it */
+      1 << 23 /* `members` works: tension is borne by members, on nodes that move freely */
 };
 
 /* How a stage ended, by the host. */

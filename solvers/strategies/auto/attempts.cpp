@@ -11,12 +11,12 @@ namespace {
 
 /// What of a scene decides which attempts suit it.
 struct Kind {
-  bool sticks, has_bodies, has_loaded_members, has_meshes;
+  bool sticks, has_loaded_members, has_meshes;
 };
 
 Kind kind_of(const Study& study) {
   Kind kind{};
-  kind.sticks = study.remembers(), kind.has_bodies = study.has_bodies();
+  kind.sticks = study.remembers();
   kind.has_loaded_members = study.has_members() && study.load() > 0;
   kind.has_meshes = study.levels() > 1;
   return kind;
@@ -51,8 +51,6 @@ const Row kTable[] = {
      [](const Kind&) { return true; }},
     {{"pseudo-time", "pseudo-time", "", "a motion passes by what is unstable"},
      [](const Kind& k) { return !k.sticks; }},
-    {{"relaxed", "relaxed", "", "a body that hangs by one point turns freely, where a tangent is singular"},
-     [](const Kind& k) { return k.has_bodies && !k.sticks; }},
 };
 
 /// The parts that the user leaves out: "restarts+direct".
