@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/validation/real_gears/solving.hpp"
+#include "framework/problem/time_march.hpp"
 #include "tests/folders.hpp"
 
 #include <cmath>
@@ -72,6 +73,25 @@ SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Star
   s.cpu_seconds = cpu_seconds() - begun;
   compare(s, gear);
   return s;
+}
+
+std::vector<Vector> follow_motion(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                                  double duration) {
+  const IntegratorType& integrator = plugins().integrator("generalized-alpha");
+  const SolverType& newton = plugins().solver("newton");
+  const Scene scene = scene_of(gear, modelling, start);
+  const Plan plan = make_plan(scene, plugins(), TangentChoice::exact, AnalysisKind::dynamics);
+  Assembler assembler(scene, plan, 1);
+  std::vector<std::string> faults;  // none: all parameters are left as they are
+  const ParameterBlock scheme(integrator.parameters, integrator.integrator.parameter_bytes, {}, faults);
+  const ParameterBlock steps(newton.parameters, newton.solver.parameter_bytes, {}, faults);
+  std::vector<double> x;
+  const MarchWatch watch{.on_output = [&](const Snapshot& now) { x.assign(now.x.begin(), now.x.end()); }};
+  const MarchResult end =
+      march({scene, assembler, make_factorisation}, {{&integrator, scheme.data()}, {&newton, steps.data()}},
+            {}, {.duration = duration}, watch);
+  if (end.status != MarchStatus::finished) throw std::runtime_error(end.reason);
+  return nodal(gear, assembler, x);
 }
 
 SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,

@@ -34,6 +34,10 @@ struct Start {
 SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                  const test::Solving& how);
 
+/// Where the nodes are after so long a motion [s], from rest at the start.
+std::vector<Vector> follow_motion(const NeutralCase& gear, const Modelling& modelling, const Start& start,
+                                  double duration);
+
 /// By the strategy wanted, else the program's default one, from wherever the gear starts.
 SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                              const test::Solving& how);
