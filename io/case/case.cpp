@@ -120,12 +120,12 @@ void object_to_crossings(const LoadedScene& loaded, const Assembler& assembler, 
 
 }  // namespace
 
-Solution Case::solve(const Watch& watch) {
+Solution Case::solve(const Watch& watch, const std::vector<double>& from) {
   const AllowedTime allowed(watch, loaded_.analysis.limits.seconds);
-  Solution s =
-      loaded_.analysis.settles
-          ? settle(watch)
-          : netloft::find_equilibrium(sites(), study_options(loaded_.analysis.limits, watch), strategy());
+  Solution s = loaded_.analysis.settles
+                   ? settle(watch)
+                   : netloft::find_equilibrium(sites(), study_options(loaded_.analysis.limits, watch),
+                                               strategy(), from);
   adopt(s);
   object_to_crossings(loaded_, *assembler_, s);
   if (s.status != SolveStatus::converged) s.diagnostics = diagnose(loaded_.scene, *assembler_, s);
@@ -162,10 +162,18 @@ void Case::note_length(const Setting& setting) {
 }
 
 Solution Case::solve_from(const std::vector<double>& u, const Watch& watch) {
-  Solution near = continue_from(u, kFromElsewhere, watch);
-  if (near.status == SolveStatus::converged || near.status == SolveStatus::interrupted) return near;
-  Solution found = solve(watch);
-  found.cost.add_before(near.cost);
+  if (loaded_.analysis.settles) return solve(watch);  // by a motion, which begins at rest
+  const auto is_answer = [](const Solution& s) {
+    return s.status == SolveStatus::converged || s.status == SolveStatus::interrupted;
+  };
+  Solution found = continue_from(u, kFromElsewhere, watch);
+  const auto solve_after_it = [&](const std::vector<double>& from) {
+    Solution next = solve(watch, from);
+    next.cost.add_before(found.cost);
+    found = std::move(next);
+  };
+  if (found.status == SolveStatus::unstable) solve_after_it(std::vector(found.u));
+  if (!is_answer(found)) solve_after_it({});
   return found;
 }
 

@@ -57,13 +57,15 @@ class Case {
   State open(const std::function<void(LoadedScene&)>& change = {});
   const Diagnostics& diagnostics() const { return diagnostics_; }
 
-  /// Finds the equilibrium as the scene's analysis says, from its start. What the scene leaves open
-  /// (Scene::settings) is then as it was found: its numbers change, and with them the assembler.
-  Solution solve(const Watch& watch = {});
+  /// Finds the equilibrium as the scene's analysis says, from displacements `from` (empty: its start). What
+  /// the scene leaves open (Scene::settings) is then as it was found: its numbers change, and with them the
+  /// assembler.
+  Solution solve(const Watch& watch = {}, const std::vector<double>& from = {});
   /// Seeks the equilibrium near displacements `u` by the solver of the analysis alone, for no more than
   /// so many iterations.
   Solution continue_from(const std::vector<double>& u, int iterations, const Watch& watch = {});
-  /// The same, and where that does not converge, as solve() does.
+  /// The same; where that ends at an equilibrium that is not stable, as solve() does from there, and where
+  /// none is found, as solve() does.
   Solution solve_from(const std::vector<double>& u, const Watch& watch = {});
   /// How the equilibrium x of this scene moves while the scene becomes `near`, whose values differ by a
   /// little and whose topology is the same, to first order:

@@ -13,6 +13,7 @@ shift 2
 folder=$(mktemp -d)
 busy=
 trap 'for process in $busy; do kill "$process"; done; rm -r "$folder"' EXIT
+trap 'exit 1' INT TERM HUP  # sh runs the trap of EXIT after a signal only where it has one of its own
 
 # 3: not all of it is right, which is no matter here.
 run() {
