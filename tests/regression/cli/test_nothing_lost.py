@@ -42,13 +42,18 @@ class InterruptedMotion(InFreshFolder):
         return self.netloft("run", str(ROPE), *OFTEN, "-o", "r.hdf", *words, **how)
 
     def kill_at(self, size):
-        """Begins a motion, and kills it when its journal has this many bytes."""
-        run = subprocess.Popen(self.command("run", str(ROPE), *OFTEN, "-o", "r.hdf"), cwd=self.folder,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        while run.poll() is None and not (self.part.exists() and self.part.stat().st_size > size):
-            time.sleep(0.001)
-        run.send_signal(signal.SIGKILL)
-        run.wait()
+        """Begins a motion, and kills it when its files have this many bytes."""
+        command = self.command("run", str(ROPE), *OFTEN, "-o", "r.hdf")
+        if FULL_DISK:
+            environment = self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_DISK_BYTES=str(size), NETLOFT_FULL_KILLS="1")
+            run = subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, check=False)
+        else:  # beside busy processes it may end before it is looked at again
+            run = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while run.poll() is None and not (self.part.exists() and self.part.stat().st_size > size):
+                time.sleep(0.001)
+            run.send_signal(signal.SIGKILL)
+            run.wait()
+        self.assertEqual(run.returncode, -signal.SIGKILL)
         self.assertTrue(self.part.exists(), "the motion ended before it was killed")
 
     def report(self):

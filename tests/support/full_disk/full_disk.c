@@ -3,6 +3,7 @@
  *
  *   NETLOFT_DISK_BYTES=n   files may grow by n bytes in all; what would need more fails with ENOSPC
  *   NETLOFT_FAIL_WRITE=k   the k-th write (from 1) and all later ones fail with ENOSPC; 0 counts them only
+ *   NETLOFT_FULL_KILLS=1   what would fail with ENOSPC kills the program instead, as a loss of power would
  *   NETLOFT_COUNT_FILE=f   at the end the number of writes is written into f
  *   NETLOFT_SHORT_READS=1  every read of a regular file returns at most half of what was asked for
  *   NETLOFT_SHORT_WRITES=1 every write to a regular file takes at most half of what it is given
@@ -12,6 +13,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,8 +31,8 @@ static long limit(const char *name) {
 
 static int is_file(int fd, struct stat *status) { return fstat(fd, status) == 0 && S_ISREG(status->st_mode); }
 
-/* Whether the disk takes `count` more bytes at `offset` of the file. */
-static int takes(int fd, size_t count, off_t offset) {
+/* Whether the disk has room for `count` more bytes at `offset` of the file. */
+static int has_room(int fd, size_t count, off_t offset) {
   struct stat status;
   if (!is_file(fd, &status)) return 1;
   const long fail_at = limit("NETLOFT_FAIL_WRITE"), bytes = limit("NETLOFT_DISK_BYTES");
@@ -41,6 +43,12 @@ static int takes(int fd, size_t count, off_t offset) {
   if (atomic_load(&grown) + more > bytes) return 0;
   atomic_fetch_add(&grown, more);
   return 1;
+}
+
+static int takes(int fd, size_t count, off_t offset) {
+  if (has_room(fd, count, offset)) return 1;
+  if (limit("NETLOFT_FULL_KILLS") == 1) raise(SIGKILL);
+  return 0;
 }
 
 static size_t shortened(const char *name, int fd, size_t count) {
