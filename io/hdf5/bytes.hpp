@@ -14,6 +14,14 @@ namespace netloft::io {
 static_assert(std::endian::native == std::endian::little,
               "journals are little-endian, and written as they are");
 
+/// The number that stands at a place, which need not be aligned.
+template <class Number>
+Number number_at(std::string_view bytes, std::size_t place) {
+  Number value;
+  std::memcpy(&value, bytes.data() + place, sizeof value);
+  return value;
+}
+
 /// Plain data as bytes, one after the other: integers and reals of 8 bytes, arrays and texts after their
 /// length.
 class ByteWriter {

@@ -2,7 +2,6 @@
 #include "io/hdf5/journal.hpp"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "io/hdf5/bytes.hpp"
 #include "io/hdf5/checksum.hpp"
 
 namespace netloft::io {
@@ -27,23 +27,11 @@ void put(std::string& bytes, Number value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-template <class Number>
-Number number_at(std::string_view bytes, std::size_t place) {
-  Number value;
-  std::memcpy(&value, bytes.data() + place, sizeof value);
-  return value;
-}
-
 /// The first 12 bytes of a head, followed by their checksum.
 void close_head(std::string& bytes) { put(bytes, checksum(std::string_view(bytes).substr(0, kHead - 4))); }
 
 bool is_whole_head(std::string_view head) {
   return number_at<std::uint32_t>(head, kHead - 4) == checksum(head.substr(0, kHead - 4));
-}
-
-std::uint64_t size_of(int fd) {
-  struct stat status {};
-  return fstat(fd, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
 }
 
 Descriptor open_to_read(const fs::path& path) {

@@ -99,4 +99,19 @@ void require_usable(const fs::path& path) {
     throw FileError("cannot write " + path.string() + ": the folder " + folder.string() + " does not exist");
 }
 
+std::uint64_t size_of(int fd) {
+  struct stat status {};
+  return fstat(fd, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+void read_at(int fd, std::uint64_t place, char* to, std::size_t size) {
+  while (size > 0) {
+    const ssize_t got = pread(fd, to, size, static_cast<off_t>(place));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw FileError(system_reason());
+    if (got == 0) throw FileError("it became shorter while it was read");
+    to += got, size -= static_cast<std::size_t>(got), place += static_cast<std::uint64_t>(got);
+  }
+}
+
 }  // namespace netloft::io

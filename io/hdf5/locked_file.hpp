@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -36,6 +37,11 @@ Descriptor take_existing_file(const std::filesystem::path& path);
 void require_no_writer(const std::filesystem::path& path);
 /// Throws FileError unless a result may be written there: the folder exists, and no device has the name.
 void require_usable(const std::filesystem::path& path);
+
+/// Bytes in a file; none if that cannot be said.
+std::uint64_t size_of(int fd);
+/// Reads bytes of a file that begin at `place`. Throws FileError, also where it ends before them.
+void read_at(int fd, std::uint64_t place, char* to, std::size_t size);
 
 /// The newest error of the system in words.
 std::string system_reason();

@@ -2,7 +2,6 @@
 #include "io/hdf5/seal.hpp"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 
 #include "io/hdf5/checksum.hpp"
 #include "io/hdf5/locked_file.hpp"
+#include "io/hdf5/text_heaps.hpp"
 
 namespace netloft::io {
 namespace {
@@ -30,21 +30,6 @@ struct SealedFile {
   std::vector<std::uint32_t> sums;  // of the ranges
   std::uint32_t between = 0;        // of everything else
 };
-
-std::uint64_t size_of(int fd) {
-  struct stat status {};
-  return fstat(fd, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
-}
-
-void read_at(int fd, std::uint64_t place, char* to, std::size_t size) {
-  while (size > 0) {
-    const ssize_t got = pread(fd, to, size, static_cast<off_t>(place));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw FileError(system_reason());
-    if (got == 0) throw FileError("it became shorter while it was read");
-    to += got, size -= static_cast<std::size_t>(got), place += static_cast<std::uint64_t>(got);
-  }
-}
 
 /// The checksum of bytes of a file, going on from one of others.
 std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std::uint32_t sum) {
@@ -207,7 +192,7 @@ void check_seal(const std::filesystem::path& path) {
   if (file.get() < 0) return;  // HDF5 says why
   with_context("cannot read " + path.string(), [&] {
     const auto sealed = read_seal(file.get());
-    if (!sealed) return;
+    if (!sealed) return check_text_heaps(file.get());
     const SealedFile now = sum_up(file.get(), sealed->ranges, sealed->length);
     for (std::size_t i = 0; i < now.sums.size(); ++i)
       if (now.sums[i] != sealed->sums[i])

@@ -26,7 +26,8 @@ std::vector<SealedRange> find_ranges(hid_t file);
 /// Appends the table to a file that HDF5 has closed. Throws FileError.
 void append_seal(int fd, const std::vector<SealedRange>& ranges);
 
-/// Throws FileError if the file does not match its table; a file without one is not checked.
+/// Throws FileError if the file does not match its table; of a file without one only the texts are checked,
+/// where HDF5 itself may come to no end.
 void check_seal(const std::filesystem::path& path);
 
 }  // namespace netloft::io

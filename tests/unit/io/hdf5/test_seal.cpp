@@ -74,6 +74,27 @@ TEST_F(SealedResult, IsNeverReadWrongWhereItsTableIsDamaged) {
   EXPECT_GE(refused, bytes_.size() - table_ - 8);
 }
 
+/// HDF5 comes to no end with an object of no length.
+TEST_F(SealedResult, WithoutItsTableIsRefusedWhereItsTextsLeadNowhere) {
+  const std::string kBegin("GCOL\1", 5);
+  std::string whole = bytes_.substr(0, table_);
+  const std::size_t texts = whole.find(kBegin);
+  ASSERT_NE(texts, std::string::npos);
+  put("b.hdf", whole);
+  EXPECT_EQ(error_of([&] { check_seal(in("b.hdf")); }), "");
+  for (const std::string length :
+       {std::string(8, '\0'), std::string(8, '\xff'), std::string("\xe9\xff\xff\xff\xff\xff\xff\xff")})
+    for (const char index : {'\0', '\1'}) {
+      std::string damaged = whole;
+      damaged[texts + 16] = index, damaged.replace(texts + 24, 8, length);
+      put("b.hdf", damaged);
+      const bool is_an_empty_text = index == 1 && length[0] == 0;
+      const std::string error = error_of([&] { Reader(in("b.hdf")).text("/netloft/scene"); });
+      if (is_an_empty_text) continue;  // what follows is read as the next object: right or refused, it ends
+      EXPECT_TRUE(says(error, "it is damaged: the texts at byte " + std::to_string(texts))) << error;
+    }
+}
+
 TEST_F(SealedResult, IsReadUncheckedAfterAnotherProgramChangedIt) {
   {
     const Handle file(H5Fopen(in("a.hdf").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
