@@ -13,8 +13,8 @@
 namespace netloft::io {
 namespace {
 
-// signature, version, 3 bytes, size of the collection in 8; of an object: index, references, 4 bytes, size in
-// 8
+// A collection begins with its signature, version and 3 more bytes, an object in it with index, references
+// and 4 more; both then have their size in 8 bytes.
 constexpr std::string_view kBegin("GCOL\1", 5);
 constexpr std::uint64_t kHeader = 16;
 constexpr std::size_t kBlock = 1 << 20;
@@ -42,17 +42,13 @@ bool leads_to_its_end(std::string_view collection) {
   return true;
 }
 
+/// What is larger than the file is nothing to HDF5, or only looks like a collection.
 void check_collection(int fd, std::uint64_t place, std::uint64_t end) {
-  const auto damaged = [&] {
-    return FileError("it is damaged: the texts at byte " + std::to_string(place) +
-                     " do not have the lengths that they state");
-  };
-  if (end - place < kHeader) throw damaged();
-  std::string collection = bytes_of(fd, place, kHeader);
-  const auto size = number_at<std::uint64_t>(collection, 8);
-  if (size < kHeader || size > end - place) throw damaged();
-  collection = bytes_of(fd, place, size);
-  if (!leads_to_its_end(collection)) throw damaged();
+  if (end - place < kHeader) return;
+  const auto size = number_at<std::uint64_t>(bytes_of(fd, place, kHeader), 8);
+  if (size > end - place || leads_to_its_end(bytes_of(fd, place, size))) return;
+  throw FileError("it is damaged: the texts at byte " + std::to_string(place) +
+                  " do not have the lengths that they state");
 }
 
 }  // namespace
