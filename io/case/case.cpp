@@ -123,7 +123,7 @@ void object_to_crossings(const LoadedScene& loaded, const Assembler& assembler, 
 Solution Case::solve(const Watch& watch, const std::vector<double>& from) {
   const AllowedTime allowed(watch, loaded_.analysis.limits.seconds);
   Solution s = loaded_.analysis.settles
-                   ? settle(watch)
+                   ? settle(watch, from)
                    : netloft::find_equilibrium(sites(), study_options(loaded_.analysis.limits, watch),
                                                strategy(), from);
   adopt(s);
@@ -133,7 +133,7 @@ Solution Case::solve(const Watch& watch, const std::vector<double>& from) {
 }
 
 Solution Case::continue_from(const std::vector<double>& u, int iterations, const Watch& watch) {
-  if (loaded_.analysis.settles) return solve(watch);  // by a motion, which begins at rest
+  if (loaded_.analysis.settles) return solve(watch, u);  // by a motion, which begins there at rest
   const AllowedTime allowed(watch, loaded_.analysis.limits.seconds);
   Limits limits = loaded_.analysis.limits;
   limits.iterations = std::min(limits.iterations, iterations);
@@ -162,7 +162,7 @@ void Case::note_length(const Setting& setting) {
 }
 
 Solution Case::solve_from(const std::vector<double>& u, const Watch& watch) {
-  if (loaded_.analysis.settles) return solve(watch);  // by a motion, which begins at rest
+  if (loaded_.analysis.settles) return solve(watch, u);  // by a motion, which begins there at rest
   const auto is_answer = [](const Solution& s) {
     return s.status == SolveStatus::converged || s.status == SolveStatus::interrupted;
   };
@@ -263,7 +263,7 @@ constexpr double kStepsFiner = 0.1;  // tolerance of steps over that of the equi
 
 }  // namespace
 
-Solution Case::settle(const Watch& watch) {
+Solution Case::settle(const Watch& watch, const std::vector<double>& from) {
   const Dynamics& d = loaded_.analysis.dynamics;
   const IntegratorType& integrator = registry_.integrator(d.integrator);
   const SolverType& solver = registry_.solver(kStepSolver);
@@ -279,7 +279,7 @@ Solution Case::settle(const Watch& watch) {
   limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
   const SolverType as_solver = settling.as_solver();
-  Solution s = solve_static(scene, {&as_solver, &settling}, limits, {}, {watch.on_iteration, watch.kept});
+  Solution s = solve_static(scene, {&as_solver, &settling}, limits, {from}, {watch.on_iteration, watch.kept});
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
   return s;
 }

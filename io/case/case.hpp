@@ -119,7 +119,7 @@ class Case {
   State assemble();
   void adopt(const Solution& solution);
   void note_length(const Setting& setting);
-  Solution settle(const Watch& watch);
+  Solution settle(const Watch& watch, const std::vector<double>& from);
   Crew crew() const { return {source_.threads, team_.get()}; }
   SiteSource sites();
   StudyOptions study_options(const Limits& limits, const Watch& watch);
