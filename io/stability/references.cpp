@@ -56,6 +56,13 @@ void References::keep(const std::string& name, const std::string& size, const Re
   all_[name][size] = reference;
 }
 
+void References::forget(const std::string& name, const std::string& size) {
+  const auto sizes = all_.find(name);
+  if (sizes == all_.end()) return;
+  sizes->second.erase(size);
+  if (sizes->second.empty()) all_.erase(sizes);
+}
+
 /// One answer a line, so that a change shows what changed.
 void References::save() const {
   std::ostringstream out;

@@ -14,6 +14,7 @@ class References {
 
   std::optional<Reference> find(const std::string& name, const std::string& size) const;
   void keep(const std::string& name, const std::string& size, const Reference& reference);
+  void forget(const std::string& name, const std::string& size);
   void save() const;
 
  private:

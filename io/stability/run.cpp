@@ -129,8 +129,22 @@ class SuiteRun {
       }
     for (const char* solver : {"ptc", "relaxation"})
       if (c.drawn && all.solvers.size() < 2) add(all, sketch_attempt(c, size, solver, {}), solver);
-    if (options_.update && all.best && !c.drawn) keep_reference(c, size, *all.best);
+    if (options_.update && !c.drawn) renew(c, size, all, attempts);
     return all;
+  }
+
+  /// Where nothing stable was found, an old answer that was come to again, and is not stable, is none.
+  void renew(const StabilityCase& c, const std::string& size, const Answers& all,
+             const std::vector<Attempt>& attempts) {
+    const auto old = references_.find(c.reference, size);
+    const auto refutes = [&](const Attempt& a) {
+      return a.ended.solution.status == SolveStatus::unstable &&
+             judge(c, old, a.ended).distance <= kSameShape;
+    };
+    if (all.best)
+      keep_reference(c, size, *all.best);
+    else if (old && std::any_of(attempts.begin(), attempts.end(), refutes))
+      references_.forget(c.reference, size);
   }
 
   /// While references are renewed, only what this run has written counts, and may be bettered.

@@ -457,6 +457,23 @@ class Swinging(InFreshFolder):
         again = self.netloft("report", "float.hdf", "--json").json()
         self.assertEqual((again["swings_most"], again["results"]["x"]["per_swing"]), ("rod node 1", change[0]))
 
+    def test_is_no_longer_an_answer_of_the_hard_cases_once_references_are_renewed(self):
+        at = self.run_float("", "--json").json()["results"]
+        kept = {"unknowns": 3, "energy": 0, "size": 2, "load": 100, "noise": 1e-9, "found_by": "newton", "nodes": [[1, at["x"], at["y"], at["z"]]]}
+        elsewhere = {**kept, "nodes": [[1, at["x"], at["y"], -at["z"]]]}
+        self.write("float/references.json", json.dumps({"swings/here": {"small": kept}, "swings/there": {"small": elsewhere}}))
+        cases = "".join(f'[[case]]\nname = "{name}"\nexpected = "stable"\n' for name in ("here", "there"))
+        self.write("float/swings.toml", f'scene = "../float.toml"\n[sizes]\nsmall = []\n{cases}')
+        self.write("float/solvers.toml", '[[solver]]\nstrategy = "auto"\n')
+
+        def words():
+            return [case["where"] for case in self.netloft("stability", "float", "--size", "small", "--json").json()["cases"]]
+
+        self.assertEqual(words(), ["unstable", "unstable"])
+        self.netloft("stability", "float", "--size", "small", "--update-references")
+        self.assertEqual(list(json.loads((self.folder / "float/references.json").read_text())), ["swings/there"])
+        self.assertEqual(words(), ["flutters", "unstable"])
+
     def test_what_goes_away_without_swinging_says_what_depends_on_it_too(self):
         topples = FLOAT.replace("[1.7, 0, 0]", "[0, 0, 0.2]").replace("[0.05, 0.02, 2]", "[0, 0, -2]")  # a float that is pushed down
         self.write("float.toml", topples)

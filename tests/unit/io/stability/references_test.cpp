@@ -31,6 +31,15 @@ TEST_F(Book, KeepsEveryBitOfAnAnswer) {
   EXPECT_EQ(read->nodes[0].x, kept.nodes[0].x);
 }
 
+TEST_F(Book, ForgetsAnAnswerOfOneSize) {
+  References answers(folder_ / "references.json");
+  for (const char* size : {"small", "medium"}) answers.keep("panel", size, {});
+  answers.forget("panel", "medium");
+  answers.forget("rope", "small");
+  EXPECT_TRUE(answers.find("panel", "small"));
+  EXPECT_FALSE(answers.find("panel", "medium"));
+}
+
 TEST_F(Book, SaysWhichFileCannotBeRead) {
   const auto file = write("references.json", "{ \"panel\": 3 }");
   try {
