@@ -14,8 +14,9 @@ template <class T>
 T sphere_drag(const T& reynolds) {
   using std::pow;
   const T Re = reynolds < T(1e6) ? reynolds : T(1e6);
-  const T a = 0.2 * Re, b8 = pow((1 / 2.63e5) * Re, 8.0), c = 1e-6 * Re;
-  return 24.0 / Re + 2.6 * a / (1.0 + pow(a, 1.52)) + 0.411 * pow((1 / 2.63e5) * Re, 0.06) / (b8 + 1.0) +
+  const T a = 0.2 * Re, b = (1 / 2.63e5) * Re, b4 = b * b * (b * b), c = 1e-6 * Re;
+  const T a_power = std::pow(0.2, 1.52) * pow(Re, 1.52), b_power = std::pow(1 / 2.63e5, 0.06) * pow(Re, 0.06);
+  return 24.0 / Re + 2.6 * a / (1.0 + a_power) + 0.411 * b_power / (b4 * b4 + 1.0) +
          0.25 * c / (1.0 + c);  // b^−7.94/(1 + b^−8)
 }
 

@@ -72,7 +72,7 @@ inline void cross_flow_lane(const CrossFlow& c, const netloft_flow& f, std::size
 /// The same for all lanes. The arrays do not overlap; `__restrict` tells the compiler so, which then computes
 /// several lanes at once.
 template <bool Derivatives, class Across>
-void cross_flow_all_lanes(const CrossFlow& c, const netloft_flow& flow, Across&& across) {
+[[gnu::flatten]] void cross_flow_all_lanes(const CrossFlow& c, const netloft_flow& flow, Across&& across) {
   const CrossFlow flows = c;
   const netloft_flow f = flow;
 #pragma GCC ivdep

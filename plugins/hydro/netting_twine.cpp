@@ -7,13 +7,8 @@ namespace {
 
 constexpr double kStillSpeed = 1e-150;  // [m/s], below which its square is zero
 
-/// A factor of (2) and its slope in the logarithm of its Reynolds number.
-struct Factor {
-  double value, slope;
-};
-
 struct Factors {
-  Factor across, along, knots;  // k, g; a, h; m, n
+  LaneNumber across, along, knots;  // k, g; a, h; m, n
 };
 
 /// (1) in one lane.
@@ -31,28 +26,15 @@ struct Motion {
   double tau, s, u, e;
 };
 
-Factor cylinder(const NettingTwine::Parameters& p, double half, double Re) {
-  const auto phi = cylinder_phi(p.cylinder, Dual<1, 1>::variable(Re, 0));
-  return {half * phi.value, half * Re * phi.gradient[0]};  // (3)
-}
-
-Factor friction(double density, double viscosity, double along) {
-  const double square = along * along + 1, Re = std::sqrt(square), log_slope = along * along / square;
-  const double scale = std::numbers::pi * density * viscosity;
-  const double root = 0.55 * std::sqrt(Re), third = 0.084 * std::pow(Re, 2.0 / 3);
-  return {scale * (root + third), scale * log_slope * (root / 2 + 2 * third / 3)};  // (4)
-}
-
-Factor knots(double scale, double Re) {
-  const auto psi = sphere_phi(Dual<1, 1>::variable(Re, 0));
-  return {scale * psi.value, scale * Re * psi.gradient[0]};  // (5)
-}
-
+template <Cylinder cylinder>
 Factors factors(const NettingTwine::Parameters& p, const netloft_flow& f, std::size_t i, const Motion& m) {
-  const double per_speed = f.diameter[i] / f.water_viscosity,
-               half = 0.5 * f.water_density * f.water_viscosity;
-  return {cylinder(p, half, m.s * per_speed), friction(f.water_density, f.water_viscosity, m.e * per_speed),
-          knots(half * p.knots / p.knot_diameter, m.u * per_speed * p.knot_diameter)};
+  const auto Re = [per_speed = f.diameter[i] / f.water_viscosity](double speed) {
+    return LaneNumber::variable(speed * per_speed);
+  };
+  const double half = 0.5 * f.water_density * f.water_viscosity;
+  return {half * cylinder_phi<cylinder>(Re(m.s)),
+          NettingTwine::friction(f.water_density, f.water_viscosity, Re(m.e)),
+          half * p.knots / p.knot_diameter * sphere_phi(Re(m.u * p.knot_diameter))};  // (3), (4), (5)
 }
 
 void write_force(const netloft_flow& f, std::size_t i, const Motion& m, const Factors& c) {
@@ -66,6 +48,7 @@ void write_derivatives(double shielding, const netloft_flow& f, std::size_t i, c
   const Vec3<double> n = (1 / std::max(m.s, kStillSpeed)) * m.U_n, e = (1 / std::max(m.u, kStillSpeed)) * m.U;
   const double turn = m.e > kStillSpeed ? c.along.slope * (m.tau / m.e) / m.e : 0;
   const Vec3<double> by_flow = m.U_n + (squared * m.tau) * m.t, by_turn = m.U_n - squared * m.U;
+#pragma GCC unroll 3
   for (int p = 0; p < 3; ++p)
     for (int q = 0; q < 3; ++q) {
       const double one = p == q ? 1 : 0, tt = m.t[p] * m.t[q];
@@ -80,17 +63,32 @@ void write_derivatives(double shielding, const netloft_flow& f, std::size_t i, c
   for (std::size_t axis = 0; axis < 3; ++axis) f.d_solidity[axis * kLanes + i] = 0;
 }
 
+/// The arrays do not overlap, so that several lanes are computed at once.
+template <Cylinder cylinder, bool derivatives>
+[[gnu::flatten]] void all_lanes(const NettingTwine::Parameters& parameters, const netloft_flow& flow) {
+  const NettingTwine::Parameters p = parameters;
+  const netloft_flow f = flow;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < f.count; ++i) {
+    const Motion motion(p.shielding, f, i);
+    const Factors c = factors<cylinder>(p, f, i, motion);
+    write_force(f, i, motion, c);
+    if constexpr (derivatives) write_derivatives(p.shielding, f, i, motion, c);
+  }
+}
+
+template <Cylinder cylinder>
+void lanes_of(const NettingTwine::Parameters& p, const netloft_flow& f) {
+  f.d_flow ? all_lanes<cylinder, true>(p, f) : all_lanes<cylinder, false>(p, f);
+}
+
 }  // namespace
 
 void NettingTwine::lanes(const Parameters& p, const netloft_flow& f) {
   if (!(f.water_viscosity > 0))
     throw std::runtime_error("a Reynolds number needs a viscosity of the water above zero");
-  for (std::size_t i = 0; i < f.count; ++i) {
-    const Motion motion(p.shielding, f, i);
-    const Factors c = factors(p, f, i, motion);
-    write_force(f, i, motion, c);
-    if (f.d_flow) write_derivatives(p.shielding, f, i, motion, c);
-  }
+  const bool is_takagi = p.cylinder == static_cast<std::int64_t>(Cylinder::takagi);
+  is_takagi ? lanes_of<Cylinder::takagi>(p, f) : lanes_of<Cylinder::choo_casarella>(p, f);
 }
 
 }  // namespace netloft::hydro

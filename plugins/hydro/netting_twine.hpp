@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "plugins/common/lane_number.hpp"
 #include "plugins/common/sphere.hpp"
 #include "plugins/hydro/reynolds.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "plugins/common/lane_number.hpp"
 #include "plugins/hydro/crossflow.hpp"
 
 namespace netloft::hydro {
@@ -15,39 +16,37 @@ namespace netloft::hydro {
 /// φ is continued along its tangent: drag there is linear in the velocity. Above 10⁵ (3) is kept: ropes are
 /// too rough for the drag crisis of smooth cylinders to be relied on. Their formula for friction, π μ (0.55
 /// Re^½ + 0.084 Re^⅔), is a force per metre over the velocity along the cable, not a coefficient; it has no
-/// place here.
+/// place here. All pieces are computed and joined without a branch, for loops over lanes.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
+/// (1), held above Re = kBlend, where it is no longer used: it has a pole at Re = 7.4.
 template <class T>
 T creeping_phi(const T& Re) {
   using std::log;
-  const T sigma = log(8.0 / Re) - 0.077215665;
+  constexpr double kAtOne = 2.0794415416798357 - 0.077215665;  // ln 8 − …
+  const T sigma = at_least(kAtOne - log(Re), kAtOne - std::log(kBlend));
   return (8 * 3.14159265358979323846 / sigma) * (1.0 - 0.87 / (sigma * sigma));  // (1)
 }
 
-/// The smooth step from 0 to 1 within a factor kBlend of `centre`.
+/// The smooth step from `below` to `above` within a factor kBlend of `centre`.
 template <class T>
-T blend(const T& Re, double centre) {
+T joined(const T& below, const T& above, const T& Re, double centre) {
   using std::log;
-  const T w = 0.5 + 0.5 / std::log(kBlend) * log(Re / centre);
-  return w * w * (3.0 - 2.0 * w);
+  const T w = at_most(at_least(0.5 + 0.5 / std::log(kBlend) * (log(Re) - std::log(centre)), 0), 1);
+  const T step = w * w * (3.0 - 2.0 * w);
+  return (1.0 - step) * below + step * above;
 }
 
+inline const double kSlopeAtRest = creeping_phi(Dual<1, 1>::variable(kCreepingBelow, 0)).gradient[0];
+
 template <class T>
-T choo_casarella_phi(const T& Re) {
+T choo_casarella_phi(const T& reynolds) {
   using std::pow, std::sqrt;
-  const auto slow = [&] { return Re * (1.45 + 8.55 * pow(Re, -0.9)); };  // (2)
-  const auto fast = [&] { return 1.1 * Re + 4.0 * sqrt(Re); };           // (3)
-  if (Re < T(kCreepingBelow)) {
-    using One = Dual<1, 1>;
-    const One at = creeping_phi(One::variable(kCreepingBelow, 0));
-    return at.value + at.gradient[0] * (Re - kCreepingBelow);
-  }
-  if (Re < T(1 / kBlend)) return creeping_phi(Re);
-  if (Re < T(kBlend)) return creeping_phi(Re) + blend(Re, 1) * (slow() - creeping_phi(Re));
-  if (Re < T(30 / kBlend)) return slow();
-  if (Re < T(30 * kBlend)) return slow() + blend(Re, 30) * (fast() - slow());
-  return fast();
+  const T Re = at_least(reynolds, kCreepingBelow);
+  const T slow = Re * (1.45 + 8.55 * pow(Re, -0.9));  // (2)
+  const T fast = 1.1 * Re + 4.0 * sqrt(Re);           // (3)
+  const T phi = joined(joined(creeping_phi(Re), slow, Re, 1), fast, Re, 30);
+  return phi + kSlopeAtRest * (at_most(reynolds, kCreepingBelow) - kCreepingBelow);
 }
 
 /// The same of Takagi et al. 2004, who take the twines of netting below a Reynolds number of 200, and so
@@ -61,22 +60,20 @@ T choo_casarella_phi(const T& Re) {
 inline constexpr double kTakagiFrom = 11, kTakagiTo = 200;
 
 template <class T>
-T takagi_phi(const T& Re) {
+T takagi_phi(const T& reynolds) {
   using std::pow;
-  const auto low = [&] { return std::pow(10, 0.7) * pow(Re, 0.7); };  // (5)
-  if (Re < T(kTakagiFrom / kBlend)) return choo_casarella_phi(Re);
-  if (Re < T(kTakagiFrom * kBlend)) {
-    const T slow = choo_casarella_phi(Re);
-    return slow + blend(Re, kTakagiFrom) * (low() - slow);
-  }
-  if (Re < T(kTakagiTo / kBlend)) return low();
-  if (Re < T(kTakagiTo * kBlend)) return low() + blend(Re, kTakagiTo) * (1.2 * Re - low());
-  return 1.2 * Re;  // (6)
+  const T Re = at_least(reynolds, kCreepingBelow);
+  const T low = std::pow(10, 0.7) * pow(Re, 0.7);                                                      // (5)
+  return joined(joined(choo_casarella_phi(reynolds), low, Re, kTakagiFrom), 1.2 * Re, Re, kTakagiTo);  // (6)
 }
 
 /// Whose cylinder.
 enum class Cylinder : std::int64_t { choo_casarella, takagi };
 
+template <Cylinder cylinder, class T>
+T cylinder_phi(const T& Re) {
+  return cylinder == Cylinder::takagi ? takagi_phi(Re) : choo_casarella_phi(Re);
+}
 template <class T>
 T cylinder_phi(std::int64_t cylinder, const T& Re) {
   return cylinder == static_cast<std::int64_t>(Cylinder::takagi) ? takagi_phi(Re) : choo_casarella_phi(Re);

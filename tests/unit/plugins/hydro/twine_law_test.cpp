@@ -158,6 +158,47 @@ TEST(NettingTwine, LanesMatchTheDualNumbersOfTheFormula) {
     }
 }
 
+/// Everything that a law writes for flows `first` to `first` + `count` of `all`.
+template <class L>
+TestFlow alone(const typename L::Parameters& p, const TestFlow& all, std::size_t first, std::uint32_t count) {
+  TestFlow t(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& from = all.lanes;
+    t.set(i, {from.flow[0][first + i], from.flow[1][first + i], from.flow[2][first + i]}, {0, 0, 1},
+          from.diameter[first + i], 0);
+    for (int axis = 0; axis < 3; ++axis) t.lanes.direction[axis][i] = from.direction[axis][first + i];
+  }
+  L::lanes(p, t.f);
+  return t;
+}
+
+template <class L>
+void expect_same_bits_in_every_lane(const typename L::Parameters& p) {
+  TestFlow all = sample_flows(11);
+  L::lanes(p, all.f);
+  for (const std::uint32_t count : {1u, 2u, 3u, 5u, 7u})
+    for (std::size_t first = 0; first + count <= kLanes; ++first) {
+      const TestFlow some = alone<L>(p, all, first, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t r = 0; r < 3; ++r) ASSERT_EQ(some.lanes.force[r][i], all.lanes.force[r][first + i]);
+        for (std::size_t r = 0; r < 9; ++r) {
+          ASSERT_EQ(some.lanes.d_flow[r][i], all.lanes.d_flow[r][first + i]);
+          ASSERT_EQ(some.lanes.d_direction[r][i], all.lanes.d_direction[r][first + i]);
+        }
+      }
+    }
+}
+
+TEST(NettingTwine, HasTheSameBitsInEveryLane) {
+  for (const std::int64_t cylinder : {0, 1})
+    expect_same_bits_in_every_lane<NettingTwine>({0.9, 0.12, 2.5, cylinder});
+}
+
+TEST(MorisonReynolds, HasTheSameBitsInEveryLane) {
+  for (const std::int64_t cylinder : {0, 1})
+    expect_same_bits_in_every_lane<MorisonReynolds>({0.08, 0.9, {}, cylinder});
+}
+
 /// Force along x of a metre of twine at an angle to a flow along x, over ½ ρ D U² [1]; Re = U D/ν.
 double pull(double degrees, double Re, const NettingTwine::Parameters& p) {
   const double a = degrees * std::numbers::pi / 180, D = 0.002, U = Re * kViscosity / D;
