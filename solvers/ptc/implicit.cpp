@@ -74,12 +74,12 @@ class ImplicitSteps {
   bool follows_motion() { return dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_); }
 
   void adapt_step(std::int64_t corrections) {
-    if (2 * corrections <= p_.corrections) delta_ = std::min(kLongestStep, delta_ * p_.change);
+    if (2 * corrections <= p_.corrections) delta_ = std::min(kLongestStep, 2 * delta_);
   }
 
   bool take_back() {
     note_ = "taken back";
-    delta_ /= p_.change;
+    delta_ /= 2;
     std::copy(before_.begin(), before_.end(), problem_.u().begin());
     return evaluate_here() && delta_ > kShortestStep;
   }

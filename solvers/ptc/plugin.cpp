@@ -33,6 +33,4 @@ NETLOFT_PLUGIN("ptc", "0.1.0", "pseudo-transient continuation") {
               1000, 8);
   ptc.real("solved", &P::solved, "1", "implicit: part of a step that its last correction may be",
            {.lo = 1e-12, .hi = 0.5, .fallback = 0.01});
-  ptc.real("change", &P::change, "1", "implicit: by which a step is made longer or shorter",
-           {.lo = 1.01, .hi = 1e3, .fallback = 4});
 }

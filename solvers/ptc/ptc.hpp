@@ -29,16 +29,16 @@ namespace netloft::ptc {
 ///   (K(v) + M/δ) s = −M (v − u)/δ − r(v),   v ← v + s,   until |s| ≤ `solved` |v − u|    (4)
 ///   d·r(u′) ≥ 2 d·r(u),   d = u′ − u                                                      (5)
 /// (3) is the implicit Euler method, its first δ what the linear stiffness needs to relax; for an energy it
-/// is the proximal point algorithm (R. T. Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898). δ grows by
-/// `change` where half of the `corrections` (4) are enough, and falls by that where all do not get there; so
-/// it grows without bound near a stable equilibrium, where (4) is Newton's method. After E. Hairer and G.
-/// Wanner, Solving Ordinary Differential Equations II (1996), IV.8. By (3), d·r(u′) = −d·M d/δ: (5) is κ δ ≥
-/// −1/2 for the curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, Euler's step leads onto the very
-/// equilibrium that the motion leaves.
+/// is the proximal point algorithm (R. T. Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898). δ is
+/// doubled where half of the `corrections` (4) are enough, and halved where all do not get there or (5) does
+/// not hold; so it grows without bound near a stable equilibrium, where (4) is Newton's method. After E.
+/// Hairer and G. Wanner, Solving Ordinary Differential Equations II (1996), IV.8. By (3), d·r(u′) = −d·M d/δ:
+/// (5) is κ δ ≥ −1/2 for the curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, Euler's step leads onto
+/// the very equilibrium that the motion leaves.
 struct PseudoTransient {
   struct Parameters {
     std::int64_t method = 0;
-    double step = 0, growth = 0, shrink = 0, reach = 0, solved = 0, change = 0;
+    double step = 0, growth = 0, shrink = 0, reach = 0, solved = 0;
     std::int64_t corrections = 0;
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);

@@ -8,6 +8,9 @@ namespace netloft::tension {
 
 namespace {
 
+/// Of μ and of the residual, over the load.
+constexpr double kSolved = 0x1p-26;
+
 /// What is no number stays none.
 double at_most_whole(double step) { return step > 1 ? 1 : step; }
 
@@ -36,7 +39,7 @@ InteriorPoint::Ending InteriorPoint::solve(std::span<double> u, double load) {
     if (!members_.progress(largest_residual(), "interior point")) return Ending::called_off;
     if (!factorise()) return Ending::no_factor;
     const double a = find_step();
-    if (!std::isfinite(a) || is_short(a)) return Ending::no_step;
+    if (!std::isfinite(a) || a < p_.room()) return Ending::no_step;
     take(a, u);
   }
   return Ending::no_forces;
@@ -60,7 +63,7 @@ cone::Point InteriorPoint::z_of(std::size_t e) const {
 }
 
 bool InteriorPoint::has_converged() const {
-  return mu_ <= p_.tolerance * load_ && largest_residual() <= p_.tolerance * load_;
+  return mu_ <= kSolved * load_ && largest_residual() <= kSolved * load_;
 }
 
 /// z·y of a bar, the mean over all length of bars.

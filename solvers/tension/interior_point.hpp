@@ -24,13 +24,13 @@ namespace netloft::tension {
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
 /// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag, whose law is none of a
 /// convex problem, is linearised at every step like all of r; where that leaves a step no longer than what
-/// (6) keeps from the boundary, the method ends. What members bear in compression is left out: a solver that
-/// goes on from here brings it in.
+/// (6) keeps from the boundary, the method ends. It has converged once μ and the residual are half of the
+/// digits of a double below the load: Newton's method, which goes on from there, finds the others in a step.
+/// What members bear in compression is left out: a solver that goes on from here brings it in.
 class InteriorPoint {
  public:
-  /// All that steers the method; plugin.cpp says what each is and where it comes from.
+  /// What steers the method; strategies.cpp says what it is.
   struct Parameters {
-    double tolerance = 0;    // of μ and of the residual, over the load
     double to_boundary = 0;  // (6)
     /// What a step keeps from the boundary, and the first point in z₀, too.
     double room() const { return 1 - to_boundary; }
@@ -73,7 +73,6 @@ class InteriorPoint {
   double zeta(std::size_t e, double g0, double along) const;
   double longest_step() const;
   void take(double a, std::span<double> u);
-  bool is_short(double a) const { return a < p_.room(); }
 
   Parameters p_;
   Members members_;

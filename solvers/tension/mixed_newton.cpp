@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/tension/mixed_newton.hpp"
 
+#include <netloft/imbalance.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -155,15 +157,14 @@ void MixedNewton::take(const Stage& stage, std::span<double> u) {
     adapt_damping(a);
 }
 
-/// A member that the step makes taut has the stretch of a slack one, which may be any: its tension is
-/// bounded.
+/// A member that the step makes taut has the stretch of a slack one, which may be any: its tension is bounded
+/// by that of a strain which does not matter.
 void MixedNewton::move_tensions(double a) {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];
     const double strain = g.strain + dot(g.t, changes_[e]) * laws_[e].inverse_l0;
     const bool becomes_taut = T_[e] <= 0 && strain > 0;
-    const double next =
-        becomes_taut ? tension_at(e, std::min(strain, p_.strain_of_taut)) : stiffness(e) * strain;
+    const double next = becomes_taut ? tension_at(e, std::min(strain, kMatters)) : stiffness(e) * strain;
     T_[e] += a * (next - T_[e]);
   }
 }

@@ -26,9 +26,8 @@ class MixedNewton {
   /// μ above which steps no longer depend on anything else.
   static constexpr double kMostDamping = 1;
 
-  /// All that steers the method whatever the stage; plugin.cpp says what each is and where it comes from.
+  /// What steers the method whatever the stage; strategies.cpp says what it is.
   struct Parameters {
-    double strain_of_taut = 0;
     double factor = 0;  // by which μ falls and rises
   };
 

@@ -29,14 +29,9 @@ const char* beginning(const Study& study) {
 
 }  // namespace
 
-// The load is all that drives the gear [N].
 void Only::describe(StrategyTable<Only>& t) {
-  using P = Parameters;
   t.needs(NETLOFT_STUDY_MEMBERS);
-  t.real("tolerance", &P::tolerance, "1",
-         "largest residual and complementarity that are left at the end, over the load",
-         {.lo = 1e-12, .hi = 1, .fallback = 1e-7});
-  t.real("to_boundary", &P::to_boundary, "1",
+  t.real("to_boundary", &Parameters::to_boundary, "1",
          "part of the way to the boundary of the cone that a step takes; the rest is the strain by which "
          "members start inside it, and a step that is shorter ends the method",
          {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
@@ -83,7 +78,6 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
       "largest residual over the largest reaction that ends the first stage; fitted");
   add("damping", &P::damping, "1", 2e-5, "first damping of later stages; fitted");
   add("turn", &P::turn, "rad", 0.25, "most that a member turns in a step of a later stage; fitted");
-  add("strain_of_taut", &P::strain_of_taut, "1", 1e-3, "largest strain of a member that a step makes taut");
   add("factor", &P::factor, "1", 10,
       "by which damping falls after a whole step and rises where a matrix has no factor; in the first stage "
       "it follows the residual, by no more than this");
