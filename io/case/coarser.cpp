@@ -15,15 +15,18 @@ constexpr int kFewestAcross = 4, kFewestBars = 4;
 
 bool is_divided(const PartGeometry& part) { return !part.cells.empty(); }
 
+/// Of an odd number, the greater half.
+int half_of(int cells) { return (cells + 1) / 2; }
+
 bool can_halve(const PartGeometry& part) {
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
   return std::all_of(part.cells.begin(), part.cells.end(),
-                     [&](int cells) { return cells % 2 == 0 && cells / 2 >= fewest; });
+                     [&](int cells) { return half_of(cells) >= fewest; });
 }
 
 std::string override_of(const PartGeometry& part) {
   std::string cells;
-  for (const int n : part.cells) cells += (cells.empty() ? "" : ",") + std::to_string(n / 2);
+  for (const int n : part.cells) cells += (cells.empty() ? "" : ",") + std::to_string(half_of(n));
   return "parts." + part.name + ".cells=" + (part.cells.size() == 1 ? cells : "[" + cells + "]");
 }
 

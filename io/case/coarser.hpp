@@ -8,8 +8,8 @@
 
 namespace netloft::io {
 
-/// Overrides that give every rope and panel half its cells, where these are even and many enough; empty when
-/// nothing is left to halve.
+/// Overrides that give every rope and panel half its cells, of an odd number the greater half, where these
+/// are many enough; empty when nothing is left to halve. Edges of the same number of cells still have one.
 std::vector<std::string> halved_cells(const LoadedScene& fine);
 
 /// Positions of the nodes of one scene [m], 3 per node, read off another division of the same gear where it

@@ -27,7 +27,12 @@ TEST(HalvedCells, AreThoseOfEveryPanelUntilTooFewAreLeft) {
   EXPECT_EQ(halved_cells(opened(kPanel, {"parts.net.cells=[16,8]"})->loaded()),
             std::vector<std::string>{"parts.net.cells=[8,4]"});
   EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[16,6]"})->loaded()).empty());
-  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[15,16]"})->loaded()).empty());
+}
+
+TEST(HalvedCells, AreTheGreaterHalfOfAnOddNumber) {
+  EXPECT_EQ(halved_cells(opened(kPanel, {"parts.net.cells=[7,10]"})->loaded()),
+            std::vector<std::string>{"parts.net.cells=[4,5]"});
+  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[5,7]"})->loaded()).empty());
 }
 
 // An answer carried to a finer mesh keeps its energy but for the few triangles that lie across a coarse
