@@ -15,12 +15,17 @@ constexpr double kRoundingOfK = 10 * std::numeric_limits<double>::epsilon();
 
 /// Without the zeros of the pattern.
 Eigen::SparseMatrix<double> make_sparse(const SparsePattern& p, std::span<const double> values) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for_entries(p, values, [&](std::int32_t r, std::int32_t c, double value) {
-    if (value != 0) entries.emplace_back(r, c, value);
-  });
   Eigen::SparseMatrix<double> A(p.size, p.size);
-  A.setFromTriplets(entries.begin(), entries.end());
+  A.reserve(static_cast<Eigen::Index>(p.entries()));
+  for (std::int32_t c = 0; c < p.size; ++c) {
+    A.startVec(c);
+    const auto begin = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]),
+               end = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]);
+    for (std::size_t k = begin; k < end; ++k)
+      if (const double value = values[p.slot_of(k)]; value != 0) A.insertBack(p.row[k], c) = value;
+  }
+  A.finalize();
+  if (p.symmetric) A = Eigen::SparseMatrix<double>(A.selfadjointView<Eigen::Lower>());
   return A;
 }
 
@@ -46,6 +51,7 @@ Cayley::Cayley(const SparsePattern& p, const LinearMotion& m, Factorisation& fac
 
 bool Cayley::set(double sigma) {
   sigma_ = sigma;
+  norm_ = convex_ + sigma * sigma * M_;
   for (std::size_t i = 0; i < sum_.size(); ++i)
     sum_[i] = motion_.K[i] + sigma * (motion_.C[i] + sigma * motion_.M[i]);
   ++cost_.factorisations;
@@ -54,18 +60,20 @@ bool Cayley::set(double sigma) {
 
 Vector Cayley::operator*(const Vector& z) {
   const auto y = z.head(unknowns()), v = z.tail(unknowns());
-  rhs_ = 2 * (sigma_ * (M_ * v) - K_ * y);
+  rhs_.noalias() = sigma_ * (M_ * v);
+  rhs_.noalias() -= K_ * y;
+  rhs_ *= 2;
   factor_.solve(span_of(rhs_), span_of(d_));
   ++cost_.solves;
   Vector to(z.size());
-  to << y + d_, sigma_ * d_ - v;
+  to.head(unknowns()) = y + d_, to.tail(unknowns()) = sigma_ * d_ - v;
   return to;
 }
 
 Vector Cayley::weighed(const Vector& z) const {
   const auto y = z.head(unknowns()), v = z.tail(unknowns());
   Vector to(z.size());
-  to << convex_ * y + sigma_ * sigma_ * (M_ * y), M_ * v;
+  to.head(unknowns()).noalias() = norm_ * y, to.tail(unknowns()).noalias() = M_ * v;
   return to;
 }
 

@@ -37,7 +37,7 @@ class Cayley {
  private:
   using Sparse = Eigen::SparseMatrix<double>;
   const LinearMotion& motion_;
-  Sparse K_, C_, M_, convex_, K_error_;
+  Sparse K_, C_, M_, convex_, K_error_, norm_;  // the last: K₊ + σ²M of (8)
   Eigen::Index dimension_;
   Factorisation& factor_;
   Statistics& cost_;
