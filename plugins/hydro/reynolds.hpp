@@ -39,14 +39,20 @@ T joined(const T& below, const T& above, const T& Re, double centre) {
 
 inline const double kSlopeAtRest = creeping_phi(Dual<1, 1>::variable(kCreepingBelow, 0)).gradient[0];
 
+/// (1) and (2), to Re = 30 / kBlend.
+template <class T>
+T slow_phi(const T& reynolds) {
+  using std::pow;
+  const T Re = at_least(reynolds, kCreepingBelow);
+  const T phi = joined(creeping_phi(Re), Re * (1.45 + 8.55 * pow(Re, -0.9)), Re, 1);  // (2)
+  return phi + kSlopeAtRest * (at_most(reynolds, kCreepingBelow) - kCreepingBelow);
+}
+
 template <class T>
 T choo_casarella_phi(const T& reynolds) {
-  using std::pow, std::sqrt;
+  using std::sqrt;
   const T Re = at_least(reynolds, kCreepingBelow);
-  const T slow = Re * (1.45 + 8.55 * pow(Re, -0.9));  // (2)
-  const T fast = 1.1 * Re + 4.0 * sqrt(Re);           // (3)
-  const T phi = joined(joined(creeping_phi(Re), slow, Re, 1), fast, Re, 30);
-  return phi + kSlopeAtRest * (at_most(reynolds, kCreepingBelow) - kCreepingBelow);
+  return joined(slow_phi(reynolds), 1.1 * Re + 4.0 * sqrt(Re), Re, 30);  // (3)
 }
 
 /// The same of Takagi et al. 2004, who take the twines of netting below a Reynolds number of 200, and so
@@ -63,8 +69,8 @@ template <class T>
 T takagi_phi(const T& reynolds) {
   using std::pow;
   const T Re = at_least(reynolds, kCreepingBelow);
-  const T low = std::pow(10, 0.7) * pow(Re, 0.7);                                                      // (5)
-  return joined(joined(choo_casarella_phi(reynolds), low, Re, kTakagiFrom), 1.2 * Re, Re, kTakagiTo);  // (6)
+  const T low = std::pow(10, 0.7) * pow(Re, 0.7);                                            // (5)
+  return joined(joined(slow_phi(reynolds), low, Re, kTakagiFrom), 1.2 * Re, Re, kTakagiTo);  // (6)
 }
 
 /// Whose cylinder.
