@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How fast statics arrives: over how many iterations, in units of one factorisation of the same tangent, how
-// the time grows with the number of unknowns, what a small change costs, and what a second thread brings.
+// the time grows with the number of unknowns, what a small change and one iteration of Newton's method cost,
+// and what a second thread brings. The panels are those of fig. 6a and 6b of the trawl-gear paper.
 //
-//   bench_arrival [LARGEST]    most unknowns of a scene; else 100 000
+//   bench_arrival [LARGEST [NODES…]]    most unknowns of a scene, else 1e5; nodes of the 83-112, else 1000
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -82,8 +83,17 @@ struct Row {
   double unknowns = 0, cpu = 0;
 };
 
+/// What was spent on the scene's own mesh.
+Statistics on_its_own_mesh(const Solution& s) {
+  if (s.cost.stages.empty()) return s.cost.statistics;
+  Statistics sum;
+  for (const StageRecord& stage : s.cost.stages)
+    if (stage.unknowns == s.u.size()) sum.add(stage.statistics);
+  return sum;
+}
+
 Row print_row(io::Case& scene, const Solution& s, double cpu) {
-  const Statistics& finest = s.cost.stages.empty() ? s.cost.statistics : s.cost.stages.back().statistics;
+  const Statistics finest = on_its_own_mesh(s);
   const double unit = factorisation_time(scene, s.x);
   std::printf("  %8zu %5d %5d %6d %6d %7.1f %9.3f %7.1f %8.2f   %s\n", s.u.size(),
               s.cost.statistics.iterations, finest.iterations, finest.factorisations,
@@ -116,7 +126,7 @@ void print_exponent(const std::vector<Row>& rows) {
 void panels(const char* what, const char* file, double largest) {
   print_head(what);
   std::vector<Row> rows;
-  for (const int n : {18, 32, 64, 160, 320}) {
+  for (const int n : {18, 32, 64, 128, 256, 577}) {
     if (3.0 * n * n > largest) break;
     const std::string cells = std::to_string(n);
     rows.push_back(arrive(file, {"parts.net.cells=[" + cells + "," + cells + "]"}));
@@ -160,6 +170,31 @@ void trawl(Overrides overrides) {
   print_row(next, changed, cpu_seconds() - begun);
 }
 
+/// Newton's method on the mesh itself, from the equilibrium at half a per cent less speed.
+void newton(int nodes) {
+  const char* file = "gear-library/scenes/83-112-flume-3.0kn.toml";
+  const Overrides overrides{"gear.nodes=" + std::to_string(nodes)};
+  io::Case first(source(file, overrides), plugins());
+  open(first);
+  const std::vector<double> from = first.positions(first.solve().x);
+  io::Case next({scene_file(file),
+                 {overrides[0], "tow.speed=3.015 kn", "analysis.strategy=direct", "analysis.solver=newton"},
+                 1},
+                plugins());
+  open(next, [&](io::LoadedScene& loaded) {
+    for (std::size_t d = 0; d < from.size(); ++d)
+      if (loaded.scene.held[d / 3] == 0) loaded.scene.positions[d] = from[d];
+  });
+  const Solution s = next.solve();
+  const Statistics& cost = s.cost.statistics;
+  const double unit = factorisation_time(next, s.x), per_iteration = 1.0 / cost.iterations;
+  std::printf("  %8d %9zu %5d %9.2f %9.2f %9.2f %8.2f %10.3f %9.2f   %s\n", nodes, s.u.size(),
+              cost.iterations, cost.factorisations * per_iteration, cost.residuals * per_iteration,
+              cost.matrices * per_iteration, cost.solves * per_iteration, 1e3 * unit,
+              cost.solver_cpu_seconds * per_iteration / unit, name_of(s.status));
+  std::fflush(stdout);
+}
+
 /// Wall time of one residual with its tangent, the best of several [s].
 double assembly_time(io::Case& scene, const std::vector<double>& x) {
   std::vector<double> values(scene.assembler().value_slots()), residual(x.size());
@@ -197,8 +232,12 @@ void threads() {
 int main(int count, char** arguments) {
   using namespace netloft;
   const double largest = count > 1 ? std::atof(arguments[1]) : 1e5;
+  std::vector<int> nodes{1000};
+  if (count > 2) nodes.clear();
+  for (int i = 2; i < count; ++i) nodes.push_back(std::atoi(arguments[i]));
   std::printf(
-      "units: CPU time over that of one factorisation of the same tangent; finest: the scene's own mesh;\n"
+      "units: CPU time over that of one factorisation of the same tangent; finest, fact.: on the scene's own "
+      "mesh;\n"
       "all: factorisations on all meshes; like: their time, as if all were of the scene's own tangent\n");
   panels("hanging panel, from the flat sketch", "gear-library/scenes/dead-weight-panel.toml", largest);
   panels("stretched panel", "gear-library/scenes/verification/stretched-panel.toml", largest);
@@ -206,5 +245,11 @@ int main(int count, char** arguments) {
   trawl(trawl_cells(12, 24, 16, 8));
   if (largest > 6e4) trawl(trawl_cells(40, 80, 48, 24));
   threads();
+  std::printf(
+      "one iteration of Newton's method: the 83-112 from 3.0 to 3.015 knots\n"
+      "     nodes  unknowns   it.    fact. residuals  matrices   solves  factor ms     units   (units: of "
+      "the "
+      "iteration)\n");
+  for (const int n : nodes) newton(n);
   return 0;
 }

@@ -16,6 +16,8 @@ PROGRAM, SOURCE = Path(os.environ["NETLOFT_PROGRAM"]), Path(os.environ["NETLOFT_
 BENCH, LIBRARY = SOURCE / "tests/bench", SOURCE / "gear-library"
 FLUME = LIBRARY / "scenes/83-112-flume-3.0kn.toml"
 COMMANDS = {  # what it is called with
+    "arrival.py": (PROGRAM, PROGRAM.parent / "bench_arrival", SOURCE, "--largest", "1000", "--newton", "100", "--nodes", "100", "--knots", "3.0",
+                   "--times", "1"),
     "start_up.py": (PROGRAM, "--times", "1"),
     "frames.py": (PROGRAM, SOURCE, "1"),
     "memory.py": (PROGRAM, FLUME, "--nodes", "200"),
