@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/newton/merit_steps.hpp"
 
+#include <algorithm>
+
 namespace netloft::newton {
 
 std::span<const double> CurvedStep::find(Iterate& iterate, std::span<const double> s, double t) {
@@ -23,7 +25,6 @@ Step MeritSteps::take(Iterate& iterate, const Direction& direction) {
     return search([&](double t) { return iterate.merit(some, t); }, first);
   };
   auto found = try_whole_step(iterate, path);
-  last_went_uphill_ = found && found->value > iterate.energy();
   if (!found) found = along(path);
   const bool is_whole = found && found->t == 1;
   if (!is_whole && iterate.is_conservative() && iterate.problem().symmetric()) {
@@ -32,14 +33,17 @@ Step MeritSteps::take(Iterate& iterate, const Direction& direction) {
     if (bent && (!found || bent->value < found->value)) path = curved, found = bent;
   }
   if (!found || !iterate.try_move(path, found->t)) return {.damping = direction.damping};
+  gained_ += first.value - found->value;
+  most_gained_ = std::max(most_gained_, gained_);
   return {Step::Rule::energy, direction.damping, found->t};
 }
 
-/// (5): a whole step that lowers m, or raises it by no more than `uphill` allows. A long one, and the step
-/// after one that went uphill, are left to the line search.
+/// (5): a whole step that lowers m, or that stays within what `uphill` allows above the least m so far. A
+/// long one is left to the line search.
 std::optional<Sample> MeritSteps::try_whole_step(Iterate& iterate, const Path& path) const {
-  if (last_went_uphill_ || iterate.problem().step_length(path.s) > 1) return {};
-  const double most = iterate.energy() - p_.uphill * iterate.slope(path);
+  if (iterate.problem().step_length(path.s) > 1) return {};
+  const double allowed = gained_ - most_gained_ - p_.uphill * iterate.slope(path);
+  const double most = iterate.energy() + std::max(0.0, allowed);
   const auto whole = iterate.merit(path, 1);
   return whole && whole->value <= most ? whole : std::nullopt;
 }

@@ -36,7 +36,7 @@ class MeritSteps {
 
   const Newton::Parameters& p_;
   CurvedStep curved_;
-  bool last_went_uphill_ = false;
+  double gained_ = 0, most_gained_ = 0;  // of m, along all steps so far
 };
 
 }  // namespace netloft::newton

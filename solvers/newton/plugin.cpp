@@ -32,7 +32,7 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
               "under follower pressure ran away",
               {.lo = 1e-3, .hi = 1, .fallback = 0.2});
   newton.real("uphill", &Newton::Parameters::uphill, "1",
-              "multiple of the slope by which every other whole step may raise the energy; 0: none",
+              "multiple of the slope by which a whole step may end above the least energy so far; 0: none",
               {.lo = 0, .hi = 100, .fallback = 2});
   newton.real(
       "margin", &Newton::Parameters::margin, "1",
