@@ -126,7 +126,7 @@ void print_exponent(const std::vector<Row>& rows) {
 void panels(const char* what, const char* file, double largest) {
   print_head(what);
   std::vector<Row> rows;
-  for (const int n : {18, 32, 64, 128, 256, 577}) {
+  for (const int n : {18, 32, 64, 128, 256, 576}) {
     if (3.0 * n * n > largest) break;
     const std::string cells = std::to_string(n);
     rows.push_back(arrive(file, {"parts.net.cells=[" + cells + "," + cells + "]"}));
