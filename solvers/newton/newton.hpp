@@ -17,7 +17,7 @@ namespace netloft::newton {
 ///   (K + θ (K₊ − K) + μ M) s = −r, θ of 0, … 1 so that it is positive definite            (2)
 ///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
 ///   t by (L) of line_search.hpp: m does not rise, and is nearly flat                      (4)
-///   t = 1 if m(1) ≤ max(m(0), m_least − c_up r·s), m_least the least m so far,
+///   t = 1 if m(1) ≤ m(0), or m(1) ≤ m(0) − c_up r·s where m(0) is the least so far,
 ///   and if s moves no node by more than the length of an element                          (5)
 ///   u ± t v, K v = λ M v with the least λ < 0, t by (D) of descent_search.hpp             (6)
 ///   t by (S) of line_search.hpp: m is nearly flat and not above m(0) but for rounding     (7)
@@ -38,8 +38,8 @@ namespace netloft::newton {
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
 /// decrease. (5) lets an iterate cross the kinks between slack and taut by a relaxed test as in the watchdog
 /// technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point
-/// before. How far uphill that may go counts from the least m reached, of which the changes along the path
-/// are added up. Where it counted from m(0) at every other step, netting on a bed with friction made a
+/// before: from where it went uphill to it lowers m until it is less than before, counted along the path.
+/// Where every other step might go uphill, from wherever it stood, netting on a bed with friction made a
 /// thousand steps about its equilibrium. A step from afar promises so much that (5) would allow any: of a
 /// drawn ring of bent rope it let the energy rise thirtyfold. (8) is tried where (4) ends short of t = 1,
 /// all forces have an energy and K is symmetric ("geodesic acceleration": M. K. Transtrum and J. P. Sethna,

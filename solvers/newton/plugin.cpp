@@ -31,9 +31,10 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
               "fraction of the slope that may be left where a search along a line ends: with 0.1, a cod-end "
               "under follower pressure ran away",
               {.lo = 1e-3, .hi = 1, .fallback = 0.2});
-  newton.real("uphill", &Newton::Parameters::uphill, "1",
-              "multiple of the slope by which a whole step may end above the least energy so far; 0: none",
-              {.lo = 0, .hi = 100, .fallback = 2});
+  newton.real(
+      "uphill", &Newton::Parameters::uphill, "1",
+      "multiple of the slope by which a whole step may raise the energy from its least so far; 0: none",
+      {.lo = 0, .hi = 100, .fallback = 2});
   newton.real(
       "margin", &Newton::Parameters::margin, "1",
       "fraction of its bracket that a new point of such a search keeps from either end, and one over the "
