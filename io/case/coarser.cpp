@@ -15,13 +15,13 @@ constexpr int kFewestAcross = 4, kFewestBars = 4;
 
 bool is_divided(const PartGeometry& part) { return !part.cells.empty(); }
 
-/// Of an odd number, the greater half.
 int half_of(int cells) { return (cells + 1) / 2; }
 
-bool can_halve(const PartGeometry& part) {
+bool can_halve(const PartGeometry& part, Halved which) {
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
-  return std::all_of(part.cells.begin(), part.cells.end(),
-                     [&](int cells) { return half_of(cells) >= fewest; });
+  return std::all_of(part.cells.begin(), part.cells.end(), [&](int cells) {
+    return half_of(cells) >= fewest && (which == Halved::all || cells % 2 == 0);
+  });
 }
 
 std::string override_of(const PartGeometry& part) {
@@ -158,10 +158,10 @@ void carry_gear(const LoadedScene& from, const std::vector<double>& x, const Loa
 
 }  // namespace
 
-std::vector<std::string> halved_cells(const LoadedScene& fine) {
+std::vector<std::string> halved_cells(const LoadedScene& fine, Halved which) {
   std::vector<std::string> overrides;
   for (const auto& part : fine.parts)
-    if (is_divided(part) && can_halve(part)) overrides.push_back(override_of(part));
+    if (is_divided(part) && can_halve(part, which)) overrides.push_back(override_of(part));
   if (fine.gear)
     for (auto& word : coarser_gear(*fine.gear, fine.scene.node_count())) overrides.push_back(std::move(word));
   return overrides;

@@ -8,9 +8,13 @@
 
 namespace netloft::io {
 
-/// Overrides that give every rope and panel half its cells, of an odd number the greater half, where these
-/// are many enough; empty when nothing is left to halve. Edges of the same number of cells still have one.
-std::vector<std::string> halved_cells(const LoadedScene& fine);
+/// Which numbers of cells are halved. Of an odd one it is the greater half, which leaves cells of another
+/// shape: parts that are joined, or that have square cells alone, may not fit then.
+enum class Halved { all, even_only };
+
+/// Overrides that give every rope and panel half its cells where these are many enough; empty when nothing is
+/// left to halve.
+std::vector<std::string> halved_cells(const LoadedScene& fine, Halved which);
 
 /// Positions of the nodes of one scene [m], 3 per node, read off another division of the same gear where it
 /// has been brought to `x`. Between the nodes of a rope lines are straight, within the triangles of a panel

@@ -4,6 +4,8 @@
 #include "io/case/coarser.hpp"
 #include "io/scene/read_scene.hpp"
 
+#include <utility>
+
 namespace netloft::io {
 
 namespace {
@@ -27,7 +29,7 @@ Meshes::Meshes(const CaseSource& source, const LoadedScene& finest, Registry& re
     : source_(source),
       finest_(finest),
       registry_(registry),
-      most_(halved_cells(finest).empty() ? 1 : kMostLevels) {}
+      most_(halved_cells(finest, Halved::all).empty() ? 1 : kMostLevels) {}
 
 const Scene* Meshes::scene(unsigned level) {
   const LoadedScene* const found = loaded(level);
@@ -43,16 +45,25 @@ const LoadedScene* Meshes::loaded(unsigned level) {
   return coarser_[level - 1].get();
 }
 
+/// Where parts do not fit with half of all cells, parts with odd numbers stay as they are.
 std::unique_ptr<LoadedScene> Meshes::read_coarser(const LoadedScene& finer) {
-  const auto halved = halved_cells(finer);
+  for (const Halved which : {Halved::all, Halved::even_only})
+    if (auto coarse = read_halved(finer, halved_cells(finer, which))) return coarse;
+  return nullptr;
+}
+
+std::unique_ptr<LoadedScene> Meshes::read_halved(const LoadedScene& finer,
+                                                 const std::vector<std::string>& halved) {
   if (halved.empty()) return nullptr;
-  source_.overrides.insert(source_.overrides.end(), halved.begin(), halved.end());
+  std::vector<std::string> overrides = source_.overrides;
+  overrides.insert(overrides.end(), halved.begin(), halved.end());
   Diagnostics diagnostics;
   bool refused = false;
-  auto coarse = std::make_unique<LoadedScene>(
-      read_scene(source_.file, source_.overrides, registry_, diagnostics, refused));
-  if (refused || diagnostics.errors()) return nullptr;
-  return start_like(finer, *coarse) ? std::move(coarse) : nullptr;
+  auto coarse =
+      std::make_unique<LoadedScene>(read_scene(source_.file, overrides, registry_, diagnostics, refused));
+  if (refused || diagnostics.errors() || !start_like(finer, *coarse)) return nullptr;
+  source_.overrides = std::move(overrides);
+  return coarse;
 }
 
 std::vector<double> Meshes::carry(unsigned from, std::span<const double> positions, unsigned to) {

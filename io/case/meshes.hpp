@@ -20,6 +20,7 @@ class Meshes : public Levels {
  private:
   const LoadedScene* loaded(unsigned level);
   std::unique_ptr<LoadedScene> read_coarser(const LoadedScene& finer);
+  std::unique_ptr<LoadedScene> read_halved(const LoadedScene& finer, const std::vector<std::string>& halved);
 
   CaseSource source_;  // of the coarsest one that has been read
   const LoadedScene& finest_;

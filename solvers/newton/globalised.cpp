@@ -58,8 +58,10 @@ class Globalised {
     const bool is_at_round_off = iterate_.promises_round_off({direction.s});
     Step step =
         is_at_round_off ? at_round_off_.take(iterate_, direction) : by_merit_.take(iterate_, direction);
+    const double energy = iterate_.energy();
     if (direction.nearly_definite) step.leaves_saddle = leave_saddle(direction.damping);
     if (!step && is_at_round_off) step = at_round_off_.fall_back(iterate_, direction.damping);
+    if (step.leaves_saddle) by_merit_.add_gain(energy - iterate_.energy());  // all forces have an energy
     if (step.rule == Step::Rule::energy || step.leaves_saddle) at_round_off_.reset_stall_count();
     return step;
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/newton/merit_steps.hpp"
 
-#include <algorithm>
-
 namespace netloft::newton {
 
 std::span<const double> CurvedStep::find(Iterate& iterate, std::span<const double> s, double t) {
@@ -33,8 +31,7 @@ Step MeritSteps::take(Iterate& iterate, const Direction& direction) {
     if (bent && (!found || bent->value < found->value)) path = curved, found = bent;
   }
   if (!found || !iterate.try_move(path, found->t)) return {.damping = direction.damping};
-  gained_ += first.value - found->value;
-  most_gained_ = std::max(most_gained_, gained_);
+  add_gain(first.value - found->value);
   return {Step::Rule::energy, direction.damping, found->t};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -30,13 +31,15 @@ class MeritSteps {
 
   /// Moves u along s by (5), else (4), and where (4) ends short, by (8) if that gains more.
   Step take(Iterate& iterate, const Direction& direction);
+  /// What m has fallen by, here or where something else has moved u.
+  void add_gain(double gain) { gained_ += gain, most_gained_ = std::max(most_gained_, gained_); }
 
  private:
   std::optional<Sample> try_whole_step(Iterate& iterate, const Path& path) const;
 
   const Newton::Parameters& p_;
   CurvedStep curved_;
-  double gained_ = 0, most_gained_ = 0;  // of m, along all steps so far
+  double gained_ = 0, most_gained_ = 0;  // of m, along the path so far
 };
 
 }  // namespace netloft::newton

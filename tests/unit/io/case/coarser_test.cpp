@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "io/case/case.hpp"
+#include "io/case/meshes.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -24,15 +25,16 @@ std::unique_ptr<Case> opened(const std::string& scene, std::vector<std::string> 
 }
 
 TEST(HalvedCells, AreThoseOfEveryPanelUntilTooFewAreLeft) {
-  EXPECT_EQ(halved_cells(opened(kPanel, {"parts.net.cells=[16,8]"})->loaded()),
+  EXPECT_EQ(halved_cells(opened(kPanel, {"parts.net.cells=[16,8]"})->loaded(), Halved::all),
             std::vector<std::string>{"parts.net.cells=[8,4]"});
-  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[16,6]"})->loaded()).empty());
+  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[16,6]"})->loaded(), Halved::all).empty());
 }
 
 TEST(HalvedCells, AreTheGreaterHalfOfAnOddNumber) {
-  EXPECT_EQ(halved_cells(opened(kPanel, {"parts.net.cells=[7,10]"})->loaded()),
+  EXPECT_EQ(halved_cells(opened(kPanel, {"parts.net.cells=[7,10]"})->loaded(), Halved::all),
             std::vector<std::string>{"parts.net.cells=[4,5]"});
-  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[5,7]"})->loaded()).empty());
+  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[5,7]"})->loaded(), Halved::all).empty());
+  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[7,10]"})->loaded(), Halved::even_only).empty());
 }
 
 // An answer carried to a finer mesh keeps its energy but for the few triangles that lie across a coarse
@@ -87,6 +89,36 @@ TEST_P(CrossedCells, AreCarriedToFinerOnes) {
 INSTANTIATE_TEST_SUITE_P(OfBoth, CrossedCells,
                          testing::Values("parts.net.division=crossed", "parts.net.type=lumped/net"),
                          [](const auto& one) { return std::string(one.index ? "Bars" : "Triangles"); });
+
+std::size_t nodes_of(const Scene& scene) { return scene.positions.size() / 3; }
+
+TEST(CoarserMeshes, LeaveOddNumbersWhereHalfOfThemDoesNotFit) {
+  const CaseSource source{test::source_folder() + "/tests/unit/io/case/odd-panels.toml", {}, 1};
+  Case finest(source, test::shipped_plugins());
+  ASSERT_EQ(finest.open(), Case::State::ready) << finest.diagnostics().render(false);
+  Registry& registry = test::shipped_plugins();
+  Meshes meshes(source, finest.loaded(), registry);
+  const Scene* const coarse = meshes.scene(1);
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(nodes_of(finest.loaded().scene) - nodes_of(*coarse), std::size_t{17 * 17 - 9 * 9});
+}
+
+// 7 → 4 cells: no node but those of the edges is in both, on a flat sketch positions are linear in the
+// shares.
+TEST(CoarserMeshes, OfOddNumbersCarryAFlatSketch) {
+  const CaseSource source{
+      test::source_folder() + "/gear-library/scenes/" + kPanel, {"parts.net.cells=[7,7]"}, 1};
+  Case finest(source, test::shipped_plugins());
+  ASSERT_EQ(finest.open(), Case::State::ready) << finest.diagnostics().render(false);
+  Registry& registry = test::shipped_plugins();
+  Meshes meshes(source, finest.loaded(), registry);
+  ASSERT_TRUE(meshes.scene(1));
+  EXPECT_EQ(nodes_of(*meshes.scene(1)), std::size_t{25});
+  const auto& fine = finest.loaded().scene.positions;
+  const auto there = meshes.carry(0, fine, 1), back = meshes.carry(1, there, 0);
+  ASSERT_EQ(back.size(), fine.size());
+  for (std::size_t d = 0; d < fine.size(); ++d) EXPECT_NEAR(back[d], fine[d], 1e-9);
+}
 
 TEST(CoarserMeshes, LeadToACrossedTubeBetweenTwoRings) {
   auto tube = opened("verification/tractrix-between-rings.toml", {});

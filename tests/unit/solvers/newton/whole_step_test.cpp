@@ -8,20 +8,23 @@
 namespace netloft::test {
 namespace {
 
-/// r = u/√|u|, a force without an energy; an element is as long as 1. Newton's own step leads from u to −u
-/// and back again for ever, and by the trapezoidal rule it does no work on the way.
+/// r = u |u|^(q−1), a force without an energy. Newton's own step leads from u to u − u/q: with q = 1/2 to −u
+/// and back again for ever, and by the trapezoidal rule it does no work on the way; with less than that ever
+/// farther away.
 struct Root {
-  double u = 1, tangent = 0, kept = 0;
+  double q, element, u = 1, tangent = 0, kept = 0;
   int iterations = 0;
   netloft_problem interface {};
 
-  Root() {
+  Root(double exponent, double element_size) : q(exponent), element(element_size) {
     interface.size = sizeof interface, interface.host = this, interface.unknowns = 1, interface.u = &u;
     interface.evaluate = [](void* host, std::uint32_t want, const double* at, double* energy, double* r) {
+      auto& self = *static_cast<Root*>(host);
       const bool asks_gradient = (want & NETLOFT_WANT_GRADIENT) != 0;
+      const double slope = std::pow(std::abs(*at), self.q - 1);
       if (energy) *energy = 0;
-      if (r) *r = *at == 0 || asks_gradient ? 0 : *at / std::sqrt(std::abs(*at));
-      if (want & NETLOFT_WANT_TANGENT) static_cast<Root*>(host)->tangent = 0.5 / std::sqrt(std::abs(*at));
+      if (r) *r = *at == 0 || asks_gradient ? 0 : *at * slope;
+      if (want & NETLOFT_WANT_TANGENT) self.tangent = self.q * slope;
       return int{NETLOFT_OK};
     };
     interface.factorise = [](void* host, int, double shift) {
@@ -37,14 +40,22 @@ struct Root {
       if (std::abs(*r) < 1e-9) return int{NETLOFT_ARRIVED};
       return static_cast<Root*>(host)->iterations++ < 100 ? int{NETLOFT_GO_ON} : int{NETLOFT_GIVE_UP};
     };
-    interface.step_length = [](void*, const double* du) { return std::abs(*du); };
+    interface.step_length = [](void* host, const double* du) {
+      return std::abs(*du) / static_cast<Root*>(host)->element;
+    };
   }
 };
 
 TEST(WholeStep, IsLeftToTheSearchWhereItIsLongerThanAnElement) {
-  Root root;
+  Root root(0.5, 1);
   solve_problem(root.interface, "newton", {{"damping", 0.0}});
   EXPECT_NEAR(root.u, 0, 1e-12);
+}
+
+TEST(WholeStep, GoesUphillFromTheLeastMeritAlone) {
+  Root root(0.4, 1e300);
+  solve_problem(root.interface, "newton", {{"damping", 0.0}});
+  EXPECT_LT(std::abs(root.u), 1e-9);  // a hundred steps uphill end beyond 1e17
 }
 
 }  // namespace
