@@ -13,7 +13,10 @@ namespace netloft {
 /// with the polynomials R and P of fdlibm (Sun Microsystems 1993, e_log.c, e_exp.c; ln 2 in two parts). Both
 /// are within one unit in the last place. Sums and products are rounded one by one, as plugins are compiled
 /// (-ffp-contract=off), so that a number has the same bits in any lane, in a remainder of a loop and on any
-/// processor. For ln x: normal numbers above zero; zero gives −710, which is finite. For eˣ: |x| < 708.
+/// processor. Neither looks at its argument; callers bound it or discard the result:
+///   ln x    normal numbers above zero. Zero and subnormal numbers give −709.1; negative and infinite numbers
+///           and NaN give finite numbers without a meaning, such as ln(−1) = 1420 and ln(NaN) = 710.
+///   eˣ      |x| < 708. Beyond, it is not 0 or infinity but any number, also a negative one or NaN.
 namespace lane {
 
 inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
