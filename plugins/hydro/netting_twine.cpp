@@ -26,14 +26,14 @@ struct Motion {
   double tau, s, u, e;
 };
 
-template <Cylinder cylinder>
-Factors factors(const NettingTwine::Parameters& p, const netloft_flow& f, std::size_t i, const Motion& m) {
+template <class Phi>
+Factors factors(const NettingTwine::Parameters& p, const netloft_flow& f, const Phi& phi, std::size_t i,
+                const Motion& m) {
   const auto Re = [per_speed = f.diameter[i] / f.water_viscosity](double speed) {
     return LaneNumber::variable(speed * per_speed);
   };
   const double half = 0.5 * f.water_density * f.water_viscosity;
-  return {half * cylinder_phi<cylinder>(Re(m.s)),
-          NettingTwine::friction(f.water_density, f.water_viscosity, Re(m.e)),
+  return {half * phi(Re(m.s)), NettingTwine::friction(f.water_density, f.water_viscosity, Re(m.e)),
           half * p.knots / p.knot_diameter * sphere_phi(Re(m.u * p.knot_diameter))};  // (3), (4), (5)
 }
 
@@ -64,22 +64,18 @@ void write_derivatives(double shielding, const netloft_flow& f, std::size_t i, c
 }
 
 /// The arrays do not overlap, so that several lanes are computed at once.
-template <Cylinder cylinder, bool derivatives>
-[[gnu::flatten]] void all_lanes(const NettingTwine::Parameters& parameters, const netloft_flow& flow) {
+template <bool derivatives, class Phi>
+[[gnu::flatten]] void all_lanes(const NettingTwine::Parameters& parameters, const netloft_flow& flow,
+                                const Phi& phi) {
   const NettingTwine::Parameters p = parameters;
   const netloft_flow f = flow;
 #pragma GCC ivdep
   for (std::size_t i = 0; i < f.count; ++i) {
     const Motion motion(p.shielding, f, i);
-    const Factors c = factors<cylinder>(p, f, i, motion);
+    const Factors c = factors(p, f, phi, i, motion);
     write_force(f, i, motion, c);
     if constexpr (derivatives) write_derivatives(p.shielding, f, i, motion, c);
   }
-}
-
-template <Cylinder cylinder>
-void lanes_of(const NettingTwine::Parameters& p, const netloft_flow& f) {
-  f.d_flow ? all_lanes<cylinder, true>(p, f) : all_lanes<cylinder, false>(p, f);
 }
 
 }  // namespace
@@ -87,8 +83,9 @@ void lanes_of(const NettingTwine::Parameters& p, const netloft_flow& f) {
 void NettingTwine::lanes(const Parameters& p, const netloft_flow& f) {
   if (!(f.water_viscosity > 0))
     throw std::runtime_error("a Reynolds number needs a viscosity of the water above zero");
-  const bool is_takagi = p.cylinder == static_cast<std::int64_t>(Cylinder::takagi);
-  is_takagi ? lanes_of<Cylinder::takagi>(p, f) : lanes_of<Cylinder::choo_casarella>(p, f);
+  with_cylinder_phi(p.cylinder, [&](const auto& phi) {
+    f.d_flow ? all_lanes<true>(p, f, phi) : all_lanes<false>(p, f, phi);
+  });
 }
 
 }  // namespace netloft::hydro

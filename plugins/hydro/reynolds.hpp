@@ -76,13 +76,16 @@ T takagi_phi(const T& reynolds) {
 /// Whose cylinder.
 enum class Cylinder : std::int64_t { choo_casarella, takagi };
 
-template <Cylinder cylinder, class T>
-T cylinder_phi(const T& Re) {
-  return cylinder == Cylinder::takagi ? takagi_phi(Re) : choo_casarella_phi(Re);
+/// Calls visit(φ) with the function φ(Re) of a cylinder, so that a loop over lanes chooses it once.
+template <class Visit>
+auto with_cylinder_phi(std::int64_t cylinder, const Visit& visit) {
+  if (cylinder == static_cast<std::int64_t>(Cylinder::takagi))
+    return visit([](const auto& Re) { return takagi_phi(Re); });
+  return visit([](const auto& Re) { return choo_casarella_phi(Re); });
 }
 template <class T>
 T cylinder_phi(std::int64_t cylinder, const T& Re) {
-  return cylinder == static_cast<std::int64_t>(Cylinder::takagi) ? takagi_phi(Re) : choo_casarella_phi(Re);
+  return with_cylinder_phi(cylinder, [&](const auto& phi) { return phi(Re); });
 }
 
 /// A continuously differentiable curve without overshoot through samples over ln x: cubic pieces whose slopes
@@ -129,9 +132,15 @@ struct MorisonReynolds {
     netloft_table normal{};
     std::int64_t cylinder = 0;
   };
+  /// Calls visit(φ) with the function φ(Re) that the parameters choose.
+  template <class Visit>
+  static auto with_phi(const Parameters& p, const Visit& visit) {
+    if (p.normal.rows) return visit([curve = Curve(p.normal)](const auto& Re) { return Re * curve.at(Re); });
+    return with_cylinder_phi(p.cylinder, visit);
+  }
   template <class T>
   static T phi(const Parameters& p, const T& Re) {
-    return p.normal.rows ? Re * Curve(p.normal).at(Re) : cylinder_phi(p.cylinder, Re);
+    return with_phi(p, [&](const auto& phi) { return phi(Re); });
   }
   template <class T>
   static Vec3<T> force(const Parameters& p, const Flow<T>& f) {
