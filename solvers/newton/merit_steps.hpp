@@ -24,14 +24,14 @@ class CurvedStep {
   std::vector<double> minus_second_derivative_, a_;
 };
 
-/// Steps that lower the merit (3), by the rules (4), (5) and (8) of Newton.
+/// Steps that are judged by the merit (3), by the rules (4), (5) and (8) of Newton.
 class MeritSteps {
  public:
   MeritSteps(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
   /// Moves u along s by (5), else (4), and where (4) ends short, by (8) if that gains more.
   Step take(Iterate& iterate, const Direction& direction);
-  /// What m has fallen by, here or where something else has moved u.
+  /// What m has fallen by, here or by (6).
   void add_gain(double gain) { gained_ += gain, most_gained_ = std::max(most_gained_, gained_); }
 
  private:

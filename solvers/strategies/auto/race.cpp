@@ -106,8 +106,8 @@ void Race::look_on_for_as_much_again() {
   if (over_at_ == 0) over_at_ = std::max(0.0, study_.work_left() - spent);
 }
 
-/// From an unstable equilibrium to one side, and if that does not converge, to the other; likewise from every
-/// other that is met on the way, once: a gear in which several things grow is moved off once for each. What
+/// From an unstable equilibrium to one side, and if that does not converge, to the other. Another that is met
+/// on the way takes its place, once: a gear in which several things grow is moved off once for each. What
 /// flutters is left alone: the motion comes back to it from either side.
 Stage Race::off_saddle(Stage saddle, double work) {
   const double end = std::max(over_at_, study_.work_left() - work);
