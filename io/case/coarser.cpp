@@ -17,7 +17,9 @@ bool is_divided(const PartGeometry& part) { return !part.cells.empty(); }
 
 int half_of(int cells) { return (cells + 1) / 2; }
 
+/// A node that is called by its number would be another place.
 bool can_halve(const PartGeometry& part, Halved which) {
+  if (part.is_numbered) return false;
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
   return std::all_of(part.cells.begin(), part.cells.end(), [&](int cells) {
     return half_of(cells) >= fewest && (which == Halved::all || cells % 2 == 0);

@@ -71,6 +71,7 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
 
 std::optional<Joiner::Ends> Draft::find_nodes(const Mention& m) {
   auto set = find_set(m);
+  if (set && m.name.find(".node-") != std::string::npos) out.parts[set->part].is_numbered = true;
   if (!set || !set->own.empty() || !is_sound[set->part]) return set;
   refuse_rider(m, m.name);
   return {};

@@ -23,6 +23,7 @@ struct PartGeometry {
   std::vector<int> cells;            // bars of a rope; cells across, along a panel; empty: not divided
   std::vector<std::array<double, 2>> panel;                // own number -> (U, V) [meshes]; empty off a panel
   std::map<std::string, std::vector<std::uint32_t>> sets;  // "fore" -> own numbers, in order along the edge
+  bool is_numbered = false;  // something is held, joined or stands on a node that is called by its number
 };
 
 /// A `[[hold]]`, for reactions by name.

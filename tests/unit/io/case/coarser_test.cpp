@@ -37,6 +37,13 @@ TEST(HalvedCells, AreTheGreaterHalfOfAnOddNumber) {
   EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[7,10]"})->loaded(), Halved::even_only).empty());
 }
 
+TEST(HalvedCells, LeaveAPartOfWhichANodeIsCalledByItsNumber) {
+  const std::string hold = R"(hold=[{ on = ["net.fore", "net.node-40"] }])";
+  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[8,8]", hold})->loaded(), Halved::all).empty());
+  const std::string asked = R"(results.z={ of = "net.node-40", take = "min z" })";
+  EXPECT_FALSE(halved_cells(opened(kPanel, {"parts.net.cells=[8,8]", asked})->loaded(), Halved::all).empty());
+}
+
 // An answer carried to a finer mesh keeps its energy but for the few triangles that lie across a coarse
 // diagonal, where two twines become one straight mean, which is never longer.
 TEST(CarriedOver, StretchesNothingThatWasNotStretched) {
