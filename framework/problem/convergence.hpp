@@ -17,7 +17,8 @@ struct Imbalance {
 /// The tolerance (1) of an equilibrium, where nobody says another.
 inline constexpr double kTolerance = 1e-10;
 
-/// Whether forces balance, to a tolerance ε of the load. This page alone says what that means.
+/// Whether forces balance, to a tolerance ε of the load: (1) to (4), and (5) below where a solver finds no
+/// way on.
 ///   within tolerance:  r ≤ ε F                                                            (1)
 ///   at round-off:      r ≤ min(b, β F)                                                    (2)
 /// At rest neither counts unless
@@ -34,8 +35,10 @@ Convergence convergence_of(const Imbalance& i, double tolerance);
 /// hides how far soft ones are from balance, and an iteration had better go on.
 bool may_stop(Convergence c, double residual, double residual_before);
 
-/// Twines that flicker between slack and taut can leave a residual that no step reduces. It is as good as
-/// round-off if (3) holds, r ≤ β F, and the energy g that a Newton step would gain is next to nothing:
+/// Twines that flicker between slack and taut can leave a residual that no step reduces. Where the solver has
+/// given up, the tangent of an energy is positive definite and a full step of Newton's method raises the
+/// residual (`no_step_helps` in assessment.cpp asks that), it is as good as round-off if (3) holds, r ≤ β F,
+/// and the energy g that a Newton step would gain is next to nothing:
 ///   g ≤ ε F L,   ε = kTolerance                                                           (5)
 /// with L the size of the gear: a stiffness of F/L would let it move by √ε L. By g ≈ ½ r δ, with r no more
 /// than β F, it is about 1e-7 L off at most for the largest of such residuals.

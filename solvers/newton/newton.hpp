@@ -51,10 +51,11 @@ namespace netloft::newton {
 /// and H. Zhang, SIAM J. Optim. 16, 2005).
 ///
 /// Negative curvature. Where all forces have an energy, μ is small, K is indefinite and K + σ M with a σ
-/// of `least_damping` to kMatters is not, K is nearly definite: K + σ M is then the matrix of (2),
-/// and (6) leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979), with no node going
-/// farther than 1/`margin` elements. At round-off, where no step is accepted, the same is tried once at every
-/// point, however much damping is left.
+/// of `least_damping` to kMatters is not, K is nearly definite: K + σ M is then the matrix of (2). The step
+/// by it is tried like any other; then, whether it was accepted or not, (6) goes on from where the iterate
+/// stands and leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979), with no node
+/// going farther than 1/`margin` elements. At round-off, where neither finds a way, (6) is tried once more at
+/// every point, however much damping is left.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;
