@@ -163,7 +163,9 @@ bool Assembler::hand_on(std::span<const double> x, const Request& request) {
       !find_rate_matrices(x, again, matrices))
     return false;
   const Kinematics& m = request.motion;
-  bodies_.hand_on(x, {m.v, m.a, m.cu, m.cv, m.ca}, residual, matrices, exact);
+  const BodyMotion motion{m.v, m.a, m.cu, m.cv, m.ca};
+  bodies_.hand_on(x, motion, residual, matrices, exact);
+  if (request.gradient) bodies_.hand_on(x, motion, request.gradient, {}, false);
   if (request.values && request.matrix == MatrixKind::metric) bodies_.resist_turning(request.values);
   return true;
 }
@@ -205,8 +207,10 @@ int Assembler::threads_used() const {
 bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   assert(is_over_dofs(x));
   assert((request.matrix == MatrixKind::none) == !request.values && "a matrix is asked for with its values");
+  assert((request.residual || !request.gradient) && "a gradient is found beside a residual");
   if (!sum_tiles(x, request) || !hand_on(x, request)) return false;
-  if (request.residual) frames_.turn(request.residual);
+  for (double* forces : {request.residual, request.gradient})
+    if (forces) frames_.turn(forces);
   if (request.values) frames_.turn_matrix(request.values);
   if (request.energy) {
     *request.energy = 0;
@@ -226,7 +230,8 @@ bool Assembler::sum_tiles(std::span<const double> x, const Request& request) {
 }
 
 bool Assembler::run_all(std::span<const double> x, const Request& request) {
-  if (request.residual) std::fill_n(request.residual, numbering_.dofs(), 0.0);
+  for (double* forces : {request.residual, request.gradient})
+    if (forces) std::fill_n(forces, numbering_.dofs(), 0.0);
   if (request.values) std::fill_n(request.values, value_slots_, 0.0);
   for (const FamilyGroup& group : groups_)
     if (!run_tiles(group, group.tiling.order, group.tiling.colour_begin, x, request)) return false;
@@ -234,8 +239,9 @@ bool Assembler::run_all(std::span<const double> x, const Request& request) {
 }
 
 bool Assembler::evaluate_share(const Share& share, std::span<const double> x, const Request& request) {
-  if (request.residual)
-    for (const Range& range : share.places) std::fill_n(request.residual + range.begin, range.size(), 0.0);
+  for (double* forces : {request.residual, request.gradient})
+    for (const Range& range : share.places)
+      if (forces) std::fill_n(forces + range.begin, range.size(), 0.0);
   if (request.values) std::fill_n(request.values + share.slots.begin, share.slots.size(), 0.0);
   const bool is_scattered = request.residual || request.values;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -282,30 +288,42 @@ void Assembler::run_tile(const FamilyGroup& group, std::size_t tile, std::span<c
   if (request.between) gather_ends(group, tile, *request.between, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
   w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
-  for (const std::size_t family : group.families) {
-    w.message[0] = 0;
-    netloft_tile t = make_tile(family, tile, request.motion, w);
-    int status = call_terms(family, t, request, w);
-    if (status == NETLOFT_OK && request.between) status = add_mean_forces(family, tile, t, request, w);
-    if (status != NETLOFT_OK) return report(family, t, status, w);
-  }
+  if (!call_families(group, tile, true, request, w)) return;
+  if (request.gradient) scatter_gradient(group.tiling, tile, request.gradient, w);
+  if (!request.conservative_only && !call_families(group, tile, false, request, w)) return;
   scatter(group, tile, request, w);
 }
 
-int Assembler::call_terms(std::size_t family, netloft_tile& t, const Request& request, Workspace& w) {
-  const ElementFamily& f = *families_[family];
-  if (const int status = call_each(f, f.active_terms(), t, request, w); status != NETLOFT_OK) return status;
-  const bool by_rates = request.values && request.matrix == MatrixKind::exact &&
-                        (request.motion.cv != 0 || request.motion.ca != 0);
-  return by_rates ? call_each(f, f.terms_of_motion(), t, request, w) : NETLOFT_OK;
+/// Calls the terms with an energy, or those without: sums begin with the former, so that the gradient of the
+/// energy is the same to the bit whether or not the others follow. False: one could not be evaluated.
+bool Assembler::call_families(const FamilyGroup& group, std::size_t tile, bool with_energy,
+                              const Request& request, Workspace& w) {
+  for (const std::size_t family : group.families) {
+    w.message[0] = 0;
+    netloft_tile t = make_tile(family, tile, request.motion, w);
+    int status = call_terms(*families_[family], with_energy, t, request, w);
+    if (status == NETLOFT_OK && request.between && !with_energy)
+      status = add_mean_forces(family, tile, t, request, w);
+    if (status != NETLOFT_OK) return report(family, t, status, w), false;
+  }
+  return true;
 }
 
-int Assembler::call_each(const ElementFamily& f, const std::vector<netloft_term>& terms, netloft_tile& t,
-                         const Request& request, Workspace& w) {
+int Assembler::call_terms(const ElementFamily& f, bool with_energy, netloft_tile& t, const Request& request,
+                          Workspace& w) {
+  if (const int status = call_each(f, f.active_terms(), with_energy, t, request, w); status != NETLOFT_OK)
+    return status;
+  const bool by_rates = request.values && request.matrix == MatrixKind::exact &&
+                        (request.motion.cv != 0 || request.motion.ca != 0);
+  return by_rates ? call_each(f, f.terms_of_motion(), with_energy, t, request, w) : NETLOFT_OK;
+}
+
+int Assembler::call_each(const ElementFamily& f, const std::vector<netloft_term>& terms, bool with_energy,
+                         netloft_tile& t, const Request& request, Workspace& w) {
   const auto dofs = static_cast<std::size_t>(f.type().dofs());
   for (const auto& term : terms) {
     const bool conservative = term.traits & NETLOFT_CONSERVATIVE;
-    if ((request.conservative_only && !conservative) || (term.traits & request.without)) continue;
+    if (conservative != with_energy || (term.traits & request.without)) continue;
     // Inertia is never left out, because without it the matrix of a time step would be singular.
     const bool counts =
         conservative || tangent_ != TangentChoice::elastic || (term.traits & NETLOFT_READS_ACCELERATION);

@@ -29,6 +29,7 @@ struct Request {
   bool conservative_only = false;  // leave out forces that have no energy: the residual is its gradient
   std::uint32_t without = 0;       // terms with any of these traits are left out
   double* residual = nullptr;      // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
+  double* gradient = nullptr;      // beside the residual: its part from forces that have an energy [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
   Kinematics motion = {};
@@ -146,12 +147,16 @@ class Assembler : public Placement {
                  const Request& request);
   void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
-  int call_terms(std::size_t family, netloft_tile& tile, const Request& request, Workspace& w);
-  int call_each(const ElementFamily& family, const std::vector<netloft_term>& terms, netloft_tile& tile,
-                const Request& request, Workspace& w);
+  bool call_families(const FamilyGroup& group, std::size_t tile, bool with_energy, const Request& request,
+                     Workspace& w);
+  int call_terms(const ElementFamily& family, bool with_energy, netloft_tile& tile, const Request& request,
+                 Workspace& w);
+  int call_each(const ElementFamily& family, const std::vector<netloft_term>& terms, bool with_energy,
+                netloft_tile& tile, const Request& request, Workspace& w);
   int call_matrix_term(const ElementFamily& family, const netloft_term& term, netloft_tile& tile,
                        MatrixKind kind, Workspace& w);
   void scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w);
+  void scatter_gradient(const Tiling& tiling, std::size_t tile, double* gradient, Workspace& w);
   void scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w);
   const FamilyGroup& group_of(std::size_t family) const;
   void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,

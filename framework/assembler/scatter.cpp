@@ -232,28 +232,40 @@ void divide_moments(const Tiling& tiling, std::size_t tile, double* force, doubl
   }
 }
 
+void add_rows(const Tiling& tiling, std::size_t tile, const double* rows, double* sums) {
+  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
+  const std::size_t count = tiling.lanes(tile);
+  const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
+  for (std::size_t d = 0; d < dofs; ++d)
+    for (std::size_t lane = 0; lane < count; ++lane) sums[map[d * kLanes + lane]] += rows[d * kLanes + lane];
+}
+
 }  // namespace
+
+/// Terms will add to the same rows after this: they are left as they are.
+void Assembler::scatter_gradient(const Tiling& tiling, std::size_t tile, double* gradient, Workspace& w) {
+  if (!w.force.is_open()) return;
+  const double* rows = w.force.data();
+  if (tiling.family->type().is_on_body()) {
+    std::copy_n(rows, static_cast<std::size_t>(tiling.family->type().dofs()) * kLanes, w.scratch.data());
+    divide_moments(tiling, tile, w.scratch.data(), nullptr, nullptr);
+    rows = w.scratch.data();
+  }
+  add_rows(tiling, tile, rows, gradient);
+}
 
 void Assembler::scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w) {
   const Tiling& tiling = group.tiling;
-  const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
-  const std::size_t count = tiling.lanes(tile);
   if (tiling.family->type().is_on_body())
     divide_moments(tiling, tile, request.residual && !w.force.is_zero() ? w.force.data() : nullptr,
                    request.values && !w.packed_tangent.is_zero() ? w.packed_tangent.data() : nullptr,
                    request.values && !w.square_tangent.is_zero() ? w.square_tangent.data() : nullptr);
   if (request.energy) {
     double sum = 0;
-    for (std::size_t lane = 0; lane < count; ++lane) sum += w.energy[lane];
+    for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) sum += w.energy[lane];
     tile_energy_[group.first_tile + tile] = sum;
   }
-  if (request.residual && !w.force.is_zero()) {
-    const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
-    const double* force = w.force.data();
-    for (std::size_t d = 0; d < dofs; ++d)
-      for (std::size_t lane = 0; lane < count; ++lane)
-        request.residual[map[d * kLanes + lane]] += force[d * kLanes + lane];
-  }
+  if (request.residual && !w.force.is_zero()) add_rows(tiling, tile, w.force.data(), request.residual);
   if (request.values) scatter_matrix(tiling, tile, request.values, w);
 }
 

@@ -33,6 +33,8 @@ class TileRows {
     lanes_ = lanes;
     return all_.data();
   }
+  /// Whether a term of this tile has asked for rows.
+  bool is_open() const { return rows_ > 0; }
   /// Whether this tile has added nothing.
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)

@@ -24,6 +24,7 @@ PracticeProblem::PracticeProblem(const Practice& like)
   p.traits = like.swirl == 0 ? NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC : 0;
   p.message = message_, p.message_size = sizeof message_;
   p.evaluate = call<&PracticeProblem::evaluate, std::uint32_t, const double*, double*, double*>;
+  p.evaluate_both = call<&PracticeProblem::evaluate_both, const double*, double*, double*, double*>;
   p.factorise = call<&PracticeProblem::factorise, int, double>;
   p.factorise_between = call<&PracticeProblem::factorise_between, double, double>;
   p.solve = call<&PracticeProblem::solve, const double*, double*>;
@@ -145,6 +146,16 @@ int PracticeProblem::evaluate(std::uint32_t want, const double* u, double* energ
   kept_ |= want;
   if (want & (NETLOFT_WANT_TANGENT | NETLOFT_WANT_CONVEX)) matrix_ = tangent(u);
   return NETLOFT_OK;
+}
+
+int PracticeProblem::evaluate_both(const double* u, double* energy_out, double* residual_out,
+                                   double* gradient_out) {
+  const int status = evaluate(NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE, u, energy_out, residual_out);
+  if (status == NETLOFT_OK) {
+    const auto gradient = residual(u, true);
+    std::copy(gradient.begin(), gradient.end(), gradient_out);
+  }
+  return status;
 }
 
 PracticeProblem::Matrix PracticeProblem::shifted(int matrix, double shift) const {

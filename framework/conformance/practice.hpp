@@ -65,6 +65,7 @@ class PracticeProblem {
   double stretch(const double* u, std::uint32_t i) const { return i ? u[i] - u[i - 1] : u[0]; }
 
   int evaluate(std::uint32_t want, const double* u, double* energy, double* residual);
+  int evaluate_both(const double* u, double* energy, double* residual, double* gradient);
   int factorise(int matrix, double shift);
   int factorise_between(double share, double shift);
   int solve(const double* rhs, double* x) const;

@@ -67,6 +67,7 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   interface_.message = message_, interface_.message_size = sizeof message_;
   interface_.traits = traits_of(assembler);
   interface_.evaluate = HostFunction<&StaticProblem::evaluate>::call;
+  interface_.evaluate_both = HostFunction<&StaticProblem::evaluate_both>::call;
   interface_.factorise = HostFunction<&StaticProblem::factorise>::call;
   interface_.factorise_between = HostFunction<&StaticProblem::factorise_between>::call;
   interface_.solve = HostFunction<&StaticProblem::solve>::call;
@@ -104,40 +105,56 @@ const std::vector<double>& StaticProblem::positions(std::span<const double> u) {
 
 int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy, double* residual) {
   const MatrixKind kind = kind_of(want);
-  statistics_.energies += energy != nullptr, statistics_.residuals += residual != nullptr,
-      statistics_.matrices += kind != MatrixKind::none;
+  statistics_.residuals += residual != nullptr, statistics_.matrices += kind != MatrixKind::none;
   Timed timed(statistics_.assembly_seconds);
-  bad_numbers_ = met_error_ = false;
-  configuration_.place({u, size()});
-  Request request;
-  request.between = configuration_.between();
+  Request request = begin_evaluation(u, energy);
   request.conservative_only = want & NETLOFT_WANT_GRADIENT;
-  // Mean forces of a step are the gradient of nothing: solvers are to weigh them like those without energy.
-  if (energy && request.between) *energy = 0;
-  request.energy = request.between ? nullptr : energy;
   if (request.conservative_only && request.between) {
     if (residual) std::fill_n(residual, size(), 0.0);
     return NETLOFT_OK;
   }
   request.matrix = kind;
   request.values = kind == MatrixKind::none ? nullptr : matrices_.slots(kind).data();
-  request.motion = configuration_.motion();
   return find_forces(request, u, residual);
 }
 
+int StaticProblem::evaluate_both(const double* u, double* energy, double* residual, double* gradient) {
+  ++statistics_.residuals;
+  Timed timed(statistics_.assembly_seconds);
+  const Request request = begin_evaluation(u, energy);
+  if (!request.between) return find_forces(request, u, residual, gradient);
+  std::fill_n(gradient, size(), 0.0);
+  return find_forces(request, u, residual);
+}
+
+/// Mean forces of a step are the gradient of nothing: solvers are to weigh them like those without energy.
+Request StaticProblem::begin_evaluation(const double* u, double* energy) {
+  statistics_.energies += energy != nullptr;
+  bad_numbers_ = met_error_ = false;
+  configuration_.place({u, size()});
+  Request request;
+  request.between = configuration_.between(), request.motion = configuration_.motion();
+  request.energy = request.between ? nullptr : energy;
+  if (energy && request.between) *energy = 0;
+  return request;
+}
+
 /// Into `residual` those of the unknowns; of all, which include the reactions, the last are kept.
-int StaticProblem::find_forces(const Request& asked, const double* u, double* residual) {
+int StaticProblem::find_forces(const Request& asked, const double* u, double* residual, double* gradient) {
   Request request = asked;
   auto& all = request.conservative_only ? gradient_ : residual_;
   all.resize(configuration_.x().size());
   request.residual = residual ? all.data() : nullptr;
+  if (gradient) gradient_.resize(all.size()), request.gradient = gradient_.data();
   if (!assembler_.evaluate(configuration_.x(), request)) {
     met_error_ = assembler_.fault().status == NETLOFT_ERROR;
     return assembler_.fault().status;
   }
   if (residual) std::copy_n(all.begin(), size(), residual);
+  if (gradient) std::copy_n(gradient_.begin(), size(), gradient);
   if (residual && !request.conservative_only) reactions_of_.assign(u, u + size());
-  bad_numbers_ = (request.energy && !std::isfinite(*request.energy)) || (residual && !all_finite(all));
+  bad_numbers_ = (request.energy && !std::isfinite(*request.energy)) || (residual && !all_finite(all)) ||
+                 (gradient && !all_finite(gradient_));
   return bad_numbers_ ? NETLOFT_OUTSIDE_DOMAIN : NETLOFT_OK;
 }
 

@@ -99,6 +99,7 @@ class StaticProblem {
 
  private:
   int evaluate(std::uint32_t want, const double* u, double* energy, double* residual);
+  int evaluate_both(const double* u, double* energy, double* residual, double* gradient);
   int factorise(int matrix, double shift);
   int factorise_between(double share, double shift);
   int solve(const double* rhs, double* x);
@@ -108,7 +109,8 @@ class StaticProblem {
   double step_length(const double* du) const;
 
   std::size_t size() const { return u_.size(); }
-  int find_forces(const Request& request, const double* u, double* residual);
+  Request begin_evaluation(const double* u, double* energy);
+  int find_forces(const Request& request, const double* u, double* residual, double* gradient = nullptr);
   netloft_factor factorise_sum(std::span<const double> sum, bool may_be_indefinite);
   void find_reactions(const double* u, const double* residual);
   void keep_record(const Balance& b, double energy, const char* note);

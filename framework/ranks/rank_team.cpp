@@ -85,6 +85,7 @@ void RankPartners::begin(std::span<const double> x, const Request& request) {
   const Kinematics& m = request.motion;
   const ShareRequest wanted{.energy = request.energy != nullptr,
                             .residual = request.residual != nullptr,
+                            .gradient = request.gradient != nullptr,
                             .conservative_only = request.conservative_only,
                             .has_low = m.x_low != nullptr,
                             .matrix = wants_matrix(request) ? request.matrix : MatrixKind::none,
@@ -123,8 +124,9 @@ void RankPartners::receive_sums(int rank, const Share& share, const Request& req
     receive(energies_.data(), {0, energies_.size()});
     for (std::size_t i = 0; i < energies_.size(); ++i) tile_energy[share.own_tiles[i]] = energies_[i];
   }
-  if (request.residual)
-    for (const Range& range : share.places) receive(request.residual, range);
+  for (double* forces : {request.residual, request.gradient})
+    for (const Range& range : share.places)
+      if (forces) receive(forces, range);
   if (wants_matrix(request)) receive(request.values, share.slots);
 }
 

@@ -44,7 +44,7 @@ inline bool wants_matrix(const Request& request) {
 
 /// What is asked of an evaluation. Positions follow, and what they round off if it is known.
 struct ShareRequest {
-  bool energy = false, residual = false, conservative_only = false, has_low = false;
+  bool energy = false, residual = false, gradient = false, conservative_only = false, has_low = false;
   MatrixKind matrix = MatrixKind::none;
   std::uint32_t without = 0;
   double time = 0, cu = 1, cv = 0, ca = 0;

@@ -78,7 +78,7 @@ void ShareServer::make(Served& served) {
   served.share = assembler.shares(
       static_cast<std::size_t>(messages_.size()))[static_cast<std::size_t>(messages_.rank())];
   served.x = served.x_low = assembler.start();
-  served.residual.resize(served.x.size());
+  served.residual.resize(served.x.size()), served.gradient.resize(served.x.size());
   served.energies.resize(served.share.own_tiles.size());
   served.values = {static_cast<double*>(std::calloc(assembler.value_slots(), sizeof(double))), std::free};
   if (!served.values) throw std::bad_alloc();
@@ -107,6 +107,7 @@ void ShareServer::evaluate(Served& served) {
                   .conservative_only = wanted.conservative_only,
                   .without = wanted.without,
                   .residual = wanted.residual ? served.residual.data() : nullptr,
+                  .gradient = wanted.gradient ? served.gradient.data() : nullptr,
                   .matrix = wanted.matrix,
                   .values = wanted.matrix != MatrixKind::none ? served.values.get() : nullptr};
   request.motion = {.time = wanted.time,
@@ -129,8 +130,9 @@ void ShareServer::send_sums(Served& served, const Request& request) {
       served.energies[i] = all[served.share.own_tiles[i]];
     send(served.energies.data(), {0, served.energies.size()});
   }
-  if (request.residual)
-    for (const Range& range : served.share.places) send(request.residual, range);
+  for (const double* forces : {request.residual, request.gradient})
+    for (const Range& range : served.share.places)
+      if (forces) send(forces, range);
   if (wants_matrix(request)) send(request.values, served.share.slots);
 }
 

@@ -29,7 +29,7 @@ class ShareServer : public ServesShares {
     std::unique_ptr<Assembler> assembler;  // null: it could not be made
     std::string fault;                     // why not
     Share share;
-    std::vector<double> x, x_low, residual, energies;
+    std::vector<double> x, x_low, residual, gradient, energies;
     std::unique_ptr<double[], void (*)(void*)> values{nullptr, nullptr};
   };
   void open(Served& served);

@@ -55,7 +55,7 @@ class Iterate {
   void solve(std::span<double> s);
   /// r at u(t); nothing where elements are not defined.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
-  /// (3) and its derivative.
+  /// (3) and its derivative. What forces are there is kept, for a second look and for a step that ends there.
   std::optional<Sample> merit(const Path& path, double t);
   /// Moves u to u(t) and evaluates the tangent there, unless elements are not defined there. False: u and the
   /// tangent are what they were.
@@ -64,15 +64,22 @@ class Iterate {
   bool try_move_if_residual_below(const Path& path, double t);
 
  private:
-  void move_trial(const Path& path, double t);
-  bool evaluate_trial(const Path& path, double t);
+  /// What is known of the trial point.
+  enum class Known { nothing, residual, gradient_too };
+
+  bool move_trial(const Path& path, double t);
+  bool evaluate_trial(const Path& path, double t, Known wanted);
+  bool keep_tangent_of_trial(const Path& path, double t);
   void accept_trial();
+  void find_nonconservative(std::span<const double> gradient);
 
   Problem& problem_;
   double energy_ = 0, energy_trial_ = 0;
   std::size_t count_ = 0;
-  std::vector<double> r_, trial_, r_trial_;
-  std::vector<double> d_;  // empty if all forces have an energy
+  std::vector<double> r_, trial_, r_trial_, gradient_;
+  std::vector<double> d_;  // empty, as is the gradient, if all forces have an energy
+  bool is_split_ = false;  // d is that of u
+  Known known_ = Known::nothing;
 };
 
 }  // namespace netloft::newton

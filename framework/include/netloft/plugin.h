@@ -25,7 +25,7 @@ extern "C" {
 #endif
 
 #define NETLOFT_ABI_MAJOR 1
-#define NETLOFT_ABI_MINOR 3
+#define NETLOFT_ABI_MINOR 4
 #define NETLOFT_LANES 64 /* elements in a tile */
 
 /* What a function returns. OUTSIDE_DOMAIN: this state has no force, shorten the step. ERROR: stop. */
@@ -417,6 +417,10 @@ typedef struct netloft_problem {
   /* Factorises (1 - share) x exact + share x convex + shift x metric, both kept by evaluations at the same
    * point; `share` in [0, 1]. */
   int (*factorise_between)(void* host, double share, double shift);
+  /* Energy [J], residual [N] and gradient of the energy [N] at u, none of them null: the same bits as from
+   * two calls of `evaluate`, with and without NETLOFT_WANT_GRADIENT, for little more than the price of one.
+   * Keeps no matrix. Returns as `evaluate`. */
+  int (*evaluate_both)(void* host, const double* u, double* energy, double* residual, double* gradient);
 } netloft_problem;
 
 typedef struct netloft_solver {

@@ -65,6 +65,12 @@ class Problem {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | NETLOFT_WANT_GRADIENT,
                                u.data(), &energy, gradient.data()));
   }
+  /// Residual and gradient at once, for little more than the price of one of them: their difference are the
+  /// forces without an energy.
+  Evaluation evaluate_both(std::span<const double> u, double& energy, std::span<double> residual,
+                           std::span<double> gradient) {
+    return checked(p_.evaluate_both(p_.host, u.data(), &energy, residual.data(), gradient.data()));
+  }
   /// A matrix alone.
   Evaluation evaluate(std::span<const double> u, Matrix keep) {
     const std::uint32_t want =

@@ -91,6 +91,14 @@ TEST(Assembler, ScattersAnUnsymmetricTangentToItsPlaces) {
   EXPECT_GT(unsymmetric, 10);
 }
 
+TEST(Assembler, FindsTheGradientOfTheEnergyBesideTheResidual) {
+  Sketch s = net_with_ropes();
+  s.part("push", "test/follower", {{"k", 40.0}}, {5, 6, 10, 6, 8, 4}).data["rest_length"] = {1, 1, 1};
+  s.scene.current = {.samples = {{-10, {0.5, 0.3, 0}}, {0, {1.5, 0.2, 0.1}}}};
+  Assembled a(s.scene);
+  expect_gradient_beside_residual(a, a.moved(0.2));
+}
+
 // Netting gathered in one point: two corners of a triangle are one node.
 TEST(Assembler, ScattersTheTangentOfAnElementThatHasANodeTwice) {
   Sketch s;

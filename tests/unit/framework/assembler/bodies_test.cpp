@@ -44,6 +44,11 @@ Scene vane_on_a_rope() {
   return scene;
 }
 
+TEST(Bodies, HandOnTheGradientOfTheEnergyBesideTheResidual) {
+  Assembled a(vane_on_a_rope());
+  expect_gradient_beside_residual(a, a.moved(0.2));
+}
+
 TEST(Bodies, HangPlumbBetweenTheirRopes) {
   Scene scene = link_on_a_rope();
   scene.bodies[0].held_rotation = kAxisX | kAxisZ;  // nothing resists a turn about the plumb line

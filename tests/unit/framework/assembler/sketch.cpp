@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/framework/assembler/sketch.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -93,6 +95,19 @@ std::vector<double> difference(Assembled& a, const std::vector<double>& x, doubl
     for (std::size_t row = 0; row < n; ++row) full[row * n + c] = (r[row] - l[row]) / (right[c] - left[c]);
   }
   return full;
+}
+
+void expect_gradient_beside_residual(Assembled& a, const std::vector<double>& x) {
+  std::vector<double> alone(x.size()), residual(x.size()), gradient(x.size(), 1.0);
+  double energy = 0, energy_alone = 0;
+  ASSERT_TRUE(a.assembler.evaluate(
+      x, {.energy = &energy_alone, .conservative_only = true, .residual = alone.data()}));
+  ASSERT_TRUE(
+      a.assembler.evaluate(x, {.energy = &energy, .residual = residual.data(), .gradient = gradient.data()}));
+  EXPECT_EQ(gradient, alone);
+  EXPECT_EQ(residual, a.residual(x));
+  EXPECT_EQ(energy, energy_alone);
+  EXPECT_GT(largest_difference(residual, gradient), 0.01 * largest(gradient));
 }
 
 double largest(const std::vector<double>& v) {

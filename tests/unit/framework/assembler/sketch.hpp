@@ -54,6 +54,10 @@ struct Assembled {
 /// Central differences of the residual: d residual_row / d x_column over the unknowns, full, row by row.
 std::vector<double> difference(Assembled& a, const std::vector<double>& x, double h);
 
+/// A gradient found beside the residual at x has the bits that it has alone, and changes none of the other
+/// sums; and it is not the residual.
+void expect_gradient_beside_residual(Assembled& a, const std::vector<double>& x);
+
 /// Between -1 and 1, the same on every machine.
 std::vector<double> random_numbers(std::size_t count, unsigned seed);
 

@@ -72,6 +72,25 @@ TEST(StaticProblem, EvaluatesWhatTheAssemblerDoes) {
   EXPECT_EQ(c.residual, whole);
 }
 
+TEST(StaticProblem, EvaluatesResidualAndGradientAtOnceToTheBitOfTwoEvaluations) {
+  Sketch s = hanging_chain();
+  s.part("push", "test/follower", {{"k", 300.0}}, {1, 2, 2, 3}).data["rest_length"] = {1, 1};
+  Called c(s.scene);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE), NETLOFT_OK);
+  const auto whole = c.residual;
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | NETLOFT_WANT_GRADIENT), NETLOFT_OK);
+  const auto conservative = c.residual;
+  ASSERT_NE(whole, conservative);
+  const int before = c.problem.statistics().residuals;
+  double energy = 0;
+  std::vector<double> residual(c.p.unknowns), gradient(c.p.unknowns);
+  ASSERT_EQ(c.p.evaluate_both(c.p.host, c.p.u, &energy, residual.data(), gradient.data()), NETLOFT_OK);
+  EXPECT_EQ(residual, whole);
+  EXPECT_EQ(gradient, conservative);
+  EXPECT_EQ(energy, c.energy);
+  EXPECT_EQ(c.problem.statistics().residuals, before + 1);
+}
+
 void expect_solve_undoes_multiply(Called& c, int matrix, int flags, double shift) {
   const auto x = random_numbers(c.p.unknowns, 3);
   const auto y = c.multiply(matrix, shift, x);

@@ -13,7 +13,8 @@ namespace {
 /// farther away.
 struct Root {
   double q, element, u = 1, tangent = 0, kept = 0;
-  int iterations = 0;
+  double last = 0;  // where the residual was found last
+  int iterations = 0, found_again = 0;
   netloft_problem interface {};
 
   Root(double exponent, double element_size) : q(exponent), element(element_size) {
@@ -24,8 +25,13 @@ struct Root {
       const double slope = std::pow(std::abs(*at), self.q - 1);
       if (energy) *energy = 0;
       if (r) *r = *at == 0 || asks_gradient ? 0 : *at * slope;
+      if (r && !asks_gradient) self.found_again += *at == self.last, self.last = *at;
       if (want & NETLOFT_WANT_TANGENT) self.tangent = self.q * slope;
       return int{NETLOFT_OK};
+    };
+    interface.evaluate_both = [](void* host, const double* at, double* energy, double* r, double* gradient) {
+      *gradient = 0;
+      return static_cast<Root*>(host)->interface.evaluate(host, NETLOFT_WANT_FORCE, at, energy, r);
     };
     interface.factorise = [](void* host, int, double shift) {
       auto& self = *static_cast<Root*>(host);
@@ -50,6 +56,15 @@ TEST(WholeStep, IsLeftToTheSearchWhereItIsLongerThanAnElement) {
   Root root(0.5, 1);
   solve_problem(root.interface, "newton", {{"damping", 0.0}});
   EXPECT_NEAR(root.u, 0, 1e-12);
+}
+
+/// A whole step that is refused is where the search begins, and the point that it accepts is where the next
+/// step does.
+TEST(WholeStep, FindsTheForcesAtAPointOnce) {
+  Root root(0.4, 1e300);
+  solve_problem(root.interface, "newton", {{"damping", 0.0}});
+  EXPECT_GT(root.iterations, 5);
+  EXPECT_EQ(root.found_again, 0);
 }
 
 TEST(WholeStep, GoesUphillFromTheLeastMeritAlone) {
