@@ -26,6 +26,7 @@ void for_matrix(const SparsePattern& p, std::span<const double> values, Visit&& 
 Matrices::Matrices(Assembler& assembler, Statistics& statistics)
     : assembler_(assembler), statistics_(statistics) {
   for (auto* matrix : {&exact_, &convex_, &metric_, &sum_}) matrix->reserve(assembler.value_slots());
+  diagonal_.reserve(static_cast<std::size_t>(assembler.pattern().size));
 }
 
 std::vector<double>& Matrices::slots(MatrixKind kind) {
@@ -40,6 +41,8 @@ void Matrices::need_metric() {
   if (!assembler_.evaluate(assembler_.start(),
                            {.matrix = MatrixKind::metric, .values = slots(MatrixKind::metric).data()}))
     metric_.assign(assembler_.value_slots(), 0.0);
+  const SparsePattern& pattern = assembler_.pattern();
+  for (std::int32_t i = 0; i < pattern.size; ++i) diagonal_.push_back(metric_[find_slot(pattern, i, i)]);
 }
 
 std::span<const double> Matrices::shifted(int matrix, double shift) {
@@ -81,10 +84,6 @@ bool Matrices::row_sums(int matrix, double shift, double* y) {
   std::fill_n(y, pattern.size, 0.0);
   for_matrix(pattern, v, [&](std::size_t r, std::size_t, double a) { y[r] += std::abs(a); });
   return true;
-}
-
-double Matrices::metric_at(std::int32_t unknown) const {
-  return metric_[find_slot(assembler_.pattern(), unknown, unknown)];
 }
 
 }  // namespace netloft

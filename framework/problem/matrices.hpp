@@ -34,14 +34,15 @@ class Matrices {
   /// M is there from here on.
   void need_metric();
   /// M is evaluated anew when it is next needed: what elements are made of has changed.
-  void forget_metric() { metric_.clear(); }
+  void forget_metric() { metric_.clear(), diagonal_.clear(); }
   /// An entry of the diagonal of M, which is there [N/m].
-  double metric_at(std::int32_t unknown) const;
+  double metric_at(std::int32_t unknown) const { return diagonal_[static_cast<std::size_t>(unknown)]; }
 
  private:
   Assembler& assembler_;
   Statistics& statistics_;
   std::vector<double> exact_, convex_, metric_, sum_;
+  std::vector<double> diagonal_;  // of the metric
 };
 
 }  // namespace netloft
