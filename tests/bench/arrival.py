@@ -12,12 +12,14 @@ the two run in turn, each with the scenes of its own sources, and the ratio is t
 """
 import argparse
 import json
-import os
 import statistics
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import processor_time  # noqa: E402
 
 
 def numbers(text):
@@ -27,14 +29,14 @@ def numbers(text):
 def run(program, source, knots, nodes):
     """Its report, with the processor time of the whole program."""
     with tempfile.TemporaryDirectory() as folder:
-        before = os.times()
+        before = processor_time.of_children()
         done = subprocess.run([program, "run", Path(source) / f"gear-library/scenes/83-112-flume-{knots}kn.toml", "--json",
                                "--set", f"gear.nodes={nodes}", "-o", f"{folder}/out.hdf"], capture_output=True, text=True)
-        after = os.times()
+        spent = processor_time.of_children() - before
     if not done.stdout:
         sys.exit(done.stderr)
     report = json.loads(done.stdout)
-    report["program_seconds"] = after.children_user + after.children_system - before.children_user - before.children_system
+    report["program_seconds"] = spent
     return report
 
 

@@ -15,11 +15,13 @@ at ends, explicit     steps of central differences that are bounded by stability
 """
 import json
 import os
-import resource
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import processor_time  # noqa: E402
 
 NETLOFT, SOURCE = sys.argv[1], Path(sys.argv[2])
 PAIRS = int(sys.argv[3]) if len(sys.argv) > 3 else 5
@@ -37,13 +39,13 @@ def run(folder, settings, interval):
              "--set", "parts.net.cells=[31,31]", "--set", f"analysis.output_interval={interval}"]
     for key, value in settings.items():
         words += ["--set", f"analysis.{key}={value}"]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before = processor_time.of_children()
     done = subprocess.run(words, capture_output=True, text=True, check=False)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    spent = processor_time.of_children() - before
     if done.returncode:
         raise SystemExit(done.stderr + done.stdout)
     answer = json.loads(done.stdout)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, answer["outputs"], answer["steps"]
+    return spent, answer["outputs"], answer["steps"]
 
 
 def measure(folder, settings, interval):

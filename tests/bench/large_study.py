@@ -13,14 +13,15 @@ import csv
 import os
 import pathlib
 import re
-import resource
 import subprocess
 import sys
 import tempfile
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "regression/cli"))
+TESTS = pathlib.Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(TESTS / "regression/cli"), str(TESTS / "support")]
 import local_slurm  # noqa: E402
+import processor_time  # noqa: E402
 
 
 def call(*words, code=(0,), **how):
@@ -41,11 +42,6 @@ def write_study(options, folder, draws, alone=False):
     folder.mkdir()
     (folder / "s.toml").write_text(text)
     call(options.netloft, "study", "plan", "s.toml", cwd=folder)
-
-
-def cpu_of_children():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def by_pool(options, folder):
@@ -90,11 +86,11 @@ def cost_of(folder):
 
 
 def compute(options, folder, engine):
-    load, cpu, wall = os.getloadavg()[0], cpu_of_children(), time.monotonic()
+    load, cpu, wall = os.getloadavg()[0], processor_time.of_children(), time.monotonic()
     if why_not := ENGINES[engine](options, folder):
         return print(f"{engine:<9} {why_not}")
     wall = time.monotonic() - wall
-    cpu = cpu_of_children() - cpu
+    cpu = processor_time.of_children() - cpu
     call(options.netloft, "study", "collect", "s.study", cwd=folder, code=(0, 1, 3))
     items = cost_of(folder)
     sum_of_cpu = max(cpu, items)  # what Slurm starts are no children of ours

@@ -11,7 +11,6 @@ all outputs, in parts of the way that the middle of the headline goes.
 """
 import json
 import os
-import resource
 import subprocess
 import sys
 import tempfile
@@ -19,6 +18,9 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import processor_time  # noqa: E402
 
 NETLOFT, SOURCE = sys.argv[1], Path(sys.argv[2])
 REPEATS = int(sys.argv[3]) if len(sys.argv) > 3 else 1
@@ -37,9 +39,9 @@ class Run:
             words += ["--set", setting]
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "out.hdf"
-            before = program_seconds()
+            before = processor_time.of_children()
             done = subprocess.run([*words, "-o", file], capture_output=True, text=True, check=False)
-            self.program_seconds = program_seconds() - before
+            self.program_seconds = processor_time.of_children() - before
             if done.returncode:
                 raise SystemExit(done.stderr + done.stdout)
             self.answer = json.loads(done.stdout)
@@ -54,11 +56,6 @@ class Run:
         a = self.answer
         print(f"{name}: {a['integrator']}, {a['steps']} steps of {a['shortest_step']:.3g} to {a['longest_step']:.3g} s, "
               f"{a['wall_seconds']:.4g} s, {a['cpu_seconds']:.4g} CPU s", flush=True)
-
-
-def program_seconds():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def furthest(path, reference):

@@ -10,7 +10,6 @@ work     CPU seconds against the error of a path, all schemes on the same three 
 factor   a trawl and a panel of 5000 nodes, and a smaller panel: time that passes over time that it takespanel    CPU seconds of the whole program, frames with it, for the panel of 20 x 20 meshes, which takes MoorDyn 64.3 s
 """
 import json
-import resource
 import subprocess
 import sys
 import tempfile
@@ -18,6 +17,9 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import processor_time  # noqa: E402
 
 NETLOFT, SOURCE = sys.argv[1], Path(sys.argv[2])
 SCENES = SOURCE / "gear-library" / "scenes"
@@ -180,10 +182,9 @@ def print_panel():
     for accuracy in (3e-2, 1e-2, 9e-3, 5e-3):
         seconds = []
         for _ in range(5):
-            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            before = processor_time.of_children()
             answer, series = run(panel, f"analysis.accuracy={accuracy}", check=True, options=("--threads", "1"))
-            after = resource.getrusage(resource.RUSAGE_CHILDREN)
-            seconds.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+            seconds.append(processor_time.of_children() - before)
         print(f"| {accuracy:g} | {answer['steps']} | {answer['iterations']} | {path_error(path_of(series, names), reference):.2%} "
               f"| {min(seconds):.3f} | {MOORDYN / min(seconds):.0f} |", flush=True)
 
