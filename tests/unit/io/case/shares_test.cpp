@@ -18,16 +18,19 @@ namespace {
 struct Sums {
   bool could = false;
   double energy = 0;
-  std::vector<double> residual, matrix;  // over all dofs; entries of the pattern
+  std::vector<double> residual, gradient, matrix;  // over all dofs, the same; entries of the pattern
   std::string fault;
 };
 
 Sums sums_at(Assembler& assembler, const Scene& scene, const std::vector<double>& x, MatrixKind kind,
              const double* x_low = nullptr) {
   Sums sums;
-  sums.residual.resize(x.size());
+  sums.residual.resize(x.size()), sums.gradient.resize(x.size());
   std::vector<double> values(assembler.value_slots());
-  Request request{.energy = &sums.energy, .residual = sums.residual.data(), .matrix = kind};
+  Request request{.energy = &sums.energy,
+                  .residual = sums.residual.data(),
+                  .gradient = sums.gradient.data(),
+                  .matrix = kind};
   if (kind != MatrixKind::none) request.values = values.data();
   request.motion.x_low = x_low;
   sums.could = assembler.evaluate(x, request);
@@ -49,6 +52,7 @@ void expect_same(const Sums& shared, const Sums& alone) {
   if (!shared.could || !alone.could) return;
   EXPECT_EQ(shared.energy, alone.energy);
   EXPECT_TRUE(have_same_bits(shared.residual, alone.residual));
+  EXPECT_TRUE(have_same_bits(shared.gradient, alone.gradient));
   EXPECT_TRUE(have_same_bits(shared.matrix, alone.matrix));
 }
 
