@@ -12,6 +12,9 @@ using namespace netloft;
 /// Grid sequencing: a coarser mesh of the same gear is brought to equilibrium by another strategy, which may
 /// go on to coarser ones still, and the scene itself starts from there, by a strategy that may be another
 /// one. W. Hackbusch, Multi-Grid Methods and Applications, 1985, section 5 (nested iteration).
+/// A coarser mesh gets half of the work at most: where it does not converge by then it does not lead near for
+/// a fraction of the price, and the other half is left to whoever asked. With all of it each of several
+/// meshes used up what it was given before the next finer one began.
 struct CoarseToFine {
   struct Parameters {
     const char *by = nullptr, *with = nullptr, *then = nullptr;
@@ -21,10 +24,12 @@ struct CoarseToFine {
     if (!has_coarser(study)) return;
     std::string parameters = p.with;
     std::replace(parameters.begin(), parameters.end(), ';', ',');
-    const Stage coarse =
-        study.call(p.by, parameters.c_str(),
-                   {.name = "on a coarser mesh", .variant = {.level = 1}, .tolerance = kOnlyAStart},
-                   study.transfer(0, study.start(), 1));
+    const Stage coarse = study.call(p.by, parameters.c_str(),
+                                    {.name = "on a coarser mesh",
+                                     .variant = {.level = 1},
+                                     .tolerance = kOnlyAStart,
+                                     .work = kMostOfCoarser * study.work_left()},
+                                    study.transfer(0, study.start(), 1));
     if (!coarse.has_converged()) return;
     const Displacements start = study.transfer(1, coarse.u, 0);
     Stage fine = *p.then ? called_from(start, p, study) : study.solve({.name = kFromCoarser}, start);
@@ -40,6 +45,10 @@ struct CoarseToFine {
 
  private:
   static constexpr const char* kFromCoarser = "from a coarser mesh";
+  /// Of the work: as much again is left. With all of it, and with a quarter on netting, the hard cases took
+  /// more (tests/bench/sensitivity.md).
+  static constexpr double kMostOfCoarser = 0.5;
+
   /// The start is assessed first, so that a strategy that is cut off before it has solved anything has that.
   static Stage called_from(const Displacements& start, const Parameters& p, Study& study) {
     Stage fine = study.assess({.name = kFromCoarser}, start);
