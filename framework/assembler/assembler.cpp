@@ -208,6 +208,7 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   assert(is_over_dofs(x));
   assert((request.matrix == MatrixKind::none) == !request.values && "a matrix is asked for with its values");
   assert((request.residual || !request.gradient) && "a gradient is found beside a residual");
+  assert((!request.between || !request.gradient) && "mean forces of a step are the gradient of nothing");
   if (!sum_tiles(x, request) || !hand_on(x, request)) return false;
   for (double* forces : {request.residual, request.gradient})
     if (forces) frames_.turn(forces);
@@ -295,14 +296,15 @@ void Assembler::run_tile(const FamilyGroup& group, std::size_t tile, std::span<c
 }
 
 /// Calls the terms with an energy, or those without: sums begin with the former, so that the gradient of the
-/// energy is the same to the bit whether or not the others follow. False: one could not be evaluated.
+/// energy is the same to the bit whether or not the others follow. Mean forces of a step correct terms with
+/// an energy. False: one could not be evaluated.
 bool Assembler::call_families(const FamilyGroup& group, std::size_t tile, bool with_energy,
                               const Request& request, Workspace& w) {
   for (const std::size_t family : group.families) {
     w.message[0] = 0;
     netloft_tile t = make_tile(family, tile, request.motion, w);
     int status = call_terms(*families_[family], with_energy, t, request, w);
-    if (status == NETLOFT_OK && request.between && !with_energy)
+    if (status == NETLOFT_OK && request.between && with_energy)
       status = add_mean_forces(family, tile, t, request, w);
     if (status != NETLOFT_OK) return report(family, t, status, w), false;
   }

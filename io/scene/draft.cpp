@@ -69,9 +69,14 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   return {};
 }
 
+/// Parts are of the scene only once nodes are numbered, after the joins.
+PartGeometry& Draft::names_of(std::size_t part) {
+  return part < out.parts.size() ? out.parts[part] : geometries[part].names;
+}
+
 std::optional<Joiner::Ends> Draft::find_nodes(const Mention& m) {
   auto set = find_set(m);
-  if (set && m.name.find(".node-") != std::string::npos) out.parts[set->part].is_numbered = true;
+  if (set && m.name.find(".node-") != std::string::npos) names_of(set->part).is_numbered = true;
   if (!set || !set->own.empty() || !is_sound[set->part]) return set;
   refuse_rider(m, m.name);
   return {};

@@ -62,6 +62,7 @@ class Draft {
  private:
   std::optional<std::size_t> find_part(const Mention& m, const std::string& name);
   bool has(const std::string& name) const;
+  PartGeometry& names_of(std::size_t part);
 
   Diagnostics& diagnostics_;
   std::set<std::string> riders_;

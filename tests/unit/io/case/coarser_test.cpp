@@ -38,8 +38,10 @@ TEST(HalvedCells, AreTheGreaterHalfOfAnOddNumber) {
 }
 
 TEST(HalvedCells, LeaveAPartOfWhichANodeIsCalledByItsNumber) {
-  const std::string hold = R"(hold=[{ on = ["net.fore", "net.node-40"] }])";
-  EXPECT_TRUE(halved_cells(opened(kPanel, {"parts.net.cells=[8,8]", hold})->loaded(), Halved::all).empty());
+  for (const std::string numbered : {R"(hold=[{ on = ["net.fore", "net.node-40"] }])",
+                                     R"(join=[{ points = ["net.node-20", "net.node-60"] }])"})
+    EXPECT_TRUE(
+        halved_cells(opened(kPanel, {"parts.net.cells=[8,8]", numbered})->loaded(), Halved::all).empty());
   const std::string asked = R"(results.z={ of = "net.node-40", take = "min z" })";
   EXPECT_FALSE(halved_cells(opened(kPanel, {"parts.net.cells=[8,8]", asked})->loaded(), Halved::all).empty());
 }
