@@ -64,8 +64,8 @@ class Workers {
   // going to sleep never takes more than twice what the best choice takes (A. Karlin, M. Manasse, L. McGeoch
   // and S. Owicki, Competitive randomized algorithms for nonuniform problems, 1990).
   // Measured on two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes 21 us after its call
-  // (median of 2000; 18 us for the first tenth), which 900 pauses make up. Other processors differ, and a
-  // wrong number costs no more than that. No bench prints these figures.
+  // (median of 2000; 18 us for the first tenth), which 900 pauses make up. Other processors differ. No
+  // bench prints these figures.
   static constexpr int kSpins = 1000;
 
   static void pause() {
