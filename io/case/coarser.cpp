@@ -132,9 +132,15 @@ namespace {
 
 constexpr std::size_t kFewestNodes = 120;  // of a gear
 
+bool is_numbered(const GearInScene& gear, const std::vector<PartGeometry>& parts) {
+  const auto numbered = [&](std::uint32_t p) { return parts[p].is_numbered; };
+  return std::ranges::any_of(gear.panels, numbered) || std::ranges::any_of(gear.ropes, numbered);
+}
+
 /// Sides twice as long: a quarter of the nodes.
-std::vector<std::string> coarser_gear(const GearInScene& gear, std::size_t nodes) {
-  if (nodes / 4 < kFewestNodes) return {};
+std::vector<std::string> coarser_gear(const GearInScene& gear, const LoadedScene& fine) {
+  const std::size_t nodes = fine.scene.node_count();
+  if (nodes / 4 < kFewestNodes || is_numbered(gear, fine.parts)) return {};
   if (gear.size > 0) return {"gear.size=" + std::to_string(2 * gear.size)};
   return {"gear.nodes=" + std::to_string(gear.nodes / 4)};
 }
@@ -165,7 +171,7 @@ std::vector<std::string> halved_cells(const LoadedScene& fine, Halved which) {
   for (const auto& part : fine.parts)
     if (is_divided(part) && can_halve(part, which)) overrides.push_back(override_of(part));
   if (fine.gear)
-    for (auto& word : coarser_gear(*fine.gear, fine.scene.node_count())) overrides.push_back(std::move(word));
+    for (auto& word : coarser_gear(*fine.gear, fine)) overrides.push_back(std::move(word));
   return overrides;
 }
 

@@ -13,7 +13,8 @@ namespace netloft::io {
 enum class Halved { all, even_only };
 
 /// Overrides that give every rope and panel half its cells where these are many enough, and where nothing
-/// acts on a node of it by its number; empty when nothing is left to halve.
+/// acts on a node of it by its number; and a gear from a net plan a quarter of its nodes, unless something
+/// acts so on any of its panels and ropes. Empty when nothing is left to halve.
 std::vector<std::string> halved_cells(const LoadedScene& fine, Halved which);
 
 /// Positions of the nodes of one scene [m], 3 per node, read off another division of the same gear where it

@@ -46,6 +46,15 @@ TEST(HalvedCells, LeaveAPartOfWhichANodeIsCalledByItsNumber) {
   EXPECT_FALSE(halved_cells(opened(kPanel, {"parts.net.cells=[8,8]", asked})->loaded(), Halved::all).empty());
 }
 
+TEST(HalvedCells, LeaveAGearOfWhichANodeIsCalledByItsNumber) {
+  constexpr const char* kGear = "four-panel.toml";
+  EXPECT_EQ(halved_cells(opened(kGear, {})->loaded(), Halved::all),
+            std::vector<std::string>{"gear.nodes=250"});
+  for (const std::string numbered : {R"(hold=[{ on = ["door", "top.node-12"] }])",
+                                     R"(parts.more={ type = "force/constant", on = ["headline.node-1"] })"})
+    EXPECT_TRUE(halved_cells(opened(kGear, {numbered})->loaded(), Halved::all).empty()) << numbered;
+}
+
 // An answer carried to a finer mesh keeps its energy but for the few triangles that lie across a coarse
 // diagonal, where two twines become one straight mean, which is never longer.
 TEST(CarriedOver, StretchesNothingThatWasNotStretched) {
