@@ -26,8 +26,8 @@ class Partners {
   virtual bool can(const Request& request) const = 0;
   /// Lets them begin at positions x over all dofs [m].
   virtual void begin(std::span<const double> x, const Request& request) = 0;
-  /// Waits for them, and puts what they have into its places: residual, matrix values, energies of tiles.
-  /// Returns false if one could not be evaluated.
+  /// Waits for them, and puts what they have into its places: residual, gradient, matrix values,
+  /// energies of tiles. Returns false if one could not be evaluated.
   virtual bool end(const Request& request, std::span<double> tile_energy) = 0;
   /// Hands them what all elements remember from now on.
   virtual void set_memory(std::span<const double> kept) = 0;
