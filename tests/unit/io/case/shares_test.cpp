@@ -19,13 +19,14 @@ struct Sums {
   bool could = false;
   double energy = 0;
   std::vector<double> residual, gradient, matrix;  // over all dofs, the same; entries of the pattern
+  std::vector<double> residual_alone;              // of an evaluation without a gradient
   std::string fault;
 };
 
 Sums sums_at(Assembler& assembler, const Scene& scene, const std::vector<double>& x, MatrixKind kind,
              const double* x_low = nullptr) {
   Sums sums;
-  sums.residual.resize(x.size()), sums.gradient.resize(x.size());
+  for (auto* forces : {&sums.residual, &sums.gradient, &sums.residual_alone}) forces->resize(x.size());
   std::vector<double> values(assembler.value_slots());
   Request request{.energy = &sums.energy,
                   .residual = sums.residual.data(),
@@ -38,6 +39,8 @@ Sums sums_at(Assembler& assembler, const Scene& scene, const std::vector<double>
   const SparsePattern& pattern = assembler.pattern();
   for (std::size_t e = 0; kind != MatrixKind::none && e < pattern.entries(); ++e)
     sums.matrix.push_back(values[pattern.slot_of(e)]);
+  request.residual = sums.residual_alone.data(), request.gradient = nullptr;
+  EXPECT_TRUE(assembler.evaluate(x, request));
   return sums;
 }
 
@@ -53,6 +56,7 @@ void expect_same(const Sums& shared, const Sums& alone) {
   EXPECT_EQ(shared.energy, alone.energy);
   EXPECT_TRUE(have_same_bits(shared.residual, alone.residual));
   EXPECT_TRUE(have_same_bits(shared.gradient, alone.gradient));
+  EXPECT_TRUE(have_same_bits(shared.residual_alone, alone.residual_alone));
   EXPECT_TRUE(have_same_bits(shared.matrix, alone.matrix));
 }
 
