@@ -2,6 +2,7 @@
 #include "solvers/newton/iterate.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace netloft::newton {
@@ -48,6 +49,7 @@ std::optional<std::span<const double>> Iterate::residual_at(const Path& path, do
 }
 
 std::optional<Sample> Iterate::merit(const Path& path, double t) {
+  assert(d_.empty() || is_split_);
   if (!evaluate_trial(path, t, d_.empty() ? Known::residual : Known::gradient_too)) return {};
   const double slope = dot(r_trial_, path.s) + (path.a.empty() ? 0 : t * dot(r_trial_, path.a));
   if (d_.empty()) return Sample{t, energy_trial_, slope};
@@ -67,7 +69,7 @@ bool Iterate::try_move_if_residual_below(const Path& path, double t) {
   return false;
 }
 
-/// A point that is the same to the bit is not evaluated again.
+/// The last trial point is not evaluated again where a path leads to it to the bit.
 bool Iterate::evaluate_trial(const Path& path, double t, Known wanted) {
   if (!move_trial(path, t) && known_ >= wanted) return true;
   known_ = Known::nothing;

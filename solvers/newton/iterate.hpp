@@ -55,7 +55,8 @@ class Iterate {
   void solve(std::span<double> s);
   /// r at u(t); nothing where elements are not defined.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
-  /// (3) and its derivative. What forces are there is kept, for a second look and for a step that ends there.
+  /// (3) and its derivative. Forces at the last trial point are kept: a second call for the same point, and a
+  /// step that ends there, do not evaluate them again. Call split_residual() first.
   std::optional<Sample> merit(const Path& path, double t);
   /// Moves u to u(t) and evaluates the tangent there, unless elements are not defined there. False: u and the
   /// tangent are what they were.

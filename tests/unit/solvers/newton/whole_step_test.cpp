@@ -60,7 +60,7 @@ TEST(WholeStep, IsLeftToTheSearchWhereItIsLongerThanAnElement) {
 
 /// A whole step that is refused is where the search begins, and the point that it accepts is where the next
 /// step does.
-TEST(WholeStep, FindsTheForcesAtAPointOnce) {
+TEST(WholeStep, FindsForcesAtNoPointTwiceInSuccession) {
   Root root(0.4, 1e300);
   solve_problem(root.interface, "newton", {{"damping", 0.0}});
   EXPECT_GT(root.iterations, 5);
