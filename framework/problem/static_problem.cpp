@@ -145,6 +145,8 @@ int StaticProblem::find_forces(const Request& asked, const double* u, double* re
   auto& all = request.conservative_only ? gradient_ : residual_;
   all.resize(configuration_.x().size());
   request.residual = residual ? all.data() : nullptr;
+  const bool has_reactions = residual && !request.conservative_only;
+  if (has_reactions) reactions_of_.clear();  // an evaluation that fails leaves parts of other sums
   if (gradient) gradient_.resize(all.size()), request.gradient = gradient_.data();
   if (!assembler_.evaluate(configuration_.x(), request)) {
     met_error_ = assembler_.fault().status == NETLOFT_ERROR;
@@ -152,7 +154,7 @@ int StaticProblem::find_forces(const Request& asked, const double* u, double* re
   }
   if (residual) std::copy_n(all.begin(), size(), residual);
   if (gradient) std::copy_n(gradient_.begin(), size(), gradient);
-  if (residual && !request.conservative_only) reactions_of_.assign(u, u + size());
+  if (has_reactions) reactions_of_.assign(u, u + size());
   bad_numbers_ = (request.energy && !std::isfinite(*request.energy)) || (residual && !all_finite(all)) ||
                  (gradient && !all_finite(gradient_));
   return bad_numbers_ ? NETLOFT_OUTSIDE_DOMAIN : NETLOFT_OK;

@@ -304,6 +304,22 @@ TEST(StaticProblem, JudgesAPointByItsOwnLoadsWhateverWasTriedInBetween) {
   EXPECT_EQ(c.problem.statistics().residuals, evaluations + 1) << "and done once";
 }
 
+// At the point that fails the bar bears 4950 N already when the other element is asked for its force.
+TEST(StaticProblem, JudgesAPointByItsOwnLoadsAfterAnEvaluationThatFailed) {
+  Sketch s = pulled_bar(0);
+  s.part("picky", "test/picky", {{"limit", 10.0}}, {0, 1}).data["rest_length"] = {1};
+  Called c(s.scene);
+  ASSERT_EQ(c.evaluate(0), NETLOFT_OK);
+  const auto there = c.residual;
+  ASSERT_EQ(c.progress(), NETLOFT_GO_ON);
+  const double own = c.problem.history().back().scale;
+  c.p.u[2] = -49;
+  ASSERT_EQ(c.evaluate(0), NETLOFT_OUTSIDE_DOMAIN);
+  c.p.u[2] = 0, c.residual = there;
+  EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
+  EXPECT_EQ(c.problem.history().back().scale, own);
+}
+
 // Positions of 1e6 m are good to 1e-10 m: with 100 N/m no residual below about 1e-8 N means anything.
 TEST(StaticProblem, TakesRoundOffOfThePositionsForBalance) {
   Limits limits;
