@@ -32,8 +32,8 @@ Scene pressed_chain() {
 
 /// The callbacks of a problem, called as a solver does.
 struct Called {
-  explicit Called(Scene scene, Limits limits = {})
-      : assembled(std::move(scene)),
+  explicit Called(Scene scene, Limits limits = {}, const std::function<void(Plan&)>& change = {})
+      : assembled(std::move(scene), 1, change),
         problem(assembled.assembler, make_factorisation, limits),
         p(problem.interface()) {}
 
@@ -89,6 +89,47 @@ TEST(StaticProblem, EvaluatesResidualAndGradientAtOnceToTheBitOfTwoEvaluations) 
   EXPECT_EQ(gradient, conservative);
   EXPECT_EQ(energy, c.energy);
   EXPECT_EQ(c.problem.statistics().residuals, before + 1);
+}
+
+/// A step of h that begins with displacements u0; its unknowns are those of its middle m, with rates
+/// v = 2 m/h and a = 4 m/h².
+struct MeanForceStep {
+  MeanForceStep(const Assembler& assembler, std::vector<double> u0, double h)
+      : state(assembler, 0), rest(u0.size(), 0.0), mass(u0.size(), 1.0) {
+    ends.ends.length = h, ends.end = h;
+    ends.x_before = assembler.start();
+    assembler.place(u0, ends.x_before);
+    ends.u = std::move(u0);
+  }
+  StepProblem problem() {
+    const double h = ends.end;
+    return {h / 2, rest, rest, 2 / h, 4 / (h * h), mass, &state, 0, &ends};
+  }
+  MovingState state;
+  std::vector<double> rest, mass;
+  StepProblem::Ends ends;
+};
+
+// Mean forces of a step are the gradient of nothing, whose place is filled with zeros.
+TEST(StaticProblem, EvaluatesMeanForcesAndTheirLackOfAGradientToTheBitOfTwoEvaluations) {
+  Called c(hanging_chain().scene, {}, [](Plan& plan) { ask_mean_forces(plan, "test"); });
+  for (std::size_t i = 0; i < c.p.unknowns; ++i) c.p.u[i] = 0.01 * static_cast<double>(i);
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_FORCE), NETLOFT_OK);
+  const auto at_rest = c.residual;
+  MeanForceStep step(c.assembled.assembler, random_numbers(c.p.unknowns, 5), 0.1);
+  c.problem.begin(step.problem());
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE), NETLOFT_OK);
+  const auto mean = c.residual;
+  EXPECT_GT(largest_difference(mean, at_rest), 1e-3 * largest(at_rest));
+  ASSERT_EQ(c.evaluate(NETLOFT_WANT_FORCE | NETLOFT_WANT_GRADIENT), NETLOFT_OK);
+  const auto conservative = c.residual;
+  double energy = 1;
+  std::vector<double> residual(c.p.unknowns, 1.0), gradient(c.p.unknowns, 1.0);
+  ASSERT_EQ(c.p.evaluate_both(c.p.host, c.p.u, &energy, residual.data(), gradient.data()), NETLOFT_OK);
+  EXPECT_EQ(residual, mean);
+  EXPECT_EQ(gradient, conservative);
+  EXPECT_EQ(largest(gradient), 0);
+  EXPECT_EQ(energy, 0);
 }
 
 void expect_solve_undoes_multiply(Called& c, int matrix, int flags, double shift) {
