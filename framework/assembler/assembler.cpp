@@ -131,6 +131,9 @@ void Assembler::make_memories(bool between) {
 }
 
 /// The geometric term of a body needs forces, so they are evaluated even if the caller did not ask for them.
+/// To keep those of the last evaluation at the same x instead would save less than 0.2 % of a search for an
+/// equilibrium with otter boards (83-112-at-sea-66m, with 2000 and 8000 nodes) and 1.4 % of a motion with
+/// them (dynamics/83-112-in-motion).
 bool Assembler::hand_on(std::span<const double> x, const Request& request) {
   if (bodies_.empty()) return true;
   double* residual = request.residual;
