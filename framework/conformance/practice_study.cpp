@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/conformance/practice_study.hpp"
 
+#include "framework/registry/hand_out.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -270,7 +272,7 @@ int PracticeStudy::problem(netloft_stage* stage, netloft_problem* problem) {
   own_cost_ = std::exp2(-double(level_of(stage->variant)));
   like.interrupted_after = interrupted_ ? 1 : std::max(1, static_cast<int>(budget / own_cost_));
   own_ = std::make_unique<PracticeProblem>(like);
-  *problem = own_->interface();
+  hand_out(own_->interface(), *problem, kProblemBefore14);
   problem->u = stage->u;
   return NETLOFT_OK;
 }

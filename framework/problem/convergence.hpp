@@ -39,9 +39,9 @@ bool may_stop(Convergence c, double residual, double residual_before);
 /// given up, the tangent of an energy is positive definite and a full step of Newton's method raises the
 /// residual (`no_step_helps` in assessment.cpp asks that), it is as good as round-off if (3) holds, r ≤ β F,
 /// and the energy g that a Newton step would gain is next to nothing:
-///   g ≤ ε F L,   ε = kTolerance                                                           (5)
-/// with L the size of the gear: a stiffness of F/L would let it move by √ε L. By g ≈ ½ r δ, with r no more
-/// than β F, it is about 1e-7 L off at most for the largest of such residuals.
+///   g ≤ ε₀ F L,   ε₀ = kTolerance                                                         (5)
+/// with L the size of the gear. By g ≈ ½ r δ the place is off by δ ≈ 2e-7 L where r = β F; a smaller r allows
+/// more, with a stiffness of F/L up to √(2 ε₀) L.
 bool has_nothing_to_gain(const Imbalance& i, double gain, double size);
 
 }  // namespace netloft

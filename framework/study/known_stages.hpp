@@ -26,8 +26,8 @@ struct KnownStage {
   Solution solution;
   bool is_cut_off = false;  // by its budget: there is more to come
   // Of a strategy:
-  bool has_solution = true;  // it solved some stage of its scene; else how it ended
-  netloft_ending ending_without_solution = NETLOFT_ENDED_NOT_CONVERGED;
+  bool has_solution = true;  // it solved some stage of its scene
+  netloft_ending ending = NETLOFT_ENDED_NOT_CONVERGED;
   int unsettled = 0;  // stages within it that did not come to rest
 };
 

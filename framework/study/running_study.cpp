@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/reasons.hpp"
+#include "framework/registry/hand_out.hpp"
 #include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
 #include "framework/study/study_host.hpp"
@@ -63,6 +64,7 @@ std::string traits_of_study(std::uint32_t traits) {
   const std::pair<std::uint32_t, const char*> all[] = {{NETLOFT_STUDY_REMEMBERS, "elements that remember"},
                                                        {NETLOFT_STUDY_FLOWS, "a current"},
                                                        {NETLOFT_STUDY_COMPRESSION, "stiffness when slack"},
+                                                       {NETLOFT_STUDY_SLACK, "parts that bear tension only"},
                                                        {NETLOFT_STUDY_MEMBERS, "members that bear tension"}};
   for (const auto& [trait, name] : all)
     if (traits & trait) text += (text.empty() ? "" : ", ") + std::string(name);
@@ -112,7 +114,9 @@ void RunningStudy::fill_interface(const double* start) {
   s.traits = traits_of(*site_->assembler);
   if (!site_->assembler->memory().empty()) s.traits |= NETLOFT_STUDY_REMEMBERS;
   if (site_->scene->current.flows()) s.traits |= NETLOFT_STUDY_FLOWS;
-  if (resists_compression(*site_->scene, registry)) s.traits |= NETLOFT_STUDY_COMPRESSION;
+  const ResistanceWhenSlack slack = resistance_when_slack(*site_->scene, registry);
+  if (slack.some) s.traits |= NETLOFT_STUDY_COMPRESSION;
+  if (slack.none) s.traits |= NETLOFT_STUDY_SLACK;
   if (MemberProblem::serves(*site_->scene, *site_->assembler)) s.traits |= NETLOFT_STUDY_MEMBERS;
   s.member_count = static_cast<std::uint32_t>(count_members(*site_->assembler));
   s.gear_size = scales.gear_size(), s.element_size = scales.element_size();
@@ -168,10 +172,14 @@ std::uint32_t RunningStudy::size_of(std::uint32_t level) {
   return site ? static_cast<std::uint32_t>(site->assembler->pattern().size) : 0;
 }
 
-/// Of a strategy that solved no stage of its scene: it may have given up with work left, and would again.
-netloft_ending RunningStudy::ending_without_solution() const {
+/// Without an equilibrium as the last stage of the scene itself: one that was cut off may be farther from
+/// balance than another that had ended. A strategy that solved no stage of its scene may have given up with
+/// work left, and would again.
+netloft_ending RunningStudy::ending() const {
+  const Solution found = best();
+  if (is_stationary(found)) return ending_of(found);
   if (host_.is_interrupted()) return NETLOFT_ENDED_INTERRUPTED;
-  return work_left() > 0 ? NETLOFT_ENDED_NOT_CONVERGED : NETLOFT_ENDED_OUT_OF_WORK;
+  return work_left() > 0 ? last_ : NETLOFT_ENDED_OUT_OF_WORK;
 }
 
 double RunningStudy::work_left() const {
@@ -204,7 +212,7 @@ int RunningStudy::solve(netloft_stage* stage) {
   close();
   const double before = host_.spent();
   const Solution s = host_.solve(seen_from_host(*stage), host_.solver_of(*stage));
-  if (is_scene_itself(*stage)) keep(*stage, s);
+  if (is_scene_itself(*stage)) keep(*stage, s), last_ = ending_of(s);
   fill(*stage, s, host_.spent() - before);
   return NETLOFT_OK;
 }
@@ -234,9 +242,12 @@ int RunningStudy::call(const char* strategy, const char* parameters, netloft_sta
   const KnownStage* known = host_.find_known(request);
   const KnownStage came = known ? *known : run_inner(type, block.data(), seen, std::move(request));
   unsettled_ += came.unsettled;
-  if (came.has_solution && is_scene_itself(*stage)) keep(*stage, came.solution);
+  if (is_scene_itself(*stage)) {
+    if (came.has_solution) keep(*stage, came.solution);
+    last_ = came.ending;
+  }
   fill(*stage, came.solution, host_.spent() - before);
-  if (!came.has_solution) stage->ending = came.ending_without_solution;
+  stage->ending = came.ending;
   return NETLOFT_OK;
 }
 
@@ -246,8 +257,8 @@ KnownStage RunningStudy::run_inner(const StrategyType& type, const void* paramet
   RunningStudy inner(host_, seen.variant, seen.tolerance, seen.work, seen.u);
   inner.run(type, parameters);
   KnownStage came{.asked = std::move(request), .solution = inner.best(), .has_solution = inner.has_any()};
-  came.unsettled = inner.unsettled_, came.ending_without_solution = inner.ending_without_solution();
-  const bool has_ended = inner.work_left() > 0 && ending_of(came.solution) != NETLOFT_ENDED_OUT_OF_WORK;
+  came.unsettled = inner.unsettled_, came.ending = inner.ending();
+  const bool has_ended = inner.work_left() > 0 && came.ending != NETLOFT_ENDED_OUT_OF_WORK;
   if (has_ended) host_.keep_known(came);
   return came;
 }
@@ -266,7 +277,7 @@ int RunningStudy::problem(netloft_stage* stage, netloft_problem* problem) {
   open_problem_ = std::make_unique<StaticProblem>(*open_site_->assembler, host_.sites().source().make,
                                                   host_.limits_of(open_stage_, *open_site_),
                                                   host_.observer_of(open_stage_));
-  *problem = open_problem_->interface();
+  hand_out(open_problem_->interface(), *problem, kProblemBefore14);
   problem->u = stage->u;
   return NETLOFT_OK;
 }
@@ -279,7 +290,7 @@ int RunningStudy::members(netloft_stage* stage, netloft_members* members) {
   open_members_ = std::make_unique<MemberProblem>(*open_site_->assembler, host_.sites().source().make,
                                                   host_.limits_of(open_stage_, *open_site_),
                                                   host_.options().on_iteration);
-  *members = open_members_->interface();
+  hand_out(open_members_->interface(), *members, kMembersBefore14);
   return NETLOFT_OK;
 }
 

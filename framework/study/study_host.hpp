@@ -84,7 +84,7 @@ class RunningStudy {
   int problem(netloft_stage* stage, netloft_problem* problem);
   int members(netloft_stage* stage, netloft_members* members);
   double work_left() const;
-  netloft_ending ending_without_solution() const;
+  netloft_ending ending() const;
   int answer(const double* u);
   void keep_message(const char* text);
 
@@ -104,11 +104,12 @@ class RunningStudy {
   double tolerance_, budget_, begun_, unit_;  // unit_: an iteration of its scene, in work of the host
   netloft_study interface_{};
   char message_[256] = "";
-  std::vector<double> growing_;       // of the last stage
-  std::vector<Solution> stationary_;  // of the scene itself, not yet answered
-  std::optional<Solution> closest_;   // of those that are no equilibria
-  std::string failure_;               // of the strategy itself, which ended with an error
-  int unsettled_ = 0;                 // stages that did not come to rest
+  std::vector<double> growing_;                        // of the last stage
+  std::vector<Solution> stationary_;                   // of the scene itself, not yet answered
+  std::optional<Solution> closest_;                    // of those that are no equilibria
+  netloft_ending last_ = NETLOFT_ENDED_NOT_CONVERGED;  // of the last stage of the scene itself
+  std::string failure_;                                // of the strategy itself, which ended with an error
+  int unsettled_ = 0;                                  // stages that did not come to rest
   EquilibriumChoice equilibria_;
   // A method of the strategy's own at work: its stage, and on what.
   netloft_stage open_stage_{};

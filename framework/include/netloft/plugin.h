@@ -514,7 +514,8 @@ enum netloft_study_trait {
   NETLOFT_STUDY_FLOWS = 1 << 21,       /* there is a current */
   NETLOFT_STUDY_COMPRESSION = 1 << 22, /* some stiffness of what is slack differs from zero */
   NETLOFT_STUDY_MEMBERS =
-      1 << 23 /* `members` works: tension is borne by members, on nodes that move freely */
+      1 << 23,                  /* `members` works: tension is borne by members, on nodes that move freely */
+  NETLOFT_STUDY_SLACK = 1 << 24 /* some part bears tension only: nothing of it resists compression */
 };
 
 /* How a stage ended, by the host. */
@@ -632,7 +633,8 @@ typedef struct netloft_study {
   /* Judges stage.u without solving anything. */
   int (*assess)(void* host, netloft_stage* stage);
   /* r(u) = 0 of a variant, with stage.u as its u and within stage.work, for a strategy with a method of its
-   * own. Ends with the next call of another function of the study; then `assess` tells what it is worth. */
+   * own. `problem->size` says how much room there is, and afterwards how much of it the host has filled. Ends
+   * with the next call of another function of the study; then `assess` tells what it is worth. */
   int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
   /* Likewise, where the study has NETLOFT_STUDY_MEMBERS. */
   int (*members)(void* host, netloft_stage* stage, netloft_members* members);

@@ -117,6 +117,7 @@ class Study {
   bool remembers() const { return s_.traits & NETLOFT_STUDY_REMEMBERS; }
   bool flows() const { return s_.traits & NETLOFT_STUDY_FLOWS; }
   bool resists_compression() const { return s_.traits & NETLOFT_STUDY_COMPRESSION; }
+  bool has_tension_only() const { return s_.traits & NETLOFT_STUDY_SLACK; }
   bool has_members() const { return s_.traits & NETLOFT_STUDY_MEMBERS; }
   std::size_t members() const { return s_.member_count; }
   double gear_size() const { return s_.gear_size; }        // [m]
@@ -138,9 +139,9 @@ class Study {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
   /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work). The
-  /// stage that comes back is its answer, of several the one that the host chose; without an answer it is the
-  /// point of that variant that came closest to balance, with the ending that it had; and without any such
-  /// point its start, out of work.
+  /// stage that comes back is its answer, of several the one that the host chose. Without an answer it is the
+  /// point of that variant that came closest to balance, else its start, with the ending of the last stage of
+  /// that variant: out of work where that was cut off, or where all work is used up.
   Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
     return ended(ask, std::move(u),
                  [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });
@@ -161,6 +162,7 @@ class Study {
     u.resize(size(ask.variant.level));
     netloft_stage stage = stage_of(ask, u);
     netloft_problem problem{};
+    problem.size = sizeof problem;
     check(s_.problem(s_.host, &stage, &problem));
     Problem p(problem);
     method(p);
@@ -172,6 +174,7 @@ class Study {
     u.resize(size(ask.variant.level));
     netloft_stage stage = stage_of(ask, u);
     netloft_members members{};
+    members.size = sizeof members;
     check(s_.members(s_.host, &stage, &members));
     method(members, std::span<double>(u));
     return u;

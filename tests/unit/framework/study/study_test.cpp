@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 #include <netloft/strategy.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "framework/problem/work.hpp"
+#include "framework/registry/hand_out.hpp"
 #include "framework/study/study_host.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
@@ -134,6 +137,63 @@ TEST(AStudy, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
     const Stage nothing = of.call("coarse-to-fine", "", {.name = "there is no coarser mesh"}, of.start());
     EXPECT_EQ(nothing.ending, Ending::not_converged);
   });
+}
+
+/// How a strategy of the test, called by another one, ended.
+std::uint32_t ending_of_call(const Scene& scene, std::function<void(Study&)> strategy) {
+  Registry& registry = shipped_plugins();
+  const Plan plan = make_plan(scene, registry);
+  Assembler assembler(scene, plan, 1);
+  StudyOptions options;
+  options.solver.type = &registry.solver("newton"), options.work = 1000;
+  ByHand::now = std::move(strategy);
+  StudyHost host({&scene, &assembler, &registry, nullptr, make_factorisation}, options);
+  RunningStudy running(host, as_written(), options.limits.tolerance, options.work, nullptr);
+  running.run(by_hand(), nullptr);
+  EXPECT_GT(running.work_left(), 0);
+  return running.ending();
+}
+
+// What is cut off gets more work, and may be farther from balance than its start.
+TEST(AStudy, EndsAsItsLastStageDidAndNotAsTheOneThatWasClosest) {
+  const auto cut_off = [](Study& of) {
+    const Stage start = of.assess({.name = "the start"}, of.start());
+    const Stage stage = of.solve({.name = "short", .work = 1e-3}, perturbed(of.start(), 0.5));
+    EXPECT_LT(start.imbalance(), stage.imbalance());
+  };
+  const auto ended = [&](Study& of) {
+    cut_off(of);
+    const Stage far = of.solve({.name = "no step of it is long enough", .path = 1e-6}, of.start());
+    EXPECT_FALSE(far.is_stationary());
+    EXPECT_FALSE(far.was_cut_off());
+  };
+  EXPECT_EQ(ending_of_call(taut_bars(), cut_off), NETLOFT_ENDED_OUT_OF_WORK);
+  EXPECT_EQ(ending_of_call(taut_bars(), ended), NETLOFT_ENDED_UNSETTLED);
+  EXPECT_EQ(ending_of_call(taut_bars(), [](Study& of) { of.answer(of.solve({}, of.start()).u); }),
+            NETLOFT_ENDED_CONVERGED);
+  EXPECT_EQ(ending_of_call(taut_bars(), [](Study&) {}), NETLOFT_ENDED_NOT_CONVERGED);
+}
+
+TEST(AStudy, FillsNoMoreOfAProblemThanThereIsRoomFor) {
+  struct Room {
+    netloft_problem problem;
+    unsigned char behind[sizeof(netloft_problem)];
+  };
+  const auto filled = [](std::uint32_t said) {
+    Room room;
+    std::memset(&room, 0x5a, sizeof room);
+    room.problem.size = said;
+    hand_out(netloft_problem{.size = sizeof(netloft_problem), .unknowns = 7}, room.problem, kProblemBefore14);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(&room);
+    EXPECT_EQ(room.problem.unknowns, 7u);
+    const std::size_t size = room.problem.size;
+    EXPECT_TRUE(std::all_of(bytes + size, bytes + sizeof room, [](unsigned char b) { return b == 0x5a; }));
+    return size;
+  };
+  EXPECT_EQ(filled(0), kProblemBefore14) << "interface 1.3, which says nothing";
+  EXPECT_EQ(filled(offsetof(netloft_problem, row_sums)), offsetof(netloft_problem, row_sums));
+  EXPECT_EQ(filled(sizeof(netloft_problem)), sizeof(netloft_problem));
+  EXPECT_EQ(filled(sizeof(Room)), sizeof(netloft_problem)) << "a newer interface";
 }
 
 TEST(AStudy, SolvesNothingTwice) {
