@@ -41,8 +41,9 @@ Direction Directions::find_symmetric(Iterate& iterate, double damping) {
 }
 
 /// K + σ M with a tiny σ keeps Newton's step but for the few directions in which K curves downwards, which
-/// (6) leaves by; a convex part changes it in all. It costs four factorisations where K is far from definite:
-/// after a no this is asked again only once K + μ M has been positive definite.
+/// (6) leaves by; a convex part changes it in all. To try σ costs up to five factorisations where K is far
+/// from definite: where none will do, or damping matters anyway, σ is not tried again until K + μ M has been
+/// positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
   if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kMatters) {
     tests_near_definite_ = false;

@@ -13,7 +13,7 @@ namespace netloft::newton {
 /// A step s of (2) of Newton, and the matrix it belongs to; or why there is none.
 struct Direction {
   std::span<const double> s = {};
-  double damping = 0;            // μ, or as much as was asked for where convex parts have taken its place
+  double damping = 0;            // μ; where a convex part was added, that asked for, of which more was used
   bool nearly_definite = false;  // K is not positive definite, and K + μ M is, with a μ next to nothing
   const char* note = "";
   std::optional<Outcome> failure = {};

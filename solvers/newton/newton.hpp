@@ -17,8 +17,8 @@ namespace netloft::newton {
 ///   (K + θ (K₊ − K) + μ M) s = −r, θ of 0, … 1 so that it is positive definite            (2)
 ///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
 ///   t by (L) of line_search.hpp: m does not rise, and is nearly flat                      (4)
-///   before (4): t = 1 if s moves no node by more than the length of an element and m(1) ≤ m(0) + a,
-///   a = −c r·s, c the option `uphill`, where m has fallen by as much as ever before, else 0 (5)
+///   before (4): t = 1 if s moves no node by more than the length of an element and m(1) ≤ m(0) + b, with
+///   b = −c r·s, c the option `uphill`, where m is as low as it has ever been, else b = 0   (5)
 ///   u ± t v, K v = λ M v with the least λ < 0, t by (D) of descent_search.hpp             (6)
 ///   t by (S) of line_search.hpp: m is nearly flat and not above m(0) but for rounding     (7)
 ///   u + t s + ½ t² a, a = −(K + θ (K₊ − K) + μ M)⁻¹ r″(s, s)                              (8)
@@ -28,23 +28,24 @@ namespace netloft::newton {
 ///
 /// Direction. The first step is Newton's own, θ = μ = 0, if it leads downhill and moves no node by more than
 /// the length of an element: the start may be an equilibrium but for a little; μ is then 0. Else μ begins at
-/// `damping`. It is divided by `factor` after a step by m with t > ½, by 2 t after a shorter one, and
-/// multiplied by `factor` where no step is found. Below `least_damping` there is none; an unsymmetric K is
-/// damped down to the rounding of a double, and from its root on if damping is wanted again, since soft parts
-/// of a gear need less than stiff ones. With θ = 1 and μ = 1 the step cannot raise a convex energy (Levenberg
-/// 1944, in the metric of the linear stiffness). θ is halved from step to step and doubled until the matrix
-/// is positive definite. An unsymmetric K is not asked whether it is positive definite: μ rises until s leads
-/// downhill.
+/// `damping`. After a step by m with t > ½, or by ‖r‖, it is divided by `factor`; after a shorter one by m it
+/// is multiplied by 1/(2 t), where no step is found by `factor`, and from 0 it rises to `least_damping`;
+/// after a step by (7), and where (6) alone has moved, it stays. Below `least_damping` there is none; an
+/// unsymmetric K is damped down to the rounding of a double, and from its root on if damping is wanted again,
+/// since soft parts of a gear need less than stiff ones. With θ = 1 and μ = 1 the step cannot raise a convex
+/// energy (Levenberg 1944, in the metric of the linear stiffness). θ is halved from step to step and doubled
+/// until the matrix is positive definite. An unsymmetric K is not asked whether it is positive definite: μ
+/// rises until s leads downhill.
 ///
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
 /// decrease. (5) lets an iterate cross the kinks between slack and taut by a relaxed test as in the watchdog
 /// technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point
-/// before: after a step that raised m no other may raise it until what all steps have lowered m by, added up
-/// along the path, is what it was before that step. Where every other step might go uphill, from wherever it
-/// stood, netting on a bed with friction made a thousand steps about its equilibrium. A step from afar
-/// promises so much that (5) would allow any: of a drawn ring of bent rope it let the energy rise thirtyfold.
-/// (8) is tried where (4) ends short of t = 1, all forces have an energy and K is symmetric ("geodesic
-/// acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
+/// before: how low m is, is what all steps have lowered it by, added up along the path, and after a step that
+/// raised m no other may raise it until that sum is what it was before. Where every other step might go
+/// uphill, from wherever it stood, netting on a bed with friction made a thousand steps about its
+/// equilibrium. A step from afar promises so much that (5) would allow any: of a drawn ring of bent rope it
+/// let the energy rise thirtyfold. (8) is tried where (4) ends short of t = 1, all forces have an energy and
+/// K is symmetric ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
 ///
 /// At round-off, where the step promises less than the energy can resolve, a step is accepted if it does not
 /// raise ‖r‖; or where μ = 0 or no other step is found, by (7), the approximate Wolfe conditions (W. W. Hager

@@ -21,19 +21,22 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
               {.lo = 1e-15, .hi = 1e-3, .fallback = 1e-7});
   newton.real(
       "most_damping", &Newton::Parameters::most_damping, "1",
-      "damping at which it gives up: with 1, a convex energy cannot rise, but a rope that snaps taut lost "
-      "the factor of a step in time",
+      "damping at which it gives up: with 1 a convex energy cannot rise, but the matrix of a step in time "
+      "of a rope that snaps taut has no factor then",
       {.lo = 1, .hi = 1e6, .fallback = 64});
-  newton.real("factor", &Newton::Parameters::factor, "1",
-              "by which it falls after a step of more than half the length, and rises where no step is found",
-              {.lo = 1.1, .hi = 1e3, .fallback = 8});
+  newton.real(
+      "factor", &Newton::Parameters::factor, "1",
+      "by which damping falls after a step of more than half the length or at round-off, and rises where no "
+      "step is found",
+      {.lo = 1.1, .hi = 1e3, .fallback = 8});
   newton.real("flatness", &Newton::Parameters::flatness, "1",
               "fraction of the slope that may be left where a search along a line ends: with 0.1, a cod-end "
               "under follower pressure ran away",
               {.lo = 1e-3, .hi = 1, .fallback = 0.2});
   newton.real(
       "uphill", &Newton::Parameters::uphill, "1",
-      "multiple of the slope by which a whole step may raise the energy from its least so far; 0: none",
+      "multiple of the slope by which a whole step may raise the merit where that is as low as it has ever "
+      "been; 0: none",
       {.lo = 0, .hi = 100, .fallback = 2});
   newton.real(
       "margin", &Newton::Parameters::margin, "1",

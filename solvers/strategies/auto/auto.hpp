@@ -6,7 +6,7 @@
 
 namespace netloft::automatic {
 
-/// The default: attempts that suit the scene, in slices of work, until one ends at a stable equilibrium; then
+/// The default: attempts that suit the scene, in slices of work, until one converges; then
 /// others from elsewhere, where there may be several. README.md says what happens when attempts fail.
 struct Auto {
   using Parameters = Options;

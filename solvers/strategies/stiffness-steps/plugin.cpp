@@ -12,11 +12,10 @@ using namespace netloft;
 /// have to turn; soft ones turn at once. The scene is solved with a cap on all axial stiffnesses,
 ///   C₁ = f F,  C_{k+1} = f C_k until C_k reaches the largest stiffness                    (1)
 /// F the largest load on a node (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods,
-/// 2003, ch. 6). Each step is solved to the tolerance of the scene itself. Slack netting between steel ropes
-/// moves far by a small force, which costs the fewest iterations while the ropes are soft:
-/// hanging-panel/framed of the hard cases takes 377 factorisations (`netloft stability --strategy
-/// stiffness-steps --size large
-/// --case hanging-panel/framed`), and took 1112 when steps were left at 1e-3 of the load.
+/// 2003, ch. 6). The first cap with which no equilibrium is found is the last; the scene itself is solved
+/// from where that ended. Each cap is solved to the tolerance of the scene: slack netting between steel ropes
+/// moves far by a small force, which costs the fewest iterations while the ropes are soft
+/// (tests/bench/sensitivity.md).
 struct StiffnessSteps {
   struct Parameters {
     double factor = 0;
@@ -43,7 +42,7 @@ struct StiffnessSteps {
  private:
   static double first_cap(const Parameters& p, Study& study) { return p.factor * study.largest_load(); }
 
-  /// Where the caps of (1) lead.
+  /// Where the caps of (1) lead, or the first that failed has ended.
   static Displacements stiffened(const Parameters& p, Study& study, double cap) {
     Displacements u = study.start();
     for (; cap < study.stiffness() && study.work_left() > 0; cap *= p.factor) {

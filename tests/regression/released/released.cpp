@@ -5,6 +5,7 @@
 #include <netloft/integrator.hpp>
 #include <netloft/law.hpp>
 #include <netloft/solver.hpp>
+#include <netloft/strategy.hpp>
 
 using namespace netloft;
 
@@ -78,6 +79,29 @@ struct Euler {
   }
 };
 
+/// A few steps of Newton's method of its own, then the solver from there.
+struct Own {
+  struct Parameters {
+    std::int64_t steps = 0;
+  };
+  static void run(const Parameters& p, Study& study) {
+    const Displacements u = study.with_problem({.name = "own"}, study.start(), [&](Problem& problem) {
+      std::vector<double> r(problem.size()), s(problem.size());
+      double energy = 0;
+      for (std::int64_t i = 0; i < p.steps; ++i) {
+        if (problem.evaluate(problem.u(), energy, r, Matrix::exact) != Evaluation::ok ||
+            !problem.progress(problem.u(), energy, r) ||
+            problem.factorise_indefinite(Matrix::exact, 0) != Factor::ok)
+          return;
+        problem.solve(r, s);
+        for (std::size_t k = 0; k < r.size(); ++k) problem.u()[k] -= s[k];
+      }
+    });
+    const Stage stage = study.solve({.name = "from there"}, u);
+    if (stage.is_stationary()) study.answer(stage.u);
+  }
+};
+
 NETLOFT_PLUGIN("released", "1.0", "One of everything") {
   auto& e = plugin.element<Spring>("spring", "Spring");
   e.real("k", &Spring::Parameters::k, "N/m", "stiffness", {.lo = 0, .hi = 1e6});
@@ -89,5 +113,7 @@ NETLOFT_PLUGIN("released", "1.0", "One of everything") {
          {.lo = 0, .hi = 10, .fallback = 1});
   auto& s = plugin.solver<Newton>("newton", "Newton's method");
   plugin.integrator<Euler>("euler", "Semi-implicit Euler").traits(NETLOFT_EXPLICIT);
+  auto& own = plugin.strategy<Own>("own", "Newton's method of its own, then the solver");
+  own.integer("steps", &Own::Parameters::steps, "steps of its own", 0, 100, 2);
   s.integer("most", &Newton::Parameters::most, "most iterations", 1, 1000, 100);
 }
