@@ -20,4 +20,4 @@ cd "$here" && "${CXX:-c++}" -std=c++20 -Os -fPIC -shared -fvisibility=hidden -fv
   -Wl,-z,noseparate-code -Wl,--version-script="$root/cmake/plugin.map" -I"$root/framework/include" -s released.cpp -o "$file"
 size=$(stat -c %s "$file")
 echo "$file: $size bytes"
-((size < 30000)) || { echo 'it is to stay below 30000 bytes' && exit 1; }
+((size < 50000)) || { echo 'it is to stay below 50000 bytes' && exit 1; }

@@ -97,6 +97,7 @@ struct Own {
         for (std::size_t k = 0; k < r.size(); ++k) problem.u()[k] -= s[k];
       }
     });
+    if (study.work_left() == 0) return;
     const Stage stage = study.solve({.name = "from there"}, u);
     if (stage.is_stationary()) study.answer(stage.u);
   }
