@@ -37,7 +37,7 @@ using Bench = StrategyBench;
 
 /// What a scene may be said to have without having it: nothing in the study depends on these.
 constexpr std::uint32_t kMayBeClaimed =
-    NETLOFT_STUDY_REMEMBERS | NETLOFT_STUDY_FLOWS | NETLOFT_STUDY_COMPRESSION | NETLOFT_STUDY_SLACK;
+    NETLOFT_STUDY_REMEMBERS | NETLOFT_STUDY_FLOWS | NETLOFT_STUDY_COMPRESSION;
 
 const char* const kNoScene = "it needs traits that no practice study has";
 

@@ -64,7 +64,6 @@ std::string traits_of_study(std::uint32_t traits) {
   const std::pair<std::uint32_t, const char*> all[] = {{NETLOFT_STUDY_REMEMBERS, "elements that remember"},
                                                        {NETLOFT_STUDY_FLOWS, "a current"},
                                                        {NETLOFT_STUDY_COMPRESSION, "stiffness when slack"},
-                                                       {NETLOFT_STUDY_SLACK, "parts that bear tension only"},
                                                        {NETLOFT_STUDY_MEMBERS, "members that bear tension"}};
   for (const auto& [trait, name] : all)
     if (traits & trait) text += (text.empty() ? "" : ", ") + std::string(name);
@@ -114,9 +113,7 @@ void RunningStudy::fill_interface(const double* start) {
   s.traits = traits_of(*site_->assembler);
   if (!site_->assembler->memory().empty()) s.traits |= NETLOFT_STUDY_REMEMBERS;
   if (site_->scene->current.flows()) s.traits |= NETLOFT_STUDY_FLOWS;
-  const ResistanceWhenSlack slack = resistance_when_slack(*site_->scene, registry);
-  if (slack.some) s.traits |= NETLOFT_STUDY_COMPRESSION;
-  if (slack.none) s.traits |= NETLOFT_STUDY_SLACK;
+  if (resists_compression(*site_->scene, registry)) s.traits |= NETLOFT_STUDY_COMPRESSION;
   if (MemberProblem::serves(*site_->scene, *site_->assembler)) s.traits |= NETLOFT_STUDY_MEMBERS;
   s.member_count = static_cast<std::uint32_t>(count_members(*site_->assembler));
   s.gear_size = scales.gear_size(), s.element_size = scales.element_size();

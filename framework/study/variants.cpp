@@ -120,13 +120,12 @@ double largest_stiffness(const Scene& scene, Registry& registry) {
   return largest;
 }
 
-ResistanceWhenSlack resistance_when_slack(const Scene& scene, Registry& registry) {
-  ResistanceWhenSlack found;
-  for_role(scene.parts, registry, NETLOFT_COMPRESSION,
-           [&](const Part& part, const auto& type, const auto& p) {
-             (value_of(part, type, p) > 0 ? found.some : found.none) = true;
-           });
-  return found;
+bool resists_compression(const Scene& scene, Registry& registry) {
+  bool resists = false;
+  for_role(
+      scene.parts, registry, NETLOFT_COMPRESSION,
+      [&](const Part& part, const auto& type, const auto& p) { resists |= value_of(part, type, p) > 0; });
+  return resists;
 }
 
 }  // namespace netloft

@@ -24,10 +24,7 @@ Scene made_easier(const Scene& scene, Registry& registry, const netloft_variant&
 /// Largest stiffness counted in newtons [N]; zero if there is none.
 double largest_stiffness(const Scene& scene, Registry& registry);
 
-/// Which parts there are: with a stiffness of what is slack that differs from zero, and with none.
-struct ResistanceWhenSlack {
-  bool some = false, none = false;
-};
-ResistanceWhenSlack resistance_when_slack(const Scene& scene, Registry& registry);
+/// Whether some part has a stiffness of what is slack that differs from zero.
+bool resists_compression(const Scene& scene, Registry& registry);
 
 }  // namespace netloft

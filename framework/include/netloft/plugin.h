@@ -514,8 +514,7 @@ enum netloft_study_trait {
   NETLOFT_STUDY_FLOWS = 1 << 21,       /* there is a current */
   NETLOFT_STUDY_COMPRESSION = 1 << 22, /* some stiffness of what is slack differs from zero */
   NETLOFT_STUDY_MEMBERS =
-      1 << 23,                  /* `members` works: tension is borne by members, on nodes that move freely */
-  NETLOFT_STUDY_SLACK = 1 << 24 /* some part bears tension only: nothing of it resists compression */
+      1 << 23 /* `members` works: tension is borne by members, on nodes that move freely */
 };
 
 /* How a stage ended, by the host. */

@@ -117,7 +117,6 @@ class Study {
   bool remembers() const { return s_.traits & NETLOFT_STUDY_REMEMBERS; }
   bool flows() const { return s_.traits & NETLOFT_STUDY_FLOWS; }
   bool resists_compression() const { return s_.traits & NETLOFT_STUDY_COMPRESSION; }
-  bool has_tension_only() const { return s_.traits & NETLOFT_STUDY_SLACK; }
   bool has_members() const { return s_.traits & NETLOFT_STUDY_MEMBERS; }
   std::size_t members() const { return s_.member_count; }
   double gear_size() const { return s_.gear_size; }        // [m]

@@ -11,14 +11,13 @@ namespace {
 
 /// What of a scene decides which attempts suit it.
 struct Kind {
-  bool sticks, has_loaded_members, bears_tension_only, has_meshes;
+  bool sticks, has_loaded_members, has_meshes;
 };
 
 Kind kind_of(const Study& study) {
   Kind kind{};
   kind.sticks = study.remembers();
   kind.has_loaded_members = study.has_members() && study.load() > 0;
-  kind.bears_tension_only = kind.has_loaded_members && study.has_tension_only();
   kind.has_meshes = study.levels() > 1;
   return kind;
 }
@@ -34,14 +33,13 @@ const Row kTable[] = {
     // The coarser mesh by this strategy again, and so on to the coarsest that is worth its price; what the
     // user says of `auto` holds there, too.
     // What is left then is to find out which members are slack, one by one by Newton's method; tension/only
-    // finds it for all at once. Where all of them resist compression, however little, none is slack, and its
-    // convex problem is that of another gear.
+    // finds it for all at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0,then=tension/only",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
-     [](const Kind& k) { return k.has_meshes && k.bears_tension_only; }},
+     [](const Kind& k) { return k.has_meshes && k.has_loaded_members; }},
     {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0",
       "a coarser mesh costs a fraction and leads near"},
-     [](const Kind& k) { return k.has_meshes && !k.bears_tension_only; }},
+     [](const Kind& k) { return k.has_meshes && !k.has_loaded_members; }},
     {{"tension-stages", "tension/stages", "", "with tensions as unknowns stiff members turn at once"},
      [](const Kind& k) { return k.has_loaded_members; }},
     // After these two: a relaxation takes more steps the finer the mesh. Long lines of 12 000 unknowns took
