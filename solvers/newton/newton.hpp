@@ -28,19 +28,19 @@ namespace netloft::newton {
 ///
 /// Direction. The first step is Newton's own, θ = μ = 0, if it leads downhill and moves no node by more than
 /// the length of an element: the start may be an equilibrium but for a little; μ is then 0. Else μ begins at
-/// `damping`. After a step by m with t > ½, or by ‖r‖, it is divided by `factor`; after a shorter one by m it
-/// is multiplied by 1/(2 t), where no step is found by `factor`, and from 0 it rises to `least_damping`;
-/// after a step by (7), and where (6) alone has moved, it stays. Below `least_damping` there is none; an
-/// unsymmetric K is damped down to the rounding of a double, and from its root on if damping is wanted again,
-/// since soft parts of a gear need less than stiff ones. With θ = 1 and μ = 1 the step cannot raise a convex
-/// energy (Levenberg 1944, in the metric of the linear stiffness). θ is halved from step to step and doubled
-/// until the matrix is positive definite. An unsymmetric K is not asked whether it is positive definite: μ
-/// rises until s leads downhill.
+/// `damping`. It is divided by `factor` after a step by m with t > ½ and after one by ‖r‖. It is multiplied
+/// by 1/(2 t) after a shorter step by m, and by `factor` where no step is found; from 0 it then rises to
+/// `least_damping`. It stays after a step by (7), and where (6) alone has moved. Below `least_damping` there
+/// is none; an unsymmetric K is damped down to the rounding of a double, and from its root on if damping is
+/// wanted again, since soft parts of a gear need less than stiff ones. With θ = 1 and μ = 1 the step cannot
+/// raise a convex energy (Levenberg 1944, in the metric of the linear stiffness). θ is halved from step to
+/// step and doubled until the matrix is positive definite. An unsymmetric K is not asked whether it is
+/// positive definite: μ rises until s leads downhill.
 ///
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
 /// decrease. (5) lets an iterate cross the kinks between slack and taut by a relaxed test as in the watchdog
 /// technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point
-/// before: how low m is, is what all steps have lowered it by, added up along the path, and after a step that
+/// before: m is as low as the sum of what all steps along the path have lowered it by, and after a step that
 /// raised m no other may raise it until that sum is what it was before. Where every other step might go
 /// uphill, from wherever it stood, netting on a bed with friction made a thousand steps about its
 /// equilibrium. A step from afar promises so much that (5) would allow any: of a drawn ring of bent rope it
