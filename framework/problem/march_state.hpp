@@ -28,7 +28,7 @@ struct MarchState {
   double t_before = 0;  // begin of the last step, of a march that is compared between steps [s]
   std::vector<double> u_before, v_before;  // there [m], [m/s]
   std::vector<MarchState> other;           // the march that this one is compared with, if it is
-  // largest so far by (1) of time_march.hpp [m], its time [s]; NaN: not compared yet
+  // largest so far by (1) of achieved_accuracy.hpp [m], its time [s]; NaN: not compared yet
   double path_error = std::numeric_limits<double>::quiet_NaN(), path_at = 0;
   std::uint64_t path_of = 0;  // and its node
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace netloft {
@@ -22,52 +21,12 @@ Limits without_work(Limits limits) {
   return limits;
 }
 
-std::string seconds(double t) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g s", t);
-  return text;
-}
-
-/// Steps of the march that another one is compared with, over its own: longer where they may be.
-constexpr double kLonger = 2, kShorter = 0.5;
-// By how much the mean steps of both must differ: what is alike cannot tell how far it is off.
-constexpr double kTold = 0.1;
-
 /// Times at which what moves the scene has corners [s].
 std::vector<double> corners_of(const AssembledScene& of, const Winches& winches) {
   std::vector<double> all = of.scene.corners_in_time();
   for (const auto& family : of.assembler.families()) family->add_corners_in_time(all);
   winches.add_corners(all);
   return all;
-}
-
-/// (1), where it is larger than before: of node positions in two marches at time t, whose steps are `longer`
-/// times as long in the other.
-void note_difference(const std::vector<double>& here, const std::vector<double>& there, double t,
-                     double longer, MarchState& state) {
-  if (!(std::abs(longer - 1) >= kTold)) return;  // nor where it is not known
-  for (std::size_t i = 0; i < here.size(); i += 3) {
-    const double apart =
-        std::hypot(here[i] - there[i], here[i + 1] - there[i + 1], here[i + 2] - there[i + 2]);
-    const double error = apart == 0 ? 0 : apart / std::min(1.0, std::abs(longer - 1));
-    if (!(error <= state.path_error)) state.path_error = error, state.path_at = t, state.path_of = i / 3;
-  }
-}
-
-/// "net node 4 moves at 3.2 m/s"
-std::string fastest_node(const AssembledScene& of, std::span<const double> v) {
-  const auto node = [&](std::size_t i) { return of.assembler.numbering().node(Dof(i)); };
-  double fastest = 0;
-  std::uint32_t which = 0;
-  for (std::size_t i = 0; i < v.size();) {
-    const std::uint32_t at = node(i);
-    double sum = 0;
-    for (; i < v.size() && node(i) == at; ++i) sum += v[i] * v[i];
-    if (!(sum <= fastest)) fastest = sum, which = at;
-  }
-  char speed[32];
-  std::snprintf(speed, sizeof speed, "%.3g m/s", std::sqrt(fastest));
-  return of.assembler.node_name(of.scene, which) + " moves at " + speed;
 }
 
 /// One march; members are steps in the order they happen.
@@ -146,11 +105,7 @@ class March {
   /// The march that this one is compared with goes on from where it was; its first step comes later.
   bool begin_other() {
     if (!settings_.check) return true;
-    MarchSettings& s = other_settings_ = settings_;
-    s.check = s.judged = false;
-    s.pace = scheme_.has_limit() ? kShorter : kLonger;
-    if (s.step > 0) s.step *= s.pace;
-    s.longest_step *= s.pace, s.output_interval *= s.pace;
+    other_settings_ = settings_of_comparison(settings_, scheme_.has_limit());
     const std::vector<double> own = assembler_.memory();
     if (state_.outputs == 0) state_.other = {other_start_};
     if (!state_.other.empty()) {
@@ -167,7 +122,7 @@ class March {
     other_.reset(), state_.other.clear();
   }
 
-  /// (1) at an output; false: interrupted.
+  /// (1) of achieved_accuracy.hpp at an output; false: interrupted.
   bool compare_paths(double t) {
     if (!other_ || !other_->times_.is_output(t)) return true;
     const std::vector<double> own = assembler_.memory();
@@ -176,7 +131,7 @@ class March {
     if (!is_there && other_->result_.status == MarchStatus::interrupted) return !has_ended();
     if (!is_there) return lose_other(), true;
     show(t), other_->show(t);
-    note_difference(assembler_.node_positions(shown_.x()), assembler_.node_positions(other_->shown_.x()), t,
+    note_path_error(assembler_.node_positions(shown_.x()), assembler_.node_positions(other_->shown_.x()), t,
                     other_->state_.mean_step() / state_.mean_step(), state_);
     state_.other = {other_->state_};
     return true;
@@ -194,11 +149,11 @@ class March {
 
   bool has_ended() {
     if (limits_.interrupt && limits_.interrupt->load())
-      return end(MarchStatus::interrupted, "interrupted at t = " + seconds(state_.t));
+      return end(MarchStatus::interrupted, "interrupted at t = " + seconds_text(state_.t));
     if (cpu_seconds() - cpu_begun_ > limits_.seconds)
-      return end(MarchStatus::out_of_time, "the time limit was reached at t = " + seconds(state_.t));
+      return end(MarchStatus::out_of_time, "the time limit was reached at t = " + seconds_text(state_.t));
     if (limits_.model && limits_.model->of(work_done()) >= limits_.work)
-      return end(MarchStatus::out_of_work, "the budget of work was spent at t = " + seconds(state_.t));
+      return end(MarchStatus::out_of_work, "the budget of work was spent at t = " + seconds_text(state_.t));
     return is_over_;
   }
   /// By this march and the one that it is compared with.
@@ -223,10 +178,11 @@ class March {
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
       if (status < 0) return fail_in_step();
       ++state_.rejected;
-      if (!settings_.adaptive) return fail_at("the step " + seconds(h) + " is too long: " + trouble());
+      if (!settings_.adaptive) return fail_at("the step " + seconds_text(h) + " is too long: " + trouble());
       state_.h = status == NETLOFT_OK ? control_.shorter_step(h, error) : 0.25 * h;
       if (state_.h < settings_.shortest_step)
-        return fail_at("no step longer than " + seconds(settings_.shortest_step) + " serves: " + trouble());
+        return fail_at("no step longer than " + seconds_text(settings_.shortest_step) +
+                       " serves: " + trouble());
     }
   }
 
@@ -265,7 +221,10 @@ class March {
 
   bool accept(double t, double h, double error) {
     next_.t = state_.t, state_.t = t;
-    if (settings_.adaptive) state_.h = control_.next_step(h, error), note_error(t);
+    if (settings_.adaptive) {
+      state_.h = control_.next_step(h, error);
+      note_step_error(control_, assembler_.numbering(), error_, t, state_);
+    }
     std::swap(state_.u, next_.u), std::swap(state_.v, next_.v), std::swap(state_.a, next_.a);
     if (energy_.watches_step_after(state_)) energy_.accept();
     ++state_.steps;
@@ -287,17 +246,6 @@ class March {
   bool find_mean_forces() {
     has_means_ = problem_.is_between() && times_.output(state_.outputs) <= state_.t;
     return !has_means_ || problem_.find_step_forces(state_.t, state_.u, state_.v, state_.a, mean_forces_);
-  }
-
-  void note_error(double t) {
-    const double error = control_.error_over_tolerated(error_) * control_.allowed();
-    state_.error_sum += error;
-    if (error <= state_.largest_error) return;
-    state_.largest_error = error, state_.largest_at = t;
-    std::size_t worst = 0;
-    for (std::size_t i = 0; i < error_.size(); ++i)
-      if (std::abs(error_[i]) > std::abs(error_[worst])) worst = i;
-    state_.largest_of = assembler_.numbering().node(Dof(worst));
   }
 
   void write_outputs() {
@@ -366,7 +314,7 @@ class March {
     if (watch_.on_step({state_.t, state_.t - next_.t, settings_.duration, state_.steps, state_.rejected,
                         wall_seconds() - begun_},
                        state_.u))
-      end(MarchStatus::stopped, "stopped at t = " + seconds(state_.t));
+      end(MarchStatus::stopped, "stopped at t = " + seconds_text(state_.t));
   }
 
   std::string trouble() const {
@@ -381,35 +329,24 @@ class March {
     return fail_at(trouble());
   }
   bool fail_at_fault() { return fail_at(assembler_.fault_sentence(scene_)); }
-  bool fail_at(const std::string& why) { return fail("at t = " + seconds(state_.t) + ": " + why); }
+  bool fail_at(const std::string& why) { return fail("at t = " + seconds_text(state_.t) + ": " + why); }
   bool fail(const std::string& why) { return !end(MarchStatus::failed, why); }
   bool end(MarchStatus status, const std::string& why) {
     result_.status = status, result_.reason = why;
     return is_over_ = true;
   }
 
-  AchievedAccuracy achieved() const {
-    AchievedAccuracy a{
-        .asked = settings_.accuracy, .element = control_.element_size(), .allowed = control_.allowed()};
-    a.largest = state_.largest_error, a.t = state_.largest_at, a.sum = state_.error_sum;
-    if (a.largest > 0) a.node = assembler_.node_name(scene_, static_cast<std::uint32_t>(state_.largest_of));
-    if (!settings_.check) return a;
-    a.is_checked = true, a.path = state_.path_error / control_.element_size(), a.path_at = state_.path_at;
-    a.path_of =
-        std::isfinite(a.path) ? scene_.node_name(static_cast<std::uint32_t>(state_.path_of)) : other_lost_;
-    return a;
-  }
-
   MarchResult finish() {
     result_.u = state_.u, result_.t = state_.t;
     result_.steps = state_.steps, result_.rejected = state_.rejected;
-    if (settings_.adaptive || settings_.check) result_.accuracy = achieved();
+    if (settings_.adaptive || settings_.check)
+      result_.accuracy = achieved_accuracy(of_, settings_, control_, state_, other_lost_);
     result_.statistics = work_done();
     result_.statistics.total_seconds = wall_seconds() - begun_;
     result_.statistics.total_cpu_seconds = cpu_seconds() - cpu_begun_;
     if (result_.status == MarchStatus::finished)
       result_.reason =
-          "t = " + seconds(state_.t) + " was reached in " + std::to_string(state_.steps) + " steps";
+          "t = " + seconds_text(state_.t) + " was reached in " + std::to_string(state_.steps) + " steps";
     return std::move(result_);
   }
 
@@ -445,17 +382,6 @@ class March {
 MarchResult march(const AssembledScene& scene, const StepMethods& methods, const Limits& limits,
                   const MarchSettings& settings, const MarchWatch& watch, const MarchState* from) {
   return March(scene, methods, limits, settings, watch, from).run();
-}
-
-const char* name_of(MarchStatus status) {
-  switch (status) {
-    case MarchStatus::finished:
-      return "finished";
-    case MarchStatus::interrupted:
-      return "interrupted";
-    default:
-      return "not finished";
-  }
 }
 
 }  // namespace netloft

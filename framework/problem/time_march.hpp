@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/problem/achieved_accuracy.hpp"
 #include "framework/problem/assembled_scene.hpp"
 #include "framework/problem/energy_budget.hpp"
+#include "framework/problem/march_ending.hpp"
 #include "framework/problem/march_settings.hpp"
 #include "framework/problem/march_state.hpp"
 #include "framework/problem/step_scheme.hpp"
@@ -46,32 +48,10 @@ struct StepRecord {
   double seconds;  // wall time so far
 };
 
-enum class MarchStatus { finished, stopped, failed, out_of_time, out_of_work, interrupted };
-const char* name_of(MarchStatus status);
-
 /// How far the beginning was from an equilibrium: forces at rest there, by node.
 struct StartBalance {
   double residual = 0, load = 0;  // largest that is out of balance, largest load on a node [N]
   std::string node;               // that of the residual; empty: not known, the march went on from a file
-};
-
-/// What control of the error came to, over the longest element, where steps are adaptive.
-struct AchievedAccuracy {
-  double asked = 0;    // accuracy of the path
-  double element = 0;  // the longest, along one axis [m]
-  double allowed = 0;  // error of one step by (2) of step_control.hpp
-  double largest = 0;  // estimated for an accepted step, at time t and of a node
-  double t = 0;        // [s]
-  std::string node = {};
-  double sum = 0;  // of the largest errors of all steps: that of the path, if no motion enlarges or damps it
-  bool is_checked = false;  // against another march: what follows is known
-  // error of the path by (1), at a time and of a node; infinite: the other was lost; NaN: not told, for its
-  // steps were the same
-  double path = 0;
-  double path_at = 0;  // [s]
-  std::string path_of = {};
-  /// The path is not known as well as was asked for.
-  bool is_missed() const { return is_checked && !(path <= asked); }
 };
 
 struct MarchResult {
@@ -96,15 +76,10 @@ struct MarchWatch {
 /// Goes through time from `from`, or from the start at rest if that is null. Steps end at outputs (unless
 /// they are dense) and where a guide, the current or a table in time has a corner. step_control.hpp says how
 /// long they are, energy_watch.hpp how their energy is looked at.
-/// Errors of single steps say nothing of a motion that enlarges them, or of steps that are given. With
-/// `check` the host goes through time a second time, in steps r times as long (2, or ½ where stability bounds
-/// them), and takes for the error of the path
-///   the largest distance of a node between both at an output / min(1, |r − 1|)                  (1)
-/// r as the mean steps were; where they differ by less than a tenth, nothing is told, and if that is so at
-/// all outputs the error is not known. It is not below the error where that falls with the step by the power
-/// 1 or more; in a motion that errors have taken over, both are off alike, and so is their difference. Costs
-/// half as much again for r = 2. A march whose energy comes out of nothing (energy_judge.hpp) has failed,
-/// however smoothly it steps on. `limits.work` bounds all steps together, where there is a model of it.
+/// With `check` the host goes through time a second time, to know the error of the path by (1) of
+/// achieved_accuracy.hpp; that costs half as much again where the other's steps are twice as long. A march
+/// whose energy comes out of nothing (energy_judge.hpp) has failed, however smoothly it steps on.
+/// `limits.work` bounds all steps together, where there is a model of it.
 MarchResult march(const AssembledScene& scene, const StepMethods& methods, const Limits& limits,
                   const MarchSettings& settings, const MarchWatch& watch, const MarchState* from = nullptr);
 
