@@ -3,8 +3,7 @@
 // What a strategy promises: it finds an equilibrium where one solve does, hands over what it has found and
 // nothing else, asks only for what there is, and ends when the work is used up or the user interrupts.
 #include "framework/conformance/checklist.hpp"
-#include "framework/conformance/method_bench.hpp"
-#include "framework/conformance/practice_study.hpp"
+#include "framework/conformance/strategy_bench.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,24 +14,6 @@ namespace netloft {
 namespace conformance {
 namespace {
 
-struct StrategyBench : MethodBench {
-  StrategyBench(const StrategyType& t, const ConformanceOptions& o)
-      : MethodBench(t.parameters, t.strategy.parameter_bytes, o), type(t), seed(o.seed) {}
-
-  int run(PracticeStudy& study) { return run(study, parameters.data()); }
-  int run(PracticeStudy& study, const void* with) {
-    return guarded("run", NETLOFT_ERROR, [&] { return type.strategy.run(with, &study.interface()); });
-  }
-  int explain(PracticeStudy& study, char* text, std::uint32_t size) {
-    return guarded("explain", NETLOFT_ERROR,
-                   [&] { return type.strategy.explain(parameters.data(), &study.interface(), text, size); });
-  }
-  bool takes(const PracticeStudy& study) const { return (type.strategy.needs & ~study.traits()) == 0; }
-
-  const StrategyType& type;
-  std::uint64_t seed;
-};
-
 using Bench = StrategyBench;
 
 /// What a scene may be said to have without having it: nothing in the study depends on these.
@@ -41,57 +22,8 @@ constexpr std::uint32_t kMayBeClaimed =
 
 const char* const kNoScene = "it needs traits that no practice study has";
 
-struct Named {
-  const char* name;
-  PracticeScene scene;
-};
-
-const PracticeScene kLinear{};
-// Newton's method diverges from the sketch and converges over caps on stiffness, each ten times the last.
-const PracticeScene kGripped{.like = {.grip = 1e4}};
-const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
-const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};
-const PracticeScene kBucklingUnseen{.like = {.buckling = 10, .unknowns = 13}, .knows_growth = false};
-// k² < 4 n f²/l²: no equilibrium of the first mass under the loads of all n, hence none of the chain.
-const PracticeScene kRunaway{.like = {.runaway = 0.05}};
-const PracticeScene kFlowing{.like = {.swirl = 5}};
-
-const std::vector<Named>& scenes() {
-  static const std::vector<Named> all = {
-      {"a linear chain", kLinear},
-      {"a chain that Newton's method does not solve at once", kGripped},
-      {"a chain with two meshes", kTwoMeshes},
-      {"a column that buckles", kBuckling},
-      {"a column of which the host does not know how it buckles", kBucklingUnseen},
-      {"a chain without an equilibrium", kRunaway},
-      {"a chain in a current", kFlowing}};
-  return all;
-}
-
-// Twelve masses are few for coarser meshes to be worth their while.
-const PracticeScene kLong{.like = {.stiffness = 45500, .unknowns = 256}, .levels = 2};
-
-/// One solve of each is enough.
-const std::vector<Named>& easy_scenes() {
-  static const std::vector<Named> all = {{"a linear chain", kLinear},
-                                         {"a chain in a current", kFlowing},
-                                         {"a long chain with two meshes", kLong}};
-  return all;
-}
-
-/// Scenes, and the same ones with little work and with a user who interrupts.
-std::vector<Named> all_scenes() {
-  std::vector<Named> all = scenes();
-  for (const auto& [name, scene] : scenes()) {
-    for (const double budget : {1.0, 3.0, 10.0, 40.0})
-      all.push_back({name, scene}), all.back().scene.budget = budget;
-    for (const int stage : {0, 1, 2}) all.push_back({name, scene}), all.back().scene.interrupted_at = stage;
-  }
-  return all;
-}
-
 /// Runs the strategy on every scene that it takes; `fault_of(study, status)` says what was wrong.
-Finding over(Bench& b, const std::vector<Named>& scenes,
+Finding over(Bench& b, const std::vector<NamedScene>& scenes,
              const std::function<std::string(const PracticeStudy&, int)>& fault_of) {
   bool any = false;
   for (auto [name, scene] : scenes) {
@@ -180,7 +112,7 @@ Finding hands_back_what_it_found(Bench& b) {
 }
 
 Finding answers_nothing(Bench& b) {
-  const Named nothing{"a scene without unknowns", {.like = {.unknowns = 0}}};
+  const NamedScene nothing{"a scene without unknowns", {.like = {.unknowns = 0}}};
   return over(b, {nothing}, [](const PracticeStudy&, int status) -> std::string {
     return status == NETLOFT_OK ? "" : "returned " + std::to_string(status);
   });
@@ -197,7 +129,7 @@ Finding no_equilibrium_is_no_error(Bench& b) {
 
 /// Also where what it calls finds nothing to do, and costs nothing.
 Finding comes_to_an_end(Bench& b) {
-  Named idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
+  NamedScene idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
   idle.scene.others_decline = true;
   auto all = all_scenes();
   all.push_back(idle);
@@ -209,7 +141,7 @@ Finding comes_to_an_end(Bench& b) {
 
 Finding stops_at_an_error(Bench& b) {
   auto broken = easy_scenes();
-  for (Named& one : broken) one.scene.breaks = true;
+  for (NamedScene& one : broken) one.scene.breaks = true;
   return over(b, broken, [](const PracticeStudy& study, int status) -> std::string {
     return study.stages == 0 || status == NETLOFT_ERROR
                ? ""

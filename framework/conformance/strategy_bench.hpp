@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/conformance/method_bench.hpp"
+#include "framework/conformance/practice_study.hpp"
+
+#include <vector>
+
+namespace netloft::conformance {
+
+/// A strategy with its defaults, run on studies of practice scenes.
+struct StrategyBench : MethodBench {
+  StrategyBench(const StrategyType& t, const ConformanceOptions& o)
+      : MethodBench(t.parameters, t.strategy.parameter_bytes, o), type(t), seed(o.seed) {}
+
+  int run(PracticeStudy& study) { return run(study, parameters.data()); }
+  int run(PracticeStudy& study, const void* with) {
+    return guarded("run", NETLOFT_ERROR, [&] { return type.strategy.run(with, &study.interface()); });
+  }
+  int explain(PracticeStudy& study, char* text, std::uint32_t size) {
+    return guarded("explain", NETLOFT_ERROR,
+                   [&] { return type.strategy.explain(parameters.data(), &study.interface(), text, size); });
+  }
+  bool takes(const PracticeStudy& study) const { return (type.strategy.needs & ~study.traits()) == 0; }
+
+  const StrategyType& type;
+  std::uint64_t seed;
+};
+
+/// A scene to practise on, and what a report calls it.
+struct NamedScene {
+  const char* name;
+  PracticeScene scene;
+};
+
+inline const PracticeScene kLinear{};
+// Newton's method diverges from the sketch and converges over caps on stiffness, each ten times the last.
+inline const PracticeScene kGripped{.like = {.grip = 1e4}};
+inline const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
+inline const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};
+inline const PracticeScene kBucklingUnseen{.like = {.buckling = 10, .unknowns = 13}, .knows_growth = false};
+// k² < 4 n f²/l²: no equilibrium of the first mass under the loads of all n, hence none of the chain.
+inline const PracticeScene kRunaway{.like = {.runaway = 0.05}};
+inline const PracticeScene kFlowing{.like = {.swirl = 5}};
+
+/// Every kind of scene once.
+const std::vector<NamedScene>& scenes();
+/// Scenes of which one solve each is enough.
+const std::vector<NamedScene>& easy_scenes();
+/// All of `scenes`, and the same ones with little work and with a user who interrupts.
+std::vector<NamedScene> all_scenes();
+
+}  // namespace netloft::conformance
