@@ -146,7 +146,9 @@ void RunningStudy::run(const StrategyType& type, const void* parameters) {
   const int status = call_strategy(type, parameters, interface_);
   close();
   if (status == NETLOFT_OK) return;
-  failure_ = "the strategy " + type.type + " failed" + (message_[0] ? std::string(": ") + message_ : "");
+  // Of strategies that fail one after the other for one reason, the innermost is named.
+  const std::string failed = "the strategy ", why = message_;
+  failure_ = why.starts_with(failed) ? why : failed + type.type + " failed" + (why.empty() ? "" : ": ") + why;
   if (!has_any()) throw std::runtime_error(failure_);
 }
 
@@ -251,6 +253,7 @@ int RunningStudy::call(const char* strategy, const char* parameters, netloft_sta
 /// What ended with work left is known: more work would not change it.
 KnownStage RunningStudy::run_inner(const StrategyType& type, const void* parameters,
                                    const netloft_stage& seen, StageRequest request) {
+  const StudyHost::InnerCall under_way(host_, type.type);
   RunningStudy inner(host_, seen.variant, seen.tolerance, seen.work, seen.u);
   inner.run(type, parameters);
   KnownStage came{.asked = std::move(request), .solution = inner.best(), .has_solution = inner.has_any()};

@@ -26,6 +26,9 @@ const SolverType& no_solver() {
 // at most 3 % less.
 constexpr std::size_t kNumbersKept = 64;
 
+// Grid sequencing by auto takes two calls for each mesh, and no scene has thirty meshes.
+constexpr int kDeepestCall = 64;
+
 bool was_cut_off(const Solution& s) {
   return !is_stationary(s) && (s.run.stop == Stop::work || s.run.stop == Stop::iterations);
 }
@@ -144,6 +147,14 @@ void StudyHost::record(StageRecord stage, const Site& site) {
   stage.work += site.model.of(stage.statistics);
   cost_.statistics.add(stage.statistics), cost_.work += stage.work;
   cost_.stages.push_back(std::move(stage));
+}
+
+StudyHost::InnerCall::InnerCall(StudyHost& host, const std::string& strategy) : host_(host) {
+  if (host.inner_calls_ >= kDeepestCall)
+    throw std::invalid_argument(std::to_string(kDeepestCall) +
+                                " strategies are under way, each called by the one " +
+                                "before, the last of them " + strategy + "; does it call itself?");
+  ++host.inner_calls_;
 }
 
 Solution StudyHost::finish(Solution solution) const {

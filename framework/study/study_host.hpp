@@ -46,6 +46,20 @@ class StudyHost {
   /// With the sum and the record of all stages.
   Solution finish(Solution solution) const;
 
+  /// While it lives a strategy is under way that another one called. Throws std::invalid_argument beyond
+  /// kDeepestCall: each call stands on the stack of the one before, and a strategy that calls itself without
+  /// end would use it up.
+  class InnerCall {
+   public:
+    InnerCall(StudyHost& host, const std::string& strategy);
+    ~InnerCall() { --host_.inner_calls_; }
+    InnerCall(const InnerCall&) = delete;
+    InnerCall& operator=(const InnerCall&) = delete;
+
+   private:
+    StudyHost& host_;
+  };
+
  private:
   double seconds_left() const;
 
@@ -56,6 +70,7 @@ class StudyHost {
   double begun_;
   Cost cost_;
   JudgedPoint judged_;  // of the scene as it is written
+  int inner_calls_ = 0;
 };
 
 /// A study as one strategy sees it: a variant of the scene is its scene, a part of the work its budget, which

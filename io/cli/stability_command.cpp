@@ -150,6 +150,9 @@ int stability_command(const Options& options) {
   Registry registry;
   find_plugins(options, registry);
   Diagnostics diagnostics;
+  if (o.update_references && !options.set.empty())
+    throw UsageError{
+        "--update-references keeps answers of the cases as they are written; --set changes them"};
   require_ending("--html", o.html, {".html", ".htm"});
   require_place(o.html, {});
   const std::filesystem::path folder = find_suite(o);

@@ -17,6 +17,7 @@ constexpr std::size_t kHistoryKept = 24;
 struct Attempt {
   Ended ended;
   bool ran = false;
+  bool is_refused_anyhow = false;  // as the suite has it, whatever the column asks for
   std::string why_not;
 };
 
@@ -93,6 +94,9 @@ class SuiteRun {
     Case one(source(c, size, column), registry_);
     if (one.open([&](LoadedScene& loaded) { spoil(loaded.scene, start); }) != Case::State::ready) {
       a.why_not = first_error(one.diagnostics());
+      Case as_written(source(c, size, {}), registry_);
+      a.is_refused_anyhow = as_written.open([](LoadedScene&) {}) != Case::State::ready &&
+                            first_error(as_written.diagnostics()) == a.why_not;
       return a;
     }
     a.ran = true;
@@ -103,7 +107,8 @@ class SuiteRun {
       return a;
     }
     e.solution = one.solve(options_.watch);
-    e.out_of_budget = e.solution.cost.statistics.total_cpu_seconds >= seconds_for(size);
+    e.out_of_budget = e.solution.cost.statistics.total_cpu_seconds >= seconds_for(size) ||
+                      (options_.work > 0 && e.solution.cost.work >= options_.work);
     if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
     e.stability = find_stability(one, e);
     return a;
@@ -187,7 +192,8 @@ class SuiteRun {
     cell.name = c.name, cell.size = size, cell.solver = column.head(), cell.expected = c.expected;
     cell.unknowns = a.ended.unknowns;
     if (!a.ran) {
-      cell.verdict.where = c.expected == Expected::none ? Where::honest : Where::not_run;
+      cell.verdict.where =
+          c.expected == Expected::none && a.is_refused_anyhow ? Where::honest : Where::not_run;
       cell.status = "wrong input", cell.reason = a.why_not;
       return cell;
     }

@@ -34,7 +34,7 @@ struct RunOptions {
   std::vector<std::string> sizes;  // of kStabilitySizes
   std::string pattern;             // only cases whose name contains it
   double seconds = 0;              // for one case; 0: 10, of large ones 60
-  double work = 0;                 // the same in factorisations of the scene's tangent; 0: any
+  double work = 0;                 // the same in iterations of Newton's method for the scene; 0: any
   int threads = 1;
   bool update = false;  // the book of references
   Watch watch;

@@ -71,7 +71,8 @@ void add_stability_command(CLI::App& app, Options& o) {
       ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
   command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
       ->check(numbers_between(0.001, 1e6));
-  command->add_option("--work", s.work, "for one case, in factorisations of its tangent; else any")
+  command
+      ->add_option("--work", s.work, "for one case, in iterations of Newton's method for its scene; else any")
       ->check(numbers_between(1.0, 1e9));
   command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
   command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");

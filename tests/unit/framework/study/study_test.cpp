@@ -97,6 +97,22 @@ TEST(AStudy, SaysThatItsStrategyFailed) {
   EXPECT_NE(s.reason.find("test/by-hand failed: the tide turned"), std::string::npos) << s.reason;
 }
 
+TEST(AStudy, RefusesStrategiesThatCallThemselvesWithoutEnd) {
+  std::string why;
+  try {
+    study(taut_bars(),
+          [](Study& of) {
+            of.call("deflation", "", {.name = "by itself"}, of.start());
+            ADD_FAILURE() << "it has come back";
+          },
+          1000, {}, {{"deflation/deflation", {{"by", std::string("deflation")}}}});
+  } catch (const std::runtime_error& e) {
+    why = e.what();
+  }
+  EXPECT_TRUE(why.starts_with("the strategy deflation/deflation failed: 64 strategies are under way")) << why;
+  EXPECT_TRUE(why.ends_with("does it call itself?")) << why;
+}
+
 TEST(AStudy, PrefersAStableAnswerToAnUnstableOne) {
   const Solution s = study(compressed_bars(), [](Study& of) {
     const Stage straight = of.solve({.name = "straight"}, of.start());
