@@ -34,10 +34,10 @@ const Row kTable[] = {
     // user says of `auto` holds there, too.
     // What is left then is to find out which members are slack, one by one by Newton's method; tension/only
     // finds it for all at once.
-    {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0,then=tension/only",
+    {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
      [](const Kind& k) { return k.has_meshes && k.has_loaded_members; }},
-    {{"coarse-to-fine", "coarse-to-fine", "by=auto,with=restarts=0",
+    {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0",
       "a coarser mesh costs a fraction and leads near"},
      [](const Kind& k) { return k.has_meshes && !k.has_loaded_members; }},
     {{"tension-stages", "tension/stages", "", "with tensions as unknowns stiff members turn at once"},

@@ -17,14 +17,13 @@ using namespace netloft;
 /// meshes used up what it was given before the next finer one began.
 struct CoarseToFine {
   struct Parameters {
-    const char *by = nullptr, *with = nullptr, *then = nullptr;
+    const char *by = nullptr, *then = nullptr;
   };
 
   static void run(const Parameters& p, Study& study) {
     if (!has_coarser(study)) return;
-    std::string parameters = p.with;
-    std::replace(parameters.begin(), parameters.end(), ';', ',');
-    const Stage coarse = study.call(p.by, parameters.c_str(),
+    const auto [by, parameters] = named(p.by);
+    const Stage coarse = study.call(by.c_str(), parameters.c_str(),
                                     {.name = "on a coarser mesh",
                                      .variant = {.level = 1},
                                      .tolerance = kOnlyAStart,
@@ -56,6 +55,14 @@ struct CoarseToFine {
     return fine.is_stationary() || study.work_left() == 0 ? std::move(fine)
                                                           : study.solve({.name = kFromCoarser}, start);
   }
+  /// Name and parameters in "auto:restarts=0; slice=100".
+  static std::pair<std::string, std::string> named(const std::string& specification) {
+    const auto colon = specification.find(':');
+    if (colon == std::string::npos) return {specification, ""};
+    std::string parameters = specification.substr(colon + 1);
+    std::replace(parameters.begin(), parameters.end(), ';', ',');
+    return {specification.substr(0, colon), parameters};
+  }
   static bool has_coarser(Study& study) { return study.levels() > 1 && study.size(1) > 0; }
 };
 
@@ -64,9 +71,10 @@ struct CoarseToFine {
 NETLOFT_PLUGIN("coarse-to-fine", "0.1.0", "Grid sequencing") {
   auto& strategy = plugin.strategy<CoarseToFine>(
       "coarse-to-fine", "The scene itself from where a coarser mesh is in equilibrium");
-  strategy.text("by", &CoarseToFine::Parameters::by, "strategy that solves the coarser mesh", "direct");
-  strategy.text("with", &CoarseToFine::Parameters::with,
-                "its parameters, such as restarts=0; a semicolon between two", "");
+  strategy.text("by", &CoarseToFine::Parameters::by,
+                "strategy that solves the coarser mesh; its parameters after a colon, as in auto:restarts=0, "
+                "with a semicolon between two",
+                "direct");
   strategy.text(
       "then", &CoarseToFine::Parameters::then,
       "strategy that solves the scene itself from there; empty, and where it finds nothing: the solver", "");

@@ -159,6 +159,7 @@ ALL = [
          "scope follows equilibria, and this scene goes through time"),
         ("netloft run $panel --strategy deflation:by=deflation -o x.hdf", 1,
          "the strategy deflation/deflation failed: 64 strategies are under way, each called by the one before … does it call itself?"),
+        ("netloft run $panel --strategy auto --set analysis.coarse-to-fine.by=direct -o x.hdf", 0, "converged"),
         ("netloft stability $suite --size small --case rope/loose --strategy auto --set analysis.nonsense=1", 3,
          "right 0 of 1", {"holds": "grep -q 'right 1 of 1' <(netloft stability $suite --size small --case rope/loose --strategy auto)"}),
         ("netloft stability $suite --size small --case pressure-x-100 --strategy auto --work 1", 3, "late … right 0 of"),
