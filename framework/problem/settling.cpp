@@ -33,13 +33,17 @@ int settle(const void* parameters, netloft_problem* problem) {
     return step.steps % s.look_every == 0 && look(*problem, u, residual);
   };
   const MarchState from = state_at_rest(s.scene.assembler, {problem->u, problem->unknowns});
-  const double begun = cpu_seconds();
   MarchSettings how = s.march;
   how.judged = false;  // where it arrives is judged, not how it came there
   const MarchResult r = march(s.scene, s.methods, s.limits, how, watch, &from);
   std::copy(r.u.begin(), r.u.end(), problem->u);
-  if (r.status == MarchStatus::stopped || r.status == MarchStatus::interrupted) return NETLOFT_STOPPED;
-  const bool moved_on = r.status == MarchStatus::finished || cpu_seconds() - begun > s.limits.seconds;
+  if (r.status == MarchStatus::stopped) return NETLOFT_STOPPED;
+  if (r.status == MarchStatus::interrupted) {
+    look(*problem, r.u, residual);  // the host says so
+    return NETLOFT_STOPPED;
+  }
+  const bool moved_on = r.status == MarchStatus::finished || r.status == MarchStatus::out_of_time ||
+                        r.status == MarchStatus::out_of_work;
   const std::string why = moved_on ? why_not_at_rest(r) : r.reason;
   std::snprintf(problem->message, problem->message_size, "%s", why.c_str());
   return NETLOFT_SOLVER_ERROR;

@@ -176,6 +176,7 @@ class March {
           !energy_.look(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
+      if (status != NETLOFT_OK && has_ended()) return false;  // that, and not the step, is why
       if (status < 0) return fail_in_step();
       ++state_.rejected;
       if (!settings_.adaptive) return fail_at("the step " + seconds_text(h) + " is too long: " + trouble());

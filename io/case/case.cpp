@@ -261,6 +261,12 @@ constexpr Limits kStepLimits{1e-8, 25, std::numeric_limits<double>::infinity(), 
 constexpr double kLeastUnit = 1e8;   // of work in time [operations]: some 5 ms, an iteration of 1000 nodes
 constexpr double kStepsFiner = 0.1;  // tolerance of steps over that of the equilibrium they are to find
 
+WorkModel work_of_steps(const Assembler& assembler, const MakeFactorisation& make) {
+  WorkModel model = make_work_model(assembler, make);
+  model.unit = std::max(model.unit, kLeastUnit);
+  return model;
+}
+
 }  // namespace
 
 Solution Case::settle(const Watch& watch, const std::vector<double>& from) {
@@ -278,6 +284,8 @@ Solution Case::settle(const Watch& watch, const std::vector<double>& from) {
   Limits limits = loaded_.analysis.limits;
   limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
+  const WorkModel model = work_of_steps(*assembler_, make_);
+  settling.limits.model = &model, settling.limits.work = loaded_.analysis.work;
   const SolverType as_solver = settling.as_solver();
   Solution s = solve_static(scene, {&as_solver, &settling}, limits, {from}, {watch.on_iteration, watch.kept});
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
@@ -295,8 +303,7 @@ MarchResult Case::march(const MarchWatch& watch, const Watch& who, const MarchSt
   limits.interrupt = who.interrupt;
   std::optional<WorkModel> model;
   if (std::isfinite(work)) {
-    model = make_work_model(*assembler_, make_);
-    model->unit = std::max(model->unit, kLeastUnit);
+    model = work_of_steps(*assembler_, make_);
     limits.model = &*model, limits.work = work;
   }
   assert(from || a.dynamics.start_file.empty());  // who marches reads the result
