@@ -106,7 +106,14 @@ class SuiteRun {
       e.unfit = true, a.why_not = *why_not;
       return a;
     }
-    e.solution = one.solve(options_.watch);
+    try {
+      e.solution = one.solve(options_.watch);
+    } catch (const PluginRefused&) {
+      throw;
+    } catch (const std::runtime_error& failed) {  // of a plugin, in this case: others may go well
+      a.ran = false, a.why_not = failed.what();
+      return a;
+    }
     e.out_of_budget = e.solution.cost.statistics.total_cpu_seconds >= seconds_for(size) ||
                       (options_.work > 0 && e.solution.cost.work >= options_.work);
     if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
@@ -194,7 +201,7 @@ class SuiteRun {
     if (!a.ran) {
       cell.verdict.where =
           c.expected == Expected::none && a.is_refused_anyhow ? Where::honest : Where::not_run;
-      cell.status = "wrong input", cell.reason = a.why_not;
+      cell.status = a.ended.unknowns > 0 ? "failed" : "wrong input", cell.reason = a.why_not;
       return cell;
     }
     const Solution& s = a.ended.solution;

@@ -166,6 +166,8 @@ ALL = [
         ("netloft run $panel --strategy auto --set analysis.coarse-to-fine.by=direct -o x.hdf", 0, "converged"),
         ("netloft stability $suite --size small --case rope/loose --strategy auto --set analysis.nonsense=1", 3,
          "right 0 of 1", {"holds": "grep -q 'right 1 of 1' <(netloft stability $suite --size small --case rope/loose --strategy auto)"}),
+        ("netloft stability $suite --size small --case rope/taut --plugins $PLUGINS --strategy wrong_strategies/throws_at_a_bound:stages=0 "
+         "--strategy auto", 3, "not run … failed: no stages) … throws_at_a_bound:stages=0 … right 0 of 2 … auto … right 2 of 2", {"needs": "PLUGINS"}),
         ("netloft stability $suite --size small --case pressure-x-100 --strategy auto --work 1", 3, "late … right 0 of"),
         ("netloft stability $suite --update-references --set parts.rope.rope.EA=1e3", 2,
          "--update-references keeps answers of the cases as they are written; --set changes them"),
