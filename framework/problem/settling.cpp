@@ -39,7 +39,7 @@ int settle(const void* parameters, netloft_problem* problem) {
   std::copy(r.u.begin(), r.u.end(), problem->u);
   if (r.status == MarchStatus::stopped) return NETLOFT_STOPPED;
   if (r.status == MarchStatus::interrupted) {
-    look(*problem, r.u, residual);  // the host says so
+    look(*problem, r.u, residual);  // the host sees the interrupt there, and says so
     return NETLOFT_STOPPED;
   }
   const bool moved_on = r.status == MarchStatus::finished || r.status == MarchStatus::out_of_time ||

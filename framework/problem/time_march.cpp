@@ -325,7 +325,6 @@ class March {
     return scheme_.is_explicit() ? "motions grow without bound" : "the step does not settle";
   }
   bool fail_in_step() {
-    if (limits_.interrupt && limits_.interrupt->load()) return !has_ended();
     if (assembler_.fault().status == NETLOFT_ERROR) return fail_at_fault();
     return fail_at(trouble());
   }

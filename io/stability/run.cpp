@@ -18,7 +18,7 @@ struct Attempt {
   Ended ended;
   bool ran = false;
   bool is_refused_anyhow = false;  // as the suite has it, whatever the column asks for
-  std::string why_not;
+  std::string status, why_not;     // where it did not run
 };
 
 /// Stable equilibria of a case: the best, and which solvers found one.
@@ -93,7 +93,7 @@ class SuiteRun {
     }
     Case one(source(c, size, column), registry_);
     if (one.open([&](LoadedScene& loaded) { spoil(loaded.scene, start); }) != Case::State::ready) {
-      a.why_not = first_error(one.diagnostics());
+      a.status = "wrong input", a.why_not = first_error(one.diagnostics());
       Case as_written(source(c, size, {}), registry_);
       a.is_refused_anyhow = as_written.open([](LoadedScene&) {}) != Case::State::ready &&
                             first_error(as_written.diagnostics()) == a.why_not;
@@ -111,7 +111,7 @@ class SuiteRun {
     } catch (const PluginRefused&) {
       throw;
     } catch (const std::runtime_error& failed) {  // of a plugin, in this case: others may go well
-      a.ran = false, a.why_not = failed.what();
+      a.ran = false, a.status = "failed", a.why_not = failed.what();
       return a;
     }
     e.out_of_budget = e.solution.cost.statistics.total_cpu_seconds >= seconds_for(size) ||
@@ -201,7 +201,7 @@ class SuiteRun {
     if (!a.ran) {
       cell.verdict.where =
           c.expected == Expected::none && a.is_refused_anyhow ? Where::honest : Where::not_run;
-      cell.status = a.ended.unknowns > 0 ? "failed" : "wrong input", cell.reason = a.why_not;
+      cell.status = a.status, cell.reason = a.why_not;
       return cell;
     }
     const Solution& s = a.ended.solution;

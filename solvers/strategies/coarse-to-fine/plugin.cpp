@@ -55,7 +55,7 @@ struct CoarseToFine {
     return fine.is_stationary() || study.work_left() == 0 ? std::move(fine)
                                                           : study.solve({.name = kFromCoarser}, start);
   }
-  /// Name and parameters in "auto:restarts=0; slice=100".
+  /// Name and parameters in "auto:restarts=0;slice=100".
   static std::pair<std::string, std::string> named(const std::string& specification) {
     const auto colon = specification.find(':');
     if (colon == std::string::npos) return {specification, ""};
