@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <sstream>
 
 namespace netloft {
 
@@ -107,6 +108,24 @@ std::optional<std::string> samples_fault(const netloft_parameter& p, const Sampl
   return {};
 }
 
+std::string list_choices(const netloft_parameter& p) {
+  std::string text;
+  for (std::size_t i = 0; p.choices[i]; ++i) text += (i ? ", " : "") + std::string(p.choices[i]);
+  return text;
+}
+
+/// Of a text that is made of several words: one that is none of them.
+std::optional<std::string> several_fault(const netloft_parameter& p, const std::string& text) {
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, '+');) {
+    if (place_of(p, word)) continue;
+    const auto near = nearest(word, words_of(p));
+    return std::string(p.name) + " = \"" + text + "\": \"" + word + "\" is none of " + list_choices(p) +
+           (near ? "; did you mean \"" + *near + "\"?" : "");
+  }
+  return {};
+}
+
 std::string unknown(const std::string& name, std::span<const netloft_parameter> table) {
   std::vector<std::string> names;
   for (const auto& p : table) names.push_back(p.name);
@@ -121,14 +140,14 @@ std::string allowed(const netloft_parameter& p) {
     case NETLOFT_BOOLEAN:
       return "true or false";
     case NETLOFT_TEXT:
-      return "a text";
+      if (p.choices) return "one or more of " + list_choices(p) + ", with + between two";
+      return std::string_view(p.unit) == "1"
+                 ? "a text"
+                 : "a " + std::string(p.unit) + ", NAME or NAME:key=value;key=value";
     case NETLOFT_TABLE:
       return "rows of " + columns_text(p);
-    case NETLOFT_CHOICE: {
-      std::string text = "one of ";
-      for (std::size_t i = 0; p.choices[i]; ++i) text += (i ? ", " : "") + std::string(p.choices[i]);
-      return text;
-    }
+    case NETLOFT_CHOICE:
+      return "one of " + list_choices(p);
     default:
       return with_unit("[" + number_text(p.lo) + ", " + number_text(p.hi) + "]", p);
   }
@@ -156,6 +175,7 @@ std::optional<std::string> fault_of(const netloft_parameter& p, const Value& val
   if (const double* v = std::get_if<double>(&value)) return range_fault(p, *v);
   if (const auto* v = std::get_if<Samples>(&value)) return samples_fault(p, *v);
   if (const auto* v = std::get_if<std::int64_t>(&value)) return range_fault(p, static_cast<double>(*v));
+  if (p.kind == NETLOFT_TEXT && p.choices) return several_fault(p, std::get<std::string>(value));
   if (p.kind == NETLOFT_CHOICE && !place_of(p, std::get<std::string>(value))) {
     const auto near = nearest(std::get<std::string>(value), words_of(p));
     return std::string(p.name) + " = \"" + std::get<std::string>(value) + "\" is not " + allowed(p) +

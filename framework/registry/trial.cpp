@@ -102,7 +102,7 @@ void read_texts(const char* const* list) {
 void read_words(const std::vector<netloft_parameter>& parameters) {
   for (const auto& p : parameters) {
     for (const char* text : {p.name, p.unit, p.doc, p.fallback_of, p.fallback_text}) read_text(text);
-    if (p.kind == NETLOFT_CHOICE) read_texts(p.choices);
+    if (p.kind == NETLOFT_CHOICE || p.kind == NETLOFT_TEXT) read_texts(p.choices);
     if (p.kind == NETLOFT_TABLE) read_texts(p.columns), read_texts(p.column_units);
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/parameters/nearest.hpp"
 #include "framework/parameters/whole_number.hpp"
 #include "framework/study/study.hpp"
 
@@ -45,9 +46,14 @@ Value value_of(const netloft_parameter& parameter, const std::string& text) {
 }
 
 const netloft_parameter& find_parameter(std::span<const netloft_parameter> table, const std::string& name) {
-  for (const auto& parameter : table)
+  std::vector<std::string> names;
+  for (const auto& parameter : table) {
     if (name == parameter.name) return parameter;
-  throw std::invalid_argument("there is no parameter " + name);
+    names.push_back(parameter.name);
+  }
+  const auto near = nearest(name, names);
+  throw std::invalid_argument("there is no parameter " + name +
+                              (near ? "; did you mean \"" + *near + "\"?" : ""));
 }
 
 }  // namespace
@@ -59,7 +65,8 @@ Values parse_parameters(std::span<const netloft_parameter> table, const std::str
     const auto equals = pair.find('=');
     if (equals == std::string::npos) throw std::invalid_argument("\"" + pair + "\" is not key=value");
     const netloft_parameter& parameter = find_parameter(table, pair.substr(0, equals));
-    values[parameter.name] = value_of(parameter, pair.substr(equals + 1));
+    const bool is_new = values.emplace(parameter.name, value_of(parameter, pair.substr(equals + 1))).second;
+    if (!is_new) throw std::invalid_argument(std::string(parameter.name) + " is given twice");
     if (const auto fault = fault_of(parameter, values[parameter.name])) throw std::invalid_argument(*fault);
   }
   return values;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/analysis.hpp"
 
+#include "framework/study/named_component.hpp"
 #include "io/scene/element_choice.hpp"
 #include "io/scene/keys.hpp"
 #include "io/scene/parameter_reader.hpp"
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 namespace netloft::io {
@@ -127,6 +129,29 @@ bool is_strategy(Registry& registry, const std::string& name) {
   }
 }
 
+/// Solvers and strategies that parameters of a strategy name.
+void check_named_by(const StrategyType& strategy, const Values& values, TableReader own, Registry& registry,
+                    bool& refused) {
+  for (const auto& parameter : strategy.parameters) {
+    if (!names_component(parameter) || own.kind(parameter.name) != Kind::text) continue;
+    try {
+      check_named(parameter, std::get<std::string>(values.at(parameter.name)), registry);
+    } catch (const PluginRefused& e) {
+      refused = true;
+      report_refusal(own, parameter.name, e.what());
+    } catch (const std::invalid_argument& e) {
+      own.error(parameter.name, e.what());
+    }
+  }
+}
+
+/// Of every strategy that something is said of: which of them another one calls is seen when it is solved.
+void check_names(TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
+  for (const auto& [type, values] : a.given)
+    for (const auto& strategy : registry.plugin(table_of_component(type).plugin).strategies)
+      if (strategy.type == type) check_named_by(strategy, values, own_table(table, type), registry, refused);
+}
+
 /// Tables of components that the scene does not name: a strategy may call them.
 void read_others(TableReader& table, Registry& registry, Analysis& a) {
   const auto read = [&](const auto& all) {
@@ -177,6 +202,7 @@ Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
   if (!settles && !refused)
     read_component(table, "strategy", refused, [&] { read_strategy(table, registry, values, a); });
   read_component(table, "strategy", refused, [&] { read_others(table, registry, a); });
+  check_names(table, registry, a, refused);
   return a;
 }
 

@@ -83,6 +83,14 @@ Samples read_grid(const netloft_parameter& p, TableReader table) {
   return rows;
 }
 
+/// Whatever the table says of it.
+std::string read_text(const netloft_parameter& p, TableReader& from, const std::string& key) {
+  std::string text = from.text(key, {.doc = p.doc});
+  const bool is_text = from.kind(key) == Kind::text;
+  if (const auto fault = fault_of(p, text); is_text && fault) from.error(key, *fault);
+  return text;
+}
+
 netloft::Value read_value(const netloft_parameter& p, TableReader& from, const std::string& key) {
   switch (p.kind) {
     case NETLOFT_INTEGER:
@@ -93,7 +101,7 @@ netloft::Value read_value(const netloft_parameter& p, TableReader& from, const s
     case NETLOFT_CHOICE:
       return from.choice(key, {.allowed = words_of(p), .doc = p.doc});
     case NETLOFT_TEXT:
-      return from.text(key, {.doc = p.doc});
+      return read_text(p, from, key);
     case NETLOFT_TABLE:
       return p.arguments == 2 ? read_grid(p, from.table(key)) : read_samples(p, from.table(key));
     default:

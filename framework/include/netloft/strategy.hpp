@@ -21,10 +21,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace netloft {
@@ -77,6 +79,19 @@ enum class Ending {
   unsettled = NETLOFT_ENDED_UNSETTLED,
   interrupted = NETLOFT_ENDED_INTERRUPTED
 };
+
+/// A solver or a strategy and its parameters in one word, as a user writes it: "auto:restarts=0;slice=100".
+struct Specification {
+  std::string name, parameters;  // the latter as Ask::parameters and Study::call take them
+};
+
+inline Specification specification_of(const std::string& word) {
+  const auto colon = word.find(':');
+  if (colon == std::string::npos) return {word, ""};
+  Specification s{word.substr(0, colon), word.substr(colon + 1)};
+  std::replace(s.parameters.begin(), s.parameters.end(), ';', ',');
+  return s;
+}
 
 /// Where a stage ended and what the host makes of it.
 struct Stage {
@@ -248,18 +263,40 @@ int explain_strategy(const void* parameters, netloft_study* study, char* text, s
 }  // namespace detail
 
 /// Describes one strategy to the host. `needs` are traits the study must have.
+///
+/// A text that is said to name a strategy or a solver takes a Specification; the host refuses one that is not
+/// there, or whose parameters are wrong, before anything is solved. To C it is a text whose `unit` is
+/// "strategy" or "solver"; several words are a text with `choices`.
 template <class S>
 class StrategyTable : public ParameterTable<typename S::Parameters> {
+  using P = typename S::Parameters;
+  using Word = const char* P::*;
+
  public:
   StrategyTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
   void needs(std::uint32_t traits) { needs_ = traits; }
+
+  /// Empty only where that is the default.
+  void strategy(const char* name, Word member, const char* doc, const char* fallback) {
+    this->text(name, member, doc, fallback), last_row().unit = "strategy";
+  }
+  void solver(const char* name, Word member, const char* doc, const char* fallback) {
+    this->text(name, member, doc, fallback), last_row().unit = "solver";
+  }
+  /// Any number of `words`, with a plus between two; none by default.
+  void several(const char* name, Word member, const char* doc, std::vector<const char*> words) {
+    this->text(name, member, doc, ""), words.push_back(nullptr);
+    last_row().choices = words_.emplace_back(std::move(words)).data();
+  }
 
   netloft_strategy descriptor() const {
     detail::OwnParameters<S>::declare(this->rows());
     netloft_strategy s{};
     s.size = sizeof s, s.needs = needs_, s.name = name_, s.doc = doc_;
     s.parameter_bytes = sizeof(typename S::Parameters);
-    s.parameter_count = static_cast<std::uint32_t>(this->rows().size()), s.parameters = this->rows().data();
+    rows_ = this->rows();
+    for (const auto& [at, row] : described_) rows_[at] = row;
+    s.parameter_count = static_cast<std::uint32_t>(rows_.size()), s.parameters = rows_.data();
     s.run = &detail::run_strategy<S>;
     if constexpr (requires(const typename S::Parameters& p, Study& study) { S::explain(p, study); })
       s.explain = &detail::explain_strategy<S>;
@@ -267,8 +304,16 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
   }
 
  private:
+  /// A copy of the last row, which takes its place.
+  netloft_parameter& last_row() {
+    return described_.emplace_back(this->rows().size() - 1, this->rows().back()).second;
+  }
+
   const char *name_, *doc_;
   std::uint32_t needs_ = 0;
+  std::vector<std::pair<std::size_t, netloft_parameter>> described_;
+  std::deque<std::vector<const char*>> words_;
+  mutable std::vector<netloft_parameter> rows_;
 };
 
 }  // namespace netloft

@@ -20,8 +20,8 @@ struct Attempt {
 /// The attempts that suit a scene, in the order in which they are tried.
 std::vector<Attempt> attempts_for(const Study& study, const Options& options);
 
-/// Throws std::invalid_argument, naming the parts there are, where the user leaves out what is none of them.
-void check_parts(const Options& options);
+/// All parts that a user may leave out.
+std::vector<const char*> parts();
 
 /// Whether a part of the strategy is left out by the user.
 bool is_left_out(const Options& options, const std::string& part);

@@ -7,7 +7,6 @@
 namespace netloft::automatic {
 
 void Auto::run(const Options& options, Study& study) {
-  check_parts(options);
   const Stage best = Race(study, options).run();
   if (!best.is_stationary()) return;
   study.answer(best.u);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/strategies/auto/attempts.hpp"
 #include "solvers/strategies/auto/auto.hpp"
 
 using netloft::automatic::Auto;
@@ -20,5 +21,5 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
          "work of the first slice of each attempt, and of each look for another shape, in Newton iterations "
          "of the mesh on which they are made",
          {.lo = 1, .hi = 1e9, .fallback = 200});
-  s.text("without", &Options::without, "parts to leave out, such as restarts+tension-stages", "");
+  s.several("without", &Options::without, "parts to leave out", netloft::automatic::parts());
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <netloft/strategy.hpp>
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -22,8 +21,8 @@ struct CoarseToFine {
 
   static void run(const Parameters& p, Study& study) {
     if (!has_coarser(study)) return;
-    const auto [by, parameters] = named(p.by);
-    const Stage coarse = study.call(by.c_str(), parameters.c_str(),
+    const Specification by = specification_of(p.by);
+    const Stage coarse = study.call(by.name.c_str(), by.parameters.c_str(),
                                     {.name = "on a coarser mesh",
                                      .variant = {.level = 1},
                                      .tolerance = kOnlyAStart,
@@ -51,17 +50,11 @@ struct CoarseToFine {
   /// The start is assessed first, so that a strategy that is cut off before it has solved anything has that.
   static Stage called_from(const Displacements& start, const Parameters& p, Study& study) {
     Stage fine = study.assess({.name = kFromCoarser}, start);
-    if (!fine.is_stationary()) fine = study.call(p.then, "", {.name = kFromCoarser}, start);
+    const Specification then = specification_of(p.then);
+    if (!fine.is_stationary())
+      fine = study.call(then.name.c_str(), then.parameters.c_str(), {.name = kFromCoarser}, start);
     return fine.is_stationary() || study.work_left() == 0 ? std::move(fine)
                                                           : study.solve({.name = kFromCoarser}, start);
-  }
-  /// Name and parameters in "auto:restarts=0;slice=100".
-  static std::pair<std::string, std::string> named(const std::string& specification) {
-    const auto colon = specification.find(':');
-    if (colon == std::string::npos) return {specification, ""};
-    std::string parameters = specification.substr(colon + 1);
-    std::replace(parameters.begin(), parameters.end(), ';', ',');
-    return {specification.substr(0, colon), parameters};
   }
   static bool has_coarser(Study& study) { return study.levels() > 1 && study.size(1) > 0; }
 };
@@ -71,11 +64,8 @@ struct CoarseToFine {
 NETLOFT_PLUGIN("coarse-to-fine", "0.1.0", "Grid sequencing") {
   auto& strategy = plugin.strategy<CoarseToFine>(
       "coarse-to-fine", "The scene itself from where a coarser mesh is in equilibrium");
-  strategy.text("by", &CoarseToFine::Parameters::by,
-                "strategy that solves the coarser mesh; its parameters after a colon, as in auto:restarts=0, "
-                "with a semicolon between two",
-                "direct");
-  strategy.text(
+  strategy.strategy("by", &CoarseToFine::Parameters::by, "strategy that solves the coarser mesh", "direct");
+  strategy.strategy(
       "then", &CoarseToFine::Parameters::then,
       "strategy that solves the scene itself from there; empty, and where it finds nothing: the solver", "");
 }

@@ -27,7 +27,9 @@ struct Deflation {
   };
 
   static void run(const Parameters& p, Study& study) {
-    const Stage first = study.call(p.by, "", {.name = "the first shape"}, study.start());
+    const Specification by = specification_of(p.by);
+    const Stage first =
+        study.call(by.name.c_str(), by.parameters.c_str(), {.name = "the first shape"}, study.start());
     if (!first.is_stationary()) return;
     study.answer(first.u);
     std::vector<Displacements> known{first.u};
@@ -93,7 +95,7 @@ NETLOFT_PLUGIN("deflation", "0.1.0", "Several equilibria, by deflation") {
   auto& s = plugin.strategy<Deflation>(
       "deflation", "One equilibrium, then others, stable or not, with those that are known divided out");
   using P = Deflation::Parameters;
-  s.text("by", &P::by, "strategy that finds the first", "auto");
+  s.strategy("by", &P::by, "strategy that finds the first", "auto");
   s.integer("searches", &P::searches, "how often to look for another", 0, 1000, 10);
   s.integer("iterations", &P::iterations, "steps of Newton's method in one search", 1, 100000, 100);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <netloft/strategy.hpp>
 
+#include <utility>
+
 namespace {
 
 using namespace netloft;
@@ -17,14 +19,19 @@ struct Relaxed {
   };
 
   static void run(const Parameters& p, Study& study) {
-    const Stage near = study.solve(
-        {.name = "relaxation", .solver = p.solver, .tolerance = kOnlyAStart, .iterations = kAsManyAsItTakes},
-        study.start());
+    const Specification by = specification_of(p.solver);
+    const auto relax = [&](const char* name, double tolerance, Displacements u) {
+      return study.solve({.name = name,
+                          .solver = by.name.c_str(),
+                          .parameters = by.parameters.c_str(),
+                          .tolerance = tolerance,
+                          .iterations = kAsManyAsItTakes},
+                         std::move(u));
+    };
+    const Stage near = relax("relaxation", kOnlyAStart, study.start());
     if (study.work_left() == 0) return;
     Stage stage = study.solve({.name = "from a relaxed shape"}, near.u);
-    if (!stage.is_stationary() && study.work_left() > 0)
-      stage =
-          study.solve({.name = "by relaxation", .solver = p.solver, .iterations = kAsManyAsItTakes}, near.u);
+    if (!stage.is_stationary() && study.work_left() > 0) stage = relax("by relaxation", 0, near.u);
     if (stage.is_stationary()) study.answer(stage.u);
   }
 
@@ -39,5 +46,5 @@ struct Relaxed {
 NETLOFT_PLUGIN("relaxed", "0.1.0", "From a relaxed shape") {
   auto& s = plugin.strategy<Relaxed>("relaxed", "From where a matrix-free solver has brought the gear near");
   using P = Relaxed::Parameters;
-  s.text("solver", &P::solver, "solver that needs no tangent", "relaxation");
+  s.solver("solver", &P::solver, "solver that needs no tangent", "relaxation");
 }

@@ -177,4 +177,14 @@ ALL = [
         ("netloft reference /proc/here", 1, "/proc/here cannot be made: No such file or directory"),
         ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 --csv t.csv", 1,
          "newton … converged … t.csv cannot be written: No space left on device", {"needs": "FULL_DISK"})),
+    *answers(
+        "14. Strategies that are asked for wrongly, and strategies that fail",
+        ("netloft run $panel --strategy relaxed:solver=newtn -o x.hdf", 4,
+         'analysis.relaxed.solver: there is no plugin "newtn"; did you mean "newton"?', {"holds": "test ! -e x.hdf"}),
+        ("netloft plan $panel --strategy coarse-to-fine:by=nonsense", 4, 'analysis.coarse-to-fine.by: there is no plugin "nonsense"'),
+        ("netloft run $panel --strategy auto --set 'analysis.coarse-to-fine.then=\"direkt\"'", 4,
+         'analysis.coarse-to-fine.then: there is no plugin "direkt"; did you mean "direct"?'),
+        ("netloft plan $panel --strategy 'coarse-to-fine:by=auto:restrts=0'", 2,
+         'analysis.coarse-to-fine.by: there is no parameter restrts; did you mean "restarts"?'),
+        ("netloft plan $panel --strategy auto:without=restarts+directt", 2, '"directt" is none of restarts, … did you mean "direct"?')),
 ]

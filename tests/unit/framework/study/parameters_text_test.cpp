@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "framework/study/named_component.hpp"
 #include "framework/study/study.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -19,7 +20,8 @@ TEST(ParametersText, GivesEachValueTheKindOfItsParameter) {
 }
 
 TEST(ParametersText, IsRefusedWithASentenceWhereItIsWrong) {
-  for (const char* text : {"damping", "dumping=1", "damping=much", "damping=-1", "method=other"})
+  for (const char* text :
+       {"damping", "dumping=1", "damping=much", "damping=-1", "method=other", "damping=1,damping=2"})
     EXPECT_THROW(parse_parameters(newton(), text), std::invalid_argument) << text;
 }
 
@@ -28,6 +30,34 @@ TEST(ParametersText, HasWholeNumbersWhereNoOthersCanBe) {
   EXPECT_EQ(std::get<std::int64_t>(parse_parameters(lbfgs, "memory=1e2").at("memory")), 100);
   for (const char* text : {"memory=8.5", "memory=1e300", "memory=nan"})
     EXPECT_THROW(parse_parameters(lbfgs, text), std::invalid_argument) << text;
+}
+
+const netloft_parameter& parameter_of(const std::string& strategy, const std::string& name) {
+  for (const auto& p : shipped_plugins().strategy(strategy).parameters)
+    if (name == p.name) return p;
+  throw std::logic_error("no such parameter");
+}
+
+void check(const std::string& strategy, const std::string& name, const std::string& specification) {
+  check_named(parameter_of(strategy, name), specification, shipped_plugins());
+}
+
+TEST(NamedComponent, IsOneThatIsThereWithParametersThatAreRight) {
+  check("relaxed", "solver", "newton:method=classic;damping=1");
+  check("coarse-to-fine", "by", "coarse-to-fine:by=auto:restarts=0");
+  check("coarse-to-fine", "then", "");
+}
+
+TEST(NamedComponent, IsRefusedWhereItIsNotThere) {
+  EXPECT_THROW(check("relaxed", "solver", "newtn"), UnknownComponent);
+  EXPECT_THROW(check("relaxed", "solver", "direct"), UnknownComponent);
+  EXPECT_THROW(check("coarse-to-fine", "by", "coarse-to-fine:by=newton"), UnknownComponent);
+}
+
+TEST(NamedComponent, IsRefusedWhereItsParametersAreWrong) {
+  for (const char* by : {"", ":restarts=0", "auto:restrts=0", "auto:restarts=1;restarts=2",
+                         "auto:without=nothing", "coarse-to-fine:by=auto:restarts=-1"})
+    EXPECT_THROW(check("coarse-to-fine", "by", by), std::invalid_argument) << by;
 }
 
 }  // namespace
