@@ -152,15 +152,28 @@ void RunningStudy::run(const StrategyType& type, const void* parameters) {
   if (!has_any()) throw std::runtime_error(failure_);
 }
 
+/// What a strategy leaves that failed is a state, and no answer.
 Solution RunningStudy::best() const {
-  if (equilibria_.has_any()) return equilibria_.best();
-  Solution s = closest_ ? *closest_ : Solution{};
-  if (!closest_) s.reason = "the strategy solved no stage of the scene itself";
-  if (!failure_.empty()) s.reason += "; " + failure_;
-  s.does_not_settle = unsettled_ > 0 && !(interface_.traits & NETLOFT_CONSERVATIVE);
+  Solution s = equilibria_.has_any() ? equilibria_.best() : closest_.value_or(Solution{});
+  if (!has_any()) s.reason = "the strategy solved no stage of the scene itself";
+  if (!has_any() && message_[0]) s.reason += std::string(": ") + message_;
+  if (!failure_.empty()) {
+    s.reason = failure_ + (has_any() ? "; " + s.reason : "");
+    if (is_stationary(s)) s.status = SolveStatus::not_converged;
+  }
+  if (!is_stationary(s)) s.does_not_settle = unsettled_ > 0 && !(interface_.traits & NETLOFT_CONSERVATIVE);
+  return s;
+}
+
+/// Of strategies that call one another the outermost says so, once. A stage that was under way says itself
+/// that its work or the time was used up.
+Solution RunningStudy::explained() const {
+  Solution s = best();
+  if (is_stationary(s) && equilibria_.has_any()) return s;
   if (s.does_not_settle) s.reason += "; followed in time it did not come to rest";
-  if (work_left() == 0 && !host_.is_interrupted()) s.reason += "; the budget of work is used up";
-  // A stage that was under way says so itself.
+  const bool was_cut_off = s.run.stop == Stop::work, is_used_up = work_left() == 0;
+  if (is_used_up && !was_cut_off && !host_.is_interrupted()) s.reason += "; the budget of work is used up";
+  if (was_cut_off && !is_used_up) s.reason += "; the strategy ended with work left";
   if (host_.is_out_of_time() && s.reason.find(kTimeIsOver) == std::string::npos)
     s.reason += "; " + std::string(kTimeIsOver);
   return s;
@@ -178,7 +191,8 @@ netloft_ending RunningStudy::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);
   if (host_.is_interrupted()) return NETLOFT_ENDED_INTERRUPTED;
-  return work_left() > 0 ? last_ : NETLOFT_ENDED_OUT_OF_WORK;
+  if (work_left() == 0) return NETLOFT_ENDED_OUT_OF_WORK;
+  return failure_.empty() ? last_ : NETLOFT_ENDED_NOT_CONVERGED;
 }
 
 double RunningStudy::work_left() const {

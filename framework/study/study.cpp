@@ -30,8 +30,10 @@ Solution at_start(StudyHost& host, const netloft_study& study, Solution none) {
   stage.size = sizeof stage, stage.variant = as_written(), stage.name = "the start", stage.u = u.data();
   stage.tolerance = host.options().limits.tolerance, stage.work = host.options().work;
   Solution start = host.assess(stage);
+  start.cost = std::move(none.cost);
+  if (study.unknowns == 0) return start;  // nothing is free: there is no other point
   start.status = SolveStatus::not_converged, start.reason = std::move(none.reason);
-  start.does_not_settle = none.does_not_settle, start.cost = std::move(none.cost);
+  start.does_not_settle = none.does_not_settle;
   return start;
 }
 
@@ -43,7 +45,7 @@ Solution find_as_set(const SiteSource& source, const StudyOptions& options, cons
   RunningStudy study(host, as_written(), options.limits.tolerance, options.work,
                      start.empty() ? nullptr : start.data());
   study.run(*strategy.type, parameters.data());
-  Solution best = host.finish(study.best());
+  Solution best = host.finish(study.explained());
   if (!study.has_any()) best = at_start(host, study.interface(), std::move(best));
   return best;
 }

@@ -88,6 +88,8 @@ class RunningStudy {
 
   /// The best answer; where there is none, the stage of the scene itself that came closest.
   Solution best() const;
+  /// With why there is none.
+  Solution explained() const;
   /// Whether some stage of the scene itself has been solved.
   bool has_any() const { return equilibria_.has_any() || closest_.has_value(); }
 

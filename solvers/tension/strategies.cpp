@@ -38,15 +38,20 @@ void Only::describe(StrategyTable<Only>& t) {
 }
 
 void Only::run(const Parameters& parameters, Study& study) {
-  if (!(study.load() > 0)) return;
+  if (!(study.load() > 0)) return study.decline("nothing drives the gear");
   bool has_converged = false;
+  const char* why_not = "its interior point did not converge";
   Displacements u = study.with_members(
       {.name = "tension only"}, study.start(), [&](netloft_members& members, std::span<double> there) {
-        if (!some_can_be_slack(members)) return;
+        if (!some_can_be_slack(members)) {
+          why_not = "its members resist compression as they do tension";
+          return;
+        }
         InteriorPoint method(parameters, members);
         has_converged = method.solve(there, study.load()) == InteriorPoint::Ending::converged;
       });
-  if (has_converged) solve_from(study, std::move(u));
+  if (!has_converged) return study.decline(why_not);
+  solve_from(study, std::move(u));
 }
 
 std::string Only::explain(const Parameters&, Study& study) {

@@ -194,6 +194,10 @@ class Study {
     return u;
   }
 
+  /// Says why it solves nothing of the scene, or no more; then return. A user reads it where there is nothing
+  /// else to report: "there is no current".
+  void decline(const char* why) { std::snprintf(s_.message, s_.message ? s_.message_size : 0, "%s", why); }
+
   double work_left() { return s_.work_left(s_.host); }
   /// An equilibrium of the scene itself; may be called again, for another shape.
   void answer(const Displacements& u) {

@@ -20,7 +20,7 @@ struct CoarseToFine {
   };
 
   static void run(const Parameters& p, Study& study) {
-    if (!has_coarser(study)) return;
+    if (!has_coarser(study)) return study.decline("there is no coarser mesh");
     const Specification by = specification_of(p.by);
     const Stage coarse = study.call(by.name.c_str(), by.parameters.c_str(),
                                     {.name = "on a coarser mesh",
@@ -28,7 +28,8 @@ struct CoarseToFine {
                                      .tolerance = kOnlyAStart,
                                      .work = kMostOfCoarser * study.work_left()},
                                     study.transfer(0, study.start(), 1));
-    if (!coarse.has_converged()) return;
+    if (!coarse.has_converged())
+      return study.decline("a coarser mesh did not converge, with half of the work");
     const Displacements start = study.transfer(1, coarse.u, 0);
     Stage fine = *p.then ? called_from(start, p, study) : study.solve({.name = kFromCoarser}, start);
     if (fine.is_stationary()) study.answer(fine.u);

@@ -13,7 +13,7 @@ struct LoadSteps {
   };
 
   static void run(const Parameters& p, Study& study) {
-    if (!study.flows()) return;
+    if (!study.flows()) return study.decline("there is no current");
     Displacements u = solve_at(study, 0, study.start()).u;
     double fraction = 0;
     for (double step = p.step; fraction + step < 1 && study.work_left() > 0;) {
@@ -21,7 +21,7 @@ struct LoadSteps {
       if (stage.is_stationary())
         fraction += step, u = std::move(stage.u), step *= 2;
       else if ((step *= 0.5) < p.shortest)
-        return;
+        return study.decline("steps of the current became too short");
     }
     if (study.work_left() == 0) return;
     const Stage stage = study.solve({.name = "from slow to fast"}, u);

@@ -23,7 +23,7 @@ struct StiffnessSteps {
 
   static void run(const Parameters& p, Study& study) {
     const double first = first_cap(p, study);
-    if (!(first > 0) || first >= study.stiffness()) return;
+    if (!(first > 0) || first >= study.stiffness()) return study.decline("it is soft for its load");
     const auto u = stiffened(p, study, first);
     if (study.work_left() == 0) return;
     const Stage stage = study.solve({.name = "from soft to stiff"}, u);

@@ -186,5 +186,11 @@ ALL = [
          'analysis.coarse-to-fine.then: there is no plugin "direkt"; did you mean "direct"?'),
         ("netloft plan $panel --strategy 'coarse-to-fine:by=auto:restrts=0'", 2,
          'analysis.coarse-to-fine.by: there is no parameter restrts; did you mean "restarts"?'),
-        ("netloft plan $panel --strategy auto:without=restarts+directt", 2, '"directt" is none of restarts, … did you mean "direct"?')),
+        ("netloft plan $panel --strategy auto:without=restarts+directt", 2, '"directt" is none of restarts, … did you mean "direct"?'),
+        ("netloft run $panel --strategy deflation --set analysis.work=5 -o x.hdf", 3, "not converged … its budget of work was used up; largest residual",
+         {"holds": "test $(grep -o 'budget of work' <(netloft run $panel --strategy deflation --set analysis.work=5 | head -3) | wc -l) = 1"}),
+        ("netloft run $panel --strategy load-steps -o x.hdf", 3, "the strategy solved no stage of the scene itself: there is no current",
+         {"holds": "test -s x.not-converged.hdf || test -s x.hdf"}),
+        ("netloft run line.toml --strategy load-steps --set parts.line.cells=1 -o x.hdf", 0, "converged",
+         {"prepare": "line 0 '100 kN' > line.toml; printf '[[hold]]\\non = \"line.end\"\\n' >> line.toml"})),
 ]

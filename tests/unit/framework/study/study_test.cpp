@@ -97,6 +97,41 @@ TEST(AStudy, SaysThatItsStrategyFailed) {
   EXPECT_NE(s.reason.find("test/by-hand failed: the tide turned"), std::string::npos) << s.reason;
 }
 
+TEST(AStudy, HasNoAnswerOfAStrategyThatFailedAfterIt) {
+  const Solution s = study(taut_bars(), [](Study& of) {
+    of.answer(of.solve({.name = "found"}, of.start()).u);
+    throw std::runtime_error("the tide turned");
+  });
+  EXPECT_EQ(s.status, SolveStatus::not_converged);
+  EXPECT_TRUE(s.reason.starts_with("the strategy test/by-hand failed: the tide turned; largest residual"))
+      << s.reason;
+  EXPECT_TRUE(s.balance.balanced) << "the state that it left is kept";
+}
+
+TEST(AStudy, SaysOnceThatItsWorkIsUsedUp) {
+  const auto count = [](const std::string& text, const std::string& what) {
+    int times = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++times;
+    return times;
+  };
+  const auto nested = [](Study& of) {
+    of.call("relaxed", "", {.name = "by another"}, perturbed(of.start(), 0.3));
+    of.call("direct", "", {.name = "by another"}, perturbed(of.start(), 0.3));
+  };
+  const Solution s = study(compressed_bars(), nested, 0.5);
+  EXPECT_EQ(count(s.reason, "budget of work"), 1) << s.reason;
+  const Solution gave_up = study(compressed_bars(), [](Study& of) {
+    of.solve({.name = "short", .work = 1e-3}, perturbed(of.start(), 0.3));
+  });
+  EXPECT_TRUE(gave_up.reason.ends_with("; the strategy ended with work left")) << gave_up.reason;
+}
+
+TEST(AStudy, SaysWhyItsStrategySolvedNothing) {
+  const Solution s = study(taut_bars(), [](Study& of) { of.decline("there is no tide"); });
+  EXPECT_EQ(s.status, SolveStatus::not_converged);
+  EXPECT_EQ(s.reason, "the strategy solved no stage of the scene itself: there is no tide");
+}
+
 TEST(AStudy, RefusesStrategiesThatCallThemselvesWithoutEnd) {
   std::string why;
   try {
