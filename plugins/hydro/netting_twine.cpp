@@ -42,23 +42,23 @@ void write_force(const netloft_flow& f, std::size_t i, const Motion& m, const Fa
   for (int axis = 0; axis < 3; ++axis) f.force[static_cast<std::size_t>(axis) * kLanes + i] = F[axis];
 }
 
+/// (6) to (8), what multiplies t from the left gathered: one row of it is t_p times a vector.
 void write_derivatives(double shielding, const netloft_flow& f, std::size_t i, const Motion& m,
                        const Factors& c) {
-  const double squared = NettingTwine::kAlong * NettingTwine::kAlong;
+  const double squared = NettingTwine::kAlong * NettingTwine::kAlong, k = c.across.value, a = c.along.value;
   const Vec3<double> n = (1 / std::max(m.s, kStillSpeed)) * m.U_n, e = (1 / std::max(m.u, kStillSpeed)) * m.U;
   const double turn = m.e > kStillSpeed ? c.along.slope * (m.tau / m.e) / m.e : 0;
-  const Vec3<double> by_flow = m.U_n + (squared * m.tau) * m.t, by_turn = m.U_n - squared * m.U;
+  const Vec3<double> by_flow = shielding * ((a - k) * m.t + turn * (m.U_n + (squared * m.tau) * m.t)),
+                     by_turn = (a - k) * m.U - (turn * m.tau) * (m.U_n - squared * m.U),
+                     gn = (shielding * c.across.slope) * n, me = (shielding * c.knots.slope) * e,
+                     gn_turned = (m.tau * c.across.slope) * n;
+  const double of_flow = shielding * (k + c.knots.value), of_turn = (a - k) * m.tau;
 #pragma GCC unroll 3
   for (int p = 0; p < 3; ++p)
     for (int q = 0; q < 3; ++q) {
-      const double one = p == q ? 1 : 0, tt = m.t[p] * m.t[q];
       const auto entry = static_cast<std::size_t>(3 * p + q) * kLanes + i;
-      f.d_flow[entry] = shielding * (c.across.value * (one - tt) + c.across.slope * n[p] * n[q] +
-                                     c.along.value * tt + turn * m.t[p] * by_flow[q] + c.knots.value * one +
-                                     c.knots.slope * e[p] * e[q]);  // (6), (8)
-      f.d_direction[entry] = -m.tau * (c.across.value * one + c.across.slope * n[p] * n[q]) +
-                             (c.along.value - c.across.value) * m.t[p] * m.U[q] +
-                             c.along.value * m.tau * one - turn * m.tau * m.t[p] * by_turn[q];  // (7)
+      f.d_flow[entry] = m.t[p] * by_flow[q] + gn[p] * n[q] + me[p] * e[q] + (p == q ? of_flow : 0);
+      f.d_direction[entry] = m.t[p] * by_turn[q] - gn_turned[p] * n[q] + (p == q ? of_turn : 0);
     }
   for (std::size_t axis = 0; axis < 3; ++axis) f.d_solidity[axis * kLanes + i] = 0;
 }

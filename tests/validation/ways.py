@@ -41,8 +41,7 @@ class Ways:
         yield f"from the gear at {other} knots", [], ["--start-from", self.folder / "other.hdf"]
         for strategy in ("tension/stages", "stiffness-steps"):
             yield f"`{strategy}`", [], ["--strategy", strategy]
-        # Growing by 2, its step takes 400 to more than 1000 steps here, as the coarser mesh happens to leave it.
-        yield "`ptc:growth=5` from the coarser mesh", [], ["--solver", "ptc:growth=5", "--strategy", "coarse-to-fine:by=auto"]
+        yield "`chord` after `tension/stages`", [], ["--solver", "chord", "--strategy", "tension/stages"]
 
 
 def compared(beside, figures):
