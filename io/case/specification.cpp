@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -42,11 +43,14 @@ std::vector<std::string> overrides_of(const std::string& key, const std::string&
   std::vector<std::string> all{"analysis." + key + "=\"" + name + "\""};
   if (colon == std::string::npos) return all;
   if (colon + 1 == specification.size()) refuse(key, specification, "nothing follows the colon");
+  std::set<std::string> keys;
   std::istringstream pairs(specification.substr(colon + 1));
   for (std::string pair; std::getline(pairs, pair, ',');) {
     const auto equals = pair.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size())
       refuse(key, specification, "\"" + pair + "\" is not key=value");
+    if (!keys.insert(pair.substr(0, equals)).second)
+      refuse(key, specification, pair.substr(0, equals) + " is given twice");
     const ComponentTable at = table_of_component(name);
     all.push_back("analysis." + at.plugin + (at.component.empty() ? "" : "." + at.component) + "." + pair);
   }

@@ -201,8 +201,8 @@ int run(const Options& options) {
   std::puts(options.json ? comparison_json(result).c_str() : comparison_text(result).c_str());
   if (result.is_interrupted)
     return end_interrupted(terminal, "the table is of what was done before" + unwritten(options.compare));
-  return write_last(terminal, result.any_converged() ? kDone : kNotConverged,
-                    [&] { write_files(result, options.compare); });
+  const bool is_well = result.any_converged() && !result.any_failed();
+  return write_last(terminal, is_well ? kDone : kNotConverged, [&] { write_files(result, options.compare); });
 }
 
 }  // namespace

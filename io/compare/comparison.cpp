@@ -171,6 +171,12 @@ bool Comparison::any_converged() const {
   });
 }
 
+bool Comparison::any_failed() const {
+  return std::any_of(methods.begin(), methods.end(), [](const MethodResult& m) {
+    return std::any_of(m.trials.begin(), m.trials.end(), [](const Trial& t) { return t.failed; });
+  });
+}
+
 Comparison compare(const CaseSource& source, Registry& registry, const ComparisonTask& task,
                    const Watch& watch) {
   return Comparing(source, registry, task, watch).run();

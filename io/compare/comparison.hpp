@@ -48,6 +48,7 @@ struct Comparison {
   bool is_interrupted = false;  // by the user: methods that had not begun are left out, and what comes after
 
   bool any_converged() const;
+  bool any_failed() const;  // the plugin of a method, in a trial
 };
 
 /// Runs all trials. The scene must have been opened with every method before, so that it is known to be free

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -54,13 +55,27 @@ Trial trial_in_time(Case& fresh, const Method& method, double tolerance, const W
   return t;
 }
 
+/// One that failed may do so at this tolerance alone, and others go well.
+Trial failed_trial(double tolerance, const std::string& why) {
+  Trial t;
+  t.tolerance = tolerance, t.failed = true, t.reason = why;
+  t.cpu_seconds = std::numeric_limits<double>::quiet_NaN();
+  return t;
+}
+
 Trial run_once(const CaseSource& source, Registry& registry, const Method& method, double tolerance,
                const Watch& watch) {
   Case fresh(source_for(source, method, tolerance), registry);
   if (fresh.open() != Case::State::ready)
     throw std::runtime_error(method.specification + ": " + fresh.diagnostics().render(false));
-  if (method.kind() == "integrator") return trial_in_time(fresh, method, tolerance, watch);
-  return trial_of(fresh.solve(watch), tolerance);
+  try {
+    if (method.kind() == "integrator") return trial_in_time(fresh, method, tolerance, watch);
+    return trial_of(fresh.solve(watch), tolerance);
+  } catch (const PluginRefused&) {
+    throw;
+  } catch (const std::runtime_error& e) {
+    return failed_trial(tolerance, e.what());
+  }
 }
 
 Trial not_tried(double tolerance) {

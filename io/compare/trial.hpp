@@ -9,7 +9,8 @@ namespace netloft::io {
 /// The cost and the answer of one method at one tolerance; of a motion that is the accuracy of its path.
 struct Trial {
   double tolerance = 0;
-  bool tried = true;  // false: the method has failed at a looser tolerance already
+  bool tried = true;    // false: the method has failed at a looser tolerance already
+  bool failed = false;  // its plugin did, with an error that `reason` says
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
   std::string reason;     // a sentence
@@ -31,6 +32,7 @@ struct Trial {
 
   std::string outcome() const {
     if (!tried) return "not tried";
+    if (failed) return "failed";
     return of_motion.empty() ? std::string(name_of(status)) : of_motion;
   }
   bool converged() const {

@@ -27,7 +27,14 @@ void leave_out(const std::vector<std::string>& parts, StabilityColumn& column) {
   if (parts.empty() || component_of(column.strategy) != kAuto) return;
   std::string all;
   for (const auto& part : parts) all += (all.empty() ? "" : "+") + part;
-  column.strategy += (column.strategy == kAuto ? ":" : ",") + ("without=" + all);
+  const std::string key = "without=";
+  std::string& text = column.strategy;
+  for (auto at = text.find_first_of(":,"); at != std::string::npos; at = text.find_first_of(":,", at + 1))
+    if (text.compare(at + 1, key.size(), key) == 0) {
+      text.insert(at + 1 + key.size(), all + "+");
+      return;
+    }
+  text += (text == kAuto ? ":" : ",") + key + all;
 }
 
 std::string component_of(const std::string& specification) {

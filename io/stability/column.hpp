@@ -19,7 +19,8 @@ struct StabilityColumn {
 /// A solver alone, "newton:method=classic".
 StabilityColumn column_of(const std::string& solver);
 
-/// Takes attempts away from the strategy auto: its parameter `without`. Other columns stay as they are.
+/// Takes attempts away from the strategy auto, with those that the column leaves out itself: its parameter
+/// `without`. Other columns stay as they are.
 void leave_out(const std::vector<std::string>& parts, StabilityColumn& column);
 
 /// Name of a component in "newton:method=classic".

@@ -43,9 +43,17 @@ TEST(StabilityColumn, PartsAreLeftOutOfAutoAlone) {
             (Words{"analysis.strategy=\"auto\"", "analysis.auto.without=restarts+tension-stages"}));
 }
 
+TEST(StabilityColumn, LeavesOutWhatItLeavesOutItselfToo) {
+  StabilityColumn own{"", "auto:without=direct"}, amid{"", "auto:slice=3,without=direct,restarts=1"};
+  for (auto* column : {&own, &amid}) leave_out({"restarts"}, *column);
+  EXPECT_EQ(own.strategy, "auto:without=restarts+direct");
+  EXPECT_EQ(amid.strategy, "auto:slice=3,without=restarts+direct,restarts=1");
+}
+
 TEST(StabilityColumn, ASpecificationThatIsNotUnderstoodIsRefused) {
   EXPECT_THROW(overrides_of({"newton:", ""}), std::invalid_argument);
   EXPECT_THROW(overrides_of({"", "load steps"}), std::invalid_argument);
+  EXPECT_THROW(overrides_of({"", "auto:restarts=1,slice=3,restarts=2"}), std::invalid_argument);
 }
 
 }  // namespace
