@@ -21,6 +21,18 @@ std::string suggestion(const std::string& wanted, const std::vector<std::string>
   return near ? "; did you mean \"" + *near + "\"?" : "; there is: " + joined(names);
 }
 
+/// Of a plugin: what has that name, and is something else.
+std::string other_kind(const PluginContent& plugin, const std::string& type) {
+  std::string kind;
+  const auto look = [&](const auto& types, const char* what) {
+    for (const auto& t : types)
+      if (t.type == type) kind = what;
+  };
+  look(plugin.elements, "an element"), look(plugin.laws, "a law"), look(plugin.solvers, "a solver");
+  look(plugin.integrators, "an integrator"), look(plugin.strategies, "a strategy");
+  return kind;
+}
+
 std::string plugin_of(const std::string& type) { return type.substr(0, type.find('/')); }
 
 /// "newton" is short for "newton/newton".
@@ -77,6 +89,8 @@ const typename Types::value_type& Registry::find(const Types& types, const std::
                                                  const char* what, const std::string& name) const {
   for (const auto& t : types)
     if (t.type == type) return t;
+  if (const auto kind = other_kind(*opened_.at(name), type); !kind.empty())
+    throw UnknownComponent("\"" + type + "\" is " + kind + ", and no " + what + hidden(name));
   std::vector<std::string> names;
   for (const auto& t : types) names.push_back(t.type);
   throw UnknownComponent("the plugin \"" + name + "\" has no " + what + " \"" + type + "\"" +

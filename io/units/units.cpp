@@ -49,14 +49,13 @@ struct Written {
 };
 
 /// Takes the number off the front of `text`.
-Quantity split(std::string_view text, Written& out) {
+Quantity split(std::string_view text, const std::string& example, Written& out) {
   std::string_view rest = text;
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
   const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), out.number);
   if (code == std::errc::result_out_of_range)
     return refuse(in_quotes(text) + " exceeds the range of floating-point numbers");
-  if (code != std::errc())
-    return refuse(in_quotes(text) + " does not begin with a number", "write it as \"10 mm\"");
+  if (code != std::errc()) return refuse(in_quotes(text) + " does not begin with a number", example);
   if (!std::isfinite(out.number)) return refuse(in_quotes(text) + " is not a finite number");
   out.unit = trim(rest.substr(static_cast<std::size_t>(end - rest.data())));
   const bool comma = out.unit.size() > 1 && out.unit[0] == ',' && is_digit(out.unit[1]);
@@ -131,9 +130,16 @@ std::optional<Unit> parse_wanted(const UnitSystem& units, std::string_view si_un
   return parse_unit(units, si_unit == "1" ? "" : si_unit).unit;
 }
 
+/// Of a quantity, for whoever wrote something else.
+std::string example_of(std::string_view si_unit) {
+  if (si_unit == "1") return "write a number, such as 10";
+  return "write it as \"10 " + std::string(si_unit == "m" ? "mm" : si_unit) + "\"";
+}
+
 /// Takes a text apart into a number and a unit that is known.
-Quantity take_apart(const UnitSystem& units, std::string_view text, Written& written, Unit& unit) {
-  if (Quantity bad = split(in_ascii(trim(text)), written); !bad.ok()) return bad;
+Quantity take_apart(const UnitSystem& units, std::string_view text, const std::string& example,
+                    Written& written, Unit& unit) {
+  if (Quantity bad = split(in_ascii(trim(text)), example, written); !bad.ok()) return bad;
   for (const std::string& word : words_of(written.unit))
     if (std::string hint = ambiguity(word); !hint.empty())
       return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " has more than one meaning",
@@ -148,7 +154,7 @@ Quantity take_apart(const UnitSystem& units, std::string_view text, Written& wri
 Quantity read_checked(const UnitSystem& units, std::string_view text, std::string_view si_unit) {
   Written written;
   Unit unit;
-  if (Quantity bad = take_apart(units, text, written, unit); !bad.ok()) return bad;
+  if (Quantity bad = take_apart(units, text, example_of(si_unit), written, unit); !bad.ok()) return bad;
   const auto wanted = parse_wanted(units, si_unit);
   if (!wanted && !units.trouble().empty()) return refuse(units.trouble());
   if (!wanted) return refuse("the wanted unit " + in_quotes(si_unit) + " is not known to UDUNITS-2");
@@ -179,7 +185,7 @@ WrittenQuantity read_as_written(std::string_view text) {
   Written written;
   Unit unit;
   Quantity read = refuse_length(text);
-  if (read.ok()) read = take_apart(UnitSystem::shared(), text, written, unit);
+  if (read.ok()) read = take_apart(UnitSystem::shared(), text, example_of("m"), written, unit);
   return {written.number, std::move(written.unit), std::move(read.error), std::move(read.hint)};
 }
 

@@ -78,6 +78,13 @@ TEST(Registry, NamesTheNearestStrategy) {
       << text;
 }
 
+TEST(Registry, SaysWhatElseItIsThatHasTheName) {
+  Registry registry;
+  registry.add_folder(kFolder);
+  const std::string text = complaint([&] { registry.solver("none/second"); });
+  EXPECT_NE(text.find("\"none/second\" is a strategy, and no solver"), std::string::npos) << text;
+}
+
 TEST(Registry, TakesTheFirstOfSeveralFolders) {
   Registry registry;
   registry.add_folder("/nowhere");

@@ -135,6 +135,8 @@ TEST(Units, RefuseADecimalComma) {
 }
 TEST(Units, RefuseAUnitWithoutANumber) {
   expect_refused("mm", "m", "\"mm\" does not begin with a number", "write it as \"10 mm\"");
+  expect_refused("kN", "N", "\"kN\" does not begin with a number", "write it as \"10 N\"");
+  expect_refused("much", "1", "\"much\" does not begin with a number", "write a number, such as 10");
 }
 TEST(Units, RefuseASecondNumber) {
   EXPECT_EQ(to_si("10 5 m", "m").error, "\"5 m\" in \"10 5 m\" cannot be read as a unit");
