@@ -186,9 +186,22 @@ int PracticeStudy::solve(netloft_stage* stage) {
   return NETLOFT_OK;
 }
 
+/// What calls itself as it was called does so for ever.
+bool PracticeStudy::is_itself(std::string strategy, const char* parameters,
+                              const netloft_stage& stage) const {
+  if (strategy.find('/') == std::string::npos) strategy += "/" + strategy;
+  if (strategy != scene_.by || (parameters && *parameters) || !is_scene(stage.variant) || !stage.u)
+    return false;
+  const std::size_t size = size_of(0);
+  return start_.empty() ? std::all_of(stage.u, stage.u + size, [](double u) { return u == 0; })
+                        : std::equal(start_.begin(), start_.end(), stage.u);
+}
+
 /// Any other strategy is one stage, or finds nothing to do and returns at once.
 int PracticeStudy::call(const char* strategy, const char* parameters, netloft_stage* stage) {
   if (!strategy || !*strategy) note(Slip::out_of_range, "calls a strategy without a name");
+  if (strategy && is_itself(strategy, parameters, *stage))
+    note(Slip::calls_itself, "calls itself on the scene itself, from its start, without end");
   for (const char* text : {strategy, parameters}) trace_ += text ? text : "";
   if (!scene_.others_decline) return solve(stage);
   if (is_refused(*stage)) return fail("the host broke down");

@@ -18,6 +18,7 @@ struct PracticeScene {
   bool knows_growth = true;        // the disturbance that grows is handed out
   std::uint32_t claims = 0;        // traits of the study beyond those that the problem has
   std::vector<double> start = {};  // empty: from the sketch
+  std::string by = {};             // type of the strategy that practises, if it may not call itself
 };
 
 /// What a strategy has done that it must not, by the promise that it breaks.
@@ -25,6 +26,7 @@ enum class Slip {
   stage_without_name,
   stage_not_filled,  // size of a struct, or no displacements
   out_of_range,      // a level, a factor or a limit
+  calls_itself,      // on the scene itself, from its start, with its defaults
   over_budget,       // a stage was offered more work than is left
   start_no_number,
   answer_no_number,
@@ -83,6 +85,7 @@ class PracticeStudy {
   void check_request(const netloft_stage& stage);
   void check_variant(const netloft_variant& variant);
   void check_order();
+  bool is_itself(std::string strategy, const char* parameters, const netloft_stage& stage) const;
   bool is_refused(const netloft_stage& stage);
   void remember(const void* bytes, std::size_t count);
   void remember(const netloft_stage& stage);

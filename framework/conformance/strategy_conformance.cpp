@@ -27,7 +27,7 @@ Finding over(Bench& b, const std::vector<NamedScene>& scenes,
              const std::function<std::string(const PracticeStudy&, int)>& fault_of) {
   bool any = false;
   for (auto [name, scene] : scenes) {
-    scene.claims = b.type.strategy.needs & kMayBeClaimed;
+    scene.claims = b.type.strategy.needs & kMayBeClaimed, scene.by = b.type.type;
     PracticeStudy study(scene);
     if (!b.takes(study)) continue;
     any = true;
@@ -127,15 +127,16 @@ Finding no_equilibrium_is_no_error(Bench& b) {
               });
 }
 
-/// Also where what it calls finds nothing to do, and costs nothing.
+/// Also where what it calls finds nothing to do, and costs nothing, or is itself.
 Finding comes_to_an_end(Bench& b) {
   NamedScene idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
   idle.scene.others_decline = true;
   auto all = all_scenes();
   all.push_back(idle);
   return over(b, all, [](const PracticeStudy& study, int) -> std::string {
-    return study.stages < PracticeStudy::kMostStages ? ""
-                                                     : "asks for stage after stage without using any work";
+    if (study.stages >= PracticeStudy::kMostStages)
+      return "asks for stage after stage without using any work";
+    return study.slip(Slip::calls_itself);
   });
 }
 

@@ -30,6 +30,7 @@ enum class Flaw {
   starts_nowhere,
   counts_calls,
   waits_for_others,
+  calls_itself,
   needs_unknowns,
   throws_at_a_bound,
   solves_to_explain,
@@ -73,6 +74,8 @@ struct Wrong {
       stage = soft_to_stiff(p, study, stage);
     while (has(Flaw::waits_for_others) && !stage.is_stationary() && !is_over(study, stage))
       stage = study.call("direct", "", {.name = "by another"}, stage.u);
+    if (has(Flaw::calls_itself) && !stage.is_stationary() && !is_over(study, stage))
+      stage = study.call("wrong_strategies/calls_itself", "", {.name = "once more"}, study.start());
     if (stage.is_stationary()) answer(study, stage.u);
     if (!stage.is_stationary() && has(Flaw::throws_when_lost)) throw std::runtime_error("no equilibrium");
     if (!is_over(study, stage)) go_on_from(study, stage);
@@ -159,6 +162,7 @@ NETLOFT_PLUGIN("wrong_strategies", "1", "Strategies that are wrong in one place 
   add<Flaw::forgets_the_second>(plugin, "forgets_the_second", "hands-back-what-it-found");
   add<Flaw::throws_when_lost>(plugin, "throws_when_lost", "no-equilibrium-is-no-error");
   add<Flaw::waits_for_others>(plugin, "waits_for_others", "comes-to-an-end");
+  add<Flaw::calls_itself>(plugin, "calls_itself", "comes-to-an-end");
   add<Flaw::swallows_errors>(plugin, "swallows_errors", "stops-at-an-error");
   add<Flaw::ignores_interrupt>(plugin, "ignores_interrupt", "stops-when-interrupted");
   add<Flaw::ignores_budget>(plugin, "ignores_budget", "stops-when-work-is-used-up");
