@@ -4,6 +4,7 @@
 #include "framework/parameters/parameters.hpp"
 #include "framework/scene/plan.hpp"
 #include "io/report/law_range.hpp"
+#include "io/scene/analysis.hpp"
 #include "io/scene/geometry.hpp"
 
 #include <fmt/format.h>
@@ -157,13 +158,15 @@ const char* file_of(const PluginOrigin& origin) {
   return origin.file.empty() ? "compiled in" : origin.file.c_str();
 }
 
-/// A solver, an integrator or a strategy: a component of the analysis, with a table of its plugin's name.
+/// A solver, an integrator or a strategy: a component of the analysis, with a table of its name.
 std::string analysis_text(const std::string& type, const char* doc, const char* kind,
                           const PluginOrigin& origin, std::span<const netloft_parameter> parameters) {
   std::string text;
   const Out out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {}\n{}; plugin {} {} ({})\n\nparameters (in the table analysis.{})\n", type, doc,
-                 kind, origin.name, origin.version, file_of(origin), origin.name);
+  const ComponentTable at = table_of_component(type);
+  fmt::format_to(out, "{}: {}\n{}; plugin {} {} ({})\n\nparameters (in the table analysis.{}{}{})\n", type,
+                 doc, kind, origin.name, origin.version, file_of(origin), at.plugin,
+                 at.component.empty() ? "" : ".", at.component);
   append_parameters(parameters, out);
   return text;
 }

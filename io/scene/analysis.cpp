@@ -87,6 +87,17 @@ void read_strategy(TableReader& table, Registry& registry, const Values& values,
   a.strategy_parameters = parameters_of(strategy, table, a);
 }
 
+/// An integrator that stands for a solver goes to the equilibrium in time, and asks no strategy.
+void pass_over_strategy(TableReader& table, Registry& registry, const Values& values, Analysis& a) {
+  registry.strategy(a.strategy);
+  if (values.contains("strategy"))
+    table.diagnostics().warning(table.place("strategy"),
+                                table.path("strategy") + " has no effect: the integrator " + a.solver +
+                                    " goes to the equilibrium in time, and asks no strategy",
+                                "a strategy asks solvers, such as newton");
+  a.strategy.clear();
+}
+
 Analysis from_keys(const AnalysisKeys& keys) {
   Analysis a;
   a.strategy = keys.strategy, a.solver = keys.solver, a.work = keys.work;
@@ -199,8 +210,10 @@ Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
     settles = read_time(table, registry, a);
     if (!settles) read_solver(table, registry, a);
   });
-  if (!settles && !refused)
-    read_component(table, "strategy", refused, [&] { read_strategy(table, registry, values, a); });
+  if (!refused)
+    read_component(table, "strategy", refused, [&] {
+      settles ? pass_over_strategy(table, registry, values, a) : read_strategy(table, registry, values, a);
+    });
   read_component(table, "strategy", refused, [&] { read_others(table, registry, a); });
   check_names(table, registry, a, refused);
   return a;

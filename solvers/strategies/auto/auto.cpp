@@ -17,6 +17,10 @@ std::string Auto::explain(const Options& options, Study& study) {
   std::string text;
   for (const Attempt& attempt : attempts_for(study, options))
     text += std::string(attempt.name) + ": " + attempt.because + "\n";
+  if (may_restart(study, options))
+    text += "restarts: " + std::to_string(options.restarts) + " from elsewhere after the first equilibrium" +
+            (options.everywhere ? "" : ", if it bears a load by compression") +
+            ": there may be other shapes\n";
   return text;
 }
 

@@ -18,9 +18,7 @@ double borne_by_compression(Study& study, const Stage& at) {
 
 /// Compression below what a start may be off by cannot be distinguished from none.
 bool may_have_other_shapes(Study& study, const Options& options, const Stage& at) {
-  if (options.everywhere) return !study.remembers();
-  return study.conservative() && study.resists_compression() && !study.remembers() &&
-         borne_by_compression(study, at) > kOnlyAStart;
+  return may_restart(study, options) && (options.everywhere || borne_by_compression(study, at) > kOnlyAStart);
 }
 
 /// Where the gear would be if nothing resisted compression: what is in compression is folded there.
@@ -38,8 +36,12 @@ Displacements start_of(Study& study, int shape, const Stage& best, double work) 
 
 }  // namespace
 
+bool may_restart(const Study& study, const Options& options) {
+  if (options.restarts == 0 || is_left_out(options, "restarts") || study.remembers()) return false;
+  return options.everywhere || (study.conservative() && study.resists_compression());
+}
+
 void restart(Study& study, const Options& options, const Stage& first) {
-  if (options.restarts == 0 || is_left_out(options, "restarts")) return;
   if (!may_have_other_shapes(study, options, first)) return;
   Stage best = first;
   for (int shape = 1; shape <= options.restarts && study.work_left() > 0; ++shape) {

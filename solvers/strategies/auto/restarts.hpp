@@ -10,6 +10,9 @@ namespace netloft::automatic {
 /// forces have an energy, or everywhere if the user says so, others are looked for: from where the gear would
 /// be if nothing resisted compression, then from perturbations of the best shape so far. Each is answered;
 /// the host chooses among them. Each may cost a slice.
+///
+/// What of this is known before anything is solved: whether it may come to it.
+bool may_restart(const Study& study, const Options& options);
 void restart(Study& study, const Options& options, const Stage& first);
 
 }  // namespace netloft::automatic

@@ -192,5 +192,17 @@ ALL = [
         ("netloft run $panel --strategy load-steps -o x.hdf", 3, "the strategy solved no stage of the scene itself: there is no current",
          {"holds": "test -s x.not-converged.hdf || test -s x.hdf"}),
         ("netloft run line.toml --strategy load-steps --set parts.line.cells=1 -o x.hdf", 0, "converged",
-         {"prepare": "line 0 '100 kN' > line.toml; printf '[[hold]]\\non = \"line.end\"\\n' >> line.toml"})),
+         {"prepare": "line 0 '100 kN' > line.toml; printf '[[hold]]\\non = \"line.end\"\\n' >> line.toml"}),
+        ("netloft run $panel --strategy auto:restarts=1,restarts=2", 2, "restarts is given twice"),
+        ("netloft plan $panel --strategy newton", 4, '"newton/newton" is a solver, and no strategy'),
+        ("netloft plan $panel --solver newmark --strategy nam", 4, 'analysis.strategy: there is no plugin "nam"'),
+        ("netloft plan $panel --solver newmark --strategy auto", 0, "warning: analysis.strategy has no effect: the integrator newmark"),
+        ("netloft describe tension", 0, "parameters (in the table analysis.tension.only) … parameters (in the table analysis.tension.stages)"),
+        ("netloft plan $panel --strategy auto:restarts=2", 0, "restarts: 2 from elsewhere after the first equilibrium, if it bears a load by compression",
+         {"holds": "! netloft plan $panel --strategy auto:without=restarts | grep restarts"}),
+        ("netloft stability $suite --size small --case rope/taut --strategy auto:without=direct --without restarts", 0,
+         "auto:without=restarts+direct … right 2 of 2"),
+        ("netloft compare $panel --plugins $PLUGINS --strategy wrong_strategies/throws_at_a_bound:stages=0 --strategy auto --tolerance 1e-6:1e-6 "
+         "--repeats 1", 3, "failed … converged … failed at 1e-06: the strategy wrong_strategies/throws_at_a_bound failed: no stages",
+         {"needs": "PLUGINS"})),
 ]
