@@ -301,7 +301,8 @@ const std::vector<Check<Bench>>& strategy_table() {
       {"comes-to-an-end",
        comes_to_an_end,
        {"no-exception-escapes"},
-       "does a loop wait for work to be used up? A stage or a strategy that declines uses none"},
+       "does a loop wait for work to be used up? A stage or a strategy that declines uses none. Does it call "
+       "itself?"},
       {"stops-at-an-error",
        stops_at_an_error,
        {"no-exception-escapes"},
