@@ -89,12 +89,13 @@ void read_strategy(TableReader& table, Registry& registry, const Values& values,
 
 /// An integrator that stands for a solver goes to the equilibrium in time, and asks no strategy.
 void pass_over_strategy(TableReader& table, Registry& registry, const Values& values, Analysis& a) {
-  registry.strategy(a.strategy);
-  if (values.contains("strategy"))
+  if (values.contains("strategy")) {
+    registry.strategy(a.strategy);
     table.diagnostics().warning(table.place("strategy"),
                                 table.path("strategy") + " has no effect: the integrator " + a.solver +
                                     " goes to the equilibrium in time, and asks no strategy",
                                 "a strategy asks solvers, such as newton");
+  }
   a.strategy.clear();
 }
 
