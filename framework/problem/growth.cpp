@@ -23,6 +23,8 @@ constexpr int kSteps = 24;
 // off |s|, a fifth of what it is at its best. Growth by powers that still falls by this from one measure to
 // the next may be passing.
 constexpr double kBeyond = (kGrows - 1) / kOff;
+// c of (6) where the band of marginal growth ends.
+constexpr double kLeastShare = (kGrows * kGrows - 1) / (kGrows * kGrows + 1);
 
 using Vector = Eigen::VectorXd;
 using Complex = std::complex<double>;
@@ -124,11 +126,10 @@ Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
 
 double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
 
-/// Steps to the greatest σ: so that none is kOff times slower than the fastest that an unknown makes by
-/// itself.
+/// Steps to the greatest σ, the first that is as fast as what may grow: it sees kOff times as far.
 int steps_of_sigma(double fastest) {
   int steps = 0;
-  while (kOff * sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;
+  while (sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;
   return steps;
 }
 
@@ -146,7 +147,8 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, con
     return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
   };
   // What swings does not hide what diverges more slowly.
-  for (int step = steps_of_sigma(fastest_rate(pattern, motion)); step >= 0 && !is_decided(); --step) {
+  for (int step = steps_of_sigma(fastest_growth(pattern, motion, kLeastShare)); step >= 0 && !is_decided();
+       --step) {
     const double sigma = sigma_at(step);
     Growth growth{.verdict = GrowthVerdict::unknown};
     if (A.set(sigma) || A.set(kAside * sigma)) growth = growth_by(A, arnoldi);

@@ -42,9 +42,9 @@ struct Growth {
 /// It has one beyond the unit circle if and only if some Re s > 0, best seen where |s| is about σ: K.
 /// Meerbergen and D. Roose, Matrix transformations for computing rightmost eigenvalues, IMA J. Numer. Anal.
 /// 16 (1996). 24 steps of Arnoldi's find the outermost, for σ from 1e-3/s by hundredths up to the fastest
-/// that a mass makes by itself, by its stiffness and damping. A Ritz value θ beyond the circle counts if it
-/// is known: the residual ρ that A leaves of its pair, over the cosine χ of the angle between its left and
-/// right eigenvectors, leaves it there,
+/// that may grow, by (6c). A Ritz value θ beyond the circle counts if it is known: the residual ρ that A
+/// leaves of its pair, over the cosine χ of the angle between its left and right eigenvectors, leaves it
+/// there,
 ///   ρ/χ ≤ (|θ| − 1)/10                                                                    (5)
 /// (Y. Saad, Numerical Methods for Large Eigenvalue Problems, 2011, chapters 3 and 6). If it is not after 48
 /// steps, A is far from normal (L. N. Trefethen and M. Embree, Spectra and Pseudospectra, 2005, chapter 16),
@@ -55,12 +55,19 @@ struct Growth {
 ///
 /// What grows has Re s > 0, with
 ///   |μ| = ((1 + c)/(1 − c))^½ at its largest, where σ = |s|;   c = Re s/|s|                (6)
-/// It is marginal, not told from none, if |μ| ≤ kGrows: a pair then decays or grows by less than 6 % in a
-/// swing, as a hundredth of the damping decides; if it swings where nothing damps, in still water without
-/// losses: a little damping may stop it or not (Bolotin), and water, which resists with the square of the
-/// speed, stops it at an amplitude that falls with its rate; if powers have not settled; or if rounding of K
-/// would undo it; or, of what diverges, what K changes by over the Newton step δ that is left, no farther
-/// than one place reaches (kSamePlace), for along a soft mode a small imbalance leaves a long step:
+/// and what is fast does not grow. With K = K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny the real part
+/// of (1) over s is
+///   Re s (m + k/|s|²) + Re d + Re(n/s) = 0,   m, k ≥ 0                                    (6a)
+///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
+///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)
+/// whatever K₊, the stiffness of taut members, and a C that damps. Every unknown alone gives an estimate of
+/// (6c), which may be ten times too small, as far as the greatest σ sees. One without mass follows K by C.
+/// What grows is marginal, not told from none, if |μ| ≤ kGrows: a pair then decays or grows by less than 6 %
+/// in a swing, as a hundredth of the damping decides; if it swings where nothing damps, in still water
+/// without losses: a little damping may stop it or not (Bolotin), and water, which resists with the square of
+/// the speed, stops it at an amplitude that falls with its rate; if powers have not settled; or if rounding
+/// of K would undo it; or, of what diverges, what K changes by over the Newton step δ that is left, no
+/// farther than one place reaches (kSamePlace), for along a soft mode a small imbalance leaves a long step:
 ///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y|‖   or   0 < yᵀ(s²M + sC) y ≤ yᵀ(K(x + δ) − K(x)) y       (7)
 ///
 /// Lengths are those of an energy,

@@ -60,6 +60,20 @@ std::vector<double> largest_by_column(const SparsePattern& p, std::span<const do
   return largest;
 }
 
+/// What of C drives an unknown and does not damp it: the most by which a diagonal entry is below zero, or one
+/// beside it above what two diagonal ones keep in check.
+std::vector<double> what_damping_drives(const SparsePattern& p, std::span<const double> C) {
+  std::vector<double> drives(static_cast<std::size_t>(p.size));
+  const auto damped = [&](std::int32_t i) { return std::max(0.0, C[find_slot(p, i, i)]); };
+  for_entries(p, C, [&](std::int32_t r, std::int32_t c, double value) {
+    const double mirrored = p.symmetric ? value : C[find_slot(p, c, r)];
+    const double excess = 0.5 * std::abs(value + mirrored) - std::sqrt(damped(r) * damped(c));
+    if (std::isfinite(excess))
+      drives[static_cast<std::size_t>(c)] = std::max(drives[static_cast<std::size_t>(c)], excess);
+  });
+  return drives;
+}
+
 /// (2)
 void let_follow(const SparsePattern& p, std::span<const double> metric, LinearMotion& m) {
   std::vector<bool> follows(static_cast<std::size_t>(p.size), true);
@@ -102,13 +116,19 @@ std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& a
 
 }  // namespace
 
-double fastest_rate(const SparsePattern& p, const LinearMotion& m) {
-  const auto K = largest_by_column(p, m.K), C = largest_by_column(p, m.C);
+double fastest_growth(const SparsePattern& p, const LinearMotion& m, double share) {
+  std::vector<double> N(m.K);
+  for (std::size_t i = 0; i < N.size(); ++i) N[i] -= m.convex[i];
+  const auto n = largest_by_column(p, N), K = largest_by_column(p, m.K), C = largest_by_column(p, m.C),
+             drives = what_damping_drives(p, m.C);
   double fastest = 0;
-  for (std::int32_t c = 0; c < p.size; ++c) {
-    const double mass = m.M[find_slot(p, c, c)];
-    const double k = K[static_cast<std::size_t>(c)], d = C[static_cast<std::size_t>(c)];
-    fastest = std::max(fastest, mass > 0 ? std::max(std::sqrt(k / mass), d / mass) : d > 0 ? k / d : 0);
+  for (std::int32_t i = 0; i < p.size; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double mass = share * m.M[find_slot(p, i, i)];
+    const double alone = mass > 0    ? drives[at] / mass + std::sqrt(n[at] / mass)
+                         : C[at] > 0 ? K[at] / C[at]
+                                     : 0;
+    fastest = std::max(fastest, alone);
   }
   return fastest;
 }

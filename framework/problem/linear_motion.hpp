@@ -38,8 +38,9 @@ inline constexpr double kRoundingOfMatrix = 1e-9;
 bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion,
                          const MakeFactorisation& make, Statistics& cost);
 
-/// The fastest that an unknown makes by itself, by its mass, stiffness and damping [1/s]; zero: none moves.
-double fastest_rate(const SparsePattern& pattern, const LinearMotion& motion);
+/// The largest |s| of (6c) with Re s/|s| of at least `share`, by every unknown alone [1/s]; zero: nothing can
+/// grow so.
+double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double share);
 
 /// Calls visit(row, column, value) for every entry, those above the diagonal of a symmetric one included.
 template <class Visit>
