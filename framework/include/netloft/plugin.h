@@ -63,14 +63,14 @@ typedef struct netloft_parameter {
   uint32_t size;
   uint32_t kind;
   const char* name;
-  const char* unit;                /* SI unit of a real; "1" is the unit of a pure number */
+  const char* unit;                /* SI; "1": a pure number; "solver", "strategy": a text names one */
   const char* doc;                 /* half a sentence: "axial stiffness of one twine" */
   double fallback;                 /* value when absent; with `fallback_of`, a factor on that parameter */
   double lo, hi;                   /* allowed range, both ends included */
   uint32_t flags;                  /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS and the other roles above */
   uint32_t offset;                 /* of the value in the parameter struct */
   const char* fallback_of;         /* name of an earlier real, or null */
-  const char* const* choices;      /* null-terminated, for NETLOFT_CHOICE */
+  const char* const* choices;      /* null-terminated, for NETLOFT_CHOICE; of a text: any of them, by + */
   const char* fallback_text;       /* for NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
   const char* const* column_units; /* their units, as many */
