@@ -30,7 +30,8 @@ namespace netloft::newton {
 /// the length of an element: the start may be an equilibrium but for a little; μ is then 0. Else μ begins at
 /// `damping`. It is divided by `factor` after a step by m with t > ½ and after one by ‖r‖. It is multiplied
 /// by 1/(2 t) after a shorter step by m, and by `factor` where no step is found; from 0 it then rises to
-/// `least_damping`. It stays after a step by (7), and where (6) alone has moved. Below `least_damping` there
+/// `least_damping`. After a step by (7) or by (6) alone it is what the matrix of that step had: μ, σ where K
+/// was nearly definite, or 0 after the undamped step at round-off. Below `least_damping` there
 /// is none; an unsymmetric K is damped down to the rounding of a double, and from its root on if damping is
 /// wanted again, since soft parts of a gear need less than stiff ones. With θ = 1 and μ = 1 the step cannot
 /// raise a convex energy (Levenberg 1944, in the metric of the linear stiffness). θ is halved from step to
@@ -40,23 +41,30 @@ namespace netloft::newton {
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
 /// decrease. (5) lets an iterate cross the kinks between slack and taut by a relaxed test as in the watchdog
 /// technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point
-/// before: m is as low as the sum of what all steps along the path have lowered it by, and after a step that
-/// raised m no other may raise it until that sum is what it was before. Where every other step might go
-/// uphill, from wherever it stood, netting on a bed with friction made a thousand steps about its
+/// before: m is as low as the sum of what all steps by (4) to (6) and (8) have lowered it by, and after a
+/// step that raised m no other may raise it until that sum is what it was before. Where every other step
+/// might go uphill, from wherever it stood, netting on a bed with friction made a thousand steps about its
 /// equilibrium. A step from afar promises so much that (5) would allow any: of a drawn ring of bent rope it
-/// let the energy rise thirtyfold. (8) is tried where (4) ends short of t = 1, all forces have an energy and
-/// K is symmetric ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
+/// let the energy rise thirtyfold. (8) is tried where (4) ends short of t = 1 or finds no t, all forces have
+/// an energy and K is symmetric ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885,
+/// 2012).
 ///
-/// At round-off, where the step promises less than the energy can resolve, a step is accepted if it does not
-/// raise ‖r‖; or where μ = 0 or no other step is found, by (7), the approximate Wolfe conditions (W. W. Hager
-/// and H. Zhang, SIAM J. Optim. 16, 2005).
+/// At round-off, where the step promises less than the energy can resolve, the whole step is taken if it does
+/// not raise ‖r‖; else, where μ = 0, a step by (7), the approximate Wolfe conditions (W. W. Hager and H.
+/// Zhang, SIAM J. Optim. 16, 2005). Where neither and no (6) has moved, K is factorised once without damping:
+/// if it is positive definite, or unsymmetric, its step is tried in the same two ways; if it is nearly
+/// definite, (6), and (7) where nothing curves downwards.
 ///
 /// Negative curvature. Where all forces have an energy, μ is small, K is indefinite and K + σ M with a σ
 /// of `least_damping` to kMatters is not, K is nearly definite: K + σ M is then the matrix of (2). The step
 /// by it is tried like any other; then, whether it was accepted or not, (6) goes on from where the iterate
 /// stands and leaves the saddle (J. J. Moré and D. C. Sorensen, Math. Programming 16, 1979), with no node
-/// going farther than 1/`margin` elements. At round-off, where neither finds a way, (6) is tried once more at
-/// every point, however much damping is left.
+/// going farther than 1/`margin` elements. Where no such σ is found, or μ has reached kMatters, it is not
+/// tried again until K + μ M has been positive definite.
+///
+/// Failure. Without a step and with μ at `most_damping` the step is too short; (7) gives up, too, where −r·s
+/// has not halved in `refinements` tries. The method ends as well where no matrix can be factorised, or
+/// elements have no force at the point.
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;

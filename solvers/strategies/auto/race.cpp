@@ -41,8 +41,8 @@ Displacements start_with_forces(Study& study) {
   return perturbed(study.start(), little(study));
 }
 
-/// The saddle displaced by t y along what grows there, to side 0 or side 1, so that no node moves by more
-/// than an element. It is driven on from there,
+/// The saddle displaced by t y along what grows there, to side 0 or side 1, so that no coordinate changes by
+/// more than an element. It is driven on from there,
 ///   t y·r(u + t y) < 0                                                                    (2)
 /// with the largest such t among halves of an element: what leaves a saddle comes to rest near where (2)
 /// ends. Where it is not known what grows, two different perturbations.
@@ -100,15 +100,16 @@ void Race::run_slice(Runner& runner, double slice) {
   keep_better(with_compensated_positions(std::move(stage)));
 }
 
-/// As the race has cost when it first met an equilibrium about which the gear swings.
+/// Ends the race after as much work again as it has cost when it first met an equilibrium about which the
+/// gear swings.
 void Race::look_on_for_as_much_again() {
   const double spent = budget_ - study_.work_left();
   if (over_at_ == 0) over_at_ = std::max(0.0, study_.work_left() - spent);
 }
 
-/// From an unstable equilibrium to one side, and if that does not converge, to the other. Another that is met
-/// on the way takes its place, once: a gear in which several things grow is moved off once for each. What
-/// flutters is left alone: the motion comes back to it from either side.
+/// From an unstable equilibrium to one side, and if that does not converge, to the other. Where that leads to
+/// an unstable one that was not met before, both sides of that one are tried instead. What flutters is left
+/// alone: the motion comes back to it from either side.
 Stage Race::off_saddle(Stage saddle, double work) {
   const double end = std::max(over_at_, study_.work_left() - work);
   const auto ask = [&] {

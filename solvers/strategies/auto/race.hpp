@@ -10,9 +10,9 @@ namespace netloft::automatic {
 /// in balance:
 ///   w₀, g w₀, g² w₀, …,   g = 2                                                          (1)
 /// so that none can use up the budget before the others have had a try, and the one that succeeds with work w
-/// costs at most about n w g² / (g − 1) with n attempts, which is least with this g, where no saddle is met
-/// (as in M. Luby, A. Sinclair and D. Zuckerman, Optimal speedup of Las Vegas algorithms, Inf. Process. Lett.
-/// 47, 1993). README.md tells the rules.
+/// costs at most about n w g² / (g − 1) with n attempts, which is least with this g, where w is at least w₀,
+/// no saddle is met and no attempt is nearly in balance (as in M. Luby, A. Sinclair and D. Zuckerman, Optimal
+/// speedup of Las Vegas algorithms, Inf. Process. Lett. 47, 1993). README.md tells the rules.
 class Race {
  public:
   Race(Study& study, const Options& options);
