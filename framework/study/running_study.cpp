@@ -166,10 +166,12 @@ Solution RunningStudy::best() const {
 }
 
 /// Of strategies that call one another the outermost says so, once. A stage that was under way says itself
-/// that its work or the time was used up.
+/// that its work or the time was used up. An interrupt may have ended the strategy elsewhere.
 Solution RunningStudy::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;
+  if (host_.is_interrupted() && !host_.is_out_of_time() && s.status != SolveStatus::interrupted)
+    s.status = SolveStatus::interrupted, s.reason = "interrupted; " + s.reason;
   if (s.does_not_settle) s.reason += "; followed in time it did not come to rest";
   const bool was_cut_off = s.run.stop == Stop::work, is_used_up = work_left() == 0;
   if (is_used_up && !was_cut_off && !host_.is_interrupted()) s.reason += "; the budget of work is used up";

@@ -32,7 +32,8 @@ Solution at_start(StudyHost& host, const netloft_study& study, Solution none) {
   Solution start = host.assess(stage);
   start.cost = std::move(none.cost);
   if (study.unknowns == 0) return start;  // nothing is free: there is no other point
-  start.status = SolveStatus::not_converged, start.reason = std::move(none.reason);
+  start.status = none.status == SolveStatus::interrupted ? none.status : SolveStatus::not_converged;
+  start.reason = std::move(none.reason);
   start.does_not_settle = none.does_not_settle;
   return start;
 }

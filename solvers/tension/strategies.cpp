@@ -69,13 +69,15 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
             "limit of every stage: of 150 first stages that converged on a draw of hard cases two took more",
             1, 10000, 40);
   const auto add = [&](const char* name, double P::*member, const char* unit, double fallback,
-                       const char* doc) {
-    t.real(name, member, unit, doc, {.lo = 1e-16, .hi = 1e9, .fallback = fallback});
+                       const char* doc, double least = 1e-16) {
+    t.real(name, member, unit, doc, {.lo = least, .hi = 1e9, .fallback = fallback});
   };
+  constexpr double kGrows = 1.1;  // least of what is multiplied by again and again
   add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");
   add("ratio", &P::ratio, "1", 5,
       "stiffness of a part over its tension in the second stage, and by how much that grows from stage to "
-      "stage; fitted");
+      "stage; fitted",
+      kGrows);
   add("last", &P::last, "1", 2e4,
       "stiffness over tension before parts are as stiff as they are; a part is taken to bear at least the "
       "tension of the busiest part over this");
@@ -85,7 +87,8 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
   add("turn", &P::turn, "rad", 0.25, "most that a member turns in a step of a later stage; fitted");
   add("factor", &P::factor, "1", 10,
       "by which damping falls after a whole step and rises where a matrix has no factor; in the first stage "
-      "it follows the residual, by no more than this");
+      "it follows the residual, by no more than this",
+      kGrows);
 }
 
 void FromSoft::run(const Parameters& parameters, Study& study) {

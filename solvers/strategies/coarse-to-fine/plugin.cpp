@@ -29,7 +29,8 @@ struct CoarseToFine {
                                      .work = kMostOfCoarser * study.work_left()},
                                     study.transfer(0, study.start(), 1));
     if (!coarse.has_converged())
-      return study.decline("a coarser mesh did not converge, with half of the work");
+      return study.decline(coarse.was_cut_off() ? "a coarser mesh did not converge with half of the work"
+                                                : "a coarser mesh was not solved");
     const Displacements start = study.transfer(1, coarse.u, 0);
     Stage fine = *p.then ? called_from(start, p, study) : study.solve({.name = kFromCoarser}, start);
     if (fine.is_stationary()) study.answer(fine.u);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -142,6 +143,18 @@ TEST(Auto, LeavesOutWhatItIsTold) {
   ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
   EXPECT_TRUE(has_stage(s, "from soft to stiff"));
   EXPECT_FALSE(has_stage(s, "as it is"));
+}
+
+// Also where no stage of the scene itself was under way.
+TEST(Strategies, SayThatTheyWereInterrupted) {
+  const std::atomic<bool> interrupt{true};
+  Limits limits;
+  limits.interrupt = &interrupt;
+  for (const char* strategy : {"auto", "direct", "relaxed", "stiffness-steps", "pseudo-time"}) {
+    const Solution s = find(slack_rope(1e4), {}, limits, 5000, strategy).solution;
+    EXPECT_EQ(s.status, SolveStatus::interrupted) << strategy << ": " << s.reason;
+    EXPECT_NE(s.reason.find("interrupted"), std::string::npos) << strategy << ": " << s.reason;
+  }
 }
 
 TEST(Auto, RefusesToLeaveOutWhatItDoesNotHave) {
