@@ -7,6 +7,7 @@
 namespace netloft::automatic {
 
 void Auto::run(const Options& options, Study& study) {
+  if (attempts_for(study, options).empty()) return study.decline("every attempt is left out");
   const Stage best = Race(study, options).run();
   if (!best.is_stationary()) return;
   study.answer(best.u);
