@@ -79,6 +79,7 @@ Case::State Case::assemble() {
     warn_of_idle_choices(loaded_, plan_, diagnostics_);
     plan_.not_loaded = unused_plugins(plan_, registry_);
     if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);
+    if (!moves) std::erase(plan_.not_loaded, registry_.strategy(analysis.strategy).origin->name);
     if (moves) std::erase(plan_.not_loaded, registry_.integrator(analysis.dynamics.integrator).origin->name);
     assembler_ = make_assembler(loaded_.scene, plan_, crew());
     meshes_ = std::make_unique<Meshes>(source_, loaded_, registry_);

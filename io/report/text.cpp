@@ -104,7 +104,8 @@ std::string plan_text(const Plan& plan, const PlanExtras& extras) {
   const Out out = std::back_inserter(text);
   for (const auto& family : plan.families) family_text(family, out);
   if (!plan.not_loaded.empty())
-    fmt::format_to(out, "not loaded: {} (no part uses them)\n", joined(plan.not_loaded));
+    fmt::format_to(out, "not loaded: {} (no part uses them; a strategy loads those that it comes to)\n",
+                   joined(plan.not_loaded));
   fmt::format_to(
       out, "problem: {} nodes, {} of them held, {}{} unknowns, {} matrix entries; {}{}\n", plan.nodes,
       plan.held_nodes,
