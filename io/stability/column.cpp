@@ -41,11 +41,11 @@ std::string component_of(const std::string& specification) {
   return specification.substr(0, specification.find(':'));
 }
 
+/// What a column is called it is: nothing that is set takes another solver or strategy in its place.
 std::vector<std::string> overrides_of(const StabilityColumn& column) {
-  std::vector<std::string> all;
+  std::vector<std::string> all = column.overrides;
   if (!column.solver.empty()) append(all, overrides_of("solver", column.solver));
   if (!column.strategy.empty()) append(all, overrides_of("strategy", column.strategy));
-  append(all, column.overrides);
   return all;
 }
 

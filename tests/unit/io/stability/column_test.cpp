@@ -29,7 +29,9 @@ TEST(StabilityColumn, SetsTheAnalysisOfAScene) {
             (Words{"analysis.solver=\"ptc\"", "analysis.strategy=\"tension/stages\"",
                    "analysis.tension.stages.ratio=4"}));
   EXPECT_EQ(overrides_of({"ptc", "", {"analysis.max_iterations=7"}}),
-            (Words{"analysis.solver=\"ptc\"", "analysis.max_iterations=7"}));
+            (Words{"analysis.max_iterations=7", "analysis.solver=\"ptc\""}));
+  EXPECT_EQ(overrides_of({"", "direct", {"analysis.strategy=auto"}}).back(), "analysis.strategy=\"direct\"")
+      << "what it is called it is";
 }
 
 TEST(StabilityColumn, PartsAreLeftOutOfAutoAlone) {
