@@ -11,33 +11,36 @@ namespace netloft {
 
 namespace {
 
-double number_of(const std::string& text) {
+[[noreturn]] void refuse(const netloft_parameter& parameter, const std::string& text, const char* why) {
+  throw std::invalid_argument(std::string(parameter.name) + ": \"" + text + "\" is " + why);
+}
+
+double number_of(const netloft_parameter& parameter, const std::string& text) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') throw std::invalid_argument("\"" + text + "\" is no number");
+  if (text.empty() || *end != '\0') refuse(parameter, text, "no number");
   return number;
 }
 
-std::int64_t whole_number_of(const std::string& text) {
-  const auto number = whole_number(number_of(text));
-  if (!number) throw std::invalid_argument("\"" + text + "\" is no whole number from -2^53 to 2^53");
+std::int64_t whole_number_of(const netloft_parameter& parameter, const std::string& text) {
+  const auto number = whole_number(number_of(parameter, text));
+  if (!number) refuse(parameter, text, "no whole number from -2^53 to 2^53");
   return *number;
 }
 
-bool truth_of(const std::string& text) {
-  if (text != "true" && text != "false")
-    throw std::invalid_argument("\"" + text + "\" is neither true nor false");
+bool truth_of(const netloft_parameter& parameter, const std::string& text) {
+  if (text != "true" && text != "false") refuse(parameter, text, "neither true nor false");
   return text == "true";
 }
 
 Value value_of(const netloft_parameter& parameter, const std::string& text) {
   switch (parameter.kind) {
     case NETLOFT_REAL:
-      return number_of(text);
+      return number_of(parameter, text);
     case NETLOFT_INTEGER:
-      return whole_number_of(text);
+      return whole_number_of(parameter, text);
     case NETLOFT_BOOLEAN:
-      return truth_of(text);
+      return truth_of(parameter, text);
     case NETLOFT_TABLE:
       throw std::invalid_argument(std::string(parameter.name) + " is a table, which has no short form");
     default:
@@ -51,9 +54,11 @@ const netloft_parameter& find_parameter(std::span<const netloft_parameter> table
     if (name == parameter.name) return parameter;
     names.push_back(parameter.name);
   }
+  std::string all;
+  for (const auto& one : names) all += (all.empty() ? "; there is " : ", ") + one;
   const auto near = nearest(name, names);
   throw std::invalid_argument("there is no parameter " + name +
-                              (near ? "; did you mean \"" + *near + "\"?" : ""));
+                              (near ? "; did you mean \"" + *near + "\"?" : all));
 }
 
 }  // namespace

@@ -72,12 +72,14 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
                        const char* doc, double least = 1e-16) {
     t.real(name, member, unit, doc, {.lo = least, .hi = 1e9, .fallback = fallback});
   };
-  constexpr double kGrows = 1.1;  // least of what is multiplied by again and again
+  // Least of what is multiplied by again and again: at one there is no end; with this `last` is reached from
+  // one in 104 steps.
+  constexpr double kLeastGrowth = 1.1;
   add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");
   add("ratio", &P::ratio, "1", 5,
       "stiffness of a part over its tension in the second stage, and by how much that grows from stage to "
       "stage; fitted",
-      kGrows);
+      kLeastGrowth);
   add("last", &P::last, "1", 2e4,
       "stiffness over tension before parts are as stiff as they are; a part is taken to bear at least the "
       "tension of the busiest part over this");
@@ -88,7 +90,7 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
   add("factor", &P::factor, "1", 10,
       "by which damping falls after a whole step and rises where a matrix has no factor; in the first stage "
       "it follows the residual, by no more than this",
-      kGrows);
+      kLeastGrowth);
 }
 
 void FromSoft::run(const Parameters& parameters, Study& study) {
