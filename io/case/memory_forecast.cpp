@@ -3,7 +3,6 @@
 
 #include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/foreseen_memory.hpp"
-#include "solvers/factorisation/large_blocks.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -97,8 +96,6 @@ MemoryForecast foresee_memory(Case& the_case) {
   forecast.taken = pages().resident;
   forecast.factor = factor * (!pattern.symmetric && may_ask_for_tensions(the_case) ? 2 : 1);
   forecast.stability = is_judged_by_motion ? factor + sizeof(double) * kKrylov * size : 0;
-  const bool is_out_of_core = factor >= kLargeBlock && !folder_of_large_blocks().empty();
-  forecast.in_files = is_out_of_core ? forecast.factor + (is_judged_by_motion ? factor : 0) : 0;
   forecast.numbers = kWithCoarser * sizeof(double) *
                      (kMatrices * static_cast<double>(the_case.assembler().value_slots()) + kVectors * size);
   return forecast;

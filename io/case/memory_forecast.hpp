@@ -10,8 +10,7 @@ struct MemoryForecast {
   double factor = 0;     // of the tangent, and of the equations of a strategy that has other unknowns beside
   double stability = 0;  // beside it, once the equilibrium is found: what its stability is judged by
   double numbers = 0;    // values of matrices, and vectors over the unknowns
-  double in_files = 0;   // of the factors, out of core (solvers/factorisation/large_blocks.hpp)
-  double total() const { return taken + factor + stability + numbers - in_files; }
+  double total() const { return taken + factor + stability + numbers; }
 };
 
 /// Analyses the pattern of the case as the first factorisation will, on the mesh of the scene. Counted are

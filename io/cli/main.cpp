@@ -5,7 +5,6 @@
 #include "io/cli/last_words.hpp"
 #include "io/cli/launched.hpp"
 #include "io/cli/memory_room.hpp"
-#include "solvers/factorisation/large_blocks.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -71,7 +70,6 @@ int guarded(Options& o) {
   try {
     const auto ranks = start_ranks(o, launch_of_environment());
     o.ranks = ranks.get();
-    put_large_blocks_into(o.out_of_core);
     return command_of(o).run(o);
   } catch (const UsageError& e) {
     return fail(o, e.message, kWrongInput);
@@ -121,13 +119,7 @@ int serve(int argc, char** argv, const Launch& launch) {
   } catch (const CLI::ParseError&) {
     return kDone;
   }
-  if (app.get_subcommands().front()->get_name() != "run") return kDone;
-  try {
-    put_large_blocks_into(o.out_of_core);
-  } catch (const std::runtime_error& e) {
-    return fail(o, e.what(), kOther);
-  }
-  serve_ranks(o, launch);
+  if (app.get_subcommands().front()->get_name() == "run") serve_ranks(o, launch);
   return kDone;
 }
 

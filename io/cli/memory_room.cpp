@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/memory_room.hpp"
 
-#include "solvers/factorisation/large_blocks.hpp"
-
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -28,15 +26,6 @@ constexpr double kSurely = 0.85;
 
 std::string gibibytes(double bytes) { return fmt::format("{:.3g} GiB", bytes / 0x1p30); }
 
-void require_room_on_disk(double bytes) {
-  const auto folder = folder_of_large_blocks();
-  std::error_code unknown;
-  const auto space = bytes > 0 ? std::filesystem::space(folder, unknown) : std::filesystem::space_info{};
-  if (bytes > 0 && !unknown && static_cast<double>(space.available) < bytes)
-    throw std::runtime_error(fmt::format("{} has room for {}, and factors will take {}", folder.string(),
-                                         gibibytes(static_cast<double>(space.available)), gibibytes(bytes)));
-}
-
 bool is_limited(int resource) {
   rlimit limit{};
   return getrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
@@ -57,25 +46,18 @@ std::string lack_of_memory() {
 }
 
 std::string memory_text(const MemoryForecast& f, double within_reach) {
-  const std::string parts =
-      f.in_files > 0
-          ? fmt::format("and {} for factors in files in {}", gibibytes(f.in_files),
-                        folder_of_large_blocks().string())
-          : fmt::format("{} of it for the factor of the matrix{}", gibibytes(f.factor),
-                        f.stability > 0 ? ", " + gibibytes(f.stability) + " to judge stability" : "");
-  return fmt::format("memory: about {}, {}; {}", gibibytes(f.total()), parts,
-                     within_reach < std::numeric_limits<double>::infinity()
-                         ? gibibytes(within_reach) + " are within reach"
-                         : "what is within reach is not known");
+  return fmt::format(
+      "memory: about {}, {} of it for the factor of the matrix{}; {}", gibibytes(f.total()),
+      gibibytes(f.factor), f.stability > 0 ? ", " + gibibytes(f.stability) + " to judge stability" : "",
+      within_reach < std::numeric_limits<double>::infinity() ? gibibytes(within_reach) + " are within reach"
+                                                             : "what is within reach is not known");
 }
 
 std::string note_of_memory(const MemoryForecast& f, double within_reach) {
-  require_room_on_disk(f.in_files);
   if (f.total() <= kLittle * within_reach) return {};
   if (kSurely * f.total() > within_reach)
     throw std::runtime_error("not enough " + memory_text(f, within_reach) +
-                             "; a coarser mesh takes less, such as fewer nodes of a gear or cells of a part" +
-                             (f.in_files > 0 ? "" : ", and so does `--out-of-core FOLDER` on a fast disk"));
+                             "; a coarser mesh takes less, such as fewer nodes of a gear or cells of a part");
   return memory_text(f, within_reach);
 }
 

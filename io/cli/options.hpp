@@ -50,7 +50,6 @@ struct Options {
   int threads = 0;                           // 0: as many as the machine has
   std::int32_t ranks_from = RankUse::kFrom;  // run: --ranks-from
   bool same_bits = false;                    // run: --same-bits
-  std::string out_of_core;                   // run, plan: --out-of-core FOLDER
   Ranks* ranks = nullptr;                    // run under mpirun: all of its processes
   double seconds = 60;                       // test: --seconds. All of the largest shipped plugin takes 1 s
   bool json = false;

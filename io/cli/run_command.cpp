@@ -311,7 +311,7 @@ int plan_command(const Options& options) {
   PlanExtras extras = session.plan_extras();
   const MemoryForecast memory = foresee_memory(session.the_case());
   extras.memory = memory.total(), extras.factor_memory = memory.factor,
-  extras.stability_memory = memory.stability, extras.factors_in_files = memory.in_files;
+  extras.stability_memory = memory.stability;
   std::puts(options.json
                 ? plan_json(session.loaded().scene, session.plan(), extras).c_str()
                 : (plan_text(session.plan(), extras) + memory_text(memory, memory_within_reach())).c_str());

@@ -144,8 +144,7 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
                {"memory",
                 {{"foreseen", extras.memory},
                  {"factor", extras.factor_memory},
-                 {"stability", extras.stability_memory},
-                 {"in_files", extras.factors_in_files}}},
+                 {"stability", extras.stability_memory}}},
                {"threads", {{"given", extras.threads_given}, {"used", extras.threads_used}}}});
 }
 

@@ -13,7 +13,6 @@ struct PlanExtras {
   std::string material_damping;    // loss factors that count in a motion, or why none does
   double memory = 0, factor_memory = 0,
          stability_memory = 0;  // that it will take, and of it [bytes]
-  double factors_in_files = 0;  // out of core, not counted in `memory` [bytes]
 };
 
 /// The forces that each family of elements evaluates, and why the others are off.

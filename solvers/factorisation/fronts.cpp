@@ -12,10 +12,9 @@ namespace netloft {
 
 void Room::resize(std::size_t count) {
   all_.reset();
-  std::size_t bytes = (count + kLine) * sizeof(double);
-  all_.reset(take_block(bytes));
-  if (all_ == nullptr) throw std::bad_alloc();
+  all_.reset(new double[count + kLine]);
   void* begin = all_.get();
+  std::size_t bytes = (count + kLine) * sizeof(double);
   begin_ = static_cast<double*>(std::align(kLine * sizeof(double), count * sizeof(double), begin, bytes));
 }
 

@@ -6,7 +6,6 @@
 
 #include "framework/assembler/workers.hpp"
 #include "solvers/factorisation/front_schedule.hpp"
-#include "solvers/factorisation/large_blocks.hpp"
 
 namespace netloft {
 
@@ -20,7 +19,7 @@ class Room {
 
  private:
   static constexpr std::size_t kLine = 8;
-  std::unique_ptr<void, FreeBlock> all_;
+  std::unique_ptr<double[]> all_;
   double* begin_ = nullptr;
 };
 

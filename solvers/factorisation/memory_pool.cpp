@@ -2,6 +2,11 @@
 #include "solvers/factorisation/memory_pool.hpp"
 
 #include <SuiteSparse_config.h>
+#ifdef __APPLE__
+#include <malloc/malloc.h>
+#else
+#include <malloc.h>
+#endif
 
 #include <algorithm>
 #include <bit>
@@ -9,13 +14,19 @@
 #include <cstring>
 #include <new>
 
-#include "solvers/factorisation/large_blocks.hpp"
-
 namespace netloft {
 namespace {
 
 constexpr std::size_t kSmallestBlock = 64;  // [bytes]
 constexpr std::size_t kLargestBlock = std::size_t{1} << 62;
+
+std::size_t capacity_of(void* block) {
+#ifdef __APPLE__
+  return malloc_size(block);
+#else
+  return malloc_usable_size(block);
+#endif
+}
 
 /// Classes 4k, 4k+1, 4k+2, 4k+3 hold blocks of at least 4·2ᵏ, 5·2ᵏ, 6·2ᵏ, 7·2ᵏ bytes.
 std::size_t bytes_of_class(std::size_t size_class) { return (4 + size_class % 4) << (size_class / 4); }
@@ -46,7 +57,7 @@ void* MemoryPool::take(std::size_t bytes) {
   // malloc may give a little more than was asked for, so that a block comes back to the next class.
   for (const std::size_t near : {size_class, size_class + 1})
     if (void* block = pop(near)) return count_as_used(block);
-  return count_as_used(take_block(bytes_of_class(size_class)));
+  return count_as_used(std::malloc(bytes_of_class(size_class)));
 }
 
 void* MemoryPool::count_as_used(void* block) {
@@ -77,7 +88,7 @@ void MemoryPool::give_back(void* block) {
   const std::size_t capacity = capacity_of(block);
   used_bytes_ -= std::min(used_bytes_, capacity);  // the block may have been allocated elsewhere
   const bool is_worth_keeping = capacity >= kSmallestBlock && kept_bytes_ + capacity <= 2 * most_used_bytes_;
-  if (!is_worth_keeping) return free_block(block);
+  if (!is_worth_keeping) return std::free(block);
   FreeBlock*& head = free_[largest_class_within(capacity)];
   head = new (block) FreeBlock{head};
   kept_bytes_ += capacity;
@@ -85,7 +96,7 @@ void MemoryPool::give_back(void* block) {
 
 void MemoryPool::clear() {
   for (std::size_t size_class = 0; size_class < free_.size(); ++size_class) {
-    while (void* block = pop(size_class)) free_block(block);
+    while (void* block = pop(size_class)) std::free(block);
   }
   used_bytes_ = most_used_bytes_ = 0;
 }
@@ -104,10 +115,10 @@ void* pool_calloc(std::size_t count, std::size_t size) {
 }
 
 void* pool_realloc(void* block, std::size_t bytes) {
-  return current_pool ? current_pool->resize(block, bytes) : resize_block(block, bytes);
+  return current_pool ? current_pool->resize(block, bytes) : std::realloc(block, bytes);
 }
 
-void pool_free(void* block) { current_pool ? current_pool->give_back(block) : free_block(block); }
+void pool_free(void* block) { current_pool ? current_pool->give_back(block) : std::free(block); }
 
 struct Allocator {
   void* (*malloc)(std::size_t);

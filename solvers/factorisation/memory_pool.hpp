@@ -8,8 +8,8 @@ namespace netloft {
 /// Keeps the blocks that SuiteSparse and MUMPS free and hands them out again, so that the second and every
 /// later factorisation of one pattern calls no malloc.
 ///
-/// Every block is one of take_block() (large_blocks.hpp). So one from the pool may be freed by free_block(),
-/// and a block of malloc by the pool, without knowing its origin. The pool never keeps more
+/// Every block is a plain malloc block, and the C library reports its size. So a block from the pool may be
+/// freed by free(), and a block of malloc by the pool, without knowing its origin. The pool never keeps more
 /// than twice what was in use at one time. One owner, one thread: no lock.
 class MemoryPool {
  public:
@@ -23,7 +23,7 @@ class MemoryPool {
   void* resize(void* block, std::size_t bytes);  // a block that is large enough is not moved
   void give_back(void* block);
 
-  /// Frees all kept blocks.
+  /// Returns all kept blocks to the C library.
   void clear();
   std::size_t kept_bytes() const { return kept_bytes_; }
 

@@ -8,18 +8,6 @@
 
 namespace netloft::io {
 
-namespace {
-
-void add_out_of_core_option(CLI::App& command, Options& o) {
-  command
-      .add_option("--out-of-core", o.out_of_core,
-                  "keep large factors in files there, where memory does not hold them")
-      ->check(CLI::ExistingDirectory)
-      ->type_name("FOLDER");
-}
-
-}  // namespace
-
 void add_run_command(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
   add_scene_options(*run, o);
@@ -43,13 +31,10 @@ void add_run_command(CLI::App& app, Options& o) {
       ->type_name("UNKNOWNS");
   run->add_flag("--same-bits", o.same_bits,
                 "under mpirun: results to the last bit, on any number of processes; takes more memory");
-  add_out_of_core_option(*run, o);
 }
 
 void add_plan_command(CLI::App& app, Options& o) {
-  auto* plan = app.add_subcommand("plan", "say what a scene needs, and why not the rest");
-  add_scene_options(*plan, o);
-  add_out_of_core_option(*plan, o);
+  add_scene_options(*app.add_subcommand("plan", "say what a scene needs, and why not the rest"), o);
 }
 
 void add_refine_command(CLI::App& app, Options& o) {

@@ -13,7 +13,7 @@ import unittest
 import h5py
 import numpy as np
 
-from program import GOOD, PROGRAM, SOURCE, InFreshFolder, changed
+from program import GOOD, SOURCE, InFreshFolder, changed
 
 SCENES = SOURCE / "gear-library" / "scenes"
 PANEL = SCENES / "dead-weight-panel.toml"
@@ -351,27 +351,6 @@ class OtherCommands(InFreshFolder):
         self.assertGreater(plan["memory"]["foreseen"], plan["memory"]["factor"] + plan["memory"]["stability"])
         self.assertGreater(plan["memory"]["factor"], 8 * 3168 * 30)  # of a square of 32 by 32 cells: more than 30 numbers a column
         self.assertTrue(all(term["reason"] for family in plan["families"] for term in family["terms"]))
-
-    @unittest.skipIf("asan" in PROGRAM, "takes a minute there; tests/unit/solvers/factorisation has the same")
-    def test_factors_out_of_core_change_no_bit(self):
-        scene = (str(SOURCE / "gear-library/scenes/verification/stretched-panel.toml"), "--set", "parts.net.cells=[160, 160]")
-        (self.folder / "scratch").mkdir()
-        planned = self.netloft("plan", *scene, "--out-of-core", "scratch")
-        self.assertRegex(planned.out, r"memory: about \S+ GiB, and \S+ GiB for factors in files in scratch; .* within reach\n$")
-        plan = self.netloft("plan", *scene, "--out-of-core", "scratch", "--json").json()["memory"]
-        self.assertEqual(plan["in_files"], plan["factor"])
-        self.assertEqual(self.netloft("run", *scene, "--out-of-core", "scratch", "-o", "files.hdf").code, 0)
-        self.assertEqual(self.netloft("run", *scene, "-o", "memory.hdf").code, 0)
-        self.assertEqual(self.netloft("diff", "files.hdf", "memory.hdf").code, 0)
-        self.assertEqual(list((self.folder / "scratch").iterdir()), [])
-
-    def test_out_of_core_wants_a_folder_that_takes_files(self):
-        for folder, reason in (("missing", "Directory does not exist: missing"), ("/proc", "no file can be made in /proc")):
-            with self.subTest(folder=folder):
-                ended = self.netloft("run", str(PANEL), *COARSE, "--out-of-core", folder)
-                self.assertNotEqual(ended.code, 0)
-                self.assertIn(reason, ended.err)
-                self.assertEqual(self.files(), {})
 
     def test_plan_says_whether_the_ground_passes(self):
         towed = str(SOURCE / "gear-library" / "scenes" / "verification" / "towed-chain.toml")

@@ -150,7 +150,7 @@ class Commands(InFreshFolder):
         self.assertIn('there is no command "study rum"; did you mean "study run"?', ended.err)
 
     def test_an_unknown_option_is_named_with_the_one_it_may_stand_for(self):
-        for words, wrong, meant in ((("run", "a.toml", "--out-of-cor"), "--out-of-cor", "--out-of-core"),
+        for words, wrong, meant in ((("run", "a.toml", "--start-fro"), "--start-fro", "--start-from"),
                                     (("run", "--stratgy", "auto", "a.toml"), "--stratgy", "--strategy"),
                                     (("run", "a.toml", "--stratgy=auto"), "--stratgy", "--strategy"),
                                     (("study", "run", "a.study", "--threds", "2"), "--threds", "--threads"),
