@@ -29,10 +29,7 @@ if(NOT NETLOFT_STATIC)
   # Adapters to large libraries are a component of their own, which not everybody has to have.
   set(adapters "/(kinsol|arkode|snes|ts)\\.so$")
   install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft FILES_MATCHING PATTERN "*.so"
-          REGEX "${adapters}|/mpi(/|$)" EXCLUDE)
-  if(TARGET mumps_mpi)
-    install(TARGETS mumps_mpi LIBRARY DESTINATION lib/netloft/mpi COMPONENT ranks)
-  endif()
+          REGEX ${adapters} EXCLUDE)
   if(TARGET kinsol OR TARGET arkode OR TARGET snes OR TARGET ts)
     install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft COMPONENT adapters FILES_MATCHING REGEX ${adapters})
   endif()

@@ -11,11 +11,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_NETLOFT_PACKAGE_NAME netloft)
 set(CPACK_DEBIAN_ADAPTERS_PACKAGE_NAME netloft-adapters)
-set(CPACK_DEBIAN_RANKS_PACKAGE_NAME netloft-ranks)
-set(CPACK_DEBIAN_RANKS_PACKAGE_RECOMMENDS openmpi-bin)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(CPACK_COMPONENT_ADAPTERS_DEPENDS netloft)
-set(CPACK_COMPONENT_RANKS_DEPENDS netloft)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ (>= 10), cmake (>= 3.25), make")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview")
 set(CPACK_COMPONENT_NETLOFT_DESCRIPTION "${PROJECT_DESCRIPTION}
@@ -23,5 +20,4 @@ set(CPACK_COMPONENT_NETLOFT_DESCRIPTION "${PROJECT_DESCRIPTION}
  in a current and on the seabed. Elements, hydrodynamic laws and solvers are
  plugins; their authors need the headers in this package and nothing else.")
 set(CPACK_COMPONENT_ADAPTERS_DESCRIPTION "Solvers of SUNDIALS and PETSc as plugins of Netloft")
-set(CPACK_COMPONENT_RANKS_DESCRIPTION "Runs of Netloft on several processes of MPI, by parallel MUMPS")
 include(CPack)

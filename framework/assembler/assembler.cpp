@@ -97,9 +97,7 @@ Assembler::Assembler(const Scene& scene, const Scene& nodes, const NodeBlocks& b
       tangent_(plan.tangent),
       families_(std::move(families)),
       pattern_(make_pattern(blocks, numbering_, plan.symmetric)),
-      first_slot_(blocks.column_start),
       workers_(threads) {
-  for (std::size_t& slot : first_slot_) slot *= 9;
   groups_ = find_family_groups(families_);
   std::size_t tiles = 0;
   for (FamilyGroup& group : groups_) {
@@ -195,7 +193,12 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   assert((request.matrix == MatrixKind::none) == !request.values && "a matrix is asked for with its values");
   assert((request.residual || !request.gradient) && "a gradient is found beside a residual");
   assert((!request.between || !request.gradient) && "mean forces of a step are the gradient of nothing");
-  if (!sum_tiles(x, request) || !hand_on(x, request)) return false;
+  for (double* forces : {request.residual, request.gradient})
+    if (forces) std::fill_n(forces, numbering_.dofs(), 0.0);
+  if (request.values) std::fill_n(request.values, value_slots_, 0.0);
+  for (const FamilyGroup& group : groups_)
+    if (!run_group(group, x, request)) return false;
+  if (!hand_on(x, request)) return false;
   for (double* forces : {request.residual, request.gradient})
     if (forces) frames_.turn(forces);
   if (request.values) frames_.turn_matrix(request.values);
@@ -206,66 +209,18 @@ bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   return true;
 }
 
-/// Where a partner meets what it cannot evaluate, this process evaluates all and meets it, too: the fault is
-/// then the same as without partners.
-bool Assembler::sum_tiles(std::span<const double> x, const Request& request) {
-  if (!partners_ || !partners_->can(request)) return run_all(x, request);
-  partners_->begin(x, request);
-  const bool could = evaluate_share(partners_->own(), x, request);
-  const bool others_could = partners_->end(request, tile_energy_);
-  return (could && others_could) || run_all(x, request);
-}
-
-bool Assembler::run_all(std::span<const double> x, const Request& request) {
-  for (double* forces : {request.residual, request.gradient})
-    if (forces) std::fill_n(forces, numbering_.dofs(), 0.0);
-  if (request.values) std::fill_n(request.values, value_slots_, 0.0);
-  for (const FamilyGroup& group : groups_)
-    if (!run_tiles(group, group.tiling.order, group.tiling.colour_begin, x, request)) return false;
-  return true;
-}
-
-bool Assembler::evaluate_share(const Share& share, std::span<const double> x, const Request& request) {
-  for (double* forces : {request.residual, request.gradient})
-    for (const Range& range : share.places)
-      if (forces) std::fill_n(forces + range.begin, range.size(), 0.0);
-  if (request.values) std::fill_n(request.values + share.slots.begin, share.slots.size(), 0.0);
-  const bool is_scattered = request.residual || request.values;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const Share::Tiles& tiles = is_scattered ? share.groups[g] : share.own[g];
-    if (!run_tiles(groups_[g], tiles.order, tiles.colour_begin, x, request)) return false;
-  }
-  return true;
-}
-
-std::vector<Share> Assembler::shares(std::size_t count) const {
-  return divide(groups_, numbering_, first_slot_, count);
-}
-
-void Assembler::share_with(std::unique_ptr<Partners> partners) {
-  if (partners) partners->join(*this);
-  partners_ = std::move(partners);
-}
-
-std::unique_ptr<Assembler> make_assembler(const Scene& scene, const Plan& plan, const Crew& crew) {
-  auto partners = crew.others ? crew.others->open(scene, plan) : nullptr;
-  auto assembler = std::make_unique<Assembler>(scene, plan, crew.threads);
-  assembler->share_with(std::move(partners));
-  return assembler;
-}
-
-bool Assembler::run_tiles(const FamilyGroup& group, std::span<const std::uint32_t> tiles,
-                          std::span<const std::size_t> colour_begin, std::span<const double> x,
-                          const Request& request) {
+bool Assembler::run_group(const FamilyGroup& group, std::span<const double> x, const Request& request) {
+  const Tiling& tiling = group.tiling;
   const auto run = [&](std::size_t begin, std::size_t end) {
     workers_.run(end - begin, kSerialBelow, [&](std::size_t worker, std::size_t i) {
-      run_tile(group, tiles[begin + i], x, request, *workspaces_[worker]);
+      run_tile(group, tiling.order[begin + i], x, request, *workspaces_[worker]);
     });
   };
   if (!request.residual && !request.values)
-    run(0, tiles.size());  // nothing is scattered, so no two tiles can write to the same entry
+    run(0, tiling.tiles);  // nothing is scattered, so no two tiles can write to the same entry
   else
-    for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c) run(colour_begin[c], colour_begin[c + 1]);
+    for (std::size_t c = 0; c + 1 < tiling.colour_begin.size(); ++c)
+      run(tiling.colour_begin[c], tiling.colour_begin[c + 1]);
   return collect_faults();
 }
 

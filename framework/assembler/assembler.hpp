@@ -2,7 +2,6 @@
 #pragma once
 #include "framework/assembler/between.hpp"
 #include "framework/assembler/memory.hpp"
-#include "framework/assembler/partners.hpp"
 #include "framework/assembler/placement.hpp"
 #include "framework/assembler/riders.hpp"
 #include "framework/assembler/workers.hpp"
@@ -58,18 +57,6 @@ class Assembler : public Placement {
   std::span<const std::unique_ptr<ElementFamily>> families() const { return families_; }
   /// Threads among which an evaluation is divided; 1 if the scene is too small to gain from more.
   int threads_used() const;
-
-  /// From now on other processes evaluate shares, where they can.
-  void share_with(std::unique_ptr<Partners> partners);
-  /// Processes among which an evaluation is divided.
-  int processes() const { return partners_ ? partners_->size() : 1; }
-  /// Divides the scene among `count` processes; all that have made the same scene divide it alike.
-  std::vector<Share> shares(std::size_t count) const;
-  /// Evaluates a share: its places of the sums are then right, others are not. Sums of bodies and frames of
-  /// nodes are not formed. Returns false if an element could not be evaluated: see fault().
-  bool evaluate_share(const Share& share, std::span<const double> x, const Request& request);
-  /// Energies of the tiles of all groups after an evaluation that asked for it [J].
-  std::span<const double> tile_energies() const { return tile_energy_; }
 
   /// Evaluates at positions x (over all dofs). Returns false if an element could not be evaluated: see
   /// fault().
@@ -140,11 +127,7 @@ class Assembler : public Placement {
   Assembler(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, const Plan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>>&& families);
   void make_memories(bool between);
-  bool sum_tiles(std::span<const double> x, const Request& request);
-  bool run_all(std::span<const double> x, const Request& request);
-  bool run_tiles(const FamilyGroup& group, std::span<const std::uint32_t> tiles,
-                 std::span<const std::size_t> colour_begin, std::span<const double> x,
-                 const Request& request);
+  bool run_group(const FamilyGroup& group, std::span<const double> x, const Request& request);
   void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,
                 Workspace& w);
   bool call_families(const FamilyGroup& group, std::size_t tile, bool with_energy, const Request& request,
@@ -200,7 +183,6 @@ class Assembler : public Placement {
   TangentChoice tangent_;
   std::vector<std::unique_ptr<ElementFamily>> families_;
   SparsePattern pattern_;
-  std::vector<std::size_t> first_slot_;  // per node, +1: of the matrix values in its column
   std::vector<FamilyGroup> groups_;
   std::vector<Memory> memories_;       // per family
   std::vector<Memory> stretch_rates_;  // per family, of members [m/s]; empty but for mean forces of steps
@@ -209,7 +191,6 @@ class Assembler : public Placement {
   Workers workers_;
   std::vector<std::unique_ptr<Workspace>> workspaces_;
   ElementFault fault_;
-  std::unique_ptr<Partners> partners_;  // null: this process evaluates all
 };
 
 }  // namespace netloft

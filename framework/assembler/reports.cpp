@@ -122,7 +122,6 @@ bool Assembler::remember(std::span<const double> x, const Kinematics& motion) {
   for (std::size_t f = 0; f < families_.size(); ++f)
     if (!memories_[f].empty() && !remember_family(f, x, motion)) return false;
   for (auto& memory : memories_) memory.accept();
-  if (partners_) partners_->set_memory(this->memory());
   return true;
 }
 
@@ -154,7 +153,6 @@ void Assembler::set_memory(std::span<const double> kept) {
       kept = kept.subspan(memory.all().size());
     }
   assert(kept.empty() && "it is the memory of a scene with as many elements");
-  if (partners_) partners_->set_memory(memory());
 }
 
 }  // namespace netloft

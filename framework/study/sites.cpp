@@ -53,7 +53,7 @@ std::shared_ptr<Site> Sites::make_site(const Scene& scene) const {
   auto site = std::make_shared<Site>();
   site->scene = &scene;
   site->own_plan = std::make_unique<Plan>(make_plan(scene, *source_.registry, source_.tangent));
-  site->own_assembler = make_assembler(scene, *site->own_plan, source_.crew);
+  site->own_assembler = std::make_unique<Assembler>(scene, *site->own_plan, source_.threads);
   site->assembler = site->own_assembler.get();
   site->model = make_work_model(*site->assembler, source_.make);
   site->model.unit = unit_;

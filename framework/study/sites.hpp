@@ -30,7 +30,7 @@ struct SiteSource {
   Levels* levels = nullptr;  // null: the scene's own mesh only
   MakeFactorisation make;
   TangentChoice tangent = TangentChoice::exact;
-  Crew crew;
+  int threads = 1;
 };
 
 /// Makes the variants of a scene when they are first asked for. Each level as it is written is kept, of all

@@ -71,8 +71,7 @@ class SetScenes {
     Scene scene = *source_.scene;
     set_factors(scene, factors);
     const Plan plan = make_plan(scene, *source_.registry, source_.tangent);
-    const auto own = make_assembler(scene, plan, source_.crew);
-    Assembler& assembler = *own;
+    Assembler assembler(scene, plan, source_.threads);
     assembler.set_memory(source_.assembler->memory());
     SiteSource source = source_;
     source.scene = &scene, source.assembler = &assembler;

@@ -4,7 +4,6 @@
 #include "framework/problem/correction.hpp"
 #include "framework/problem/settling.hpp"
 #include "framework/problem/work.hpp"
-#include "framework/ranks/rank_team.hpp"
 #include "framework/study/settings.hpp"
 #include "io/case/diagnosis.hpp"
 #include "io/case/idle_choices.hpp"
@@ -43,9 +42,7 @@ constexpr int kFromElsewhere = 100;  // iterations from a point that a user name
 Case::Case(CaseSource source, Registry& registry, MakeFactorisation make)
     : source_(std::move(source)),
       registry_(registry),
-      make_(make ? std::move(make) : keep_analyses(make_factorisation_with(source_.threads, source_.ranks))) {
-  if (source_.ranks.ranks) team_ = std::make_unique<RankTeam>(*source_.ranks.ranks, source_.ranks.from);
-}
+      make_(make ? std::move(make) : keep_analyses(make_factorisation_with(source_.threads))) {}
 
 Case::~Case() = default;
 
@@ -81,7 +78,7 @@ Case::State Case::assemble() {
     if (!analysis.settles) std::erase(plan_.not_loaded, registry_.solver(analysis.solver).origin->name);
     if (!moves) std::erase(plan_.not_loaded, registry_.strategy(analysis.strategy).origin->name);
     if (moves) std::erase(plan_.not_loaded, registry_.integrator(analysis.dynamics.integrator).origin->name);
-    assembler_ = make_assembler(loaded_.scene, plan_, crew());
+    assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
     meshes_ = std::make_unique<Meshes>(source_, loaded_, registry_);
     if (moves) require_inertia(loaded_, plan_, registry_, *assembler_);
   } catch (const SceneError& error) {
@@ -150,7 +147,7 @@ void Case::adopt(const Solution& s) {
   if (s.factors.empty()) return;
   set_factors(loaded_.scene, s.factors);
   for (const Setting& setting : loaded_.scene.settings) note_length(setting);
-  assembler_ = make_assembler(loaded_.scene, plan_, crew());
+  assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
 }
 
@@ -226,8 +223,8 @@ std::string Case::explain_strategy() {
 }
 
 SiteSource Case::sites() {
-  return {&loaded_.scene, assembler_.get(),         &registry_, meshes_.get(),
-          make_,          loaded_.analysis.tangent, crew()};
+  return {&loaded_.scene, assembler_.get(),         &registry_,     meshes_.get(),
+          make_,          loaded_.analysis.tangent, source_.threads};
 }
 
 StudyOptions Case::study_options(const Limits& limits, const Watch& watch) {
@@ -334,8 +331,7 @@ MarchResult Case::march(const MarchWatch& watch, const Watch& who, const MarchSt
 /// of the tangent and still swing about what statics find with all of it. Both number their unknowns alike.
 std::vector<double> Case::find_start(const Watch& who, Solution& found) {
   const Plan plan = make_plan(loaded_.scene, registry_);
-  const auto at_rest = make_assembler(loaded_.scene, plan, crew());
-  Assembler& assembler = *at_rest;
+  Assembler assembler(loaded_.scene, plan, source_.threads);
   assert(assembler.pattern().size == assembler_->pattern().size);
   SiteSource source = sites();
   source.assembler = &assembler, source.tangent = TangentChoice::exact;

@@ -5,7 +5,6 @@
 #include "framework/study/study.hpp"
 #include "io/scene/loaded_scene.hpp"
 #include "io/toml/diagnostics.hpp"
-#include "solvers/factorisation/ranks.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -25,7 +24,6 @@ struct CaseSource {
   std::filesystem::path file;
   std::vector<std::string> overrides;  // "path=value", as --set takes them
   int threads = 1;                     // of the assembly and of large factorisations
-  RankUse ranks = {};                  // other processes for larger ones
 };
 
 /// Who looks on while a case is solved.
@@ -109,7 +107,7 @@ class Case {
   Assembler& assembler() { return *assembler_; }
   Registry& registry() { return registry_; }
   int threads() const { return source_.threads; }
-  /// Makes its factorisations: by its threads and ranks, with analyses in common.
+  /// Makes its factorisations: by its threads, with analyses in common.
   const MakeFactorisation& factorisations() const { return make_; }
   double reading_seconds() const { return reading_seconds_; }
   double setup_seconds() const { return setup_seconds_; }
@@ -120,7 +118,6 @@ class Case {
   void adopt(const Solution& solution);
   void note_length(const Setting& setting);
   Solution settle(const Watch& watch, const std::vector<double>& from);
-  Crew crew() const { return {source_.threads, team_.get()}; }
   SiteSource sites();
   StudyOptions study_options(const Limits& limits, const Watch& watch);
   StrategyUse strategy();
@@ -135,8 +132,7 @@ class Case {
   std::string material_damping_;
   std::unique_ptr<Assembler> assembler_;
   std::unique_ptr<Meshes> meshes_;
-  MakeFactorisation make_;      // of one pattern in all stages
-  std::unique_ptr<Team> team_;  // null: this process alone evaluates
+  MakeFactorisation make_;  // of one pattern in all stages
   double reading_seconds_ = 0, setup_seconds_ = 0;
 };
 

@@ -3,7 +3,6 @@
 #include "io/cli/commands.hpp"
 #include "io/cli/error_json.hpp"
 #include "io/cli/last_words.hpp"
-#include "io/cli/launched.hpp"
 #include "io/cli/memory_room.hpp"
 
 #include <fcntl.h>
@@ -63,13 +62,11 @@ int fail(const Options& o, const std::string& message, int code) {
   return code;
 }
 
-int guarded(Options& o) {
+int guarded(const Options& o) {
   explain_crashes();
   if (const std::string lack = lack_of_memory(); command_of(o).solves && !lack.empty())
     return fail(o, lack, kOther);
   try {
-    const auto ranks = start_ranks(o, launch_of_environment());
-    o.ranks = ranks.get();
     return command_of(o).run(o);
   } catch (const UsageError& e) {
     return fail(o, e.message, kWrongInput);
@@ -107,26 +104,10 @@ int after_printing(int code) {
   return code == kDone ? kOther : code;
 }
 
-constexpr const char* kDescription = "Netloft finds the shape and the forces of trawl gears.";
-
-/// A rank other than 0. Where the command line is none of a `run`, rank 0 says so.
-int serve(int argc, char** argv, const Launch& launch) {
-  Options o;
-  CLI::App app{kDescription, "netloft"};
-  add_commands(app, o);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError&) {
-    return kDone;
-  }
-  if (app.get_subcommands().front()->get_name() == "run") serve_ranks(o, launch);
-  return kDone;
-}
-
 int start(int argc, char** argv) {
   Options o;
   o.words.assign(argv, argv + argc);
-  CLI::App app{kDescription, "netloft"};
+  CLI::App app{"Netloft finds the shape and the forces of trawl gears.", "netloft"};
   app.set_version_flag("--version", std::string("netloft " NETLOFT_VERSION));
   add_commands(app, o);
   if (argc == 1) {
@@ -154,7 +135,5 @@ int start(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   netloft::io::guard_streams();
-  if (const auto launch = netloft::launch_of_environment(); launch.rank > 0)
-    return netloft::io::serve(argc, argv, launch);
   return netloft::io::after_printing(netloft::io::start(argc, argv));
 }

@@ -4,7 +4,6 @@
 #include "io/cli/scope_options.hpp"
 #include "io/cli/stability_options.hpp"
 #include "io/cli/study_options.hpp"
-#include "solvers/factorisation/ranks.hpp"
 
 #include <cstdint>
 #include <string>
@@ -28,30 +27,27 @@ struct PictureOptions {
 
 /// The command line, taken apart.
 struct Options {
-  std::string command;                       // run, plan, list, describe, schema, test
-  std::string kind;                          // new: element, law, solver, integrator, strategy
-  std::string target;                        // scene, component, plugin or result
-  std::string other;                         // diff: the second result
-  std::vector<std::string> targets;          // view: results
-  std::string output;                        // -o
-  bool resume = false;                       // --resume
-  bool overwrite = false;                    // --overwrite
-  bool error = false;                        // --error
-  std::string start_from;                    // --start-from RESULT.hdf
-  bool stages = false;                       // --stages
-  std::vector<std::int64_t> nodes;           // refine: --nodes
-  std::string strategy;                      // --strategy NAME[:key=value[,key=value]]
-  std::string solver;                        // --solver, likewise
-  std::vector<std::string> set;              // --set path=value
-  std::vector<std::string> plugins;          // --plugins DIR
-  bool scene_plugins = false;                // --scene-plugins
-  bool mesh = false;                         // --mesh
-  std::size_t mesh_nodes = 2000;             // draw: --nodes
-  int threads = 0;                           // 0: as many as the machine has
-  std::int32_t ranks_from = RankUse::kFrom;  // run: --ranks-from
-  bool same_bits = false;                    // run: --same-bits
-  Ranks* ranks = nullptr;                    // run under mpirun: all of its processes
-  double seconds = 60;                       // test: --seconds. All of the largest shipped plugin takes 1 s
+  std::string command;               // run, plan, list, describe, schema, test
+  std::string kind;                  // new: element, law, solver, integrator, strategy
+  std::string target;                // scene, component, plugin or result
+  std::string other;                 // diff: the second result
+  std::vector<std::string> targets;  // view: results
+  std::string output;                // -o
+  bool resume = false;               // --resume
+  bool overwrite = false;            // --overwrite
+  bool error = false;                // --error
+  std::string start_from;            // --start-from RESULT.hdf
+  bool stages = false;               // --stages
+  std::vector<std::int64_t> nodes;   // refine: --nodes
+  std::string strategy;              // --strategy NAME[:key=value[,key=value]]
+  std::string solver;                // --solver, likewise
+  std::vector<std::string> set;      // --set path=value
+  std::vector<std::string> plugins;  // --plugins DIR
+  bool scene_plugins = false;        // --scene-plugins
+  bool mesh = false;                 // --mesh
+  std::size_t mesh_nodes = 2000;     // draw: --nodes
+  int threads = 0;                   // 0: as many as the machine has
+  double seconds = 60;               // test: --seconds. All of the largest shipped plugin takes 1 s
   bool json = false;
   std::string color = "auto";
   bool html = false, csv = false;  // report

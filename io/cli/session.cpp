@@ -22,10 +22,7 @@ int threads_for(const Options& options) {
 }
 
 CaseSource source_of(const Options& options) {
-  CaseSource source{options.target,
-                    options.set,
-                    threads_for(options),
-                    {options.ranks, options.ranks_from, options.same_bits}};
+  CaseSource source{options.target, options.set, threads_for(options)};
   const auto add = [&](const char* key, const std::string& specification) {
     if (specification.empty()) return;
     for (auto& word : overrides_of(key, specification)) source.overrides.push_back(std::move(word));

@@ -173,7 +173,6 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"stages", stages_json(s)},
                {"work", s.cost.work},
                {"factorisation", s.run.factorisation},
-               {"ranks", r.ranks},
                {"terms", terms_json(loaded.scene, plan)},
                {"results", values_json(r.scalars)},
                {"units", units_json(r.scalars)},

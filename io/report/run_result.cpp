@@ -176,7 +176,6 @@ std::vector<NamedScalar> collect_gear(const LoadedScene& loaded, const Assembler
 }
 
 void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
-  result.ranks = assembler.processes();
   Answer answer = ask_elements(loaded.scene, assembler, result.solution.x, at_rest(result.solution));
   result.scalars = collect_scalars(loaded, assembler, result.solution, answer.outputs);
   result.gear = collect_gear(loaded, assembler, answer);

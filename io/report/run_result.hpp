@@ -61,7 +61,6 @@ struct RunResult {
   // the meshes behind the mesh errors, or why there are no errors; empty: not asked for
   std::string mesh_note;
   FamilyOutputs outputs;
-  int ranks = 1;  // that evaluated the scene
   double reading_seconds = 0, setup_seconds = 0;
   std::string output_file;
 };

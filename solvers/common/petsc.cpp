@@ -9,22 +9,10 @@
 
 namespace netloft::petsc {
 
-namespace {
-
-/// In a run on several ranks MPI has been started, and the other ranks know nothing of PETSc.
-void use_this_process_alone() {
-  int is_running = 0;
-  MPI_Initialized(&is_running);
-  if (is_running) PETSC_COMM_WORLD = MPI_COMM_SELF;
-}
-
-}  // namespace
-
 void start() {
   PetscBool running = PETSC_FALSE;
   check(PetscInitialized(&running));
   if (running) return;
-  use_this_process_alone();
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "true"));
   check(PetscOptionsSetValue(nullptr, "-skip_petscrc", "true"));

@@ -2,7 +2,6 @@
 #include "solvers/factorisation/factorisation.hpp"
 
 #include "solvers/factorisation/cholmod.hpp"
-#include "solvers/factorisation/distributed.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
@@ -29,14 +28,8 @@ std::unique_ptr<Factorisation> make(MatrixClass kind, int threads) {
 
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind) { return make(kind, 1); }
 
-MakeFactorisation make_factorisation_with(int threads, const RankUse& use) {
-  const MakeFactorisation make_local = [threads](MatrixClass kind) { return make(kind, threads); };
-  if (!use.ranks || use.ranks->size() < 2) return make_local;
-  const auto on_ranks = use.has_same_bits ? make_fronts_on(*use.ranks, threads, make_spare, make_local)
-                                          : make_mumps_on(*use.ranks);
-  return [use, make_local, on_ranks](MatrixClass kind) {
-    return make_distributed_factorisation(kind, use, make_local, on_ranks);
-  };
+MakeFactorisation make_factorisation_with(int threads) {
+  return [threads](MatrixClass kind) { return make(kind, threads); };
 }
 
 }  // namespace netloft

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "framework/problem/factorisation.hpp"
-#include "solvers/factorisation/ranks.hpp"
 
 namespace netloft {
 
@@ -12,8 +11,7 @@ namespace netloft {
 /// MUMPS. Fits `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
-/// The same with so many threads for large matrices; factors have the same bits for any number of them. With
-/// ranks those factorise what is large (distributed.hpp).
-MakeFactorisation make_factorisation_with(int threads, const RankUse& use = {});
+/// The same with so many threads for large matrices; factors have the same bits for any number of them.
+MakeFactorisation make_factorisation_with(int threads);
 
 }  // namespace netloft

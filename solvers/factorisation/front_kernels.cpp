@@ -11,6 +11,8 @@ namespace {
 
 using wide::Eight, wide::Four, wide::Two;
 
+// a pivot of at least this fraction of the norm of the entries below it is accepted without exchange
+constexpr double kSuits = 0.1;
 constexpr std::ptrdiff_t kBlock = kPivotBlock;
 
 /// The number of columns of a tile, such that its sums and a column of A fit into the registers.
@@ -132,8 +134,7 @@ struct OwnRows {
 /// Whether entry k of a column can be the pivot without exchange: it is not small compared with the entries
 /// from there to row n.
 template <class Register>
-NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n,
-                             double suits) {
+NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
   using V = typename Register::V;
   V squares = {};
   for (std::ptrdiff_t i = begin; i < n; i += kTileRows) {
@@ -146,7 +147,7 @@ NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::pt
   }
   const double sum = wide::sum_of(squares);
   const double square = column[k] * column[k];
-  return square > 0 && square >= suits * suits * sum;
+  return square > 0 && square >= kSuits * kSuits * sum;
 }
 
 NETLOFT_INLINE std::ptrdiff_t row_of_largest(const double* column, std::ptrdiff_t from, std::ptrdiff_t to) {
@@ -197,11 +198,10 @@ NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std:
 /// and the rest of the columns before `end`. Returns one over it, or zero if it is zero.
 template <class Register>
 NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
-                                      std::ptrdiff_t end, double suits, std::int32_t* exchanged) {
+                                      std::ptrdiff_t end, std::int32_t* exchanged) {
   const std::ptrdiff_t n = f.pivots, stride = left_stride(n, f.others);
   const double* column = f.left + k * stride;
-  const std::ptrdiff_t row =
-      is_pivot<Register>(column, begin, k, n, suits) ? k : row_of_largest(column, k, n);
+  const std::ptrdiff_t row = is_pivot<Register>(column, begin, k, n) ? k : row_of_largest(column, k, n);
   if (column[row] == 0) return 0;
   exchanged[k] = static_cast<std::int32_t>(row);
   if (row != k) exchange(f.left + k, f.left + row, n, stride);
@@ -236,14 +236,14 @@ NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, st
 
 template <class Register>
 NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
-                                           const PivotRule& rule, std::int32_t* exchanged) {
+                                           double least_pivot, std::int32_t* exchanged) {
   double S[kBlock];
   for (std::ptrdiff_t k = begin; k < end; ++k) {
-    S[k - begin] = eliminate_pivot<Register>(f, begin, k, end, rule.suits, exchanged);
+    S[k - begin] = eliminate_pivot<Register>(f, begin, k, end, exchanged);
     if (S[k - begin] == 0) return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k, S)};
   }
   const double squares = solve_below<Register>(f, begin, end, S);
-  if (!(rule.least * rule.least * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
+  if (!(least_pivot * least_pivot * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
   return {};
 }
 
@@ -296,12 +296,12 @@ NETLOFT_INLINE void subtract_rows(const FrontPanels& f, std::ptrdiff_t begin, st
 }
 
 template <class Register>
-NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, const PivotRule& rule,
-                                          std::int32_t* exchanged) {
+NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, double least_pivot, std::int32_t* exchanged) {
   const std::ptrdiff_t n = f.pivots, rows = n + f.others;
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kBlock, n);
-    if (const Elimination e = eliminate_block<Register>(f, done, end, rule, exchanged); e.stopped_at >= 0)
+    if (const Elimination e = eliminate_block<Register>(f, done, end, least_pivot, exchanged);
+        e.stopped_at >= 0)
       return e;
     done = end;
     if (end == n) break;
@@ -337,19 +337,17 @@ NETLOFT_INLINE void solve_upper(const FrontPanels& f, const std::int32_t* exchan
 }
 
 template <class Register>
-NETLOFT_INLINE Elimination eliminate(const FrontPanels& f, const PivotRule& rule, std::int32_t* exchanged) {
-  const Elimination e = eliminate_left<Register>(f, rule, exchanged);
+NETLOFT_INLINE Elimination eliminate(const FrontPanels& f, double least_pivot, std::int32_t* exchanged) {
+  const Elimination e = eliminate_left<Register>(f, least_pivot, exchanged);
   if (e.stopped_at < 0) solve_upper<Register>(f, exchanged, 0, f.others);
   return e;
 }
 
-/// (2) in the columns from `from` to `to` and the rows from `row` on, a multiple of kTileRows.
 template <class Register>
-NETLOFT_INLINE void update(const FrontPanels& f, double* C, std::ptrdiff_t row, std::ptrdiff_t from,
-                           std::ptrdiff_t to) {
+NETLOFT_INLINE void update(const FrontPanels& f, double* C, std::ptrdiff_t from, std::ptrdiff_t to) {
   const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u);
-  subtract_product<Register>(u - row, to - from, n, f.left + n + row, left_stride(n, u),
-                             {f.upper + from, stride, 1}, C + row + from * stride, stride);
+  subtract_product<Register>(u, to - from, n, f.left + n, left_stride(n, u), {f.upper + from, stride, 1},
+                             C + from * stride, stride);
 }
 
 template <class Register>
@@ -366,11 +364,10 @@ NETLOFT_INLINE void forward(const FrontPanels& f, double* y) {
 
 /// y₁[k …] ← y₁[k …] − (U₁₂ y₂)[k …], kColumns of them; rows go on to the next multiple of kTileRows.
 template <class Register, int kColumns>
-NETLOFT_INLINE void subtract_dots(std::ptrdiff_t rows, const double* a, std::ptrdiff_t stride,
-                                  const double* x, double* y) {
+NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const double* x, double* y) {
   using V = typename Register::V;
   V sum[kColumns] = {};
-  for (std::ptrdiff_t i = 0; i < rows; i += Register::kLanes)
+  for (std::ptrdiff_t i = 0; i < stride; i += Register::kLanes)
     for (int j = 0; j < kColumns; ++j)
       sum[j] += *reinterpret_cast<const V*>(a + j * stride + i) * *reinterpret_cast<const V*>(x + i);
   for (int j = 0; j < kColumns; ++j) y[j] -= wide::sum_of(sum[j]);
@@ -400,19 +397,13 @@ NETLOFT_INLINE void solve_upper_triangle(const double* U, std::ptrdiff_t stride,
   for (std::ptrdiff_t k = 0; k < width; ++k) y[k] = known[k];
 }
 
-/// y ← y − Aᵀ x, A of `rows` rows, a multiple of kTileRows, and n columns.
 template <class Register>
-NETLOFT_INLINE void subtract_transposed(std::ptrdiff_t rows, std::ptrdiff_t n, const double* a,
-                                        std::ptrdiff_t stride, const double* x, double* y) {
+NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
+  const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u), down = left_stride(n, u);
   std::ptrdiff_t k = 0;
-  for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(rows, a + k * stride, stride, x, y + k);
-  for (; k < n; ++k) subtract_dots<Register, 1>(rows, a + k * stride, stride, x, y + k);
-}
-
-/// y₁ ← U₁₁⁻¹ y₁
-template <class Register>
-NETLOFT_INLINE void solve_pivots(const FrontPanels& f, double* y) {
-  const std::ptrdiff_t n = f.pivots, down = left_stride(n, f.others);
+  std::fill_n(y + n + u, kTileRows, 0.0);
+  for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, y + k);
+  for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, y + k);
   for (std::ptrdiff_t end = n, begin = 0; end > 0; end = begin) {
     begin = (end - 1) / kBlock * kBlock;
     solve_upper_triangle<Register>(f.left + begin + begin * down, down, end - begin, y + begin);
@@ -420,47 +411,21 @@ NETLOFT_INLINE void solve_pivots(const FrontPanels& f, double* y) {
   }
 }
 
-template <class Register>
-NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
-  const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u);
-  std::fill_n(y + n + u, kTileRows, 0.0);
-  subtract_transposed<Register>(stride, n, f.upper, stride, y + n, y);
-  solve_pivots<Register>(f, y);
-}
-
-template <class Register>
-NETLOFT_INLINE void backward_symmetric(const FrontPanels& f, double* y) {
-  const std::ptrdiff_t n = f.pivots, u = f.others, down = left_stride(n, u);
-  std::fill_n(y + n + u, kTileRows, 0.0);
-  for (std::ptrdiff_t k = 0; k < n; ++k) y[k] /= f.left[k + k * down];
-  subtract_transposed<Register>(upper_stride(u), n, f.left + n, down, y + n, y);
-  for (std::ptrdiff_t k = 0; k < n; ++k) y[k] *= f.left[k + k * down];
-  solve_pivots<Register>(f, y);
-}
-
 /// The kernels for one instruction set.
 #define NETLOFT_KERNELS(name, Register, ...)                                                                 \
   struct name {                                                                                              \
-    __VA_ARGS__ static Elimination eliminate(const FrontPanels& f, const PivotRule& rule,                    \
-                                             std::int32_t* exchanged) {                                      \
-      return netloft::eliminate<Register>(f, rule, exchanged);                                               \
-    }                                                                                                        \
-    __VA_ARGS__ static Elimination eliminate_left(const FrontPanels& f, const PivotRule& rule,               \
-                                                  std::int32_t* exchanged) {                                 \
-      return netloft::eliminate_left<Register>(f, rule, exchanged);                                          \
+    __VA_ARGS__ static Elimination eliminate(const FrontPanels& f, double least, std::int32_t* exchanged) {  \
+      return netloft::eliminate<Register>(f, least, exchanged);                                              \
     }                                                                                                        \
     __VA_ARGS__ static void update(const FrontPanels& f, double* C) {                                        \
-      netloft::update<Register>(f, C, 0, 0, f.others);                                                       \
+      netloft::update<Register>(f, C, 0, f.others);                                                          \
     }                                                                                                        \
     __VA_ARGS__ static void forward(const FrontPanels& f, double* y) { netloft::forward<Register>(f, y); }   \
     __VA_ARGS__ static void backward(const FrontPanels& f, double* y) { netloft::backward<Register>(f, y); } \
-    __VA_ARGS__ static void backward_symmetric(const FrontPanels& f, double* y) {                            \
-      netloft::backward_symmetric<Register>(f, y);                                                           \
-    }                                                                                                        \
     __VA_ARGS__ static Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin,               \
-                                                   std::ptrdiff_t end, const PivotRule& rule,                \
+                                                   std::ptrdiff_t end, double least,                         \
                                                    std::int32_t* exchanged) {                                \
-      return netloft::eliminate_block<Register>(f, begin, end, rule, exchanged);                             \
+      return netloft::eliminate_block<Register>(f, begin, end, least, exchanged);                            \
     }                                                                                                        \
     __VA_ARGS__ static void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,       \
                                        std::ptrdiff_t from, std::ptrdiff_t to) {                             \
@@ -474,13 +439,13 @@ NETLOFT_INLINE void backward_symmetric(const FrontPanels& f, double* y) {
                                         std::ptrdiff_t from, std::ptrdiff_t to) {                            \
       netloft::solve_upper<Register>(f, exchanged, from, to);                                                \
     }                                                                                                        \
-    __VA_ARGS__ static void update_columns(const FrontPanels& f, double* C, std::ptrdiff_t row,              \
-                                           std::ptrdiff_t from, std::ptrdiff_t to) {                         \
-      netloft::update<Register>(f, C, row, from, to);                                                        \
+    __VA_ARGS__ static void update_columns(const FrontPanels& f, double* C, std::ptrdiff_t from,             \
+                                           std::ptrdiff_t to) {                                              \
+      netloft::update<Register>(f, C, from, to);                                                             \
     }                                                                                                        \
-    static constexpr FrontKernels all{eliminate,     eliminate_left,     update,          forward,           \
-                                      backward,      backward_symmetric, eliminate_block, solve_rows,        \
-                                      subtract_rows, solve_upper,        update_columns};                    \
+    static constexpr FrontKernels all{                                                                       \
+        eliminate,  update,        forward,     backward,      eliminate_block,                              \
+        solve_rows, subtract_rows, solve_upper, update_columns};                                             \
   };
 
 NETLOFT_KERNELS(Plain, Two, )

@@ -23,14 +23,6 @@ constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t other
   return upper_stride(pivots + others + kTileRows - 1);
 }
 
-/// Which pivots are taken. Of a symmetric matrix that may only be positive definite all stay where they are.
-struct PivotRule {
-  /// A pivot of at least this fraction of the norm of the entries below it is accepted without exchange.
-  double suits = 0.1;
-  /// The elimination stops where some columns of L₂₁ together have a norm of more than 1/least; 0: nowhere.
-  double least = 1e-8;
-};
-
 /// The end of the elimination of a front.
 struct Elimination {
   std::int32_t stopped_at = -1;  // first pivot that is zero or too small; -1: none
@@ -49,29 +41,23 @@ constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & 
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
 /// P exchanges rows of A₁₁ alone: the largest entry of a column becomes its pivot where the one on the
-/// diagonal does not suit (threshold pivoting; Duff, Erisman, Reid 1986). Where all of it is symmetric and no
-/// row is exchanged, with D the diagonal of U₁₁,
-///   U₁₂ = (L₂₁ D)ᵀ                                                        (3)
-/// and only the lower triangle of (2) is wanted (symmetric_front.hpp).
+/// diagonal is less than a tenth of the norm of those below (threshold pivoting; Duff, Erisman, Reid 1986).
+/// It stops where some columns of L₂₁ together have a norm of more than 1/least_pivot.
 struct FrontKernels {
   /// (1); `exchanged[k]` is the row that row k was exchanged with.
-  Elimination (*eliminate)(const FrontPanels& front, const PivotRule& rule, std::int32_t* exchanged);
-  /// The same without U₁₂.
-  Elimination (*eliminate_left)(const FrontPanels& front, const PivotRule& rule, std::int32_t* exchanged);
+  Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
   /// (2); the columns of C have the stride of `upper`.
   void (*update)(const FrontPanels& front, double* C);
   /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) followed by kTileRows numbers; P has been applied.
   void (*forward)(const FrontPanels& front, double* y);
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); the numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);
-  /// The same with (3); `upper` is not read.
-  void (*backward_symmetric)(const FrontPanels& front, double* y);
 
   // (1) and (2) in pieces, for several threads. Pieces from one row or column to another do not depend on one
   // another; rows begin at multiples of kTileRows behind the first.
   /// L₁₁\\U₁₁ and L₂₁ in columns of one block of pivots.
   Elimination (*eliminate_block)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
-                                 const PivotRule& rule, std::int32_t* exchanged);
+                                 double least_pivot, std::int32_t* exchanged);
   /// U₁₁ of the rows from `begin` to `end` in the columns from `from` to `to`.
   void (*solve_rows)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t from,
                      std::ptrdiff_t to);
@@ -82,9 +68,8 @@ struct FrontKernels {
   /// U₁₂ of the others from `from` to `to`.
   void (*solve_upper)(const FrontPanels& front, const std::int32_t* exchanged, std::ptrdiff_t from,
                       std::ptrdiff_t to);
-  /// (2) in the columns from `from` to `to` and the rows from `row` on, a multiple of kTileRows.
-  void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t row, std::ptrdiff_t from,
-                         std::ptrdiff_t to);
+  /// (2) in the columns from `from` to `to`.
+  void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t from, std::ptrdiff_t to);
 };
 
 /// The best kernels for this processor, and all that run on it, the best last.

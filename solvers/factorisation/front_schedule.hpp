@@ -4,34 +4,27 @@
 
 namespace netloft {
 
-/// In which order fronts are eliminated by several threads and ranks, and where their updates lie. Branches
-/// are subtrees that need nothing of one another: a thread takes one at a time. The trunk is what is left;
-/// its fronts come after all branches, children before parents, and all threads work on each. Every front
-/// adds up the same numbers in the same order as alone, so that the factors have the same bits for any number
-/// of threads.
+/// In which order fronts are eliminated by several threads, and where their updates lie. Branches are
+/// subtrees that need nothing of one another: a thread takes one at a time. The trunk is what is left; its
+/// fronts come after all branches, children before parents, and all threads work on each. Every front adds up
+/// the same numbers in the same order as alone, so that the factors have the same bits for any number of
+/// threads.
 ///
 /// Updates lie on two stacks, by the parity of a front's depth: children are on top of the one when their
 /// parent pushes its own onto the other. Branches and the trunk have stacks of their own in the same two
-/// rooms. Of a definite matrix U₁₂ lies behind the update of its front, as long as that is eliminated. Other
-/// ranks have branches of their own, which lie there (front_branch.hpp); of these only the update of the root
-/// comes back.
+/// rooms.
 struct FrontSchedule {
   struct Branch {
     std::size_t first, last;  // fronts, one past the last
   };
-  struct RemoteBranch {
-    std::size_t first, last;
-    int rank;  // 1 and more
-  };
   std::vector<Branch> branches;      // those with most work first
-  std::vector<RemoteBranch> remote;  // in order
   std::vector<std::size_t> trunk;    // fronts
   std::vector<std::uint8_t> parity;  // of the depth of each front
   std::vector<std::size_t> update;   // of each front, in the room of its parity
   std::size_t room[2]{};             // doubles
 };
 
-/// For one thread on one rank everything is trunk.
-FrontSchedule make_front_schedule(const FrontTree& tree, std::size_t threads, int ranks = 1);
+/// For one thread everything is trunk.
+FrontSchedule make_front_schedule(const FrontTree& tree, std::size_t threads);
 
 }  // namespace netloft

@@ -83,9 +83,7 @@ void require_targets(std::size_t panels) {
 
 class FrontTreeBuilder {
  public:
-  FrontTreeBuilder(const SparsePattern& pattern, bool is_definite) : pattern_(pattern) {
-    tree_.is_definite = is_definite;
-  }
+  explicit FrontTreeBuilder(const SparsePattern& pattern) : pattern_(pattern) {}
 
   FrontTree build(OrderingMethod method);
 
@@ -105,7 +103,6 @@ class FrontTreeBuilder {
   bool have_same_rows(std::int32_t column) const;
   bool are_a_block(std::size_t entry, std::int32_t column) const;
   std::int32_t front_of_entry(std::int32_t row, std::int32_t column) const;
-  bool is_wanted(std::int32_t row, std::int32_t column) const;
   void set_target(const Front& front, std::int32_t row, std::int32_t column, FrontEntries& entries) const;
 
   const SparsePattern& pattern_;
@@ -191,9 +188,10 @@ void FrontTreeBuilder::lay_out() {
   for (Front& front : tree_.fronts) {
     const double n = front.pivots, u = front.others;
     front.panels = tree_.panels;
-    tree_.panels += size_of_panels(front, tree_.is_definite);
+    tree_.panels += static_cast<std::size_t>(
+        front.pivots * (left_stride(front.pivots, front.others) + upper_stride(front.others)));
     tree_.most_unknowns = std::max(tree_.most_unknowns, front.pivots + front.others);
-    tree_.entries += tree_.is_definite ? n * ((n + 1) / 2 + u) : n * (n + 2 * u);
+    tree_.entries += n * (n + 2 * u);
     tree_.flops += flops_of(front);
     require_targets(tree_.panels - front.panels);
   }
@@ -235,11 +233,6 @@ void FrontTreeBuilder::list_runs() {
 
 std::int32_t FrontTreeBuilder::front_of_entry(std::int32_t row, std::int32_t column) const {
   return front_[std::min(place_[row], place_[column])];
-}
-
-/// Not right of the pivots of its front, if the matrix is symmetric.
-bool FrontTreeBuilder::is_wanted(std::int32_t row, std::int32_t column) const {
-  return !tree_.is_definite || front_[place_[column]] == front_of_entry(row, column);
 }
 
 /// Whether this unknown and the next two belong to one node and are eliminated consecutively.
@@ -315,8 +308,7 @@ void FrontTreeBuilder::list_blocks() {
 /// Sorts the entries by fronts.
 void FrontTreeBuilder::sort_entries() {
   std::vector<std::size_t> next(tree_.fronts.size() + 1, 0);
-  for (const Piece& piece : pieces_)
-    if (is_wanted(piece.row, piece.column)) ++next[front_of_entry(piece.row, piece.column) + 1];
+  for (const Piece& piece : pieces_) ++next[front_of_entry(piece.row, piece.column) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].entries = next[s];
   Front end;
@@ -324,7 +316,6 @@ void FrontTreeBuilder::sort_entries() {
   end.runs = tree_.runs.size();
   tree_.of_matrix.resize(end.entries), row_.resize(end.entries), column_.resize(end.entries);
   for (const auto& [row, column, slot, size] : pieces_) {
-    if (!is_wanted(row, column)) continue;
     const std::size_t k = next[front_of_entry(row, column)]++;
     row_[k] = row, column_[k] = column;
     tree_.of_matrix[k].slot = slot, tree_.of_matrix[k].size = size;
@@ -354,18 +345,13 @@ void FrontTreeBuilder::find_targets() {
 
 }  // namespace
 
-std::size_t size_of_panels(const Front& front, bool is_definite) {
-  const std::ptrdiff_t upper = is_definite ? 0 : upper_stride(front.others);
-  return static_cast<std::size_t>(front.pivots * (left_stride(front.pivots, front.others) + upper));
-}
-
 double flops_of(const Front& front) {
   const double n = front.pivots, u = front.others;
   return 2. / 3. * n * n * n + 2 * n * n * u + 2 * n * u * u;
 }
 
-FrontTree make_front_tree(const SparsePattern& pattern, OrderingMethod method, bool is_definite) {
-  return FrontTreeBuilder(pattern, is_definite).build(method);
+FrontTree make_front_tree(const SparsePattern& pattern, OrderingMethod method) {
+  return FrontTreeBuilder(pattern).build(method);
 }
 
 }  // namespace netloft

@@ -48,18 +48,14 @@ struct FrontTree {
   std::vector<std::int32_t> child_start, child;
   std::vector<FrontEntries> of_matrix;  // by front
   MatrixBlocks matrix;
-  bool is_definite = false;        // only L is kept, and only entries of the lower triangle are listed
   std::size_t panels = 0;          // doubles
   std::int32_t most_unknowns = 0;  // of any front
   double entries = 0, flops = 0;   // of the factors
   std::string ordering;
 };
 
-/// Doubles of a front: left, and of an unsymmetric matrix upper (front_kernels.hpp).
-std::size_t size_of_panels(const Front& front, bool is_definite);
-
-/// Orders `pattern`, of all entries, merges small fronts as CHOLMOD merges its supernodes, and computes all
-/// indices. Throws std::runtime_error on failure.
-FrontTree make_front_tree(const SparsePattern& pattern, OrderingMethod method, bool is_definite = false);
+/// Orders `pattern`, merges small fronts as CHOLMOD merges its supernodes, and computes all indices. Throws
+/// std::runtime_error on failure.
+FrontTree make_front_tree(const SparsePattern& pattern, OrderingMethod method);
 
 }  // namespace netloft

@@ -6,9 +6,13 @@
 #include <utility>
 
 #include "solvers/factorisation/shared_front.hpp"
-#include "solvers/factorisation/symmetric_front.hpp"
 
 namespace netloft {
+namespace {
+
+constexpr double kLeastPivot = 1e-8;  // relative to the norm of the columns of L
+
+}  // namespace
 
 void Room::resize(std::size_t count) {
   all_.reset();
@@ -18,10 +22,9 @@ void Room::resize(std::size_t count) {
   begin_ = static_cast<double*>(std::align(kLine * sizeof(double), count * sizeof(double), begin, bytes));
 }
 
-void Fronts::plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values,
-                  std::size_t places) {
+void Fronts::plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values) {
   forget_room();
-  tree_ = &tree, schedule_ = &schedule, value_count_ = values, place_count_ = places;
+  tree_ = &tree, schedule_ = &schedule, value_count_ = values;
 }
 
 void Fronts::forget_room() {
@@ -31,16 +34,18 @@ void Fronts::forget_room() {
 
 void Fronts::make_room() {
   for (int parity : {0, 1}) updates_[parity].resize(schedule_->room[parity]);
-  values_.resize(value_count_), exchanged_.resize(place_count_), by_place_.resize(place_count_);
+  values_.resize(value_count_), exchanged_.resize(tree_->unknown.size());
+  by_place_.resize(tree_->unknown.size());
   of_front_.assign(static_cast<std::size_t>(tree_->most_unknowns) + kTileRows, 0.0);
   panels_.resize(tree_->panels);
 }
 
 double Fronts::bytes() const {
   if (!tree_) return 0;
+  const std::size_t unknowns = tree_->unknown.size();
   const std::size_t doubles =
-      tree_->panels + schedule_->room[0] + schedule_->room[1] + value_count_ + place_count_;
-  return static_cast<double>(doubles * sizeof(double) + place_count_ * sizeof(std::int32_t));
+      tree_->panels + schedule_->room[0] + schedule_->room[1] + value_count_ + unknowns;
+  return static_cast<double>(doubles * sizeof(double) + unknowns * sizeof(std::int32_t));
 }
 
 bool Fronts::has_room() {
@@ -56,9 +61,7 @@ bool Fronts::has_room() {
 FrontPanels Fronts::panels_of(std::size_t front) {
   const Front& f = tree_->fronts[front];
   double* left = panels_.at(f.panels);
-  double* upper = tree_->is_definite ? std::to_address(update_of(front).end())
-                                     : left + f.pivots * left_stride(f.pivots, f.others);
-  return {f.pivots, f.others, left, upper};
+  return {f.pivots, f.others, left, left + f.pivots * left_stride(f.pivots, f.others)};
 }
 
 std::span<double> Fronts::update_of(std::size_t front) {
@@ -76,20 +79,13 @@ Elimination Fronts::eliminate(std::size_t front, Workers* workers) {
   set_entries(front);
   for (std::int32_t c = tree_->child_start[front]; c < tree_->child_start[front + 1]; ++c)
     matrix_kernels_.add_child(left_by(static_cast<std::size_t>(tree_->child[c])), panels, update.data());
-  const Elimination e = eliminate(panels, exchanged_.data() + f.first, workers);
-  if (e.stopped_at < 0) this->update(panels, update.data(), workers);
+  std::int32_t* exchanged = exchanged_.data() + f.first;
+  const Elimination e = workers ? eliminate_together(kernels_, panels, kLeastPivot, exchanged, *workers)
+                                : kernels_.eliminate(panels, kLeastPivot, exchanged);
+  if (e.stopped_at < 0)
+    workers ? update_together(kernels_, panels, update.data(), *workers)
+            : kernels_.update(panels, update.data());
   return e;
-}
-
-Elimination Fronts::eliminate(const FrontPanels& panels, std::int32_t* exchanged, Workers* workers) {
-  if (tree_->is_definite) return eliminate_symmetric(kernels_, panels, exchanged, workers);
-  return workers ? eliminate_together(kernels_, panels, {}, exchanged, *workers)
-                 : kernels_.eliminate(panels, {}, exchanged);
-}
-
-void Fronts::update(const FrontPanels& panels, double* C, Workers* workers) {
-  if (tree_->is_definite) return update_symmetric(kernels_, panels, C, workers);
-  workers ? update_together(kernels_, panels, C, *workers) : kernels_.update(panels, C);
 }
 
 /// Sets the entries of the matrix; nothing has been added at these places yet.
@@ -134,7 +130,7 @@ void Fronts::backward(std::size_t front) {
   const std::int32_t* other = tree_->other.data() + f.indices;
   std::copy_n(own, f.pivots, y);
   for (std::int32_t i = 0; i < f.others; ++i) y[f.pivots + i] = by_place_[other[i]];
-  (tree_->is_definite ? kernels_.backward_symmetric : kernels_.backward)(panels_of(front), y);
+  kernels_.backward(panels_of(front), y);
   std::copy_n(y, f.pivots, own);
 }
 

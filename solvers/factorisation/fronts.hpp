@@ -27,10 +27,8 @@ class Room {
 /// What is done with one front at a time; who calls does so in an order that front_schedule.hpp allows.
 class Fronts {
  public:
-  /// The matrix has so many
-  /// `values`; `places` are the unknowns of the tree by place, and after them those that its fronts name
-  /// besides. `tree` and `schedule` must outlive the last call.
-  void plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values, std::size_t places);
+  /// The matrix has so many `values`. `tree` and `schedule` must outlive the last call.
+  void plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values);
 
   /// What has_room() takes [bytes].
   double bytes() const;
@@ -39,8 +37,6 @@ class Fronts {
 
   std::span<double> values() { return values_; }
   std::span<double> by_place() { return by_place_; }
-  /// C of (1) in front_tree.hpp.
-  std::span<double> update_of(std::size_t front);
 
   /// By this thread alone, or by all `workers`.
   Elimination eliminate(std::size_t front, Workers* workers);
@@ -53,14 +49,14 @@ class Fronts {
   void make_room();
   void forget_room();
   FrontPanels panels_of(std::size_t front);
+  /// C of (1) in front_tree.hpp.
+  std::span<double> update_of(std::size_t front);
   void set_entries(std::size_t front);
-  Elimination eliminate(const FrontPanels& panels, std::int32_t* exchanged, Workers* workers);
-  void update(const FrontPanels& panels, double* C, Workers* workers);
   ChildUpdate left_by(std::size_t child);
 
   const FrontTree* tree_ = nullptr;
   const FrontSchedule* schedule_ = nullptr;
-  std::size_t value_count_ = 0, place_count_ = 0;
+  std::size_t value_count_ = 0;
   const FrontKernels& kernels_ = front_kernels();
   const MatrixKernels& matrix_kernels_ = matrix_kernels();
   std::vector<double> values_;  // by slots

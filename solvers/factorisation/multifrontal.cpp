@@ -15,9 +15,6 @@
 #include "solvers/factorisation/finite_values.hpp"
 #include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/fronts.hpp"
-#include "solvers/factorisation/lower_triangle.hpp"
-#include "solvers/factorisation/rank_branches.hpp"
-#include "solvers/factorisation/ranks.hpp"
 
 namespace netloft {
 namespace {
@@ -29,18 +26,15 @@ constexpr double kErrorToRefine = 1e-12;  // (2); a smaller error is not refined
 
 class MultifrontalFactorisation final : public Factorisation, public ForeseesMemory {
  public:
-  MultifrontalFactorisation(bool is_definite, MakeSpare make_spare, OrderingMethod method, int threads,
-                            Ranks* ranks)
-      : is_definite_(is_definite), make_spare_(std::move(make_spare)), method_(method), threads_(threads) {
-    if (ranks && ranks->size() > 1) ranks_ = ranks, remote_ = std::make_unique<RemoteBranches>(*ranks);
-  }
+  MultifrontalFactorisation(MakeSpare make_spare, OrderingMethod method, int threads)
+      : make_spare_(std::move(make_spare)), method_(method), threads_(threads) {}
 
   std::string description() const override;
   void analyse(const SparsePattern& pattern) override;
   FactorResult factorise(std::span<const double> values) override;
   void solve(std::span<const double> rhs, std::span<double> x) override;
   double factor_entries() const override { return tree_.entries; }
-  double factor_flops() const override { return is_definite_ ? tree_.flops / 2 : tree_.flops; }
+  double factor_flops() const override { return tree_.flops; }
   double factor_bytes() const override;
 
  private:
@@ -51,15 +45,11 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   bool take(std::span<const double> values);
   Elimination eliminate_all(std::size_t& front);
   Elimination eliminate_branches(std::size_t& failed);
-  Elimination await_remote(std::size_t& failed);
   FactorResult hand_over();
   void solve_alone(std::span<double> x);
-  void forward_all();
-  void backward_all();
   double find_residual(std::span<const double> x, std::span<const double> rhs);
   void check(std::span<double> x);
 
-  bool is_definite_;
   MakeSpare make_spare_;
   OrderingMethod method_;
   const SparsePattern* pattern_ = nullptr;
@@ -70,8 +60,6 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   std::vector<Elimination> ends_;  // of branches
   const MatrixKernels& matrix_kernels_ = matrix_kernels();
   Fronts fronts_;
-  Ranks* ranks_ = nullptr;                  // null: this process alone
-  std::unique_ptr<RemoteBranches> remote_;  // likewise
   std::vector<double> rhs_, residual_, products_, sizes_;
   SparsePattern spare_pattern_;  // without slots
   std::vector<double> spare_values_;
@@ -81,8 +69,7 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
 };
 
 std::string MultifrontalFactorisation::description() const {
-  std::string text = is_definite_ ? "multifrontal LDLT" : "multifrontal LU";
-  if (ranks_) text += " on " + std::to_string(ranks_->size()) + " ranks";
+  const std::string text = "multifrontal LU";
   return tree_.ordering.empty() ? text : text + ", " + tree_.ordering + " on the node graph";
 }
 
@@ -93,11 +80,11 @@ void MultifrontalFactorisation::analyse(const SparsePattern& pattern) {
   pattern_ = &pattern;
   tree_ = {}, schedule_ = {};
   if (pattern.size > 0) {
-    tree_ = make_front_tree(pattern, method_, is_definite_);
+    tree_ = make_front_tree(pattern, method_);
     schedule();
   }
   ends_.resize(schedule_.branches.size());
-  fronts_.plan(tree_, schedule_, pattern.value_slots(), static_cast<std::size_t>(pattern.size));
+  fronts_.plan(tree_, schedule_, pattern.value_slots());
 }
 
 void MultifrontalFactorisation::schedule() {
@@ -105,10 +92,7 @@ void MultifrontalFactorisation::schedule() {
     workers_.reset();
   else if (!workers_)
     workers_ = std::make_unique<Workers>(threads_);
-  schedule_ = make_front_schedule(tree_, workers_ ? workers_->size() : 1, ranks_ ? ranks_->size() : 1);
-  if (!remote_) return;
-  remote_->plan(tree_, schedule_);
-  for (const auto& branch : schedule_.remote) leave_out_panels(tree_, branch.first, branch.last);
+  schedule_ = make_front_schedule(tree_, workers_ ? workers_->size() : 1);
 }
 
 bool MultifrontalFactorisation::has_room() {
@@ -123,11 +107,10 @@ bool MultifrontalFactorisation::has_room() {
   return true;
 }
 
-/// What has_room() takes, or another rank if that takes more.
+/// What has_room() takes.
 double MultifrontalFactorisation::factor_bytes() const {
   if (!pattern_) return 0;
-  const double here = fronts_.bytes() + 8.0 * pattern_->size * sizeof(double);
-  return remote_ ? std::max(here, remote_->bytes()) : here;
+  return fronts_.bytes() + 8.0 * pattern_->size * sizeof(double);
 }
 
 FactorResult MultifrontalFactorisation::factorise(std::span<const double> values) {
@@ -136,11 +119,8 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
   if (pattern_->size > 0) {
     if (!has_room()) return {FactorStatus::out_of_memory};
     if (!take(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};
-    if (remote_ && !remote_->begin_elimination(fronts_.values())) return {FactorStatus::out_of_memory};
     std::size_t front = 0;
     const Elimination e = eliminate_all(front);
-    if (is_definite_ && e.stopped_at >= 0)
-      return {FactorStatus::not_positive_definite, tree_.unknown[tree_.fronts[front].first + e.stopped_at]};
     if (e.column_is_zero)
       return {FactorStatus::singular, tree_.unknown[tree_.fronts[front].first + e.stopped_at]};
     if (e.stopped_at >= 0) return hand_over();
@@ -158,9 +138,7 @@ bool MultifrontalFactorisation::take(std::span<const double> values) {
 /// Of several fronts that cannot be eliminated the first is reported, as one thread would meet it.
 Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
   std::size_t failed = tree_.fronts.size();
-  Elimination end = eliminate_branches(failed);
-  if (remote_)
-    if (const Elimination e = await_remote(failed); e.stopped_at >= 0) end = e;
+  const Elimination end = eliminate_branches(failed);
   for (const std::size_t f : schedule_.trunk) {
     if (f > failed) break;
     if (const Elimination own = fronts_.eliminate(f, workers_.get()); own.stopped_at >= 0) {
@@ -176,7 +154,7 @@ Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
 Elimination MultifrontalFactorisation::eliminate_branches(std::size_t& failed) {
   if (schedule_.branches.empty()) return {};
   std::atomic<std::size_t> first{failed};
-  const auto eliminate = [&](std::size_t, std::size_t b) {
+  workers_->run(ends_.size(), 2, [&](std::size_t, std::size_t b) {
     ends_[b] = {};
     for (std::size_t f = schedule_.branches[b].first; f < schedule_.branches[b].last && f < first; ++f) {
       if ((ends_[b] = fronts_.eliminate(f, nullptr)).stopped_at < 0) continue;
@@ -184,25 +162,11 @@ Elimination MultifrontalFactorisation::eliminate_branches(std::size_t& failed) {
       }
       return;
     }
-  };
-  if (workers_) workers_->run(ends_.size(), 2, eliminate);
-  for (std::size_t b = 0; !workers_ && b < ends_.size(); ++b) eliminate(0, b);
+  });
   failed = first;
   for (std::size_t b = 0; b < ends_.size(); ++b)
     if (schedule_.branches[b].first <= failed && failed < schedule_.branches[b].last) return ends_[b];
   return {};
-}
-
-/// The same of branches on other ranks; the end of one that failed before `failed`.
-Elimination MultifrontalFactorisation::await_remote(std::size_t& failed) {
-  const std::vector<BranchEnd> ends = remote_->end_elimination(fronts_);
-  Elimination end;
-  for (std::size_t b = 0; b < ends.size(); ++b) {
-    const std::size_t front = schedule_.remote[b].first + static_cast<std::size_t>(ends[b].front);
-    if (ends[b].elimination.stopped_at < 0 || front >= failed) continue;
-    failed = front, end = ends[b].elimination;
-  }
-  return end;
 }
 
 /// Factorises the same values with the fallback code.
@@ -235,32 +199,10 @@ void MultifrontalFactorisation::solve(std::span<const double> rhs, std::span<dou
 void MultifrontalFactorisation::solve_alone(std::span<double> x) {
   const std::span<double> by_place = fronts_.by_place();
   for (std::size_t k = 0; k < by_place.size(); ++k) by_place[k] = x[tree_.unknown[k]];
-  if (remote_) remote_->begin_solution();
-  forward_all();
-  backward_all();
-  if (remote_) remote_->end_solution();
+  const std::size_t fronts = tree_.fronts.size() - 1;
+  for (std::size_t f = 0; f < fronts; ++f) fronts_.forward(f);
+  for (std::size_t f = fronts; f-- > 0;) fronts_.backward(f);
   for (std::size_t k = 0; k < by_place.size(); ++k) x[tree_.unknown[k]] = by_place[k];
-}
-
-/// Front by front in order, wherever they are, so that every sum has the same order on any number of ranks.
-void MultifrontalFactorisation::forward_all() {
-  std::size_t next = 0;
-  for (std::size_t b = 0; b < schedule_.remote.size(); ++b) {
-    for (; next < schedule_.remote[b].first; ++next) fronts_.forward(next);
-    remote_->forward(b, fronts_.by_place());
-    next = schedule_.remote[b].last;
-  }
-  for (; next + 1 < tree_.fronts.size(); ++next) fronts_.forward(next);
-}
-
-void MultifrontalFactorisation::backward_all() {
-  std::size_t end = tree_.fronts.size() - 1;
-  for (std::size_t b = schedule_.remote.size(); b-- > 0;) {
-    while (end > schedule_.remote[b].last) fronts_.backward(--end);
-    remote_->backward(b, fronts_.by_place());
-    end = schedule_.remote[b].first;
-  }
-  while (end > 0) fronts_.backward(--end);
 }
 
 /// Computes b − A x, and returns (2).
@@ -286,21 +228,14 @@ void MultifrontalFactorisation::check(std::span<double> x) {
     error = find_residual(x, rhs_);
   }
   // If the fallback fails as well, the present result is kept.
-  if (!(error <= kLargestError) && make_spare_ && hand_over().status == FactorStatus::ok)
-    spare_->solve(rhs_, x);
+  if (!(error <= kLargestError) && hand_over().status == FactorStatus::ok) spare_->solve(rhs_, x);
 }
 
 }  // namespace
 
 std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_spare, OrderingMethod method,
-                                                               int threads, Ranks* ranks) {
-  return std::make_unique<MultifrontalFactorisation>(false, std::move(make_spare), method, threads, ranks);
-}
-
-std::unique_ptr<Factorisation> make_definite_multifrontal_factorisation(OrderingMethod method, int threads,
-                                                                        Ranks* ranks) {
-  return make_factorisation_of_lower_triangle(
-      std::make_unique<MultifrontalFactorisation>(true, nullptr, method, threads, ranks));
+                                                               int threads) {
+  return std::make_unique<MultifrontalFactorisation>(std::move(make_spare), method, threads);
 }
 
 }  // namespace netloft

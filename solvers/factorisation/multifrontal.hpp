@@ -8,7 +8,6 @@
 
 namespace netloft {
 
-class Ranks;
 using MakeSpare = std::function<std::unique_ptr<Factorisation>()>;
 
 /// Multifrontal factorisation of matrices that are not symmetric and nearly so in pattern, front by front in
@@ -22,18 +21,11 @@ using MakeSpare = std::function<std::unique_ptr<Factorisation>()>;
 /// - if a pivot is zero, or less than 1e-8 of what is below it beyond the pivots of its front;
 /// - if in the first solve after a factorisation the backward error (2) of Oettli and Prager (1964) is larger
 ///   than 1e-9 even after a step of iterative refinement.
-/// Several threads and ranks eliminate what is large (front_schedule.hpp), with the same bits for any number
-/// of them. Ranks but 0 keep the factors of their branches. A column of zeros makes the matrix singular at
-/// its unknown. From the second `factorise` on neither `factorise` nor `solve` allocates while the spare has
-/// nothing to do.
+/// Several threads eliminate what is large (front_schedule.hpp), with the same bits for any number of them.
+/// A column of zeros makes the matrix singular at its unknown. From the second `factorise` on neither
+/// `factorise` nor `solve` allocates while the spare has nothing to do.
 std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_spare,
                                                                OrderingMethod method = OrderingMethod::best,
-                                                               int threads = 1, Ranks* ranks = nullptr);
-
-/// The same of matrices that are symmetric and may be positive definite, by their lower triangle: P A Pᵀ = L
-/// D Lᵀ in half of the operations, without exchanges. A pivot that is not positive means that the matrix is
-/// not positive definite; nothing is handed over.
-std::unique_ptr<Factorisation> make_definite_multifrontal_factorisation(
-    OrderingMethod method = OrderingMethod::best, int threads = 1, Ranks* ranks = nullptr);
+                                                               int threads = 1);
 
 }  // namespace netloft

@@ -11,11 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "solvers/factorisation/backward_error.hpp"
 #include "solvers/factorisation/finite_values.hpp"
 #include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/memory_pool.hpp"
-#include "solvers/factorisation/ranks.hpp"
 #include "solvers/factorisation/suitesparse_scope.hpp"
 
 // The only entry point of MUMPS in this build; see cmake/FindMumpsSeq.cmake.
@@ -29,8 +27,7 @@ enum Job { kBegin = -1, kEnd = -2, kAnalyse = 1, kFactorise = 2, kSolve = 3 };
 /// Names and meanings from the users' guide of MUMPS 5.5, section 6; the numbers count from one there.
 class MumpsInstance {
  public:
-  /// `ranks`: who computes; null: this process alone.
-  MumpsInstance(bool symmetric, Ranks* ranks);
+  explicit MumpsInstance(bool symmetric);
   MumpsInstance(const MumpsInstance&) = delete;
   MumpsInstance& operator=(const MumpsInstance&) = delete;
   ~MumpsInstance() { run(kEnd); }
@@ -44,18 +41,13 @@ class MumpsInstance {
   int run(Job job);
 
  private:
-  void run_here();
-
   DMUMPS_STRUC_C id_{};
-  Ranks* ranks_;
-  int number_;  // among those of the ranks
 };
 
-MumpsInstance::MumpsInstance(bool symmetric, Ranks* ranks)
-    : ranks_(ranks), number_(ranks ? ranks->next_instance() : 0) {
+MumpsInstance::MumpsInstance(bool symmetric) {
   id_.sym = symmetric ? 2 : 0;
   id_.par = 1;
-  id_.comm_fortran = -987654;  // code for MPI_COMM_WORLD, one process; ranks have a communicator of their own
+  id_.comm_fortran = -987654;  // code for MPI_COMM_WORLD, one process
   if (run(kBegin) < 0) throw std::bad_alloc();
   for (const int stream : {1, 2, 3, 4}) icntl(stream) = 0;  // silent
   icntl(6) = 0;                                             // no permutation by values:
@@ -66,25 +58,20 @@ MumpsInstance::MumpsInstance(bool symmetric, Ranks* ranks)
 }
 
 int MumpsInstance::run(Job job) {
-  id_.job = job;
-  if (ranks_)
-    ranks_->call(number_, job, id_.sym, &id_);
-  else
-    run_here();
-  return id_.infog[0];
-}
-
-void MumpsInstance::run_here() {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   const SingleThreadScope single_thread;
+  id_.job = job;
   netloft_dmumps_c(&id_);
+  return id_.infog[0];
 }
 
 class MumpsFactorisation final : public Factorisation, public ForeseesMemory {
  public:
-  MumpsFactorisation(MatrixClass kind, OrderingMethod method, Ranks* ranks)
-      : symmetric_(kind != MatrixClass::unsymmetric), method_(method), ranks_(ranks) {}
+  MumpsFactorisation(MatrixClass kind, OrderingMethod method)
+      : symmetric_(kind == MatrixClass::symmetric), method_(method) {
+    assert(kind != MatrixClass::positive_definite);
+  }
   ~MumpsFactorisation() override { forget(); }
 
   std::string description() const override;
@@ -93,8 +80,8 @@ class MumpsFactorisation final : public Factorisation, public ForeseesMemory {
   void solve(std::span<const double> rhs, std::span<double> x) override;
   double factor_entries() const override { return entries_; }
   double factor_flops() const override { return flops_; }
-  /// INFOG(16), of the analysis and of the rank that takes most [10⁶ bytes].
-  double factor_bytes() const override { return 1e6 * most_megabytes_; }
+  /// INFOG(17), of the analysis [10⁶ bytes].
+  double factor_bytes() const override { return mumps_ ? 1e6 * mumps_->infog(17) : 0; }
 
  private:
   void forget();
@@ -102,22 +89,17 @@ class MumpsFactorisation final : public Factorisation, public ForeseesMemory {
   void list_entries(const SparsePattern& pattern);
   int factorise_with_room();
   FactorResult result_of(int status);
-  void solve_in_place(std::span<double> x);
-  void check(std::span<double> x);
 
   bool symmetric_;
   OrderingMethod method_;
-  Ranks* ranks_;  // null: this process alone
   MemoryPool pool_;
   std::unique_ptr<MumpsInstance> mumps_;  // null for a matrix without unknowns
   const SparsePattern* pattern_ = nullptr;
-  std::vector<MUMPS_INT> row_, column_;        // counted from one
-  std::vector<double> value_;                  // in the order of the entries
-  std::vector<double> rhs_, residual_, size_;  // of the check on ranks
-  bool has_factor_ = false, is_checked_ = false;
+  std::vector<MUMPS_INT> row_, column_;  // counted from one
+  std::vector<double> value_;            // in the order of the entries
+  bool has_factor_ = false;
   std::string ordering_;
   double entries_ = 0, flops_ = 0;
-  int most_megabytes_ = 0;
 };
 
 void MumpsFactorisation::forget() {
@@ -127,15 +109,12 @@ void MumpsFactorisation::forget() {
   pattern_ = nullptr;
   has_factor_ = false;
   ordering_.clear();
-  entries_ = flops_ = 0, most_megabytes_ = 0;
+  entries_ = flops_ = 0;
 }
 
 std::string MumpsFactorisation::description() const {
-  std::string text = std::string(symmetric_ ? "MUMPS LDLT " : "MUMPS LU ") + MUMPS_VERSION;
-  if (ranks_) text += " on " + std::to_string(ranks_->size()) + (ranks_->size() == 1 ? " rank" : " ranks");
-  if (!ordering_.empty()) text += ", " + ordering_ + " on the node graph";
-  if (ranks_ && mumps_) text += ", " + std::to_string(most_megabytes_) + " MB on the rank that takes most";
-  return text;
+  const std::string text = std::string(symmetric_ ? "MUMPS LDLT " : "MUMPS LU ") + MUMPS_VERSION;
+  return ordering_.empty() ? text : text + ", " + ordering_ + " on the node graph";
 }
 
 void MumpsFactorisation::analyse(const SparsePattern& pattern) {
@@ -153,7 +132,7 @@ void MumpsFactorisation::analyse_unknowns(const SparsePattern& pattern) {
   list_entries(pattern);
 
   const MemoryPoolScope pool(pool_);
-  mumps_ = std::make_unique<MumpsInstance>(symmetric_, ranks_);
+  mumps_ = std::make_unique<MumpsInstance>(symmetric_);
   MumpsInstance& mumps = *mumps_;
   mumps->n = pattern.size;
   mumps->nnz = static_cast<MUMPS_INT8>(pattern.entries());
@@ -164,7 +143,7 @@ void MumpsFactorisation::analyse_unknowns(const SparsePattern& pattern) {
                              " unknowns: MUMPS status " + std::to_string(status));
   }
   mumps->perm_in = nullptr;
-  ordering_ = ordering.method, most_megabytes_ = mumps.infog(16);
+  ordering_ = ordering.method;
 }
 
 void MumpsFactorisation::list_entries(const SparsePattern& pattern) {
@@ -178,7 +157,7 @@ void MumpsFactorisation::list_entries(const SparsePattern& pattern) {
 
 FactorResult MumpsFactorisation::factorise(std::span<const double> values) {
   assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
-  has_factor_ = is_checked_ = false;
+  has_factor_ = false;
   if (pattern_->size > 0) {
     if (const std::int32_t column = find_column_not_finite(*pattern_, values); column >= 0) {
       return {FactorStatus::failed, column};
@@ -226,29 +205,11 @@ void MumpsFactorisation::solve(std::span<const double> rhs, std::span<double> x)
   assert(has_factor_);
   if (!mumps_) return;
   assert(rhs.size() == static_cast<std::size_t>(pattern_->size) && x.size() == rhs.size());
-  const bool checks = ranks_ && !is_checked_;
-  if (checks) rhs_.assign(rhs.begin(), rhs.end());
-  if (x.data() != rhs.data()) std::copy(rhs.begin(), rhs.end(), x.begin());
-  solve_in_place(x);
-  if (checks) check(x);
-}
-
-void MumpsFactorisation::solve_in_place(std::span<double> x) {
   const MemoryPoolScope pool(pool_);
+  if (x.data() != rhs.data()) std::copy(rhs.begin(), rhs.end(), x.begin());
   MumpsInstance& mumps = *mumps_;
   mumps->rhs = x.data();
   if (mumps.run(kSolve) < 0) throw std::bad_alloc();
-}
-
-/// One step of iterative refinement where the backward error is not small; as in multifrontal.cpp.
-void MumpsFactorisation::check(std::span<double> x) {
-  constexpr double kErrorToRefine = 1e-12;
-  is_checked_ = true;
-  residual_.resize(x.size()), size_.resize(x.size());
-  const Triplets matrix{row_, column_, value_, symmetric_};
-  if (find_backward_error(matrix, x, rhs_, residual_, size_) <= kErrorToRefine) return;
-  solve_in_place(residual_);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual_[i];
 }
 
 }  // namespace
@@ -256,17 +217,7 @@ void MumpsFactorisation::check(std::span<double> x) {
 bool has_mumps() { return true; }
 
 std::unique_ptr<Factorisation> make_mumps_factorisation(MatrixClass kind, OrderingMethod method) {
-  assert(kind != MatrixClass::positive_definite);
-  return std::make_unique<MumpsFactorisation>(kind, method, nullptr);
-}
-
-std::unique_ptr<Factorisation> make_mumps_factorisation_on(Ranks& ranks, MatrixClass kind,
-                                                           OrderingMethod method) {
-  return std::make_unique<MumpsFactorisation>(kind, method, &ranks);
-}
-
-bool fits_mumps(std::string_view version, std::size_t structure_bytes) {
-  return version == MUMPS_VERSION && structure_bytes == sizeof(DMUMPS_STRUC_C);
+  return std::make_unique<MumpsFactorisation>(kind, method);
 }
 
 }  // namespace netloft

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cstddef>
 #include <memory>
-#include <string_view>
 
 #include "framework/problem/factorisation.hpp"
 #include "solvers/factorisation/node_ordering.hpp"
@@ -22,16 +20,5 @@ bool has_mumps();
 /// positive_definite.
 std::unique_ptr<Factorisation> make_mumps_factorisation(MatrixClass kind,
                                                         OrderingMethod method = OrderingMethod::best);
-
-class Ranks;
-
-/// The same by all ranks, of any kind: the matrix, the order and the analysis are of rank 0. The first
-/// solution with a factor is checked by its backward error (backward_error.hpp), and refined once if that is
-/// large. The last bits differ from run to run, because sums are made in the order in which messages come.
-std::unique_ptr<Factorisation> make_mumps_factorisation_on(Ranks& ranks, MatrixClass kind,
-                                                           OrderingMethod method = OrderingMethod::best);
-
-/// Whether a MUMPS of that version, with a DMUMPS_STRUC_C of so many bytes, is called as the one here.
-bool fits_mumps(std::string_view version, std::size_t structure_bytes);
 
 }  // namespace netloft

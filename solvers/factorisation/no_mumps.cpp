@@ -12,10 +12,4 @@ std::unique_ptr<Factorisation> make_mumps_factorisation(MatrixClass, OrderingMet
   throw std::logic_error("built without MUMPS");
 }
 
-std::unique_ptr<Factorisation> make_mumps_factorisation_on(Ranks&, MatrixClass, OrderingMethod) {
-  throw std::logic_error("built without MUMPS");
-}
-
-bool fits_mumps(std::string_view, std::size_t) { return false; }
-
 }  // namespace netloft

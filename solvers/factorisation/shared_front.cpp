@@ -32,14 +32,14 @@ double product(std::ptrdiff_t a, std::ptrdiff_t b, std::ptrdiff_t c) {
   return 2.0 * static_cast<double>(a) * static_cast<double>(b) * static_cast<double>(c);
 }
 
-}  // namespace
-
-Elimination eliminate_left_together(const FrontKernels& kernels, const FrontPanels& f, const PivotRule& rule,
-                                    std::int32_t* exchanged, Workers& workers) {
+/// L₁₁\U₁₁ and L₂₁.
+Elimination eliminate_left(const FrontKernels& kernels, const FrontPanels& f, double least_pivot,
+                           std::int32_t* exchanged, Workers& workers) {
   const std::ptrdiff_t n = f.pivots, rows = n + f.others;
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kPivotBlock, n);
-    if (const Elimination e = kernels.eliminate_block(f, done, end, rule, exchanged); e.stopped_at >= 0)
+    if (const Elimination e = kernels.eliminate_block(f, done, end, least_pivot, exchanged);
+        e.stopped_at >= 0)
       return e;
     done = end;
     if (end == n) break;
@@ -55,9 +55,11 @@ Elimination eliminate_left_together(const FrontKernels& kernels, const FrontPane
   return {};
 }
 
-Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& f, const PivotRule& rule,
+}  // namespace
+
+Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& f, double least_pivot,
                                std::int32_t* exchanged, Workers& workers) {
-  const Elimination e = eliminate_left_together(kernels, f, rule, exchanged, workers);
+  const Elimination e = eliminate_left(kernels, f, least_pivot, exchanged, workers);
   if (e.stopped_at >= 0) return e;
   divide(workers, 0, f.others, kTileRows, product(f.pivots, f.pivots, f.others) / 2,
          [&](std::ptrdiff_t from, std::ptrdiff_t to) { kernels.solve_upper(f, exchanged, from, to); });
@@ -66,7 +68,7 @@ Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& f
 
 void update_together(const FrontKernels& kernels, const FrontPanels& f, double* C, Workers& workers) {
   divide(workers, 0, f.others, kTileRows, product(f.others, f.others, f.pivots),
-         [&](std::ptrdiff_t from, std::ptrdiff_t to) { kernels.update_columns(f, C, 0, from, to); });
+         [&](std::ptrdiff_t from, std::ptrdiff_t to) { kernels.update_columns(f, C, from, to); });
 }
 
 }  // namespace netloft

@@ -7,12 +7,8 @@ namespace netloft {
 
 /// (1) of front_kernels.hpp by several threads, for large fronts: the same operations on every number as
 /// FrontKernels::eliminate, and so the same bits.
-Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& front, const PivotRule& rule,
+Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& front, double least_pivot,
                                std::int32_t* exchanged, Workers& workers);
-
-/// The same without U₁₂.
-Elimination eliminate_left_together(const FrontKernels& kernels, const FrontPanels& front,
-                                    const PivotRule& rule, std::int32_t* exchanged, Workers& workers);
 
 /// (2), likewise.
 void update_together(const FrontKernels& kernels, const FrontPanels& front, double* C, Workers& workers);

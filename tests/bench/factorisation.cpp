@@ -12,14 +12,16 @@
 #include <functional>
 #include <limits>
 
+#include "framework/assembler/assembler.hpp"
 #include "framework/registry/registry.hpp"
+#include "framework/scene/plan.hpp"
 #include "solvers/factorisation/cholmod.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
 #include "solvers/factorisation/umfpack.hpp"
-#include "tests/bench/panel_tangent.hpp"
 #include "tests/folders.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/solvers/factorisation/net_matrix.hpp"
 
 namespace netloft {
@@ -111,6 +113,24 @@ void compare_unsymmetric(const char* what, const TestMatrix& m) {
     table.add("MUMPS LU best", measure(*make_mumps_factorisation(MatrixClass::unsymmetric), m));
   table.add("UMFPACK best", measure(*make_umfpack_factorisation(), m));
   table.add("multifrontal LU best", measure(*make_multifrontal_factorisation(make_umfpack), m));
+}
+
+/// A tangent of the panel across a current of `speed`, out of balance as in an iteration, plus `shift` times
+/// the linear stiffness.
+TestMatrix tangent_of_panel(int cells, double speed, MatrixKind kind, double shift, Registry& registry) {
+  Scene scene = sample::hanging_panel(cells, 36.5);
+  if (speed > 0) scene.current.samples = {{0, {0, speed, 0}}};
+  const Plan plan = make_plan(scene, registry);
+  Assembler assembler(scene, plan, 1);
+  TestMatrix matrix;
+  matrix.pattern = assembler.pattern();
+  std::vector<double> metric(assembler.value_slots());
+  matrix.value.resize(assembler.value_slots());
+  assembler.evaluate(assembler.start(), {.matrix = kind, .values = matrix.value.data()});
+  assembler.evaluate(assembler.start(), {.matrix = MatrixKind::metric, .values = metric.data()});
+  for (std::size_t i = 0; i < metric.size(); ++i) matrix.value[i] += shift * metric[i];
+  matrix.value.resize(matrix.pattern.value_slots());
+  return matrix;
 }
 
 void compare_on_panel(int cells, Registry& registry) {

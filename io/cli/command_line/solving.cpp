@@ -4,8 +4,6 @@
 #include "io/cli/command_line/groups.hpp"
 #include "io/cli/command_line/shared.hpp"
 
-#include <limits>
-
 namespace netloft::io {
 
 void add_run_command(CLI::App& app, Options& o) {
@@ -25,12 +23,6 @@ void add_run_command(CLI::App& app, Options& o) {
                 "keep the start and the shape after every stage of the solve, for the slider of view");
   run->add_flag("--error", o.error,
                 "print the errors of the results: of the solver and, over other meshes, of the mesh");
-  run->add_option("--ranks-from", o.ranks_from,
-                  "under mpirun: unknowns from which on all processes evaluate and factorise; else 100000")
-      ->check(CLI::Range(std::int32_t{1}, std::numeric_limits<std::int32_t>::max()))
-      ->type_name("UNKNOWNS");
-  run->add_flag("--same-bits", o.same_bits,
-                "under mpirun: results to the last bit, on any number of processes; takes more memory");
 }
 
 void add_plan_command(CLI::App& app, Options& o) {

@@ -5,7 +5,6 @@ Nothing is said here of what they measure. Each has to end with 0 and to print a
 """
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -30,7 +29,6 @@ COMMANDS = {  # what it is called with
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
     "estimates.py": (PROGRAM, "ropes", "--places", "1"),
     "steering.py": (SOURCE,),
-    "ranks.py": (PROGRAM.parent / "bench_ranks", "--cells", "8", "--ranks", "1", "--repeats", "1"),
 }
 # Minutes on the least that they take, and an independent integrator that is not built everywhere.
 NOT_HERE = {"time_schemes.py", "real_time.py", "trawl_in_motion.py", "stability_limit.py"}
@@ -55,8 +53,6 @@ class Benches(unittest.TestCase):
 
 for name, words in COMMANDS.items():
     def test(self, name=name, words=words):
-        if name == "ranks.py" and not (words[0].exists() and shutil.which("mpirun")):
-            self.skipTest("no bench_ranks or no mpirun")
         ended = subprocess.run([sys.executable, "-B", BENCH / name, *words], cwd=self.folder, capture_output=True, text=True, timeout=300)
         self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
         self.assertRegex(ended.stdout, NUMBERS)

@@ -30,8 +30,6 @@ COMMANDS = (
     (f"netloft run {ROPE} --stages -o stages.hdf", "written to stages.hdf"),
     (f"netloft run {ROPE} --output rope.hdf", "written to rope.hdf"),
     (f"netloft run {ROPE} --set parts.rope.cells=20 -o coarse.hdf", "written to coarse.hdf"),
-    (f"netloft run {ROPE} --ranks-from 1000 -o alone.hdf || true", "mpirun"),
-    (f"netloft run {ROPE} --same-bits -o alone.hdf || true", "mpirun"),
     (f"netloft run {MOTION} -o motion.hdf & until [ -e motion.hdf.part ]; do sleep 0.02; done; sleep 0.2; kill -KILL $!; ls motion.hdf.part",
      "motion.hdf.part"),
     (f"netloft run {MOTION} --resume -o motion.hdf && [ ! -e motion.hdf.part ]", "finished"),

@@ -8,13 +8,10 @@
 #include <ostream>
 
 #include "solvers/factorisation/cholmod.hpp"
-#include "solvers/factorisation/distributed.hpp"
-#include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
 #include "solvers/factorisation/umfpack.hpp"
-#include "tests/unit/solvers/factorisation/on_one_rank.hpp"
 #include "tests/unit/solvers/factorisation/solving.hpp"
 
 namespace netloft {
@@ -51,26 +48,11 @@ std::unique_ptr<Factorisation> make_wide_cholmod(OrderingMethod method) {
   return make_cholmod_factorisation_of(IndexWidth::of_64_bits, method);
 }
 
-template <MatrixClass kKind>
-std::unique_ptr<Factorisation> make_on_one_rank(OrderingMethod) {
-  return make_mumps_on(test::one_rank())(kKind);
-}
-
 std::vector<Tested> all_factorisations() {
   return {{"Cholmod", MatrixClass::positive_definite, make_cholmod_factorisation},
           {"CholmodOf64Bits", MatrixClass::positive_definite, make_wide_cholmod},
           {"MumpsSymmetric", MatrixClass::symmetric, make_symmetric_mumps, has_mumps()},
           {"MumpsUnsymmetric", MatrixClass::unsymmetric, make_unsymmetric_mumps, has_mumps()},
-          {"DistributedDefinite", MatrixClass::positive_definite,
-           make_on_one_rank<MatrixClass::positive_definite>, test::has_ranks()},
-          {"DistributedSymmetric", MatrixClass::symmetric, make_on_one_rank<MatrixClass::symmetric>,
-           test::has_ranks()},
-          {"DistributedUnsymmetric", MatrixClass::unsymmetric, make_on_one_rank<MatrixClass::unsymmetric>,
-           test::has_ranks()},
-          {"MultifrontalDefinite", MatrixClass::positive_definite,
-           [](OrderingMethod method) { return make_definite_multifrontal_factorisation(method); }},
-          {"MultifrontalDefiniteOnThreads", MatrixClass::positive_definite,
-           [](OrderingMethod method) { return make_definite_multifrontal_factorisation(method, 3); }},
           {"Multifrontal", MatrixClass::unsymmetric, make_multifrontal_with_umfpack},
           {"Umfpack", MatrixClass::unsymmetric, make_umfpack_factorisation},
           {"UmfpackOfLowerTriangle", MatrixClass::symmetric, make_umfpack_of_lower_triangle}};
@@ -79,7 +61,7 @@ std::vector<Tested> all_factorisations() {
 class EveryFactorisation : public testing::TestWithParam<Tested> {
  protected:
   void SetUp() override {
-    if (!GetParam().is_built) GTEST_SKIP() << "built without MUMPS, or without MPI";
+    if (!GetParam().is_built) GTEST_SKIP() << "built without MUMPS";
   }
   /// Every class of matrices contains those before it.
   static bool takes(MatrixClass kind) { return kind <= GetParam().kind; }

@@ -8,7 +8,6 @@
 
 #include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/umfpack.hpp"
-#include "tests/unit/solvers/factorisation/ranks_in_threads.hpp"
 #include "tests/unit/solvers/factorisation/solving.hpp"
 
 namespace netloft {
@@ -33,10 +32,9 @@ class Spare final : public Factorisation {
 
 class Multifrontal : public testing::Test {
  protected:
-  std::unique_ptr<Factorisation> make(OrderingMethod method = OrderingMethod::best, int threads = 1,
-                                      Ranks* ranks = nullptr) {
+  std::unique_ptr<Factorisation> make(OrderingMethod method = OrderingMethod::best, int threads = 1) {
     return make_multifrontal_factorisation([this] { return std::make_unique<Spare>(handed_over_); }, method,
-                                           threads, ranks);
+                                           threads);
   }
   int handed_over_ = 0;
 };
@@ -128,85 +126,6 @@ TEST_F(Multifrontal, FindsTheSameColumnOfZerosForAnyNumberOfThreads) {
       EXPECT_EQ(result.column, zero) << threads;
     }
   }
-}
-
-TEST_F(Multifrontal, HasTheSameBitsForAnyNumberOfRanks) {
-  const TestMatrix net = make_random_matrix({.rings = 90, .nodes_per_ring = 90}, 1, 30),
-                   other = make_random_matrix({.rings = 90, .nodes_per_ring = 90}, 2, 30);
-  const auto alone = make();
-  alone->analyse(net.pattern);
-  for (const int size : {1, 2, 3, 5, 8}) {
-    test::RanksInThreads ranks(size);
-    for (const int threads : {1, 2}) {
-      const auto f = make(OrderingMethod::best, threads, &ranks.first());
-      f->analyse(net.pattern);
-      for (const TestMatrix* matrix : {&net, &other, &net})
-        EXPECT_EQ(solve_again(*f, *matrix), solve_again(*alone, *matrix)) << size << ' ' << threads;
-      EXPECT_EQ(f->description().find("ranks") != std::string::npos, size > 1);
-    }
-    EXPECT_EQ(ranks.unread(), 0u);
-  }
-  EXPECT_EQ(handed_over_, 0);
-}
-
-TEST_F(Multifrontal, HasTheSameBitsOfADefiniteMatrixForAnyNumberOfThreadsAndRanks) {
-  const TestMatrix net = make_net_matrix({.rings = 90, .nodes_per_ring = 90}),
-                   other = make_net_matrix({.rings = 90, .nodes_per_ring = 90, .axial = 3e4});
-  const auto alone = make_definite_multifrontal_factorisation();
-  alone->analyse(net.pattern);
-  EXPECT_LT(error_of_solving_again(*alone, net), kRoundOff);
-  for (const int size : {1, 2, 5}) {
-    test::RanksInThreads ranks(size);
-    for (const int threads : {1, 3}) {
-      const auto f = make_definite_multifrontal_factorisation(OrderingMethod::best, threads, &ranks.first());
-      f->analyse(net.pattern);
-      for (const TestMatrix* matrix : {&net, &other})
-        EXPECT_EQ(solve_again(*f, *matrix), solve_again(*alone, *matrix)) << size << ' ' << threads;
-    }
-    EXPECT_EQ(ranks.unread(), 0u);
-  }
-}
-
-// A node that is pushed away somewhere, on whichever rank it is.
-TEST_F(Multifrontal, SaysThatAMatrixIsNotDefiniteOnAnyRank) {
-  const TestMatrix good = make_net_matrix({.rings = 60, .nodes_per_ring = 60});
-  test::RanksInThreads ranks(4);
-  const auto f = make_definite_multifrontal_factorisation(OrderingMethod::best, 1, &ranks.first());
-  f->analyse(good.pattern);
-  for (const std::int32_t at : {0, 2000, 5000, 7000, good.pattern.size - 1}) {
-    TestMatrix net = good;
-    net.value[static_cast<std::size_t>(net.pattern.column_start[at])] = -1e5;
-    EXPECT_EQ(f->factorise(net.value).status, FactorStatus::not_positive_definite) << at;
-    EXPECT_LT(error_of_solving_again(*f, good), kRoundOff);
-  }
-}
-
-TEST_F(Multifrontal, FailsAtTheSameFrontForAnyNumberOfRanks) {
-  const TestMatrix good = make_random_matrix({.rings = 60, .nodes_per_ring = 60}, 1, 30);
-  test::RanksInThreads ranks(4);
-  const auto f = make(OrderingMethod::best, 1, &ranks.first());
-  f->analyse(good.pattern);
-  for (const std::int32_t zero : {0, 2000, 5000, 7000, good.pattern.size - 1}) {
-    TestMatrix net = good;
-    for (std::int32_t c = 0; c < net.pattern.size; ++c)
-      for (std::int32_t e = net.pattern.column_start[c]; e < net.pattern.column_start[c + 1]; ++e)
-        if (c == zero || net.pattern.row[e] == zero) net.value[e] = 0;
-    const FactorResult result = f->factorise(net.value);
-    EXPECT_EQ(result.status, FactorStatus::singular);
-    EXPECT_EQ(result.column, zero);
-    EXPECT_LT(error_of_solving_again(*f, good), kRoundOff);
-  }
-}
-
-TEST_F(Multifrontal, LeavesMostOfItsFactorToOtherRanks) {
-  const TestMatrix net = make_random_matrix({.rings = 120, .nodes_per_ring = 120}, 1, 30);
-  const auto alone = make();
-  alone->analyse(net.pattern);
-  test::RanksInThreads ranks(4);
-  const auto f = make(OrderingMethod::best, 1, &ranks.first());
-  f->analyse(net.pattern);
-  EXPECT_LT(factor_bytes_of(*f), 0.6 * factor_bytes_of(*alone));
-  EXPECT_EQ(f->factor_entries(), alone->factor_entries());
 }
 
 TEST_F(Multifrontal, SolvesPartsThatDoNotHangTogether) {
