@@ -63,7 +63,7 @@ struct Ask {
   const char* name = "";  // what it is for, in a few words, for the report
   Variant variant{};
   const char* solver = nullptr;      // null: that of the analysis, with its parameters
-  const char* parameters = nullptr;  // "method=implicit,step=1"
+  const char* parameters = nullptr;  // "method=classic,damping=1"
   double tolerance = 0;              // 0: that of the analysis
   double work = 0;                   // 0: whatever is left
   double path = 0;                   // most that nodes may move in all, over the gear's size; 0: any
