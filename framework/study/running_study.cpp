@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/running_study.hpp"
+
 #include "framework/problem/reasons.hpp"
 #include "framework/registry/hand_out.hpp"
 #include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
-#include "framework/study/study_host.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "framework/study/study.hpp"
 
 #include "framework/registry/plugin_call.hpp"
+#include "framework/study/running_study.hpp"
 #include "framework/study/settings.hpp"
-#include "framework/study/study_host.hpp"
 
 #include <cassert>
 #include <cmath>
