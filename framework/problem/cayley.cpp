@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/cayley.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -77,14 +79,9 @@ Vector Cayley::weighed(const Vector& z) const {
   return to;
 }
 
-/// Fractions of multiples of the golden ratio.
 Vector Cayley::start() const {
-  constexpr double kGolden = 0.61803398874989485;
   Vector z(2 * unknowns());
-  for (Eigen::Index i = 0; i < z.size(); ++i) {
-    const double multiple = kGolden * static_cast<double>(i + 1);
-    z[i] = 2 * (multiple - std::floor(multiple)) - 1;
-  }
+  scatter(span_of(z));
   return z;
 }
 

@@ -24,7 +24,7 @@ framework/problem/cayley.* framework/problem/linear_motion.* framework/problem/s
 framework/problem/work.*
 framework/study/running_study.* framework/study/study_host.*
 framework/study/known_stages.* framework/study/shapes.* framework/include/netloft/strategy.hpp
-framework/include/netloft/imbalance.hpp""".split()
+framework/include/netloft/imbalance.hpp framework/include/netloft/scatter.hpp""".split()
 # Methods that `auto` does not ask for, and what users ask of an analysis besides.
 NOT_ITS_OWN = {
     "io/scene/keys.cpp": None,

@@ -33,14 +33,11 @@ namespace netloft {
 
 using Displacements = std::vector<double>;  // of the unknowns of a level [m]
 
-/// Every unknown moved by up to `amplitude` [m], by fractions of multiples of the golden ratio, which no
-/// symmetry survives; the same on every machine, another one for every `turn`.
+/// Every unknown moved by up to `amplitude` [m], which no symmetry survives; the same on every machine,
+/// another one for every `turn`.
 inline Displacements perturbed(Displacements u, double amplitude, int turn = 0) {
-  constexpr double kGolden = 0.61803398874989485, kSilver = 0.41421356237309505;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const double multiple = kGolden * static_cast<double>(i + 1) + kSilver * turn;
-    u[i] += amplitude * (2 * (multiple - std::floor(multiple)) - 1);
-  }
+  constexpr double kSilver = 0.41421356237309505;  // of the silver ratio, by whose multiples rows differ
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += amplitude * scattered(i, kSilver * turn);
   return u;
 }
 

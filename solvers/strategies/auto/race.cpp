@@ -15,12 +15,6 @@ namespace {
 /// g of (1): the price of what succeeds is least with it.
 constexpr double kGrowth = 2;
 
-double largest_of(std::span<const double> v) {
-  double largest = 0;
-  for (const double x : v) largest = std::max(largest, std::abs(x));
-  return largest;
-}
-
 /// Of an element, how far beside a point to begin that a solver cannot leave: small, for an element may be a
 /// whole warp, and by one it would be another start.
 constexpr double kBeside = 1e-3;
