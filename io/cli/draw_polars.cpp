@@ -9,12 +9,12 @@
 #include "io/plot/plot.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/toml/document.hpp"
+#include "io/units/degrees.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <set>
 
 namespace netloft::io {
@@ -22,7 +22,6 @@ namespace netloft::io {
 namespace {
 
 constexpr const char *kPolar = "polar", *kSlip = "sideslip";
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// A polar as boards have it.
 struct Polar {
@@ -69,10 +68,10 @@ PlotSeries series_of(const std::string& name, const std::vector<double>& x, cons
                      const std::function<double(double)>& curve) {
   constexpr int kPieces = 120;  // of a curve, each a tenth of a millimetre in print
   PlotSeries series{name, {}};
-  for (std::size_t i = 0; i < x.size(); ++i) series.points.push_back({kDegrees * x[i], y[i]});
+  for (std::size_t i = 0; i < x.size(); ++i) series.points.push_back({kDegreesPerRadian * x[i], y[i]});
   for (int i = 0; i <= kPieces && !x.empty(); ++i) {
     const double at = std::lerp(x.front(), x.back(), static_cast<double>(i) / kPieces);
-    series.curve.push_back({kDegrees * at, curve(at)});
+    series.curve.push_back({kDegreesPerRadian * at, curve(at)});
   }
   return series;
 }
@@ -98,8 +97,9 @@ void add_sections(const std::string& prefix, const netloft_table& table, LinePlo
       std::vector<double> x, y;
       for (std::size_t i = 0; i < slip.size(); ++i)
         if (slip[i] == s) x.push_back(attack[i]), y.push_back(values[i]);
-      plot.series.push_back(series_of(fmt::format("{}{}, sideslip {:.3g}°", prefix, names[k], kDegrees * s),
-                                      x, y, [&](double at) { return surface.at(at, s); }));
+      plot.series.push_back(
+          series_of(fmt::format("{}{}, sideslip {:.3g}°", prefix, names[k], kDegreesPerRadian * s), x, y,
+                    [&](double at) { return surface.at(at, s); }));
     }
 }
 

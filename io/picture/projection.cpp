@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/projection.hpp"
 
+#include "io/units/degrees.hpp"
+
 #include <netloft/vectors.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace netloft::io {
 
 namespace {
 
 Projection axes_of(const ViewAngles& angles) {
-  const double a = angles.azimuth * std::numbers::pi / 180, e = angles.elevation * std::numbers::pi / 180;
+  const double a = in_radians(angles.azimuth), e = in_radians(angles.elevation);
   const double ca = std::cos(a), sa = std::sin(a), ce = std::cos(e), se = std::sin(e);
   return {{-sa, ca, 0}, {-se * ca, -se * sa, ce}, {ce * ca, ce * sa, se}};
 }

@@ -4,6 +4,7 @@
 #include "io/plot/plot.hpp"
 #include "io/sweep/branch.hpp"
 #include "io/sweep/path_run.hpp"
+#include "io/units/degrees.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
 
@@ -16,7 +17,7 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN(), kDegrees = 57.295779513082321;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Variable variable_in_metres(const char* name, const char* key) {
   Variable variable;
@@ -55,7 +56,7 @@ ScopePoint point_of(Case& the_case, const Solution& solution, double warp) {
   const auto figures = figures_of(the_case, solution);
   const FigureNames names = names_for(the_case.loaded());
   return {warp,
-          kDegrees * value_of(figures, names.heel),
+          kDegreesPerRadian * value_of(figures, names.heel),
           value_of(figures, names.spread),
           value_of(figures, "gear/mouth/upper_wing_spread"),
           value_of(figures, "gear/mouth/headline_height"),
