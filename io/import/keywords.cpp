@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/import/keywords.hpp"
 
+#include "io/units/degrees.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@ namespace netloft::io::femnet {
 
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr int kMostRows = 10000;  // of a table: more is not meant
 
 /// Keywords that change nothing in the answer sought here; those that end with * are beginnings.
@@ -303,8 +304,7 @@ class KeywordReader {
     const double S = number(), cd = number(), cl = number(), cz = number();
     if (in_.has_failed() || !type) return;
     const Environment& e = gear_.environment;
-    const double psi = e.direction * std::numbers::pi / 180,
-                 q = 0.5 * e.water_density * S * e.speed * e.speed;
+    const double psi = in_radians(e.direction), q = 0.5 * e.water_density * S * e.speed * e.speed;
     type->force = {q * (cd * std::cos(psi) - cl * std::sin(psi)),
                    q * (cd * std::sin(psi) + cl * std::cos(psi)), q * cz};
   }

@@ -5,6 +5,7 @@
 //   density of a line   ρ = m/(π d²/4)                  m [kg/m] mass, d [m] diameter (1) tangential drag C_t
 //   = π C_dAx                   MoorDyn's is on the surface π d, here it is on d     (2) bed under a line k =
 //   k_bot d                     k_bot [Pa/m]; a segment of length s meets k s        (3)
+#include "framework/scene/standard_gravity.hpp"
 #include "io/import/moordyn.hpp"
 #include "io/mesh/text_rows.hpp"
 #include "io/units/in_quotes.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr int kMostErrors = 50;
 constexpr double kMostSegments = 1e5, kMostNodes = 1e6, kFarthest = 1e6;
-constexpr double kGravity = 9.81, kDensity = 1025, kBedStiffness = 3e6;  // MoorDyn's own defaults
+constexpr double kDensity = 1025, kBedStiffness = 3e6;  // MoorDyn's own defaults
 
 std::string in_capitals(std::string_view text) {
   std::string out(text);
@@ -65,7 +66,7 @@ class MooringReader {
  public:
   MooringReader(const std::string& text, int file, Diagnostics& diagnostics)
       : rows_(text, file), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {
-    out_.table.gravity = kGravity, out_.table.density = kDensity;
+    out_.table.gravity = kStandardGravity, out_.table.density = kDensity;
   }
 
   MooringFile read() {
