@@ -18,7 +18,7 @@ from pathlib import Path
 
 READ = """io/scene/keys.cpp solvers/strategies/auto/* solvers/strategies/coarse-to-fine/* solvers/strategies/direct/*
 solvers/strategies/stiffness-steps/* solvers/strategies/pseudo-time/* solvers/strategies/relaxed/* solvers/tension/* solvers/newton/*
-solvers/ptc/* solvers/relaxation/* framework/problem/convergence.*
+solvers/ptc/* solvers/common/round_off.hpp solvers/relaxation/* framework/problem/convergence.*
 framework/problem/assessment.* framework/problem/correction.* framework/problem/growth.* framework/problem/arnoldi.*
 framework/problem/cayley.* framework/problem/linear_motion.* framework/problem/static_problem.* framework/problem/limits.*
 framework/problem/work.*
