@@ -45,6 +45,7 @@ class RoundOffSteps {
 
  private:
   bool may_fall_back(Iterate& iterate, double damping) const;
+  Step take_with_another_matrix(Iterate& iterate);
   Step take_newton_step(Iterate& iterate);
   Step take_by_slope(Iterate& iterate, std::span<const double> s, double damping);
   std::span<const double> solve(Iterate& iterate);
