@@ -68,14 +68,16 @@ Vector Cayley::operator*(const Vector& z) {
   factor_.solve(span_of(rhs_), span_of(d_));
   ++cost_.solves;
   Vector to(z.size());
-  to.head(unknowns()) = y + d_, to.tail(unknowns()) = sigma_ * d_ - v;
+  to.head(unknowns()) = y + d_;
+  to.tail(unknowns()) = sigma_ * d_ - v;
   return to;
 }
 
 Vector Cayley::weighed(const Vector& z) const {
   const auto y = z.head(unknowns()), v = z.tail(unknowns());
   Vector to(z.size());
-  to.head(unknowns()).noalias() = norm_ * y, to.tail(unknowns()).noalias() = M_ * v;
+  to.head(unknowns()).noalias() = norm_ * y;
+  to.tail(unknowns()).noalias() = M_ * v;
   return to;
 }
 

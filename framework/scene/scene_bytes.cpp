@@ -83,7 +83,10 @@ class Writer {
     else
       members(*this, value);
   }
-  void write(const std::string& text) { write(text.size()), copy(text.data(), text.size()); }
+  void write(const std::string& text) {
+    write(text.size());
+    copy(text.data(), text.size());
+  }
   template <class T>
   void write(const std::vector<T>& all) {
     write(all.size());
@@ -96,13 +99,20 @@ class Writer {
   template <class Key, class T>
   void write(const std::map<Key, T>& all) {
     write(all.size());
-    for (const auto& [key, value] : all) write(key), write(value);
+    for (const auto& [key, value] : all) {
+      write(key);
+      write(value);
+    }
   }
   void write(const Value& value) {
     write(value.index());
     std::visit([this](const auto& chosen) { write(chosen); }, value);
   }
-  void write(const Surface& surface) { write(surface.x()), write(surface.y()), write(surface.values()); }
+  void write(const Surface& surface) {
+    write(surface.x());
+    write(surface.y());
+    write(surface.values());
+  }
 
   std::vector<std::byte> bytes_;
 };
@@ -178,7 +188,9 @@ class Reader {
   }
   void read(Surface& surface) {
     std::vector<double> x, y, values;
-    read(x), read(y), read(values);
+    read(x);
+    read(y);
+    read(values);
     if (!values.empty()) surface = Surface(std::move(x), std::move(y), std::move(values));
   }
 
