@@ -9,10 +9,14 @@ namespace netloft {
 
 double find_backward_error(const Triplets& a, std::span<const double> x, std::span<const double> b,
                            std::span<double> r, std::span<double> s) {
-  for (std::size_t i = 0; i < b.size(); ++i) r[i] = b[i], s[i] = std::abs(b[i]);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    r[i] = b[i];
+    s[i] = std::abs(b[i]);
+  }
   const auto take = [&](std::size_t row, std::size_t column, double value) {
     const double product = value * x[column];
-    r[row] -= product, s[row] += std::abs(product);
+    r[row] -= product;
+    s[row] += std::abs(product);
   };
   for (std::size_t e = 0; e < a.value.size(); ++e) {
     const auto row = static_cast<std::size_t>(a.row[e] - 1),

@@ -43,8 +43,10 @@ class Cutter {
     for (Front& front : fronts) {
       front.first -= begin_.first;
       front.parent -= static_cast<std::int32_t>(first_);
-      front.indices -= begin_.indices, front.panels -= begin_.panels;
-      front.runs -= begin_.runs, front.entries -= begin_.entries;
+      front.indices -= begin_.indices;
+      front.panels -= begin_.panels;
+      front.runs -= begin_.runs;
+      front.entries -= begin_.entries;
       branch_.tree.most_unknowns = std::max(branch_.tree.most_unknowns, front.pivots + front.others);
     }
     fronts[fronts.size() - 2].parent = -1;

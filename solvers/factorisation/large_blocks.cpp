@@ -82,7 +82,8 @@ void put_large_blocks_into(const std::filesystem::path& folder, std::size_t from
     close(file);
   }
   const std::lock_guard lock(mapped().mutex);
-  mapped().folder = folder, mapped().from = from;
+  mapped().folder = folder;
+  mapped().from = from;
 }
 
 std::filesystem::path folder_of_large_blocks() {
@@ -94,7 +95,10 @@ void* take_block(std::size_t bytes) {
   const std::lock_guard lock(mapped().mutex);
   if (mapped().folder.empty() || bytes < mapped().from) return std::malloc(bytes);
   void* block = map_file(mapped().folder, bytes);
-  if (block != nullptr) mapped().bytes_of[block] = bytes, has_mapped = true;
+  if (block != nullptr) {
+    mapped().bytes_of[block] = bytes;
+    has_mapped = true;
+  }
   return block;
 }
 

@@ -32,7 +32,10 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   MultifrontalFactorisation(bool is_definite, MakeSpare make_spare, OrderingMethod method, int threads,
                             Ranks* ranks)
       : is_definite_(is_definite), make_spare_(std::move(make_spare)), method_(method), threads_(threads) {
-    if (ranks && ranks->size() > 1) ranks_ = ranks, remote_ = std::make_unique<RemoteBranches>(*ranks);
+    if (ranks && ranks->size() > 1) {
+      ranks_ = ranks;
+      remote_ = std::make_unique<RemoteBranches>(*ranks);
+    }
   }
 
   std::string description() const override;
@@ -91,7 +94,8 @@ void MultifrontalFactorisation::analyse(const SparsePattern& pattern) {
   state_ = State::none;
   spare_.reset();
   pattern_ = &pattern;
-  tree_ = {}, schedule_ = {};
+  tree_ = {};
+  schedule_ = {};
   if (pattern.size > 0) {
     tree_ = make_front_tree(pattern, method_, is_definite_);
     schedule();
@@ -132,7 +136,8 @@ double MultifrontalFactorisation::factor_bytes() const {
 
 FactorResult MultifrontalFactorisation::factorise(std::span<const double> values) {
   assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
-  state_ = State::none, is_checked_ = false;
+  state_ = State::none;
+  is_checked_ = false;
   if (pattern_->size > 0) {
     if (!has_room()) return {FactorStatus::out_of_memory};
     if (!take(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};
@@ -200,7 +205,8 @@ Elimination MultifrontalFactorisation::await_remote(std::size_t& failed) {
   for (std::size_t b = 0; b < ends.size(); ++b) {
     const std::size_t front = schedule_.remote[b].first + static_cast<std::size_t>(ends[b].front);
     if (ends[b].elimination.stopped_at < 0 || front >= failed) continue;
-    failed = front, end = ends[b].elimination;
+    failed = front;
+    end = ends[b].elimination;
   }
   return end;
 }

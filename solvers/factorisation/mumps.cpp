@@ -127,7 +127,8 @@ void MumpsFactorisation::forget() {
   pattern_ = nullptr;
   has_factor_ = false;
   ordering_.clear();
-  entries_ = flops_ = 0, most_megabytes_ = 0;
+  entries_ = flops_ = 0;
+  most_megabytes_ = 0;
 }
 
 std::string MumpsFactorisation::description() const {
@@ -157,19 +158,23 @@ void MumpsFactorisation::analyse_unknowns(const SparsePattern& pattern) {
   MumpsInstance& mumps = *mumps_;
   mumps->n = pattern.size;
   mumps->nnz = static_cast<MUMPS_INT8>(pattern.entries());
-  mumps->irn = row_.data(), mumps->jcn = column_.data(), mumps->a = value_.data();
+  mumps->irn = row_.data();
+  mumps->jcn = column_.data();
+  mumps->a = value_.data();
   mumps->perm_in = position.data();
   if (const int status = mumps.run(kAnalyse); status < 0) {
     throw std::runtime_error("cannot analyse a matrix of " + std::to_string(pattern.size) +
                              " unknowns: MUMPS status " + std::to_string(status));
   }
   mumps->perm_in = nullptr;
-  ordering_ = ordering.method, most_megabytes_ = mumps.infog(16);
+  ordering_ = ordering.method;
+  most_megabytes_ = mumps.infog(16);
 }
 
 void MumpsFactorisation::list_entries(const SparsePattern& pattern) {
   value_.resize(pattern.entries());
-  row_.resize(pattern.entries()), column_.resize(pattern.entries());
+  row_.resize(pattern.entries());
+  column_.resize(pattern.entries());
   std::transform(pattern.row.begin(), pattern.row.end(), row_.begin(), [](auto row) { return row + 1; });
   for (std::int32_t column = 0; column < pattern.size; ++column)
     std::fill(column_.begin() + pattern.column_start[column],
@@ -244,7 +249,8 @@ void MumpsFactorisation::solve_in_place(std::span<double> x) {
 void MumpsFactorisation::check(std::span<double> x) {
   constexpr double kErrorToRefine = 1e-12;
   is_checked_ = true;
-  residual_.resize(x.size()), size_.resize(x.size());
+  residual_.resize(x.size());
+  size_.resize(x.size());
   const Triplets matrix{row_, column_, value_, symmetric_};
   if (find_backward_error(matrix, x, rhs_, residual_, size_) <= kErrorToRefine) return;
   solve_in_place(residual_);

@@ -35,9 +35,12 @@ void send_branch(Ranks& ranks, int rank, const FrontBranch& branch) {
   const FrontTree& tree = branch.tree;
   const Sizes sizes = sizes_of(branch);
   ranks.send(rank, std::span(&sizes, 1));
-  ranks.send(rank, std::span(tree.fronts)), ranks.send(rank, std::span(tree.other));
-  ranks.send(rank, std::span(tree.runs)), ranks.send(rank, std::span(tree.child_start));
-  ranks.send(rank, std::span(tree.child)), ranks.send(rank, std::span(tree.of_matrix));
+  ranks.send(rank, std::span(tree.fronts));
+  ranks.send(rank, std::span(tree.other));
+  ranks.send(rank, std::span(tree.runs));
+  ranks.send(rank, std::span(tree.child_start));
+  ranks.send(rank, std::span(tree.child));
+  ranks.send(rank, std::span(tree.of_matrix));
 }
 
 template <class T>
@@ -49,11 +52,15 @@ void receive_vector(Ranks& ranks, std::vector<T>& numbers, std::uint64_t count) 
 Sizes receive_tree(Ranks& ranks, FrontTree& tree) {
   Sizes sizes;
   ranks.receive(0, std::span(&sizes, 1));
-  receive_vector(ranks, tree.fronts, sizes.fronts), receive_vector(ranks, tree.other, sizes.others);
+  receive_vector(ranks, tree.fronts, sizes.fronts);
+  receive_vector(ranks, tree.other, sizes.others);
   receive_vector(ranks, tree.runs, sizes.runs);
   receive_vector(ranks, tree.child_start, sizes.child_starts);
-  receive_vector(ranks, tree.child, sizes.children), receive_vector(ranks, tree.of_matrix, sizes.entries);
-  tree.panels = sizes.panels, tree.most_unknowns = sizes.most_unknowns, tree.is_definite = sizes.is_definite;
+  receive_vector(ranks, tree.child, sizes.children);
+  receive_vector(ranks, tree.of_matrix, sizes.entries);
+  tree.panels = sizes.panels;
+  tree.most_unknowns = sizes.most_unknowns;
+  tree.is_definite = sizes.is_definite;
   return sizes;
 }
 
@@ -67,8 +74,10 @@ RemoteBranches::~RemoteBranches() {
 }
 
 void RemoteBranches::plan(const FrontTree& tree, const FrontSchedule& schedule) {
-  tree_ = &tree, schedule_ = &schedule;
-  branches_.clear(), bytes_.assign(static_cast<std::size_t>(ranks_.size()), 0);
+  tree_ = &tree;
+  schedule_ = &schedule;
+  branches_.clear();
+  bytes_.assign(static_cast<std::size_t>(ranks_.size()), 0);
   const auto job = ranks_.begin(instance_, static_cast<int>(BranchJob::plan));
   for (int rank = 1; rank < ranks_.size(); ++rank) {
     const std::uint64_t count = static_cast<std::uint64_t>(
@@ -163,7 +172,8 @@ void BranchServer::plan(Branches& branches) {
   for (; count > 0; --count) {
     Served& branch = *branches.emplace_back(std::make_unique<Served>());
     const Sizes sizes = receive_tree(ranks_, branch.tree);
-    branch.own = sizes.own, branch.outside = sizes.outside;
+    branch.own = sizes.own;
+    branch.outside = sizes.outside;
     branch.schedule = make_front_schedule(branch.tree, 1);
     branch.fronts.plan(branch.tree, branch.schedule, sizes.values,
                        static_cast<std::size_t>(sizes.own + sizes.outside));
@@ -198,7 +208,8 @@ void BranchServer::eliminate(Served& branch) {
 void BranchServer::solve(Branches& branches) {
   for (const auto& branch : branches) {
     const std::span<double> x = branch->fronts.by_place();
-    ranks_.receive(0, x.first(branch->own)), ranks_.receive(0, x.subspan(branch->own));
+    ranks_.receive(0, x.first(branch->own));
+    ranks_.receive(0, x.subspan(branch->own));
     for (std::size_t front = 0; front + 1 < branch->tree.fronts.size(); ++front)
       branch->fronts.forward(front);
     ranks_.send(0, x.subspan(branch->own));

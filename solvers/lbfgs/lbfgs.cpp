@@ -93,7 +93,8 @@ class Minimiser {
     const LineSearch search{p_.decrease, p_.curvature, kEnergyRoundOff * std::abs(energy_)};
     const auto found = search.find(start, first_length(), [&](double t) { return sample(t); });
     if (!found) return false;
-    length_ = found->t, energy_ = found->value;
+    length_ = found->t;
+    energy_ = found->value;
     return true;
   }
   double first_length() {

@@ -20,7 +20,10 @@ class StallCount {
   explicit StallCount(std::int64_t most_steps) : most_steps_(most_steps) {}
   /// Counts one more step, and tells whether they have stalled.
   bool stalls_with(double decrease);
-  void reset() { least_ = std::numeric_limits<double>::infinity(), steps_without_halving_ = 0; }
+  void reset() {
+    least_ = std::numeric_limits<double>::infinity();
+    steps_without_halving_ = 0;
+  }
 
  private:
   std::int64_t most_steps_, steps_without_halving_ = 0;     // in a row
