@@ -92,7 +92,8 @@ void derive(CataloguePart& part, TableReader& table) {
 CataloguePart read_part(const std::string& name, const PartKind& kind, const FileHead& head,
                         TableReader& table) {
   CataloguePart part;
-  part.name = name, part.kind = &kind;
+  part.name = name;
+  part.kind = &kind;
   const int errors_before = table.diagnostics().errors();
   read_texts(part, head, table);
   read_numbers(part, table);

@@ -48,9 +48,10 @@ void put(const CataloguePart& part, const netloft_parameter& table, Table& all) 
   Table own;
   Place place;
   for (std::size_t k = 0; table.columns[k]; ++k)
-    if (const auto column = part.tables.find(table.columns[k]); column != part.tables.end())
-      own.members.push_back({table.columns[k], column->second.place, column->second}),
-          place = column->second.place;
+    if (const auto column = part.tables.find(table.columns[k]); column != part.tables.end()) {
+      own.members.push_back({table.columns[k], column->second.place, column->second});
+      place = column->second.place;
+    }
   if (own.members.size() > 1) all.members.push_back({table.name, place, {place, std::move(own)}});
 }
 
@@ -96,7 +97,10 @@ void add_sections(const std::string& prefix, const netloft_table& table, LinePlo
       const auto values = Curve::read(table, k + 2);
       std::vector<double> x, y;
       for (std::size_t i = 0; i < slip.size(); ++i)
-        if (slip[i] == s) x.push_back(attack[i]), y.push_back(values[i]);
+        if (slip[i] == s) {
+          x.push_back(attack[i]);
+          y.push_back(values[i]);
+        }
       plot.series.push_back(
           series_of(fmt::format("{}{}, sideslip {:.3g}°", prefix, names[k], kDegreesPerRadian * s), x, y,
                     [&](double at) { return surface.at(at, s); }));

@@ -58,7 +58,10 @@ void say_who(const CallFrame& frame, std::string_view did) {
   say_if(frame.type);
   say(did);
   say_if(frame.what);
-  if (frame.name) say(" "), say_if(frame.name);
+  if (frame.name) {
+    say(" ");
+    say_if(frame.name);
+  }
 }
 
 CallFrame innermost_plugin(const CallStack* calls) {
@@ -83,9 +86,13 @@ bool say_what_happened(std::string_view did) {
   } else if (plugin.type) {
     say("the program itself, called back by ");
     say_if(plugin.type);
-    say(","), say(did), say_if(plugin.what);
+    say(",");
+    say(did);
+    say_if(plugin.what);
   } else {
-    say("the program itself"), say(did), say("no plugin");
+    say("the program itself");
+    say(did);
+    say("no plugin");
   }
   return under_test_length > 0 || (plugin.type && calls->innermost().kind != CallFrame::Kind::host);
 }
@@ -119,7 +126,9 @@ void die_as_before(int signal) {
 
 void die(int signal, siginfo_t* info, void* context) {
   const bool is_plugins = say_what_happened(" crashed in ");
-  say(" ("), say_if(name_of_signal(signal)), say(")");
+  say(" (");
+  say_if(name_of_signal(signal));
+  say(")");
   if (used_up_its_stack(signal, info, context))
     say(": it used up its stack\n  usually: a function that calls itself for ever, or a very large local "
         "array");
@@ -134,16 +143,19 @@ void die(int signal, siginfo_t* info, void* context) {
 void end_check(int signal) {
   const bool is_over = signal == SIGPROF;
   const char* check = check_under_way();
-  say("netloft: "), say({under_test, under_test_length});
+  say("netloft: ");
+  say({under_test, under_test_length});
   say(is_over ? " did not come back from " : " was interrupted in ");
-  say(check ? "the check " : "its making or its first evaluation"), say_if(check);
+  say(check ? "the check " : "its making or its first evaluation");
+  say_if(check);
   say(is_over ? " within its processor time (--seconds)\n" : "\n");
   _exit(is_over ? kOther : kInterrupted);
 }
 
 void limit_checks(double seconds) {
   const auto action = seconds > 0 ? end_check : SIG_DFL;
-  signal(SIGPROF, action), on_interrupts(action);
+  signal(SIGPROF, action);
+  on_interrupts(action);
   const auto whole = static_cast<time_t>(seconds);
   const itimerval limit{{0, 0}, {whole, static_cast<suseconds_t>(1e6 * (seconds - double(whole)))}};
   setitimer(ITIMER_PROF, &limit, nullptr);
@@ -163,9 +175,11 @@ void tell_of_an_early_end() {
 
 void explain_crashes() {
   calls_of_this_thread();  // with its stack for signals
-  std::atexit(tell_of_an_early_end), std::at_quick_exit(tell_of_an_early_end);
+  std::atexit(tell_of_an_early_end);
+  std::at_quick_exit(tell_of_an_early_end);
   struct sigaction action {};
-  action.sa_sigaction = die, action.sa_flags = SA_SIGINFO | SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  action.sa_sigaction = die;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | static_cast<int>(SA_RESETHAND);
   for (const int s : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(s, &action, &before[s]);
 }
 

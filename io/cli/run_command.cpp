@@ -310,8 +310,10 @@ int plan_command(const Options& options) {
   if (const int code = session.open(); code != kDone) return code;
   PlanExtras extras = session.plan_extras();
   const MemoryForecast memory = foresee_memory(session.the_case());
-  extras.memory = memory.total(), extras.factor_memory = memory.factor,
-  extras.stability_memory = memory.stability, extras.factors_in_files = memory.in_files;
+  extras.memory = memory.total();
+  extras.factor_memory = memory.factor;
+  extras.stability_memory = memory.stability;
+  extras.factors_in_files = memory.in_files;
   std::puts(options.json
                 ? plan_json(session.loaded().scene, session.plan(), extras).c_str()
                 : (plan_text(session.plan(), extras) + memory_text(memory, memory_within_reach())).c_str());

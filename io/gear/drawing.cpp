@@ -33,8 +33,10 @@ struct Scale {
 struct Box {
   double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
   void take(PanelPoint p) {
-    left = std::min(left, p.x), right = std::max(right, p.x);
-    top = std::min(top, p.y), bottom = std::max(bottom, p.y);
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+    top = std::min(top, p.y);
+    bottom = std::max(bottom, p.y);
   }
 };
 

@@ -109,7 +109,8 @@ class KeywordReader {
                                       {"wave_model", &KeywordReader::wave_model},
                                       {"link", &KeywordReader::link},
                                       {"type_noeud_XYZ_SUPINF", &KeywordReader::type_box}};
-    name_ = name, name_place_ = in_.place_of_word();
+    name_ = name;
+    name_place_ = in_.place_of_word();
     for (const auto& k : known)
       if (name == k.name) return (this->*k.step)();
     if (is_one_of(name, kMissing)) return leave_out("is not modelled here");
@@ -162,7 +163,8 @@ class KeywordReader {
     TypeBox box{name_place_};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [low, high] = std::minmax({number(), number()});
-      box.low[axis] = low, box.high[axis] = high;
+      box.low[axis] = low;
+      box.high[axis] = high;
     }
     const NodeType* type = one_of(gear_.types, "type");
     if (!type) return;
@@ -195,9 +197,11 @@ class KeywordReader {
     const Cable* c = cable();
     if (!c) return;
     Drum d{name_place_, static_cast<int>(c - gear_.cables.data())};
-    d.shortest = number(), d.longest = number();
+    d.shortest = number();
+    d.longest = number();
     const std::size_t rows = rows_of_table();
-    d.times = times(rows), d.speeds = numbers(rows);
+    d.times = times(rows);
+    d.speeds = numbers(rows);
     for (std::size_t i = 0; i < rows && !in_.has_failed(); ++i)
       d.ends.push_back(in_.next_integer("an end of a cable"));
     if (in_.has_failed()) return;
@@ -250,7 +254,8 @@ class KeywordReader {
       diagnostics_.warning(name_place_, name_ + ": the spheres lift more than the water that they displace");
     const double d = std::sqrt(4 * whole / (pi * L));
     c.cd = (0.6 * n * pi * D * D / 4 + c.cd * L * c.diameter) / (L * d);
-    c.density = (V_c * c.density + n * m) / whole, c.diameter = d;
+    c.density = (V_c * c.density + n * m) / whole;
+    c.diameter = d;
     char text[120];
     std::snprintf(text, sizeof text, "%s%.6g spheres of %.6g m and %.6g N", c.floats.empty() ? "" : ", ", n,
                   D, F);
@@ -273,7 +278,9 @@ class KeywordReader {
     Panel* p = panel();
     if (!p) return;
     p->twines = number();
-    number(), number(), number();
+    number();
+    number();
+    number();
     const auto bars = in_.try_real();
     p->bars = bars.value_or(0);
     if (!bars && !in_.has_failed()) {

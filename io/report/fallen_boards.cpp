@@ -40,7 +40,8 @@ double outward_force(const LoadedScene& loaded, const std::vector<std::uint32_t>
   double x = 0, y = 2 * value(here + "y");
   if (pair.size() == 2) {
     const std::string there = "bodies/" + name(1 - which) + "/";
-    x = value(here + "x") - value(there + "x"), y = value(here + "y") - value(there + "y");
+    x = value(here + "x") - value(there + "x");
+    y = value(here + "y") - value(there + "y");
   }
   const double side = side_of(loaded, pair[which]), apart = std::hypot(x, y);
   double work = 0;

@@ -21,7 +21,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Variable variable_in_metres(const char* name, const char* key) {
   Variable variable;
-  variable.name = name, variable.unit = "m";
+  variable.name = name;
+  variable.unit = "m";
   variable.keys.emplace_back().path = key;
   return variable;
 }
@@ -131,8 +132,10 @@ class ScopeRun {
     const double warp = scope * row.depth;
     if (ScopePoint point =
             solve(row, warp, {variables_[0].value_of(row.depth), variables_[1].value_of(warp)}, branch);
-        !is_interrupted())
-      row.points.push_back(std::move(point)), ++solved_;
+        !is_interrupted()) {
+      row.points.push_back(std::move(point));
+      ++solved_;
+    }
     if (on_point_ && !row.points.empty()) on_point_(solved_, row, row.points.back());
   }
 
@@ -164,7 +167,8 @@ class ScopeRun {
 void find_lengths(const ScopeRequest& request, ScopeRow& row) {
   const auto& p = row.points;
   const double middle = 0.5 * (request.heel.low + request.heel.high);
-  row.chosen.reset(), row.warp.reset();
+  row.chosen.reset();
+  row.warp.reset();
   for (std::size_t k = 0; k < p.size(); ++k)
     if (is_within(request, p[k]) &&
         (!row.chosen || std::abs(p[k].heel - middle) < std::abs(p[*row.chosen].heel - middle)))
