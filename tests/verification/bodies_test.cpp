@@ -14,7 +14,6 @@
 namespace netloft::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 
 Vec3<double> vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
