@@ -3,6 +3,7 @@
 
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/plugin_call.hpp"
+#include "io/cli/error_json.hpp"
 #include "io/cli/options.hpp"
 #include "io/cli/terminal.hpp"
 
@@ -22,13 +23,23 @@ namespace netloft::io {
 
 namespace {
 
-// Put together beforehand: little is safe when the time has come.
-char under_test[512];
-std::size_t under_test_length = 0;
+/// A text that a signal handler may write, put together beforehand: little is safe when the time has come.
+template <std::size_t size>
+struct Words {
+  char bytes[size] = {};
+  std::size_t length = 0;
 
-void say(std::string_view words) {
+  void set(const std::string& text) { length = text.copy(bytes, size); }
+  bool empty() const { return length == 0; }
+  std::string_view view() const { return {bytes, length}; }
+};
+
+Words<512> under_test;
+Words<4096> damaged, damaged_as_json;  // what is said of a file that is being read
+
+void say(std::string_view words, int stream = STDERR_FILENO) {
   while (!words.empty()) {
-    const auto written = write(STDERR_FILENO, words.data(), words.size());
+    const auto written = write(stream, words.data(), words.size());
     if (written <= 0) return;
     words.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -75,8 +86,8 @@ bool say_what_happened(std::string_view did) {
   const CallStack* calls = known_calls_of_this_thread();
   const CallFrame plugin = innermost_plugin(calls);
   say("netloft: ");
-  if (under_test_length > 0) {
-    say({under_test, under_test_length});
+  if (!under_test.empty()) {
+    say(under_test.view());
     say(did);
     const char* check = check_under_way();
     say(check ? "the check " : "its making or its first evaluation");
@@ -94,7 +105,7 @@ bool say_what_happened(std::string_view did) {
     say(did);
     say("no plugin");
   }
-  return under_test_length > 0 || (plugin.type && calls->innermost().kind != CallFrame::Kind::host);
+  return !under_test.empty() || (plugin.type && calls->innermost().kind != CallFrame::Kind::host);
 }
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
@@ -124,7 +135,15 @@ void die_as_before(int signal) {
   sigaction(signal, &before[signal], nullptr);
 }
 
+/// Where HDF5 has met damaged bytes.
+[[noreturn]] void die_of_damaged_file() {
+  say(damaged.view());
+  say(damaged_as_json.view(), STDOUT_FILENO);
+  _exit(kWrongInput);
+}
+
 void die(int signal, siginfo_t* info, void* context) {
+  if (!damaged.empty() && (signal == SIGSEGV || signal == SIGBUS || signal == SIGABRT)) die_of_damaged_file();
   const bool is_plugins = say_what_happened(" crashed in ");
   say(" (");
   say_if(name_of_signal(signal));
@@ -144,7 +163,7 @@ void end_check(int signal) {
   const bool is_over = signal == SIGPROF;
   const char* check = check_under_way();
   say("netloft: ");
-  say({under_test, under_test_length});
+  say(under_test.view());
   say(is_over ? " did not come back from " : " was interrupted in ");
   say(check ? "the check " : "its making or its first evaluation");
   say_if(check);
@@ -164,7 +183,7 @@ void limit_checks(double seconds) {
 /// Where the program ends without having come to its own end.
 void tell_of_an_early_end() {
   const CallStack* calls = known_calls_of_this_thread();
-  if (under_test_length == 0 && !innermost_plugin(calls).type) return;
+  if (under_test.empty() && !innermost_plugin(calls).type) return;
   std::fflush(stdout);
   say_what_happened(" ended the program (exit) in ");
   say("; a plugin returns, with a status and a sentence where it cannot go on\n");
@@ -184,8 +203,16 @@ void explain_crashes() {
 }
 
 void explain_crashes_of(const std::string& type, double seconds) {
-  under_test_length = type.copy(under_test, sizeof under_test);
+  under_test.set(type);
   limit_checks(seconds);
 }
+
+DamagedFileWatch::DamagedFileWatch(const std::string& path, bool json) {
+  const std::string message = "cannot read " + path + ": the HDF5 library crashed on it; the file is damaged";
+  damaged_as_json.set(json ? error_json(message, kWrongInput) + "\n" : "");
+  damaged.set("netloft: " + message + "\n");
+}
+
+DamagedFileWatch::~DamagedFileWatch() { damaged.set(""); }
 
 }  // namespace netloft::io
