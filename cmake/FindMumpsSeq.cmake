@@ -3,7 +3,7 @@
 #
 # netloft_mumps_object(OUT): custom command that makes OUT, one object file with all of MUMPS and its stand-in
 # for MPI inside. It exports netloft_dmumps_c and nothing else, so that a real MPI, and another MUMPS linked to
-# that, may live in the same process (PETSc brings both); and it takes its memory from netloft_mumps_malloc and
+# that, may live in the same process (a library of a plugin may bring both); and it takes its memory from netloft_mumps_malloc and
 # its like, which whoever links the object has to provide: MUMPS allocates afresh in every factorisation.
 find_path(MumpsSeq_INCLUDE_DIR dmumps_c.h)
 set(MumpsSeq_ARCHIVES "")

@@ -27,10 +27,10 @@ add_custom_target(netloft_reference ALL DEPENDS ${netloft_reference}/index.md)
 install(TARGETS netloft RUNTIME DESTINATION bin)
 if(NOT NETLOFT_STATIC)
   # Adapters to large libraries are a component of their own, which not everybody has to have.
-  set(adapters "/(kinsol|arkode|snes|ts)\\.so$")
+  set(adapters "/(kinsol|arkode)\\.so$")
   install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft FILES_MATCHING PATTERN "*.so"
           REGEX ${adapters} EXCLUDE)
-  if(TARGET kinsol OR TARGET arkode OR TARGET snes OR TARGET ts)
+  if(TARGET kinsol OR TARGET arkode)
     install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft COMPONENT adapters FILES_MATCHING REGEX ${adapters})
   endif()
 endif()

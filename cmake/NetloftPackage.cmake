@@ -19,5 +19,5 @@ set(CPACK_COMPONENT_NETLOFT_DESCRIPTION "${PROJECT_DESCRIPTION}
  Finds the shape and the forces of trawl gears: ropes, netting, floats, catch,
  in a current and on the seabed. Elements, hydrodynamic laws and solvers are
  plugins; their authors need the headers in this package and nothing else.")
-set(CPACK_COMPONENT_ADAPTERS_DESCRIPTION "Solvers of SUNDIALS and PETSc as plugins of Netloft")
+set(CPACK_COMPONENT_ADAPTERS_DESCRIPTION "Solvers of SUNDIALS as plugins of Netloft")
 include(CPack)

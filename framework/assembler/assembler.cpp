@@ -38,8 +38,11 @@ std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, co
 /// families' shared unknowns.
 Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<ElementFamily>> families) {
   Scene all;
-  all.positions = scene.positions, all.held = scene.held, all.frames = scene.frames;
-  all.bodies = scene.bodies, all.carried = scene.carried;
+  all.positions = scene.positions;
+  all.held = scene.held;
+  all.frames = scene.frames;
+  all.bodies = scene.bodies;
+  all.carried = scene.carried;
   if (!scene.bodies.empty()) all.carried.resize(scene.node_count());
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     RigidBody& body = all.bodies[b];
@@ -163,14 +166,20 @@ bool Assembler::run_carried(std::span<const double> x, const Request& request) {
 
 /// What turns the rates of carried nodes has turns their forces.
 bool Assembler::find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices) {
-  request.residual = nullptr, request.matrix = MatrixKind::exact;
+  request.residual = nullptr;
+  request.matrix = MatrixKind::exact;
   request.motion.cu = request.motion.cv = request.motion.ca = 0;
-  damping_values_.assign(value_slots_, 0.0), mass_values_.assign(value_slots_, 0.0);
-  request.values = damping_values_.data(), request.motion.cv = 1;
+  damping_values_.assign(value_slots_, 0.0);
+  mass_values_.assign(value_slots_, 0.0);
+  request.values = damping_values_.data();
+  request.motion.cv = 1;
   if (!run_carried(x, request)) return false;
-  request.values = mass_values_.data(), request.motion.cv = 0, request.motion.ca = 1;
+  request.values = mass_values_.data();
+  request.motion.cv = 0;
+  request.motion.ca = 1;
   if (!run_carried(x, request)) return false;
-  matrices.damping = damping_values_.data(), matrices.mass = mass_values_.data();
+  matrices.damping = damping_values_.data();
+  matrices.mass = mass_values_.data();
   return true;
 }
 
@@ -229,7 +238,9 @@ void Assembler::run_tile(const FamilyGroup& group, std::size_t tile, std::span<c
   gather(group, tile, x, request.motion, w);
   if (request.between) gather_ends(group, tile, *request.between, w);
   if (request.energy) std::fill_n(w.energy, kLanes, 0.0);
-  w.force.begin(), w.packed_tangent.begin(), w.square_tangent.begin();
+  w.force.begin();
+  w.packed_tangent.begin();
+  w.square_tangent.begin();
   if (!call_families(group, tile, true, request, w)) return;
   if (request.gradient) scatter_gradient(group.tiling, tile, request.gradient, w);
   if (!request.conservative_only && !call_families(group, tile, false, request, w)) return;

@@ -45,10 +45,13 @@ struct Chord {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t i = (3 * p + axis) * kLanes + lane;
         const auto row = static_cast<Eigen::Index>(axis);
-        before[row] += m.c[p] * tile.before[i], after[row] += m.c[p] * tile.after[i];
+        before[row] += m.c[p] * tile.before[i];
+        after[row] += m.c[p] * tile.after[i];
         middle[row] += m.c[p] * tile.middle[i];
       }
-    l0 = before.norm(), l1 = after.norm(), l = middle.norm();
+    l0 = before.norm();
+    l1 = after.norm();
+    l = middle.norm();
   }
   bool has_length() const { return l0 + l1 > 0 && l1 > 0 && l > 0; }
   Vector before = Vector::Zero(), after = Vector::Zero(), middle = Vector::Zero();
@@ -100,7 +103,8 @@ Correction correct(const MemberOfStep& step, const Chord& w, const StepEnds& end
   if (ends.damping > 0) {
     const MeanStiffness& s = of.stiffness;
     const double late = of.way - ends.length * memory, half = 0.5 * ends.damping;
-    mean.T += half * s.k * late, mean.slope += half * (s.k * of.way_slope + s.slope * late);  // (4)
+    mean.T += half * s.k * late;
+    mean.slope += half * (s.k * of.way_slope + s.slope * late);  // (4)
   }
   const double sum = w.l0 + w.l1, T = tension_at(m, w.l), over = T / w.l;
   const Vector d = (w.before + w.after) / sum, t1 = w.after / w.l1, t = w.middle / w.l;
@@ -221,7 +225,10 @@ int Assembler::add_mean_of_energy(const ElementFamily& f, const netloft_term& te
   if (has_slope) std::fill_n(w.scratch.begin(), packed(dofs) * kLanes, 0.0);
   const auto call = [&](const double* x, std::size_t which, std::uint32_t want) {
     netloft_tile at = t;
-    at.x = x, at.x_low = nullptr, at.want = want, at.cu = 1;
+    at.x = x;
+    at.x_low = nullptr;
+    at.want = want;
+    at.cu = 1;
     at.energy = want & NETLOFT_WANT_ENERGY ? &w.energies[which * kLanes] : nullptr;
     at.force = want & NETLOFT_WANT_FORCE ? &w.forces[which * dofs * kLanes] : nullptr;
     at.tangent = want & NETLOFT_WANT_TANGENT ? w.scratch.data() : nullptr;
@@ -246,9 +253,12 @@ Assembler::MeanOfLane Assembler::read_mean(const ElementFamily& f, const netloft
   double middle[12];
   for (std::size_t d = 0; d < dofs; ++d) {
     const std::size_t i = d * kLanes + lane;
-    m.way[d] = w.after[i] - w.before[i], middle[d] = 0.5 * (w.after[i] + w.before[i]);
-    m.force[d] = w.forces[i], m.later[d] = w.forces[dofs * kLanes + i];
-    m.g[d] = m.way[d], m.work += m.force[d] * m.way[d];
+    m.way[d] = w.after[i] - w.before[i];
+    middle[d] = 0.5 * (w.after[i] + w.before[i]);
+    m.force[d] = w.forces[i];
+    m.later[d] = w.forces[dofs * kLanes + i];
+    m.g[d] = m.way[d];
+    m.work += m.force[d] * m.way[d];
   }
   const double early = w.energies[lane], late = w.energies[kLanes + lane], missing = late - early - m.work;
   if (std::abs(missing) <= kRounding * (std::abs(early) + std::abs(late) + std::abs(m.work))) return m;

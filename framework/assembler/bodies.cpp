@@ -124,8 +124,10 @@ void Bodies::move(std::span<const double> x, std::span<double> v, std::span<doub
     const auto turning = cross(spin, arm);
     const auto velocity = read(v, body.origin) + turning;
     const auto acceleration = read(a, body.origin) + cross(spin_rate, arm) + cross(spin, turning);
-    for (std::size_t i = 0; i < 3; ++i)
-      v[p.at[i]] = velocity[static_cast<int>(i)], a[p.at[i]] = acceleration[static_cast<int>(i)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      v[p.at[i]] = velocity[static_cast<int>(i)];
+      a[p.at[i]] = acceleration[static_cast<int>(i)];
+    }
   }
 }
 
@@ -151,7 +153,8 @@ void Bodies::differentiate(std::span<const double> x, const BodyMotion& motion) 
     const auto lever = rotated(psi, constant<R>(p.r)), spin = spin_of(psi, rate),
                spin_rate = spin_rate_of(psi, rate, Vec3<R>{R(second.x), R(second.y), R(second.z)});
     const auto velocity = cross(spin, lever), acceleration = cross(spin_rate, lever) + cross(spin, velocity);
-    s.velocity = slope(velocity, 0), s.acceleration = slope(acceleration, 0);
+    s.velocity = slope(velocity, 0);
+    s.acceleration = slope(acceleration, 0);
     s.acceleration_by_rate = slope(acceleration, 3);
   }
 }

@@ -97,7 +97,8 @@ int Assembler::call_matrix_term(const ElementFamily& f, const netloft_term& term
   const auto n = static_cast<std::size_t>(dofs);
   const bool offered = (kind == MatrixKind::convex && (term.traits & NETLOFT_HAS_CONVEX)) ||
                        (kind == MatrixKind::metric && (term.traits & NETLOFT_HAS_METRIC));
-  t.energy = nullptr, t.force = nullptr;
+  t.energy = nullptr;
+  t.force = nullptr;
   t.want = offered ? want_of(kind) : std::uint32_t{NETLOFT_WANT_TANGENT};
   if (offered) {
     t.tangent = w.open_tangent(symmetric, n, t.count);

@@ -146,9 +146,13 @@ void ElementFamily::create(const Scene& scene) {
   in.size = sizeof in;
   in.count = static_cast<std::uint32_t>(size());
   in.part_count = static_cast<std::uint32_t>(parts_.size());
-  in.parameters = blocks.data(), in.part = part_.data(), in.data = data_pointers.data();
-  in.message = message, in.message_size = sizeof message;
-  in.law_count = static_cast<std::uint32_t>(laws_.size()), in.laws = laws_.data();
+  in.parameters = blocks.data();
+  in.part = part_.data();
+  in.data = data_pointers.data();
+  in.message = message;
+  in.message_size = sizeof message;
+  in.law_count = static_cast<std::uint32_t>(laws_.size());
+  in.laws = laws_.data();
   global_starts_.assign(parts_.size() * type_->globals.size(), 0.0);
   in.globals = global_starts_.data();
   const auto make = [&] {

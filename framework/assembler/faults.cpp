@@ -13,7 +13,9 @@ void Assembler::report(std::size_t family, const netloft_tile& t, int status, Wo
   const std::size_t element = t.first + std::min(t.lane_at_fault, t.count - 1);
   if (element >= w.fault_order) return;
   w.fault_order = element;
-  w.fault.status = status, w.fault.family = family, w.fault.element = element;
+  w.fault.status = status;
+  w.fault.family = family;
+  w.fault.element = element;
   std::memcpy(w.fault.message, w.message, sizeof w.message);
 }
 
@@ -23,8 +25,11 @@ bool Assembler::collect_faults() {
     if (w->fault.status != NETLOFT_OK && (!first || w->fault_order < first->fault_order)) first = w.get();
   if (!first) return true;
   fault_ = first->fault;
-  for (auto& w : workspaces_)
-    w->fault = {}, w->message[0] = 0, w->fault_order = std::numeric_limits<std::size_t>::max();
+  for (auto& w : workspaces_) {
+    w->fault = {};
+    w->message[0] = 0;
+    w->fault_order = std::numeric_limits<std::size_t>::max();
+  }
   return false;
 }
 

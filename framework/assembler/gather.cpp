@@ -58,23 +58,32 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
   const ElementFamily& f = *families_[family];
   netloft_tile t{};
   t.size = sizeof t;
-  t.first = static_cast<std::uint32_t>(tile * kLanes),
+  t.first = static_cast<std::uint32_t>(tile * kLanes);
   t.count = static_cast<std::uint32_t>(std::min(kLanes, f.size() - tile * kLanes));
-  t.time = motion.time, t.cu = motion.cu, t.cv = motion.cv, t.ca = motion.ca;
-  t.water_density = water_.density, t.gravity = water_.gravity;
+  t.time = motion.time;
+  t.cu = motion.cu;
+  t.cv = motion.cv;
+  t.ca = motion.ca;
+  t.water_density = water_.density;
+  t.gravity = water_.gravity;
   t.water_viscosity = water_.viscosity * f.viscosity_ratio();
   t.x = w.x.data();
   if (motion.x_low) t.x_low = w.x_low.data();
   if (motion.v && f.reads(NETLOFT_READS_VELOCITY)) t.v = w.v.data();
   if (motion.a && f.reads(NETLOFT_READS_ACCELERATION)) t.a = w.a.data();
-  if (!w.current.empty() && f.reads(NETLOFT_READS_CURRENT))
-    t.current = w.current.data(), t.current_dz = w.current_dz.data();
+  if (!w.current.empty() && f.reads(NETLOFT_READS_CURRENT)) {
+    t.current = w.current.data();
+    t.current_dz = w.current_dz.data();
+  }
   if (ground_passes_ && f.reads(NETLOFT_READS_GROUND)) t.ground = ground_.data();
   if (bed_.is_there && f.reads(NETLOFT_READS_BED)) t.bed = w.bed.data();
-  if (waves_ && f.reads(NETLOFT_READS_WAVES))
-    t.water_acceleration = w.water_acceleration.data(), t.surface = w.surface.data();
+  if (waves_ && f.reads(NETLOFT_READS_WAVES)) {
+    t.water_acceleration = w.water_acceleration.data();
+    t.surface = w.surface.data();
+  }
   t.state = memories_[family].kept(tile);
-  t.message = w.message, t.message_size = sizeof w.message;
+  t.message = w.message;
+  t.message_size = sizeof w.message;
   return t;
 }
 
@@ -102,7 +111,8 @@ void Assembler::gather_waves(const Tiling& tiling, std::size_t tile, double time
       const auto at = [&](std::size_t axis) { return (3 * node + axis) * kLanes + lane; };
       const WaterMotion water = waves_->at({w.x[at(0)], w.x[at(1)], w.x[at(2)]}, time);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        w.current[at(axis)] += water.velocity[axis], w.current_dz[at(axis)] += water.velocity_dz[axis];
+        w.current[at(axis)] += water.velocity[axis];
+        w.current_dz[at(axis)] += water.velocity_dz[axis];
         w.water_acceleration[at(axis)] = water.acceleration[axis];
       }
       w.surface[node * kLanes + lane] = water.surface;

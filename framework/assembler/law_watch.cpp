@@ -99,7 +99,8 @@ void LawWatch::note(const netloft_flow& f) {
       const double value = flow_quantity(law_.law.kind, use.range->quantity, f, lane);
       const bool is_inside = use.range->lo <= value && value <= use.range->hi;
       (is_inside ? use.inside : use.outside) += is_told ? f.extent[lane] : 1;
-      use.least = std::min(use.least, value), use.most = std::max(use.most, value);
+      use.least = std::min(use.least, value);
+      use.most = std::max(use.most, value);
     }
 }
 

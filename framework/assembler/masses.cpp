@@ -71,9 +71,10 @@ bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::s
     if (!(term.traits & NETLOFT_READS_ACCELERATION)) continue;
     const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
     const auto evaluate = [&](std::size_t, netloft_tile& t) {
-      auto& scratch = workspaces_[0]->scratch;
-      std::fill_n(scratch.begin(), (symmetric ? packed(dofs) : dofs * dofs) * kLanes, 0.0);
-      t.force = nullptr, t.tangent = scratch.data(), t.want = NETLOFT_WANT_TANGENT;
+      t.force = nullptr;
+      t.tangent = workspaces_[0]->scratch.data();
+      std::fill_n(t.tangent, (symmetric ? packed(dofs) : dofs * dofs) * kLanes, 0.0);
+      t.want = NETLOFT_WANT_TANGENT;
       return f.evaluate(term, t);
     };
     const auto add = [&](std::size_t, const netloft_tile& t, const Workspace& w) {

@@ -25,7 +25,10 @@ void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vect
   for (std::uint32_t column = 0; column < found.size(); ++column)
     for (const auto row : found[column])
       for (const auto a : stands_for[row])
-        for (const auto b : stands_for[column]) add(b, a), add(a, b);
+        for (const auto b : stands_for[column]) {
+          add(b, a);
+          add(a, b);
+        }
 }
 
 /// For each node, the nodes that can move and share an element with it, itself included.
@@ -91,7 +94,8 @@ SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering,
   pattern.size = numbering.unknowns();
   pattern.symmetric = symmetric;
   pattern.slots = 9 * blocks.count();
-  pattern.row.reserve(pattern.slots), pattern.slot.reserve(pattern.slots);
+  pattern.row.reserve(pattern.slots);
+  pattern.slot.reserve(pattern.slots);
   pattern.column_start.push_back(0);
   for (std::int32_t column = 0; column < pattern.size; ++column) {
     const std::uint32_t node = numbering.node(Dof(column));

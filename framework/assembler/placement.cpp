@@ -68,7 +68,8 @@ void Placement::move(double time, std::span<const double> x, std::span<const dou
     frames_.turn_back(from, to);
   }
   visit_guided(time, [&](std::size_t i, std::size_t axis, const Course::Moment& m) {
-    all_v[i] = m.v[axis], all_a[i] = m.a[axis];
+    all_v[i] = m.v[axis];
+    all_a[i] = m.a[axis];
   });
   bodies_.move(x, all_v, all_a);
 }

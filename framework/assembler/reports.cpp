@@ -31,7 +31,9 @@ bool Assembler::term_energy(std::span<const double> x, std::size_t family, std::
   if (!(wanted.traits & NETLOFT_CONSERVATIVE)) return true;
   const auto evaluate = [&](std::size_t, netloft_tile& t) {
     std::fill_n(workspaces_[0]->energy, kLanes, 0.0);
-    t.energy = workspaces_[0]->energy, t.force = nullptr, t.want = NETLOFT_WANT_ENERGY;
+    t.energy = workspaces_[0]->energy;
+    t.force = nullptr;
+    t.want = NETLOFT_WANT_ENERGY;
     return f.evaluate(wanted, t);
   };
   return visit_tiles(x, motion, family, evaluate,

@@ -101,12 +101,14 @@ NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& 
   double *first = values + to[lane], *second = values + to[lane + 1];
   Two a, b;
   for (std::size_t i = 0; i < 8; i += 2) {
-    a = entries.two(i, lane), b = entries.two(i + 1, lane);
+    a = entries.two(i, lane);
+    b = entries.two(i + 1, lane);
     *reinterpret_cast<Two*>(first + i) += Two{a[0], b[0]};
     *reinterpret_cast<Two*>(second + i) += Two{a[1], b[1]};
   }
   a = entries.two(8, lane);
-  first[8] += a[0], second[8] += a[1];
+  first[8] += a[0];
+  second[8] += a[1];
 }
 
 /// The same for four lanes.

@@ -28,7 +28,8 @@ class TileRows {
   double* open(std::size_t rows, std::size_t lanes) {
     if (rows > rows_) {
       set_zero(rows_, rows, lanes);
-      rows_ = rows, zero_rows_ = 0;
+      rows_ = rows;
+      zero_rows_ = 0;
     }
     lanes_ = lanes;
     return all_.data();
@@ -39,7 +40,10 @@ class TileRows {
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)
       if (!is_zero(all_.data() + row * kWidth)) return false;
-    if (rows_ > 0) zero_rows_ = rows_, zero_lanes_ = lanes_;
+    if (rows_ > 0) {
+      zero_rows_ = rows_;
+      zero_lanes_ = lanes_;
+    }
     return true;
   }
 

@@ -64,7 +64,8 @@ bool Assembler::visit_tiles(std::span<const double> x, const Kinematics& motion,
     gather(group, tile, x, motion, w);
     netloft_tile t = make_tile(family, tile, motion, w);
     w.force.begin();
-    t.force = w.force.open(dofs, t.count), t.want = NETLOFT_WANT_FORCE;
+    t.force = w.force.open(dofs, t.count);
+    t.want = NETLOFT_WANT_FORCE;
     if (const int status = evaluate(tile, t); status != NETLOFT_OK) {
       report(family, t, status, w);
       return collect_faults();

@@ -45,10 +45,14 @@ Moving read_body(const States& s, std::size_t lane) {
 }
 void write_body(const Moving& m, const V& psi, States& s, std::size_t lane) {
   const V rate = rate_of_spin(psi, m.omega);
-  write(s.x, 0, lane, m.x), write(s.x, 3, lane, psi);
-  write(s.v, 0, lane, m.v), write(s.v, 3, lane, rate);
-  write(s.a, 0, lane, m.a), write(s.a, 3, lane, rate_of_spin(psi, m.alpha - spin_rate_of(psi, rate, V{})));
-  write(s.current, 0, lane, m.current), write(s.current_dz, 0, lane, m.current_dz);
+  write(s.x, 0, lane, m.x);
+  write(s.x, 3, lane, psi);
+  write(s.v, 0, lane, m.v);
+  write(s.v, 3, lane, rate);
+  write(s.a, 0, lane, m.a);
+  write(s.a, 3, lane, rate_of_spin(psi, m.alpha - spin_rate_of(psi, rate, V{})));
+  write(s.current, 0, lane, m.current);
+  write(s.current_dz, 0, lane, m.current_dz);
 }
 
 /// The moment that a residual stands for, and the residual of a moment.
@@ -59,7 +63,8 @@ V moment_of(const V& psi, const V& generalised) { return rate_of_spin(-psi, gene
 template <class Carry, class Turn>
 void carry_lanes(const States& from, const Answer& answer, const Carry& carry, const Turn& turn, States& to,
                  Answer& expected) {
-  to = from, expected = answer;
+  to = from;
+  expected = answer;
   for (std::size_t lane = 0; lane < from.count; ++lane) {
     const V psi = read(from.x, 3, lane);
     Moving m = read_body(from, lane);
@@ -111,7 +116,8 @@ Finding body_turns_with_the_world(Bench& b) {
       note_in_turned_world(b, term, s, {0, 0, b.sampler.uniform(-3, 3)}, worst);
       if (term.traits & NETLOFT_NEEDS_GRAVITY) continue;
       std::fill(s.current_dz.begin(), s.current_dz.end(), 0.0);
-      s.bed.clear(), s.ground.clear();
+      s.bed.clear();
+      s.ground.clear();
       double axis[3];
       b.sampler.direction(axis);
       note_in_turned_world(b, term, s, b.sampler.uniform(0.5, 3) * V{axis[0], axis[1], axis[2]}, worst);
@@ -190,8 +196,10 @@ std::vector<double> kinetic_energy(const Bench& b, const netloft_term& term, con
 
 /// The state a time later.
 States later(States s, double t) {
-  for (std::size_t i = 0; i < s.x.size(); ++i)
-    s.x[i] += t * (s.v[i] + 0.5 * t * s.a[i]), s.v[i] += t * s.a[i];
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    s.x[i] += t * (s.v[i] + 0.5 * t * s.a[i]);
+    s.v[i] += t * s.a[i];
+  }
   return s;
 }
 

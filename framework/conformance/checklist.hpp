@@ -43,16 +43,21 @@ class UnderWay {
 template <class Bench>
 CheckResult run(const Check<Bench>& check, Bench& bench, Doubtful& doubtful) {
   CheckResult r;
-  r.name = check.name, r.hint = check.hint;
+  r.name = check.name;
+  r.hint = check.hint;
   if (const char* first = doubtful.among(check.leans_on)) {
     doubtful.add(check.name);
-    r.skipped = true, r.detail = std::string("leans on ") + first;
+    r.skipped = true;
+    r.detail = std::string("leans on ") + first;
     return r;
   }
   const UnderWay under_way(check.name);
   Finding f = check.run(bench);
-  r.passed = f.passed && !f.skipped, r.skipped = f.skipped;
-  r.figure = f.figure, r.limit = f.limit, r.detail = std::move(f.detail);
+  r.passed = f.passed && !f.skipped;
+  r.skipped = f.skipped;
+  r.figure = f.figure;
+  r.limit = f.limit;
+  r.detail = std::move(f.detail);
   if (!f.passed) doubtful.add(check.name);
   return r;
 }

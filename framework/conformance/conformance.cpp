@@ -229,7 +229,8 @@ ConformanceReport check_element(const ElementType& type, const ConformanceOption
   if (one.law_kind == 0 && !kinds.empty()) one.law_kind = kinds.front();
   ConformanceReport report = check_with_law(type, one);
   if (options.law_kind != 0 || kinds.size() < 2) return report;
-  one.law_kind = kinds[1], one.timings = false;
+  one.law_kind = kinds[1];
+  one.timings = false;
   add_failures(report, check_with_law(type, one));
   return report;
 }

@@ -24,7 +24,8 @@ CheckResult exports_one_symbol(const std::filesystem::path& file) {
   std::erase(names, "netloft_plugin_v1");
   CheckResult r;
   r.name = "exports-one-symbol";
-  r.figure = static_cast<double>(names.size()), r.passed = names.empty();
+  r.figure = static_cast<double>(names.size());
+  r.passed = names.empty();
   if (!r.passed) r.detail = sentence(names);
   r.hint =
       "compile with the flags of `netloft --cflags` or with netloft_add_plugin: what is exported may be "

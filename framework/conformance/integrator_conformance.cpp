@@ -40,7 +40,10 @@ const PracticeSwing kPushed{.push = 1};
 
 Finding up_to(double figure, double limit, std::string detail) {
   Finding f;
-  f.figure = figure, f.limit = limit, f.passed = figure <= limit, f.detail = std::move(detail);
+  f.figure = figure;
+  f.limit = limit;
+  f.passed = figure <= limit;
+  f.detail = std::move(detail);
   return f;
 }
 

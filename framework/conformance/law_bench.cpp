@@ -53,12 +53,16 @@ Flows LawBench::sample() {
   Flows f{NETLOFT_LANES, three, three, one, one};
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     double t[3], W[3];
-    sampler.direction(t), sampler.direction(W);
+    sampler.direction(t);
+    sampler.direction(W);
     const auto special = static_cast<Special>(lane % 8);
     turn(special, t, W);
     const double speed =
         std::exp(sampler.uniform(std::log(0.01), std::log(5.0))) * (special == kSlow ? 1e-3 : 1);
-    for (std::size_t i = 0; i < 3; ++i) f.flow[at(i, lane)] = speed * W[i], f.direction[at(i, lane)] = t[i];
+    for (std::size_t i = 0; i < 3; ++i) {
+      f.flow[at(i, lane)] = speed * W[i];
+      f.direction[at(i, lane)] = t[i];
+    }
     f.diameter[lane] = std::exp(sampler.uniform(std::log(1e-3), std::log(0.1)));
     f.solidity[lane] = sampler.uniform(0, 1) < 0.25 ? 0 : sampler.uniform(0, 0.9);
   }
@@ -80,14 +84,22 @@ LawAnswer LawBench::evaluate(std::size_t part, const Flows& flows, bool derivati
   LawAnswer a;
   a.force.assign(3 * kLanes, not_written());
   netloft_flow f{};
-  f.size = sizeof f, f.count = flows.count;
-  f.water_density = 1025, f.water_viscosity = 1.19e-6;
-  f.flow = flows.flow.data(), f.direction = flows.direction.data();
-  f.diameter = flows.diameter.data(), f.solidity = flows.solidity.data();
+  f.size = sizeof f;
+  f.count = flows.count;
+  f.water_density = 1025;
+  f.water_viscosity = 1.19e-6;
+  f.flow = flows.flow.data();
+  f.direction = flows.direction.data();
+  f.diameter = flows.diameter.data();
+  f.solidity = flows.solidity.data();
   f.force = a.force.data();
   if (derivatives) {
-    a.d_flow.assign(9 * kLanes, not_written()), a.d_direction = a.d_flow, a.d_solidity = a.force;
-    f.d_flow = a.d_flow.data(), f.d_direction = a.d_direction.data(), f.d_solidity = a.d_solidity.data();
+    a.d_flow.assign(9 * kLanes, not_written());
+    a.d_direction = a.d_flow;
+    a.d_solidity = a.force;
+    f.d_flow = a.d_flow.data();
+    f.d_direction = a.d_direction.data();
+    f.d_solidity = a.d_solidity.data();
   }
   a.ok = call(part, f, a.thrown);
   return a;

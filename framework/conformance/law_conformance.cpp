@@ -210,11 +210,20 @@ double nanoseconds(const LawBench& b, bool derivatives) {
   LawAnswer a = b.evaluate(0, b.tiles[0], true);
   const Flows& flows = b.tiles[0];
   netloft_flow f{};
-  f.size = sizeof f, f.count = flows.count, f.water_density = 1025, f.water_viscosity = 1.19e-6;
-  f.flow = flows.flow.data(), f.direction = flows.direction.data();
-  f.diameter = flows.diameter.data(), f.solidity = flows.solidity.data(), f.force = a.force.data();
-  if (derivatives)
-    f.d_flow = a.d_flow.data(), f.d_direction = a.d_direction.data(), f.d_solidity = a.d_solidity.data();
+  f.size = sizeof f;
+  f.count = flows.count;
+  f.water_density = 1025;
+  f.water_viscosity = 1.19e-6;
+  f.flow = flows.flow.data();
+  f.direction = flows.direction.data();
+  f.diameter = flows.diameter.data();
+  f.solidity = flows.solidity.data();
+  f.force = a.force.data();
+  if (derivatives) {
+    f.d_flow = a.d_flow.data();
+    f.d_direction = a.d_direction.data();
+    f.d_solidity = a.d_solidity.data();
+  }
   std::string thrown;
   return least_nanoseconds_of([&] { b.call(0, f, thrown); }) / flows.count;
 }

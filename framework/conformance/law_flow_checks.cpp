@@ -32,7 +32,8 @@ void turn(std::vector<double>& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const double x = v[at(0, lane)], y = v[at(1, lane)];
-    v[at(0, lane)] = c * x - s * y, v[at(1, lane)] = s * x + c * y;
+    v[at(0, lane)] = c * x - s * y;
+    v[at(1, lane)] = s * x + c * y;
   }
 }
 
@@ -73,7 +74,8 @@ Finding rotation_turns_the_force_of_a_law(LawBench& b) {
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {
     Flows turned = b.tiles[part];
     const double angle = b.sampler.uniform(0.3, 1.2);
-    turn(turned.flow, angle), turn(turned.direction, angle);
+    turn(turned.flow, angle);
+    turn(turned.direction, angle);
     LawAnswer expected = b.evaluate(part, b.tiles[part], false);
     turn(expected.force, angle);
     const LawAnswer found = b.evaluate(part, turned, false);

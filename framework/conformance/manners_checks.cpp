@@ -150,7 +150,9 @@ Finding adds_not_overwrites(Bench& b) {
   ask_all(b, [&](const netloft_term& term, const States& s, std::uint32_t want) -> std::string {
     const Answer answer = b.specimen->evaluate(term, s, want);
     Answer sum = answer;
-    prefill(sum.energy, answer.energy), prefill(sum.force, answer.force), prefill(sum.matrix, answer.matrix);
+    prefill(sum.energy, answer.energy);
+    prefill(sum.force, answer.force);
+    prefill(sum.matrix, answer.matrix);
     b.specimen->evaluate(term, s, want, {}, sum);
     for (std::size_t lane = 0; lane < s.count; ++lane)
       worst.note(std::max({adding_error(sum.energy, answer.energy, lane),
@@ -339,7 +341,9 @@ Finding missing_inputs_are_zero(Bench& b) {
       continue;
     for (const auto& s : b.tiles) {
       States zero = b.blank(s.first, s.count);
-      zero.x = s.x, zero.memory = s.memory, zero.bed = s.bed;
+      zero.x = s.x;
+      zero.memory = s.memory;
+      zero.bed = s.bed;
       States missing = {s.first, s.count, s.x, {}, {}, {}, {}, s.memory};
       missing.bed = s.bed;
       const Answer a = b.specimen->evaluate(term, zero, NETLOFT_WANT_FORCE);

@@ -36,7 +36,8 @@ bool add_member(const netloft_member& m, const States& s, std::size_t lane, Pull
 /// The terms of members of all lanes; empty arrays: one of them has no force here.
 Answer answer_of_terms(const Bench& b, const States& s) {
   Answer sum;
-  sum.energy.assign(kLanes, 0.0), sum.force.assign(b.dofs() * kLanes, 0.0);
+  sum.energy.assign(kLanes, 0.0);
+  sum.force.assign(b.dofs() * kLanes, 0.0);
   for (const auto& term : b.type.terms)
     if (term.traits & NETLOFT_OF_MEMBERS)
       b.specimen->evaluate(term, s, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE, {}, sum);

@@ -43,7 +43,8 @@ void turn(std::vector<double>& field, double angle) {
   for (std::size_t i = 0; i + 2 * kLanes < field.size(); ++i) {
     if (i / kLanes % 3 != 0) continue;
     const double x = field[i], y = field[i + kLanes];
-    field[i] = c * x - sine * y, field[i + kLanes] = sine * x + c * y;
+    field[i] = c * x - sine * y;
+    field[i + kLanes] = sine * x + c * y;
   }
 }
 

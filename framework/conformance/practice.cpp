@@ -20,9 +20,13 @@ constexpr int kMostIterations = 20000, kMostEvaluations = 1000000;
 PracticeProblem::PracticeProblem(const Practice& like)
     : like_(like), n_(like.unknowns), masses_(n_ - (n_ > 0 && like.buckling > 0 ? 1 : 0)), u_(n_, 0.0) {
   auto& p = interface_;
-  p.size = sizeof p, p.unknowns = n_, p.host = this, p.u = u_.data();
+  p.size = sizeof p;
+  p.unknowns = n_;
+  p.host = this;
+  p.u = u_.data();
   p.traits = like.swirl == 0 ? NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC : 0;
-  p.message = message_, p.message_size = sizeof message_;
+  p.message = message_;
+  p.message_size = sizeof message_;
   p.evaluate = call<&PracticeProblem::evaluate, std::uint32_t, const double*, double*, double*>;
   p.evaluate_both = call<&PracticeProblem::evaluate_both, const double*, double*, double*, double*>;
   p.factorise = call<&PracticeProblem::factorise, int, double>;
@@ -40,7 +44,11 @@ PracticeProblem::PracticeProblem(const Practice& like)
       most = std::max(most, std::abs(du[i]));
     return most;
   };
-  like_.stiffening = 0, like_.wall = 0, like_.grip = 0, like_.runaway = 0, like_.buckling = -like.buckling;
+  like_.stiffening = 0;
+  like_.wall = 0;
+  like_.grip = 0;
+  like_.runaway = 0;
+  like_.buckling = -like.buckling;
   metric_ = tangent(u_.data());
   for (std::uint32_t i = 0; i < n_; ++i)  // without the swirl
     for (std::uint32_t j = 0; j < i; ++j)

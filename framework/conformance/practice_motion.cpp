@@ -26,11 +26,17 @@ double largest(const std::vector<double>& x) {
 
 PracticeMotion::PracticeMotion(const PracticeSwing& like) : like_(like), n_(like.unknowns) {
   for (std::size_t i = 0; i < n_; ++i) start_.push_back(1 / (1 + static_cast<double>(i)));
-  u = start_, v.assign(n_, 0.0), a.assign(n_, 0.0), rates_.assign(n_, 0.0);
+  u = start_;
+  v.assign(n_, 0.0);
+  a.assign(n_, 0.0);
+  rates_.assign(n_, 0.0);
   for (std::size_t i = 0; i < n_; ++i) a[i] = -omega(i) * omega(i) * u[i];
   for (auto* out : {&next_u_, &next_v_, &next_a_, &error_}) out->resize(n_);
-  interface_.size = sizeof interface_, interface_.unknowns = like.unknowns, interface_.host = this;
-  interface_.message = message_, interface_.message_size = sizeof message_;
+  interface_.size = sizeof interface_;
+  interface_.unknowns = like.unknowns;
+  interface_.host = this;
+  interface_.message = message_;
+  interface_.message_size = sizeof message_;
   interface_.residual =
       call<&PracticeMotion::residual, int, double, const double*, const double*, const double*, double*>;
   interface_.accelerate =
@@ -58,16 +64,25 @@ int PracticeMotion::step(const netloft_integrator& scheme, const void* parameter
   const auto before = std::array{u, v, a};
   memory_ = 0;
   netloft_motion& m = interface_;
-  m.t = t, m.h = h;
-  m.u = u.data(), m.v = v.data(), m.a = a.data();
-  m.u_new = next_u_.data(), m.v_new = next_v_.data(), m.a_new = next_a_.data(), m.error = error_.data();
+  m.t = t;
+  m.h = h;
+  m.u = u.data();
+  m.v = v.data();
+  m.a = a.data();
+  m.u_new = next_u_.data();
+  m.v_new = next_v_.data();
+  m.a_new = next_a_.data();
+  m.error = error_.data();
   const int status = scheme.step(parameters, &m);
   left_alone_ = left_alone_ && before == std::array{u, v, a};
   if (status != NETLOFT_OK) return status;
   note_quarter(h);
   for (std::size_t i = 0; i < n_; ++i) rates_[i] += memory_ * ((next_u_[i] - u[i]) / h - rates_[i]);  // (4)
-  u = next_u_, v = next_v_, a = next_a_;
-  estimate = largest(error_), estimated += estimate;
+  u = next_u_;
+  v = next_v_;
+  a = next_a_;
+  estimate = largest(error_);
+  estimated += estimate;
   t += h;
   return NETLOFT_OK;
 }

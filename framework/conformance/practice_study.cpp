@@ -43,14 +43,21 @@ PracticeStudy::PracticeStudy(const PracticeScene& scene)
     : scene_(scene), start_(scene.start), message_(kRoom + kGuard, kUntouched) {
   const Practice& like = scene_.like;
   auto& s = interface_;
-  s.size = sizeof s, s.unknowns = like.unknowns, s.levels = scene.levels, s.host = this;
+  s.size = sizeof s;
+  s.unknowns = like.unknowns;
+  s.levels = scene.levels;
+  s.host = this;
   s.traits =
       (like.swirl == 0 ? NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC : NETLOFT_STUDY_FLOWS) | scene.claims;
   s.start = start_.empty() ? nullptr : start_.data();
-  s.gear_size = 1, s.element_size = 1.0 / std::max(like.unknowns, 1u);
-  s.largest_load = like.load, s.load = like.load * like.unknowns,
+  s.gear_size = 1;
+  s.element_size = 1.0 / std::max(like.unknowns, 1u);
+  s.largest_load = like.load;
+  s.load = like.load * like.unknowns;
   s.stiffness = std::max(like.stiffness, like.grip);
-  s.message = message_.data(), s.message_size = kRoom, message_[0] = 0;
+  s.message = message_.data();
+  s.message_size = kRoom;
+  message_[0] = 0;
   s.size_of = [](void* host, std::uint32_t level) {
     return static_cast<PracticeStudy*>(host)->size_of(level);
   };
@@ -85,8 +92,10 @@ Practice PracticeStudy::practice(const netloft_variant& v) const {
   const double coarser = std::exp2(level_of(v)), cap = v.stiffness_cap > 0 ? v.stiffness_cap : HUGE_VAL;
   const double current = interface_.traits & NETLOFT_STUDY_FLOWS ? v.current : 1;
   like.unknowns = size_of(v.level);
-  like.stiffness = std::min(like.stiffness, cap) / coarser, like.grip = std::min(like.grip, cap) * coarser;
-  like.load *= coarser * (1 + current) / 2, like.swirl *= current;
+  like.stiffness = std::min(like.stiffness, cap) / coarser;
+  like.grip = std::min(like.grip, cap) * coarser;
+  like.load *= coarser * (1 + current) / 2;
+  like.swirl *= current;
   return like;
 }
 
@@ -179,7 +188,8 @@ PracticeStudy::Rank PracticeStudy::rank(const PracticeProblem& problem, const do
 
 int PracticeStudy::solve(netloft_stage* stage) {
   if (is_refused(*stage)) return fail("the host broke down");
-  stage->spent = 0, stage->iterations_done = stage->factorisations = 0;
+  stage->spent = 0;
+  stage->iterations_done = stage->factorisations = 0;
   PracticeProblem problem(practice(stage->variant));
   interrupted_ = interrupted_ || stages - 1 == scene_.interrupted_at;
   judge(problem, *stage, interrupted_ ? NETLOFT_ENDED_INTERRUPTED : step_to_balance(problem, *stage));
@@ -205,8 +215,10 @@ int PracticeStudy::call(const char* strategy, const char* parameters, netloft_st
   for (const char* text : {strategy, parameters}) trace_ += text ? text : "";
   if (!scene_.others_decline) return solve(stage);
   if (is_refused(*stage)) return fail("the host broke down");
-  stage->ending = NETLOFT_ENDED_OUT_OF_WORK, stage->stability = NETLOFT_STABILITY_UNKNOWN;
-  stage->spent = stage->residual = stage->load = stage->energy = 0, stage->growing = nullptr;
+  stage->ending = NETLOFT_ENDED_OUT_OF_WORK;
+  stage->stability = NETLOFT_STABILITY_UNKNOWN;
+  stage->spent = stage->residual = stage->load = stage->energy = 0;
+  stage->growing = nullptr;
   return NETLOFT_OK;
 }
 
@@ -225,11 +237,15 @@ netloft_ending PracticeStudy::step_to_balance(PracticeProblem& problem, netloft_
     std::copy(u.begin(), u.end(), stage.u);
     if (largest(r) <= tolerance) return NETLOFT_ENDED_CONVERGED;
     if (stage.iterations_done == limit || stage.spent + cost > budget) return NETLOFT_ENDED_OUT_OF_WORK;
-    ++stage.iterations_done, ++stage.factorisations;
+    ++stage.iterations_done;
+    ++stage.factorisations;
     if (p.factorise(&problem, NETLOFT_CONVEX | NETLOFT_INDEFINITE, 0) != NETLOFT_FACTOR_OK)
       return NETLOFT_ENDED_NOT_CONVERGED;
     p.solve(&problem, r.data(), r.data());
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] -= r[i], moved[i] += std::abs(r[i]);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      u[i] -= r[i];
+      moved[i] += std::abs(r[i]);
+    }
     if (largest(moved) > path) return NETLOFT_ENDED_UNSETTLED;
   }
 }
@@ -243,12 +259,15 @@ void PracticeStudy::judge(const PracticeProblem& problem, netloft_stage& s, netl
   const bool grows = found.balanced && !found.stable;
   s.ending = ending;
   s.stability = grows ? NETLOFT_UNSTABLE : found.balanced ? NETLOFT_STABLE : NETLOFT_STABILITY_UNKNOWN;
-  s.load = problem.load(), s.residual = problem.imbalance(u) * s.load, s.energy = problem.energy(s.u);
+  s.load = problem.load();
+  s.residual = problem.imbalance(u) * s.load;
+  s.energy = problem.energy(s.u);
   s.rounding = 1e-15 * s.load;
   growing_.assign(u.size() + 1, 0.0);
   if (grows) growing_[u.size() - 1] = 1;
   s.growing = grows && scene_.knows_growth ? growing_.data() : nullptr;
-  s.growth_rate = s.growing ? 1 : 0, s.growth_frequency = 0;
+  s.growth_rate = s.growing ? 1 : 0;
+  s.growth_frequency = 0;
   keep(s, u, problem);
   spend(s.spent);
   knows_interrupt_ = knows_interrupt_ || ending == NETLOFT_ENDED_INTERRUPTED;

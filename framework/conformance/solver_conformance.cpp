@@ -51,7 +51,8 @@ Finding solves(SolverBench& b, const Practice& like) {
   PracticeProblem problem(like);
   const int outcome = b.solve(problem);
   Finding f;
-  f.figure = problem.imbalance(problem.u()), f.limit = kBalanced;
+  f.figure = problem.imbalance(problem.u());
+  f.limit = kBalanced;
   f.passed = f.figure <= f.limit;
   f.detail = "outcome " + std::to_string(outcome) + " after " + std::to_string(problem.iterations) +
              " iterations, " + std::to_string(problem.evaluations) + " evaluations";
@@ -74,7 +75,9 @@ Finding starts_at_the_answer(SolverBench& b) {
   std::copy(first.u().begin(), first.u().end(), again.interface().u);
   b.solve(again);
   Finding f;
-  f.figure = again.iterations, f.limit = 1, f.passed = f.figure <= f.limit;
+  f.figure = again.iterations;
+  f.limit = 1;
+  f.passed = f.figure <= f.limit;
   f.detail = "iterations from a point that is an equilibrium";
   return f;
 }

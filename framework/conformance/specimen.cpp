@@ -55,9 +55,13 @@ Specimen::Specimen(const ElementType& type, const Sample& sample)
   in.size = sizeof in;
   in.count = static_cast<std::uint32_t>(sample.part.size());
   in.part_count = static_cast<std::uint32_t>(blocks.size());
-  in.parameters = blocks.data(), in.part = sample.part.data(), in.data = data.data();
-  in.message = message, in.message_size = kMessage;
-  in.law_count = static_cast<std::uint32_t>(laws_.size()), in.laws = laws_.data();
+  in.parameters = blocks.data();
+  in.part = sample.part.data();
+  in.data = data.data();
+  in.message = message;
+  in.message_size = kMessage;
+  in.law_count = static_cast<std::uint32_t>(laws_.size());
+  in.laws = laws_.data();
   std::vector<double> globals(blocks.size() * type.globals.size());
   in.globals = globals.data();
   const int status = guarded(thrown, [&] { return type.element.create(&in, &self_); });
@@ -81,14 +85,24 @@ std::size_t Specimen::remembered(const netloft_term& term) const {
 netloft_tile Specimen::tile(const States& states, Factors factors) const {
   netloft_tile t{};
   t.size = sizeof t;
-  t.first = states.first, t.count = states.count;
+  t.first = states.first;
+  t.count = states.count;
   t.time = kTime;
-  t.cu = factors.cu, t.cv = factors.cv, t.ca = factors.ca;
-  t.water_density = 1025, t.gravity = 9.81, t.water_viscosity = 1.19e-6;
-  t.x = pointer(states.x), t.v = pointer(states.v), t.a = pointer(states.a);
-  t.x_low = pointer(states.x_low), t.ground = pointer(states.ground);
-  t.current = pointer(states.current), t.current_dz = pointer(states.current_dz);
-  t.bed = pointer(states.bed), t.water_acceleration = pointer(states.swing);
+  t.cu = factors.cu;
+  t.cv = factors.cv;
+  t.ca = factors.ca;
+  t.water_density = 1025;
+  t.gravity = 9.81;
+  t.water_viscosity = 1.19e-6;
+  t.x = pointer(states.x);
+  t.v = pointer(states.v);
+  t.a = pointer(states.a);
+  t.x_low = pointer(states.x_low);
+  t.ground = pointer(states.ground);
+  t.current = pointer(states.current);
+  t.current_dz = pointer(states.current_dz);
+  t.bed = pointer(states.bed);
+  t.water_acceleration = pointer(states.swing);
   t.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
   return t;
 }
@@ -108,7 +122,8 @@ void Specimen::evaluate(const netloft_term& term, const States& states, std::uin
                         Answer& answer) const {
   Answer told = evaluate_into(term, states, want, factors, answer.energy.data(), answer.force.data(),
                               answer.matrix.data(), answer.memory.data());
-  answer.status = told.status, answer.lane_at_fault = told.lane_at_fault;
+  answer.status = told.status;
+  answer.lane_at_fault = told.lane_at_fault;
   answer.message = std::move(told.message);
 }
 
@@ -131,7 +146,8 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
   t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;
   t.tangent = wants_matrix(want) ? matrix : nullptr;
-  t.message = message, t.message_size = kMessage;
+  t.message = message;
+  t.message_size = kMessage;
   answer.status = guarded(answer.message, [&] { return term.evaluate(self_, &t); });
   if (answer.status != kThrew) answer.message = message;
   answer.lane_at_fault = t.lane_at_fault;
@@ -142,7 +158,8 @@ Answer Specimen::outputs(const States& states, std::vector<double>& values) cons
   Answer answer;
   char message[kMessage] = "";
   netloft_tile t = tile(states, {});
-  t.message = message, t.message_size = kMessage;
+  t.message = message;
+  t.message_size = kMessage;
   answer.status = guarded(answer.message, [&] { return type_.element.output(self_, &t, values.data()); });
   if (answer.status != kThrew) answer.message = message;
   return answer;
@@ -160,7 +177,8 @@ void move_bed(States& s, std::size_t node, std::size_t lane, double dx, double d
   if (s.bed.empty()) return;
   const auto b = [&](std::size_t k) -> double& { return s.bed[at(6 * node + k, lane)]; };
   b(0) += b(1) * dx + b(2) * dy + 0.5 * b(3) * dx * dx + b(4) * dx * dy + 0.5 * b(5) * dy * dy;
-  b(1) += b(3) * dx + b(4) * dy, b(2) += b(4) * dx + b(5) * dy;
+  b(1) += b(3) * dx + b(4) * dy;
+  b(2) += b(4) * dx + b(5) * dy;
 }
 
 void lift_bed(States& s, double dz) {
@@ -172,7 +190,8 @@ void turn_ground(States& s, double angle) {
   const double c = std::cos(angle), sine = std::sin(angle);
   const auto turn = [&](double& x, double& y) {
     const double before = x;
-    x = c * before - sine * y, y = sine * before + c * y;
+    x = c * before - sine * y;
+    y = sine * before + c * y;
   };
   if (!s.ground.empty()) turn(s.ground[0], s.ground[1]);
   for (std::size_t row = 0; (row + 6) * kLanes <= s.bed.size(); row += 6)
@@ -180,7 +199,10 @@ void turn_ground(States& s, double angle) {
       const auto b = [&](std::size_t k) -> double& { return s.bed[at(row + k, lane)]; };
       turn(b(1), b(2));
       double yx = b(4);  // R H Rᵀ, by columns and then by rows
-      turn(b(3), yx), turn(b(4), b(5)), turn(b(3), b(4)), turn(yx, b(5));
+      turn(b(3), yx);
+      turn(b(4), b(5));
+      turn(b(3), b(4));
+      turn(yx, b(5));
     }
 }
 

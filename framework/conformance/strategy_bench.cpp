@@ -32,9 +32,14 @@ const std::vector<NamedScene>& easy_scenes() {
 std::vector<NamedScene> all_scenes() {
   std::vector<NamedScene> all = scenes();
   for (const auto& [name, scene] : scenes()) {
-    for (const double budget : {1.0, 3.0, 10.0, 40.0})
-      all.push_back({name, scene}), all.back().scene.budget = budget;
-    for (const int stage : {0, 1, 2}) all.push_back({name, scene}), all.back().scene.interrupted_at = stage;
+    for (const double budget : {1.0, 3.0, 10.0, 40.0}) {
+      all.push_back({name, scene});
+      all.back().scene.budget = budget;
+    }
+    for (const int stage : {0, 1, 2}) {
+      all.push_back({name, scene});
+      all.back().scene.interrupted_at = stage;
+    }
   }
   return all;
 }

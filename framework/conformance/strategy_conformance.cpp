@@ -27,7 +27,8 @@ Finding over(Bench& b, const std::vector<NamedScene>& scenes,
              const std::function<std::string(const PracticeStudy&, int)>& fault_of) {
   bool any = false;
   for (auto [name, scene] : scenes) {
-    scene.claims = b.type.strategy.needs & kMayBeClaimed, scene.by = b.type.type;
+    scene.claims = b.type.strategy.needs & kMayBeClaimed;
+    scene.by = b.type.type;
     PracticeStudy study(scene);
     if (!b.takes(study)) continue;
     any = true;
@@ -44,7 +45,10 @@ Finding never(Bench& b, Slip slip) {
 
 Finding strategy_lets_no_exception_escape(Bench& b) {
   auto all = all_scenes();
-  for (const auto& [name, scene] : scenes()) all.push_back({name, scene}), all.back().scene.breaks = true;
+  for (const auto& [name, scene] : scenes()) {
+    all.push_back({name, scene});
+    all.back().scene.breaks = true;
+  }
   return over(b, all, [&b](const PracticeStudy&, int) { return b.thrown; });
 }
 
@@ -61,7 +65,9 @@ Finding is_answered(Bench& b, PracticeScene scene) {
   if (status == NETLOFT_OK && study.stages == 0 && study.answers().empty())
     return nothing_to_ask("it asks for no stage of such a scene");
   Finding f;
-  f.figure = study.imbalance(), f.limit = kBalanced, f.passed = f.figure <= f.limit;
+  f.figure = study.imbalance();
+  f.limit = kBalanced;
+  f.passed = f.figure <= f.limit;
   f.detail = "imbalance of the best of " + std::to_string(study.answers().size()) + " answers after " +
              std::to_string(study.stages) + " stages; `run` returned " + std::to_string(status);
   return f;
@@ -86,7 +92,9 @@ std::vector<double> near_the_answer(const PracticeScene& scene) {
   PracticeStudy study(scene);
   std::vector<double> u(scene.like.unknowns, 0.0);
   netloft_stage stage{};
-  stage.size = sizeof stage, stage.variant = {sizeof(netloft_variant), 0, 0, 1, 1}, stage.u = u.data();
+  stage.size = sizeof stage;
+  stage.variant = {sizeof(netloft_variant), 0, 0, 1, 1};
+  stage.u = u.data();
   for (const double cap : {10.0, 100.0, 1000.0, 0.0}) {
     stage.variant.stiffness_cap = cap;
     study.interface().solve(&study, &stage);
@@ -163,7 +171,8 @@ Finding starts_from_numbers(Bench& b) { return never(b, Slip::start_no_number); 
 
 Finding leaves_the_study_alone(Bench& b) {
   auto all = all_scenes();
-  all.push_back({"a chain with a start", kLinear}), all.back().scene.start.assign(kLinear.like.unknowns, 0.1);
+  all.push_back({"a chain with a start", kLinear});
+  all.back().scene.start.assign(kLinear.like.unknowns, 0.1);
   return over(b, all, [](const PracticeStudy& study, int) -> std::string {
     return study.is_left_alone()
                ? ""
@@ -206,7 +215,8 @@ std::string fault_at(Bench& b, const Setting& setting) {
   std::vector<std::string> faults;
   const ParameterBlock block(b.type.parameters, b.type.strategy.parameter_bytes, values, faults);
   for (PracticeScene scene : {kLinear, kGripped, kTwoMeshes, kBuckling}) {
-    scene.claims = b.type.strategy.needs & kMayBeClaimed, scene.budget = 200;
+    scene.claims = b.type.strategy.needs & kMayBeClaimed;
+    scene.budget = 200;
     PracticeStudy study(scene);
     if (!faults.empty() || !b.takes(study)) continue;
     if (b.run(study, block.data()) != NETLOFT_OK) return "`run` ends in an error";

@@ -20,7 +20,8 @@ MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_boun
   s.check = s.judged = false;
   s.pace = is_bounded_by_stability ? kShorter : kLonger;
   if (s.step > 0) s.step *= s.pace;
-  s.longest_step *= s.pace, s.output_interval *= s.pace;
+  s.longest_step *= s.pace;
+  s.output_interval *= s.pace;
   return s;
 }
 
@@ -29,7 +30,8 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
   const double largest = control.error_over_tolerated(error) * control.allowed();
   state.error_sum += largest;
   if (largest <= state.largest_error) return;
-  state.largest_error = largest, state.largest_at = t;
+  state.largest_error = largest;
+  state.largest_at = t;
   std::size_t worst = 0;
   for (std::size_t i = 0; i < error.size(); ++i)
     if (std::abs(error[i]) > std::abs(error[worst])) worst = i;
@@ -43,7 +45,11 @@ void note_path_error(const std::vector<double>& here, const std::vector<double>&
     const double apart =
         std::hypot(here[i] - there[i], here[i + 1] - there[i + 1], here[i + 2] - there[i + 2]);
     const double error = apart == 0 ? 0 : apart / std::min(1.0, std::abs(longer - 1));  // (1)
-    if (!(error <= state.path_error)) state.path_error = error, state.path_at = t, state.path_of = i / 3;
+    if (!(error <= state.path_error)) {
+      state.path_error = error;
+      state.path_at = t;
+      state.path_of = i / 3;
+    }
   }
 }
 
@@ -52,10 +58,14 @@ AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings
                                    const std::string& why_lost) {
   AchievedAccuracy a{
       .asked = settings.accuracy, .element = control.element_size(), .allowed = control.allowed()};
-  a.largest = state.largest_error, a.t = state.largest_at, a.sum = state.error_sum;
+  a.largest = state.largest_error;
+  a.t = state.largest_at;
+  a.sum = state.error_sum;
   if (a.largest > 0) a.node = of.assembler.node_name(of.scene, static_cast<std::uint32_t>(state.largest_of));
   if (!settings.check) return a;
-  a.is_checked = true, a.path = state.path_error / control.element_size(), a.path_at = state.path_at;
+  a.is_checked = true;
+  a.path = state.path_error / control.element_size();
+  a.path_at = state.path_at;
   a.path_of =
       std::isfinite(a.path) ? of.scene.node_name(static_cast<std::uint32_t>(state.path_of)) : why_lost;
   return a;

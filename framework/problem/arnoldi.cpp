@@ -31,14 +31,22 @@ bool RitzPair::is_known() const { return residual * condition <= kKnown * beyond
 void Arnoldi::begin(const Eigen::VectorXd& z) {
   const Eigen::VectorXd weighed = A_.weighed(z);
   const double length = std::sqrt(z.dot(weighed));
-  if (Q_.cols() == 0) Q_.resize(z.size(), 1), BQ_.resize(z.size(), 1);
-  Q_.col(0) = z / length, BQ_.col(0) = weighed / length;
-  H_ = Eigen::MatrixXd::Zero(1, 0), size_ = 0, is_exhausted_ = false;
+  if (Q_.cols() == 0) {
+    Q_.resize(z.size(), 1);
+    BQ_.resize(z.size(), 1);
+  }
+  Q_.col(0) = z / length;
+  BQ_.col(0) = weighed / length;
+  H_ = Eigen::MatrixXd::Zero(1, 0);
+  size_ = 0;
+  is_exhausted_ = false;
 }
 
 void Arnoldi::extend(Eigen::Index steps) {
-  if (Q_.cols() <= steps)
-    Q_.conservativeResize(Eigen::NoChange, steps + 1), BQ_.conservativeResize(Eigen::NoChange, steps + 1);
+  if (Q_.cols() <= steps) {
+    Q_.conservativeResize(Eigen::NoChange, steps + 1);
+    BQ_.conservativeResize(Eigen::NoChange, steps + 1);
+  }
   const Eigen::Index before = H_.cols();
   H_.conservativeResizeLike(Eigen::MatrixXd::Zero(steps + 1, steps));
   for (Eigen::Index k = before; k < steps && !is_exhausted_; ++k) step(k);
@@ -58,7 +66,10 @@ void Arnoldi::step(Eigen::Index k) {
   size_ = k + 1;
   is_exhausted_ = !(rest > kRemains * std::hypot(rest, along.norm())) || size_ == A_.dimension();
   H_(k + 1, k) = is_exhausted_ ? 0 : rest;
-  if (!is_exhausted_) Q_.col(k + 1) = next / rest, BQ_.col(k + 1) = weighed / rest;
+  if (!is_exhausted_) {
+    Q_.col(k + 1) = next / rest;
+    BQ_.col(k + 1) = weighed / rest;
+  }
 }
 
 RitzPair Arnoldi::outermost(double beyond) const {
@@ -77,7 +88,10 @@ RitzPair Arnoldi::outermost(double beyond) const {
     const auto rank_of = [&](const RitzPair& one) {
       return std::pair(rank(one, A_, beyond), std::abs(one.theta));
     };
-    if (rank_of(pair) > rank_of(best)) best = pair, place = i;
+    if (rank_of(pair) > rank_of(best)) {
+      best = pair;
+      place = i;
+    }
   }
   best.vector = Q_.leftCols(size_) * right.col(place);
   return best;

@@ -53,7 +53,8 @@ void find_correction(Assessment& a, StaticProblem& problem, const AssembledScene
                    : find_correction(problem, u, a.residual, step)))
     return;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
-  a.correction.x = problem.positions(u), a.correction.x_low = problem.low_digits();
+  a.correction.x = problem.positions(u);
+  a.correction.x_low = problem.low_digits();
   std::vector<double> way(a.x.size());
   for (std::size_t i = 0; i < way.size(); ++i) way[i] = a.correction.x[i] - a.x[i];
   if (!a.x_low.empty())
@@ -113,7 +114,8 @@ bool is_decided(Stability s) {
 }
 
 void take_stability(Assessment& a, const Assessment& of) {
-  a.stability = of.stability, a.growing = of.growing;
+  a.stability = of.stability;
+  a.growing = of.growing;
 }
 
 /// Where the solver ended there are no forces, or none that are numbers.
@@ -147,8 +149,10 @@ std::string first_not_convex(const StaticProblem& problem, const Assembler& asse
 /// Counts of `now` that `before` had not.
 Statistics since(const Statistics& before, const Statistics& now) {
   Statistics b;
-  b.energies = now.energies - before.energies, b.residuals = now.residuals - before.residuals;
-  b.matrices = now.matrices - before.matrices, b.solves = now.solves - before.solves;
+  b.energies = now.energies - before.energies;
+  b.residuals = now.residuals - before.residuals;
+  b.matrices = now.matrices - before.matrices;
+  b.solves = now.solves - before.solves;
   b.factorisations = now.factorisations - before.factorisations;
   b.refused_factorisations = now.refused_factorisations - before.refused_factorisations;
   return b;
@@ -174,8 +178,10 @@ Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judgin
     a.balance.balanced = a.balance.at_round_off = no_step_helps(a, problem, {u.begin(), u.end()});
   std::string why_unstable;
   bool is_known = false;
-  if (a.balance.balanced && problem.conservative())
-    a.stability = find_stability(problem, u), why_unstable = first_not_convex(problem, assembler, scene);
+  if (a.balance.balanced && problem.conservative()) {
+    a.stability = find_stability(problem, u);
+    why_unstable = first_not_convex(problem, assembler, scene);
+  }
   if (a.balance.balanced) find_correction(a, problem, of, {u.begin(), u.end()});
   if (a.balance.balanced && !problem.conservative() && how.ask_growth) {
     is_known = how.known && is_same(*how.known, a, problem, of);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/problem/cayley.hpp"
 
+#include <netloft/vectors.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -66,25 +68,22 @@ Vector Cayley::operator*(const Vector& z) {
   factor_.solve(span_of(rhs_), span_of(d_));
   ++cost_.solves;
   Vector to(z.size());
-  to.head(unknowns()) = y + d_, to.tail(unknowns()) = sigma_ * d_ - v;
+  to.head(unknowns()) = y + d_;
+  to.tail(unknowns()) = sigma_ * d_ - v;
   return to;
 }
 
 Vector Cayley::weighed(const Vector& z) const {
   const auto y = z.head(unknowns()), v = z.tail(unknowns());
   Vector to(z.size());
-  to.head(unknowns()).noalias() = norm_ * y, to.tail(unknowns()).noalias() = M_ * v;
+  to.head(unknowns()).noalias() = norm_ * y;
+  to.tail(unknowns()).noalias() = M_ * v;
   return to;
 }
 
-/// Fractions of multiples of the golden ratio.
 Vector Cayley::start() const {
-  constexpr double kGolden = 0.61803398874989485;
   Vector z(2 * unknowns());
-  for (Eigen::Index i = 0; i < z.size(); ++i) {
-    const double multiple = kGolden * static_cast<double>(i + 1);
-    z[i] = 2 * (multiple - std::floor(multiple)) - 1;
-  }
+  scatter(span_of(z));
   return z;
 }
 

@@ -8,7 +8,8 @@ namespace netloft {
 void Configuration::begin(const StepProblem& step) {
   const auto size = static_cast<std::size_t>(assembler_.pattern().size);
   step_ = step;
-  v_.resize(size), a_.resize(size);
+  v_.resize(size);
+  a_.resize(size);
 }
 
 void Configuration::count_from(std::vector<double> base) {
@@ -21,8 +22,10 @@ void Configuration::count_from(std::vector<double> base) {
 void Configuration::place(std::span<const double> u) {
   if (!base_.empty()) return assembler_.place_from(base_, u, x_, x_low_);
   if (!is_in_time()) return assembler_.place(u, x_);
-  for (std::size_t i = 0; i < u.size(); ++i)
-    v_[i] = step_.v0[i] + step_.cv * u[i], a_[i] = step_.a0[i] + step_.ca * u[i];
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    v_[i] = step_.v0[i] + step_.cv * u[i];
+    a_[i] = step_.a0[i] + step_.ca * u[i];
+  }
   step_.state->set(step_.t, u, v_, a_);
   motion_ = step_.state->motion(step_.cv, step_.ca);
   x_ = step_.state->x();
@@ -35,7 +38,8 @@ void Configuration::place_end(std::span<const double> u) {
   for (std::size_t i = 0; i < u.size(); ++i) a_[i] = 2 * u[i] - step.u[i];
   step.x_after = assembler_.start();  // of what is held, too
   assembler_.place(a_, step.x_after, step.end);
-  step.ends.before = step.x_before.data(), step.ends.after = step.x_after.data();
+  step.ends.before = step.x_before.data();
+  step.ends.after = step.x_after.data();
 }
 
 }  // namespace netloft

@@ -36,7 +36,8 @@ EnergyBudget::EnergyBudget(Assembler& assembler, double mass_damping)
       Account& to = term.traits & NETLOFT_READS_ACCELERATION ? inertia_
                     : term.traits & NETLOFT_CONSERVATIVE     ? account(stored_, term.name)
                                                              : account(work_, term.name);
-      to.terms.emplace_back(f, t), to.in_the_middle |= is_damper(term);
+      to.terms.emplace_back(f, t);
+      to.in_the_middle |= is_damper(term);
     }
   for (Moment* m : {&now_, &next_}) m->works.resize(work_.size());
 }
@@ -93,7 +94,8 @@ bool EnergyBudget::add_winches(double reached) {
   if (early[0] == late[0] && early[1] == late[1]) return true;
   std::vector<double> u(zero_.size());
   for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.5 * (now_.q[i] + next_.q[i]);
-  force_.assign(scratch_.size(), 0.0), middle_ = now_.x;
+  force_.assign(scratch_.size(), 0.0);
+  middle_ = now_.x;
   assembler_.place(u, middle_, reached);
   const StepEnds ends{now_.x.data(), next_.x.data(), next_.t - now_.t, 0};
   if (!assembler_.evaluate(middle_, {.conservative_only = true,
@@ -130,7 +132,8 @@ bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   if (is_guided_) holds_ += done(mean.reactions, mean.reactions, zero_.size());
   if (mass_damping_ == 0) return true;
   Kinematics as_rates = motion;
-  as_rates.v = nullptr, as_rates.a = state_.v().data();
+  as_rates.v = nullptr;
+  as_rates.a = state_.v().data();
   if (!sum_force(inertia_, middle_, as_rates, force_)) return false;
   damped_ += mass_damping_ * done(force_, force_);
   return true;
@@ -143,25 +146,33 @@ void EnergyBudget::place(double t, std::span<const double> u, std::span<const do
     std::copy(own.begin(), own.end(), all.begin());
   };
   state_.set(t, zero_, zero_, zero_);
-  to.q = state_.x(), to.rates = state_.v();
-  put(u, to.q), put(v, to.rates);
+  to.q = state_.x();
+  to.rates = state_.v();
+  put(u, to.q);
+  put(v, to.rates);
   state_.set(t, u, v, a);
-  to.t = t, to.x = state_.x(), to.v = state_.v();
+  to.t = t;
+  to.x = state_.x();
+  to.v = state_.v();
 }
 
 /// (5)
 bool EnergyBudget::add_works() {
   const double h = next_.t - now_.t;
-  middle_.resize(now_.x.size()), secant_.resize(now_.x.size());
-  for (std::size_t i = 0; i < now_.x.size(); ++i)
-    middle_[i] = 0.5 * (now_.x[i] + next_.x[i]), secant_[i] = (next_.x[i] - now_.x[i]) / h;
+  middle_.resize(now_.x.size());
+  secant_.resize(now_.x.size());
+  for (std::size_t i = 0; i < now_.x.size(); ++i) {
+    middle_[i] = 0.5 * (now_.x[i] + next_.x[i]);
+    secant_[i] = (next_.x[i] - now_.x[i]) / h;
+  }
   for (std::size_t k = 0; k < work_.size(); ++k) {
     if (!work_[k].in_the_middle) {
       work_[k].value += done(now_.works[k], next_.works[k]);
       continue;
     }
     Kinematics motion;
-    motion.time = now_.t + 0.5 * h, motion.v = secant_.data();
+    motion.time = now_.t + 0.5 * h;
+    motion.v = secant_.data();
     if (!sum_force(work_[k], middle_, motion, force_)) return false;
     work_[k].value += done(force_, force_);
   }
@@ -169,7 +180,8 @@ bool EnergyBudget::add_works() {
 }
 
 void EnergyBudget::find_mean_rates() {
-  mean_rates_.resize(now_.v.size()), mean_own_rates_.resize(now_.v.size());
+  mean_rates_.resize(now_.v.size());
+  mean_own_rates_.resize(now_.v.size());
   for (std::size_t i = 0; i < now_.v.size(); ++i) {
     mean_rates_[i] = 0.5 * (now_.v[i] + next_.v[i]);
     mean_own_rates_[i] = 0.5 * (now_.rates[i] + next_.rates[i]);
@@ -210,7 +222,8 @@ bool EnergyBudget::find_forces(Moment& m) {
   for (std::size_t k = 0; k < work_.size(); ++k)
     if (!work_[k].in_the_middle && !sum_force(work_[k], m.x, motion, m.works[k])) return false;
   Kinematics as_rates = motion;
-  as_rates.v = nullptr, as_rates.a = state_.v().data();  // inertia for a = v is M v
+  as_rates.v = nullptr;
+  as_rates.a = state_.v().data();  // inertia for a = v is M v
   if (!sum_force(inertia_, m.x, as_rates, m.damping)) return false;
   kinetic_ = 0.5 * dot(m.damping, m.rates);  // (3)
   if (!find_turning(m)) return false;
@@ -297,7 +310,11 @@ std::vector<double> EnergyBudget::sums() const {
 }
 
 void EnergyBudget::set_sums(std::span<const double> sums) {
-  first_kinetic_ = sums[0], entrained_ = sums[1], damped_ = sums[2], holds_ = sums[3], winches_ = sums[4];
+  first_kinetic_ = sums[0];
+  entrained_ = sums[1];
+  damped_ = sums[2];
+  holds_ = sums[3];
+  winches_ = sums[4];
   std::size_t k = 5;
   for (auto& s : stored_) s.first = sums[k++];
   for (auto& w : work_) w.value = sums[k++];

@@ -21,7 +21,9 @@ class EnergyJudge {
  public:
   void begin(const EnergyBudget::Totals& at, double negligible) {
     sums_.assign(kGiven + 2 * at.given.size(), 0.0);
-    sums_[kKinetic] = at.kinetic, sums_[kStored] = at.stored, sums_[kNegligible] = negligible;
+    sums_[kKinetic] = at.kinetic;
+    sums_[kStored] = at.stored;
+    sums_[kNegligible] = negligible;
   }
   void note(const EnergyBudget::Totals& before, const EnergyBudget::Totals& after, double n) {
     sums_[kMade] -= n * (after.numerical - before.numerical);

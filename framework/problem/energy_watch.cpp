@@ -44,7 +44,8 @@ bool EnergyWatch::look(TransientProblem& problem, const MarchState& from, const 
   if (problem.is_between() && !mean) return false;
   if (!budget_.advance(t, to.u, to.v, to.a, mean)) return false;
   const EnergyBudget::Totals after = budget_.totals();
-  tried_ = judge_, tried_.note(before, after, steps_per_look());
+  tried_ = judge_;
+  tried_.note(before, after, steps_per_look());
   if (!settings_.adaptive) return true;
   error = std::max(error, std::abs(after.numerical - before.numerical) / tolerated());
   if (error > 1) budget_.retract();

@@ -81,11 +81,14 @@ Growth growth_of(const RitzPair& pair, const Cayley& A) {
   Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));
   g.per_power = std::sqrt((1 + c) / (1 - c));  // (6)
-  g.rate = s.real(), g.frequency = std::abs(s.imag());
+  g.rate = s.real();
+  g.frequency = std::abs(s.imag());
   take_mode(y, g);
   const bool is_for_damping_to_tell = !A.is_damped() && g.swings();
-  if (g.per_power <= kGrows || is_for_damping_to_tell || A.is_in_doubt(s, y))
-    g.verdict = GrowthVerdict::marginal, g.per_power = std::min(g.per_power, kGrows);
+  if (g.per_power <= kGrows || is_for_damping_to_tell || A.is_in_doubt(s, y)) {
+    g.verdict = GrowthVerdict::marginal;
+    g.per_power = std::min(g.per_power, kGrows);
+  }
   return g;
 }
 
@@ -104,7 +107,8 @@ Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
 RitzPair checked(Cayley& A, RitzPair pair) {
   const Vector real = pair.vector.real(), imaginary = pair.vector.imag();
   Eigen::VectorXcd rest = -pair.theta * pair.vector;
-  rest.real() += A * real, rest.imag() += A * imaginary;
+  rest.real() += A * real;
+  rest.imag() += A * imaginary;
   const auto square = [&](const Vector& z) { return z.dot(A.weighed(z)); };
   const double ratio = (square(rest.real()) + square(rest.imag())) / (square(real) + square(imaginary));
   pair.residual = ratio >= 0 ? std::max(pair.residual, std::sqrt(ratio)) : RitzPair{}.residual;

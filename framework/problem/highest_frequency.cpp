@@ -41,7 +41,10 @@ class Lanczos {
     pencil.mass(q_, p_);
     const double length = std::sqrt(dot(q_, p_));
     ended_ = !(length > 0);
-    for (std::size_t i = 0; i < q_.size() && !ended_; ++i) q_[i] /= length, p_[i] /= length;
+    for (std::size_t i = 0; i < q_.size() && !ended_; ++i) {
+      q_[i] /= length;
+      p_[i] /= length;
+    }
   }
   bool has_ended() const { return ended_; }
   const std::vector<double>& vector() const { return q_; }
@@ -56,8 +59,10 @@ class Lanczos {
     beta_.push_back(std::sqrt(std::max(0.0, dot(q_, w_))));
     scale_ = std::max(scale_, std::abs(alpha_.back()));
     ended_ = !(beta_.back() > kExhausted * scale_);
-    for (std::size_t i = 0; i < w_.size() && !ended_; ++i)
-      q_[i] /= beta_.back(), p_[i] = w_[i] / beta_.back();
+    for (std::size_t i = 0; i < w_.size() && !ended_; ++i) {
+      q_[i] /= beta_.back();
+      p_[i] = w_[i] / beta_.back();
+    }
   }
 
   struct Ritz {
@@ -119,7 +124,8 @@ HighestMode find_highest_mode(const Pencil& pencil) {
 
 double highest_frequency_near(const Pencil& pencil, std::span<const double> shape) {
   std::vector<double> start(shape.begin(), shape.end()), others = noise(pencil.size);
-  scale(pencil, start, 1), scale(pencil, others, kOthers);
+  scale(pencil, start, 1);
+  scale(pencil, others, kOthers);
   for (std::size_t i = 0; i < start.size(); ++i) start[i] += others[i];
   Lanczos lanczos(pencil, std::move(start));
   Lanczos::Ritz ritz;

@@ -32,7 +32,9 @@ bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
 bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> A,
                                 const MakeFactorisation& make, Statistics& cost) {
   SparsePattern lower;
-  lower.size = p.size, lower.node = p.node, lower.column_start = {0};
+  lower.size = p.size;
+  lower.node = p.node;
+  lower.column_start = {0};
   std::vector<double> values;
   for (std::int32_t c = 0; c < p.size; ++c) {
     const auto end = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]);
@@ -138,9 +140,10 @@ bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, const Ma
   const auto is_positive = [&](std::span<const double> A) {
     std::vector<double> sum(p.value_slots());
     double largest = 0, largest_of_convex = 0;
-    for (std::size_t i = 0; i < sum.size(); ++i)
-      largest = std::max(largest, std::abs(A[i])),
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      largest = std::max(largest, std::abs(A[i]));
       largest_of_convex = std::max(largest_of_convex, std::abs(m.convex[i]));
+    }
     if (largest == 0) return true;
     for (std::size_t i = 0; i < sum.size(); ++i)
       sum[i] = A[i] + kRoundingOfMatrix * largest / largest_of_convex * m.convex[i];

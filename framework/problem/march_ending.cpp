@@ -31,7 +31,10 @@ std::string fastest_node(const AssembledScene& of, std::span<const double> v) {
     const std::uint32_t at = node(i);
     double sum = 0;
     for (; i < v.size() && node(i) == at; ++i) sum += v[i] * v[i];
-    if (!(sum <= fastest)) fastest = sum, which = at;
+    if (!(sum <= fastest)) {
+      fastest = sum;
+      which = at;
+    }
   }
   char speed[32];
   std::snprintf(speed, sizeof speed, "%.3g m/s", std::sqrt(fastest));

@@ -34,7 +34,10 @@ class Matrices {
   /// M is there from here on.
   void need_metric();
   /// M is evaluated anew when it is next needed: what elements are made of has changed.
-  void forget_metric() { metric_.clear(), diagonal_.clear(); }
+  void forget_metric() {
+    metric_.clear();
+    diagonal_.clear();
+  }
   /// An entry of the diagonal of M, which is there [N/m].
   double metric_at(std::int32_t unknown) const { return diagonal_[static_cast<std::size_t>(unknown)]; }
 

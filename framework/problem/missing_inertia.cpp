@@ -26,7 +26,8 @@ class OwnMasses {
     const auto at = [&](std::size_t first) {
       return Block(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&blocks[first]));
     };
-    mass_ = at(9 * std::size_t{origin}), turning_ = at(9 * std::size_t{rotation});
+    mass_ = at(9 * std::size_t{origin});
+    turning_ = at(9 * std::size_t{rotation});
     coupling_ = at(9 * (assembler.numbering().dofs() / 3 + body));
   }
   bool has_mass() const { return is_definite(mass_, mass_.trace()); }
@@ -35,7 +36,11 @@ class OwnMasses {
     Block J = turning_ - coupling_.transpose() * mass_.inverse() * coupling_;  // (1)
     const double largest = turning_.trace();
     for (int axis = 0; axis < 3; ++axis)
-      if (held & (1 << axis)) J.row(axis).setZero(), J.col(axis).setZero(), J(axis, axis) = largest;
+      if (held & (1 << axis)) {
+        J.row(axis).setZero();
+        J.col(axis).setZero();
+        J(axis, axis) = largest;
+      }
     return is_definite(J, largest);
   }
 

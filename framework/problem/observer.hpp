@@ -15,7 +15,9 @@ struct KeptPoint {
   double residual = 0, scale = 0;  // [N]
   void keep(std::span<const double> at, double at_residual, double at_scale) {
     if (!u.empty() && !(at_residual * scale < residual * at_scale)) return;
-    u.assign(at.begin(), at.end()), residual = at_residual, scale = at_scale;
+    u.assign(at.begin(), at.end());
+    residual = at_residual;
+    scale = at_scale;
   }
 };
 

@@ -61,7 +61,8 @@ Scales::DrivingLoad Scales::driving_load() {
   DrivingLoad load;
   for_nodes(assembler_.numbering(), 0, assembler_.pattern().size, sum,
             [&](std::uint32_t, double norm, std::int32_t, std::int32_t) {
-              load.largest = std::max(load.largest, norm), load.sum += norm;
+              load.largest = std::max(load.largest, norm);
+              load.sum += norm;
             });
   return load;
 }

@@ -57,7 +57,8 @@ SolverType Settling::as_solver() const {
   type.type = stands_for.type;
   type.origin = stands_for.origin;
   type.solver.size = sizeof type.solver;
-  type.solver.name = stands_for.integrator.name, type.solver.doc = stands_for.integrator.doc;
+  type.solver.name = stands_for.integrator.name;
+  type.solver.doc = stands_for.integrator.doc;
   type.solver.solve = &settle;
   return type;
 }

@@ -20,11 +20,14 @@ void ShownState::show_between(const MarchState& begin, const MarchState& end, do
   Course::Knot &from = course.knots[0], &to = course.knots[1];
   for (std::size_t i = 0; i < v.size(); i += 3) {  // three unknowns as if they were a place
     const std::size_t some = std::min<std::size_t>(3, v.size() - i);
-    std::copy_n(&begin.u[i], some, from.d.begin()), std::copy_n(&begin.v[i], some, from.v.begin());
-    std::copy_n(&end.u[i], some, to.d.begin()), std::copy_n(&end.v[i], some, to.v.begin());
+    std::copy_n(&begin.u[i], some, from.d.begin());
+    std::copy_n(&begin.v[i], some, from.v.begin());
+    std::copy_n(&end.u[i], some, to.d.begin());
+    std::copy_n(&end.v[i], some, to.v.begin());
     const Course::Moment m = course.at(t);
     std::copy_n(m.d.begin(), some, &u_[i]);
-    std::copy_n(m.v.begin(), some, &v[i]), std::copy_n(m.a.begin(), some, &a[i]);
+    std::copy_n(m.v.begin(), some, &v[i]);
+    std::copy_n(m.a.begin(), some, &a[i]);
   }
   moving_.set(t, u_, v, a);
 }

@@ -63,8 +63,10 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   history_.reserve(static_cast<std::size_t>(std::max(0, limits.iterations)) + 2);
   interface_.size = sizeof interface_;
   interface_.unknowns = static_cast<std::uint32_t>(u_.size());
-  interface_.host = this, interface_.u = u_.data();
-  interface_.message = message_, interface_.message_size = sizeof message_;
+  interface_.host = this;
+  interface_.u = u_.data();
+  interface_.message = message_;
+  interface_.message_size = sizeof message_;
   interface_.traits = traits_of(assembler);
   interface_.evaluate = HostFunction<&StaticProblem::evaluate>::call;
   interface_.evaluate_both = HostFunction<&StaticProblem::evaluate_both>::call;
@@ -105,7 +107,8 @@ const std::vector<double>& StaticProblem::positions(std::span<const double> u) {
 
 int StaticProblem::evaluate(std::uint32_t want, const double* u, double* energy, double* residual) {
   const MatrixKind kind = kind_of(want);
-  statistics_.residuals += residual != nullptr, statistics_.matrices += kind != MatrixKind::none;
+  statistics_.residuals += residual != nullptr;
+  statistics_.matrices += kind != MatrixKind::none;
   Timed timed(statistics_.assembly_seconds);
   Request request = begin_evaluation(u, energy);
   request.conservative_only = want & NETLOFT_WANT_GRADIENT;
@@ -133,7 +136,8 @@ Request StaticProblem::begin_evaluation(const double* u, double* energy) {
   bad_numbers_ = met_error_ = false;
   configuration_.place({u, size()});
   Request request;
-  request.between = configuration_.between(), request.motion = configuration_.motion();
+  request.between = configuration_.between();
+  request.motion = configuration_.motion();
   request.energy = request.between ? nullptr : energy;
   if (energy && request.between) *energy = 0;
   return request;
@@ -147,7 +151,10 @@ int StaticProblem::find_forces(const Request& asked, const double* u, double* re
   request.residual = residual ? all.data() : nullptr;
   const bool has_reactions = residual && !request.conservative_only;
   if (has_reactions) reactions_of_.clear();  // an evaluation that fails leaves parts of other sums
-  if (gradient) gradient_.resize(all.size()), request.gradient = gradient_.data();
+  if (gradient) {
+    gradient_.resize(all.size());
+    request.gradient = gradient_.data();
+  }
   if (!assembler_.evaluate(configuration_.x(), request)) {
     met_error_ = assembler_.fault().status == NETLOFT_ERROR;
     return assembler_.fault().status;
@@ -239,7 +246,10 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
       [&](std::uint32_t, double norm, std::int32_t, std::int32_t) { b.scale = std::max(b.scale, norm); });
   for_nodes(numbering, 0, pattern.size, residual,
             [&](std::uint32_t node, double norm, std::int32_t first, std::int32_t last) {
-              if (!(norm <= b.residual)) b.residual = norm, b.worst = node;
+              if (!(norm <= b.residual)) {
+                b.residual = norm;
+                b.worst = node;
+              }
               for (std::int32_t i = first; i < last; ++i) b.floor = std::max(b.floor, rounding_at(i, x));
             });
   const Convergence c = convergence_of(imbalance_of(b), limits_.tolerance);
@@ -287,7 +297,8 @@ bool StaticProblem::recompute(std::span<const double> u, std::vector<double>& x,
   x = configuration_.x();
   residual.resize(residual_.size());
   bad_numbers_ = false;
-  ++statistics_.energies, ++statistics_.residuals;
+  ++statistics_.energies;
+  ++statistics_.residuals;
   if (!assembler_.evaluate(
           x, {.energy = &energy, .residual = residual.data(), .motion = configuration_.motion()}))
     return false;

@@ -23,12 +23,19 @@ struct Statistics {
 
   /// Adds what another solve cost.
   void add(const Statistics& other) {
-    iterations += other.iterations, energies += other.energies, residuals += other.residuals;
-    matrices += other.matrices, factorisations += other.factorisations;
-    refused_factorisations += other.refused_factorisations, solves += other.solves;
-    assembly_seconds += other.assembly_seconds, analysis_seconds += other.analysis_seconds;
-    factorisation_seconds += other.factorisation_seconds, solve_seconds += other.solve_seconds;
-    total_seconds += other.total_seconds, total_cpu_seconds += other.total_cpu_seconds;
+    iterations += other.iterations;
+    energies += other.energies;
+    residuals += other.residuals;
+    matrices += other.matrices;
+    factorisations += other.factorisations;
+    refused_factorisations += other.refused_factorisations;
+    solves += other.solves;
+    assembly_seconds += other.assembly_seconds;
+    analysis_seconds += other.analysis_seconds;
+    factorisation_seconds += other.factorisation_seconds;
+    solve_seconds += other.solve_seconds;
+    total_seconds += other.total_seconds;
+    total_cpu_seconds += other.total_cpu_seconds;
     solver_cpu_seconds += other.solver_cpu_seconds;
   }
 };

@@ -62,7 +62,10 @@ void StepControl::find_limit(TransientProblem& problem, MarchState& state) {
 }
 
 void StepControl::follow_tangent(TransientProblem& problem, MarchState& state) {
-  if (is_bounded() && state.steps % kBelieved == 0) ask_tangent(problem, state), bound_by(state);
+  if (is_bounded() && state.steps % kBelieved == 0) {
+    ask_tangent(problem, state);
+    bound_by(state);
+  }
 }
 
 void StepControl::ask_tangent(TransientProblem& problem, MarchState& state) const {

@@ -67,12 +67,17 @@ class March {
 
   /// Goes on to a time or beyond it, without outputs; false: it has failed, or was interrupted.
   bool reach(double t) {
-    assembler_.set_memory(state_.memory), winches_.restore();
+    assembler_.set_memory(state_.memory);
+    winches_.restore();
     bool moves = true;
     while (moves && state_.t < t && !has_ended()) moves = shorten_rotations() && make_step();
     if (state_.t < t) return false;
     keep();
-    if (settings_.dense) state_.t_before = next_.t, state_.u_before = next_.u, state_.v_before = next_.v;
+    if (settings_.dense) {
+      state_.t_before = next_.t;
+      state_.u_before = next_.u;
+      state_.v_before = next_.v;
+    }
     return true;
   }
 
@@ -90,13 +95,17 @@ class March {
         return fail("there are no forces at the start: " + assembler_.fault_sentence(scene_));
       note_start();
     }
-    next_.u.resize(state_.u.size()), next_.v = next_.a = next_.u;
+    next_.u.resize(state_.u.size());
+    next_.v = next_.a = next_.u;
     if (!energy_.begin(state_, problem_.least_load() * control_.element_size())) return fail_at_fault();
     control_.find_limit(problem_, state_);
     result_.stable_step = control_.stable_step();
     if (state_.h == 0) state_.h = control_.first_step(state_.a);
-    if (!state_.u_before.empty())
-      next_.t = state_.t_before, next_.u = state_.u_before, next_.v = state_.v_before;
+    if (!state_.u_before.empty()) {
+      next_.t = state_.t_before;
+      next_.u = state_.u_before;
+      next_.v = state_.v_before;
+    }
     if (state_.memory.empty()) state_.memory = assembler_.memory();
     if (state_.outputs == 0 && !settings_.check) write_checkpoint(state_.t);
     return true;
@@ -111,15 +120,18 @@ class March {
     if (!state_.other.empty()) {
       other_ = std::make_unique<March>(of_, methods_, limits_, other_settings_, nobody_, &state_.other[0]);
       if (!other_->begin()) lose_other();
-      assembler_.set_memory(own), winches_.restore();
+      assembler_.set_memory(own);
+      winches_.restore();
     }
     if (state_.outputs == 0) write_checkpoint(state_.t);
     return true;
   }
   void lose_other() {
     other_lost_ = other_->result_.reason;
-    state_.path_error = std::numeric_limits<double>::infinity(), state_.path_at = other_->state_.t;
-    other_.reset(), state_.other.clear();
+    state_.path_error = std::numeric_limits<double>::infinity();
+    state_.path_at = other_->state_.t;
+    other_.reset();
+    state_.other.clear();
   }
 
   /// (1) of achieved_accuracy.hpp at an output; false: interrupted.
@@ -127,10 +139,12 @@ class March {
     if (!other_ || !other_->times_.is_output(t)) return true;
     const std::vector<double> own = assembler_.memory();
     const bool is_there = other_->reach(t);
-    assembler_.set_memory(own), winches_.restore();
+    assembler_.set_memory(own);
+    winches_.restore();
     if (!is_there && other_->result_.status == MarchStatus::interrupted) return !has_ended();
     if (!is_there) return lose_other(), true;
-    show(t), other_->show(t);
+    show(t);
+    other_->show(t);
     note_path_error(assembler_.node_positions(shown_.x()), assembler_.node_positions(other_->shown_.x()), t,
                     other_->state_.mean_step() / state_.mean_step(), state_);
     state_.other = {other_->state_};
@@ -208,9 +222,15 @@ class March {
     winches_are_lost_ = false;
     std::fill(error_.begin(), error_.end(), 0.0);
     netloft_motion& m = problem_.interface();
-    m.t = state_.t, m.h = h;
-    m.u = state_.u.data(), m.v = state_.v.data(), m.a = state_.a.data();
-    m.u_new = next_.u.data(), m.v_new = next_.v.data(), m.a_new = next_.a.data(), m.error = error_.data();
+    m.t = state_.t;
+    m.h = h;
+    m.u = state_.u.data();
+    m.v = state_.v.data();
+    m.a = state_.a.data();
+    m.u_new = next_.u.data();
+    m.v_new = next_.v.data();
+    m.a_new = next_.a.data();
+    m.error = error_.data();
     const int status = scheme_.step(m);
     if (status != NETLOFT_OK) return status;
     for (std::size_t i = 0; i < error_.size(); ++i)
@@ -221,12 +241,15 @@ class March {
   }
 
   bool accept(double t, double h, double error) {
-    next_.t = state_.t, state_.t = t;
+    next_.t = state_.t;
+    state_.t = t;
     if (settings_.adaptive) {
       state_.h = control_.next_step(h, error);
       note_step_error(control_, assembler_.numbering(), error_, t, state_);
     }
-    std::swap(state_.u, next_.u), std::swap(state_.v, next_.v), std::swap(state_.a, next_.a);
+    std::swap(state_.u, next_.u);
+    std::swap(state_.v, next_.v);
+    std::swap(state_.a, next_.a);
     if (energy_.watches_step_after(state_)) energy_.accept();
     ++state_.steps;
     result_.shortest = state_.steps == 1 ? h : std::min(result_.shortest, h);
@@ -332,13 +355,16 @@ class March {
   bool fail_at(const std::string& why) { return fail("at t = " + seconds_text(state_.t) + ": " + why); }
   bool fail(const std::string& why) { return !end(MarchStatus::failed, why); }
   bool end(MarchStatus status, const std::string& why) {
-    result_.status = status, result_.reason = why;
+    result_.status = status;
+    result_.reason = why;
     return is_over_ = true;
   }
 
   MarchResult finish() {
-    result_.u = state_.u, result_.t = state_.t;
-    result_.steps = state_.steps, result_.rejected = state_.rejected;
+    result_.u = state_.u;
+    result_.t = state_.t;
+    result_.steps = state_.steps;
+    result_.rejected = state_.rejected;
     if (settings_.adaptive || settings_.check)
       result_.accuracy = achieved_accuracy(of_, settings_, control_, state_, other_lost_);
     result_.statistics = work_done();

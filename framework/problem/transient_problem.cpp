@@ -44,8 +44,10 @@ TransientProblem::TransientProblem(Assembler& assembler, double mass_damping, So
       zero_(size(), 0.0),
       residual_(assembler.numbering().dofs()) {
   interface_.size = sizeof interface_;
-  interface_.unknowns = static_cast<std::uint32_t>(size()), interface_.host = this;
-  interface_.message = message_, interface_.message_size = sizeof message_;
+  interface_.unknowns = static_cast<std::uint32_t>(size());
+  interface_.host = this;
+  interface_.message = message_;
+  interface_.message_size = sizeof message_;
   interface_.residual = HostFunction<&TransientProblem::residual>::call;
   interface_.accelerate = HostFunction<&TransientProblem::accelerate>::call;
   interface_.solve = HostFunction<&TransientProblem::solve>::call;
@@ -63,7 +65,8 @@ void TransientProblem::keep_message(const char* text) {
 
 Statistics TransientProblem::statistics() const {
   Statistics all = algebra_.statistics();
-  all.residuals += statistics_.residuals, all.matrices += statistics_.matrices;
+  all.residuals += statistics_.residuals;
+  all.matrices += statistics_.matrices;
   all.assembly_seconds += statistics_.assembly_seconds;
   return all;
 }
@@ -117,20 +120,31 @@ int TransientProblem::solve_between(const double* v0, double cv, const double* a
                                     double memory, double* u) {
   const netloft_motion& m = interface_;
   ends_.u.assign(m.u, m.u + size());
-  ends_.x_before = assembler_.start(), ends_.begin = m.t, ends_.end = m.t + m.h;
+  ends_.x_before = assembler_.start();
+  ends_.begin = m.t;
+  ends_.end = m.t + m.h;
   assembler_.place(ends_.u, ends_.x_before, m.t);
-  ends_.ends.length = m.h, ends_.ends.damping = damping, memory_ = memory, is_between_ = true;
+  ends_.ends.length = m.h;
+  ends_.ends.damping = damping;
+  memory_ = memory;
+  is_between_ = true;
   std::vector<double> v(size()), a(size()), middle(size());
   for (std::size_t i = 0; i < size(); ++i) {
-    v[i] = v0[i] - cv * m.u[i], a[i] = a0[i] - ca * m.u[i];
+    v[i] = v0[i] - cv * m.u[i];
+    a[i] = a0[i] - ca * m.u[i];
     middle[i] = 0.5 * (m.u[i] + u[i]);
   }
   StepProblem step{m.t + 0.5 * m.h, v, a, 2 * cv, 2 * ca, {}, &state_, least_load_};
   step.between = &ends_;
   const int status = solve_step(step, middle.data());
-  mean_.t = step.t, mean_.u = middle, mean_.v.resize(size()), mean_.a.resize(size());
-  for (std::size_t i = 0; i < size(); ++i)
-    mean_.v[i] = v[i] + step.cv * middle[i], mean_.a[i] = a[i] + step.ca * middle[i];
+  mean_.t = step.t;
+  mean_.u = middle;
+  mean_.v.resize(size());
+  mean_.a.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    mean_.v[i] = v[i] + step.cv * middle[i];
+    mean_.a[i] = a[i] + step.ca * middle[i];
+  }
   for (std::size_t i = 0; i < size() && status == NETLOFT_OK; ++i)
     u[i] = is_shared(assembler_, i) ? end_of_shared(middle[i], m.h, m.v[i]) : 2 * middle[i] - m.u[i];
   return status;
@@ -139,7 +153,8 @@ int TransientProblem::solve_between(const double* v0, double cv, const double* a
 void TransientProblem::place_end(std::span<const double> u) {
   ends_.x_after = assembler_.start();
   assembler_.place(u, ends_.x_after, ends_.end);
-  ends_.ends.before = ends_.x_before.data(), ends_.ends.after = ends_.x_after.data();
+  ends_.ends.before = ends_.x_before.data();
+  ends_.ends.after = ends_.x_after.data();
 }
 
 const MeanStep* TransientProblem::mean_step(std::span<const double> u) {

@@ -92,7 +92,11 @@ double Winches::given_speed(std::size_t k) const {
 
 void Winches::begin(double t, double h) {
   const std::vector<std::size_t> held_before = holding_at(0.5 * (from_ + until_));
-  t_ = t, h_ = h, tries_ = 0, measured_.clear(), last_w_.clear();
+  t_ = t;
+  h_ = h;
+  tries_ = 0;
+  measured_.clear();
+  last_w_.clear();
   holding_ = holding_at(t + 0.5 * h);
   if (holding_ != held_before) slopes_.clear();
   for (std::size_t k = 0; k < ropes_.size(); ++k) {
@@ -142,17 +146,22 @@ void Winches::note_rest(std::span<const double> residual) {
 Winches::Verdict Winches::judge(std::span<const double> residual) {
   const std::vector<double> tensions = tensions_of(residual);
   if (!measured_.empty()) return measure_slopes(tensions);
-  improve_slopes(tensions), take(tensions);
+  improve_slopes(tensions);
+  take(tensions);
   if (is_settled()) return Verdict::settled;
   if (slopes_.empty() || ++tries_ == kMostTries / 2) return measure_slopes(tensions);
   if (tries_ > kMostTries) return slopes_.clear(), Verdict::lost;
-  solve_all(), write();
+  solve_all();
+  write();
   return Verdict::again;
 }
 
 void Winches::take(std::span<const double> tensions) {
   last_w_.clear();
-  for (std::size_t k = 0; k < ropes_.size(); ++k) ropes_[k].T = tensions[k], last_w_.push_back(ropes_[k].w);
+  for (std::size_t k = 0; k < ropes_.size(); ++k) {
+    ropes_[k].T = tensions[k];
+    last_w_.push_back(ropes_[k].w);
+  }
 }
 
 /// By the change from the try before to this one.
@@ -161,7 +170,8 @@ void Winches::improve_slopes(std::span<const double> tensions) {
   double square = 0, largest = 0;  // change of speeds, and what it does to a tension over its doubt
   for (const std::size_t j : holding_) {
     const double change = ropes_[j].w - last_w_[j];
-    square += change * change, largest = std::max(largest, std::abs(change * slope(j, j)) / doubt(j));
+    square += change * change;
+    largest = std::max(largest, std::abs(change * slope(j, j)) / doubt(j));
   }
   if (largest <= 1) return;
   for (const std::size_t k : holding_) {
@@ -218,10 +228,14 @@ double Winches::solve_one(std::size_t k, double others) const {
 }
 
 void Winches::accept() {
-  from_ = t_, until_ = t_ + h_;
+  from_ = t_;
+  until_ = t_ + h_;
   for (std::size_t k = 0; k < ropes_.size(); ++k) {
     Rope& rope = ropes_[k];
-    rope.before = rope.now, rope.now = rope.table[3], rope.speed = rope.w, rope.tension = rope.T;
+    rope.before = rope.now;
+    rope.now = rope.table[3];
+    rope.speed = rope.w;
+    rope.tension = rope.T;
   }
 }
 
@@ -259,8 +273,13 @@ void Winches::set_state(std::span<const double> state) {
   for (std::size_t k = 0; k < n; ++k) ropes_[k].now = ropes_[k].before = state[k];
   if (state.size() > n) {
     const double* next = state.data() + n;
-    for (Rope& rope : ropes_) rope.before = *next++, rope.speed = *next++, rope.tension = *next++;
-    from_ = *next++, until_ = *next++;
+    for (Rope& rope : ropes_) {
+      rope.before = *next++;
+      rope.speed = *next++;
+      rope.tension = *next++;
+    }
+    from_ = *next++;
+    until_ = *next++;
     slopes_.assign(next, state.data() + state.size());
   }
   restore();

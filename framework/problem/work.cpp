@@ -50,7 +50,8 @@ WorkModel make_work_model(const Assembler& assembler, const MakeFactorisation& m
   const double per_entry = assembler.pattern().symmetric ? kPerEntryOfCholesky : kPerEntry;
   model.factorisation = factor.flops + per_entry * factor.entries;  // (3)
   model.solution = kPerEntry * factor.entries;                      // (4)
-  model.residual = kPerResidual * elements, model.matrix = kPerMatrix * elements;
+  model.residual = kPerResidual * elements;
+  model.matrix = kPerMatrix * elements;
   model.unit = model.of_iteration();
   return model;
 }

@@ -28,7 +28,8 @@ class Place {
   Place() noexcept {
     for (auto& place : all_calls) {
       if (place.is_taken.exchange(true)) continue;
-      mine_ = &place, mine_->was_taken = true;
+      mine_ = &place;
+      mine_->was_taken = true;
       set_signal_stack();
       return;
     }
@@ -48,7 +49,8 @@ class Place {
     stack_t stack{};
     if (sigaltstack(nullptr, &stack) != 0 || !(stack.ss_flags & SS_DISABLE)) return;
     stack = {};
-    stack.ss_sp = mine_->signal_stack, stack.ss_size = kSignalStack;
+    stack.ss_sp = mine_->signal_stack;
+    stack.ss_size = kSignalStack;
     has_signal_stack_ = sigaltstack(&stack, nullptr) == 0;
   }
   void remove_signal_stack() {

@@ -28,8 +28,11 @@ std::string other_kind(const PluginContent& plugin, const std::string& type) {
     for (const auto& t : types)
       if (t.type == type) kind = what;
   };
-  look(plugin.elements, "an element"), look(plugin.laws, "a law"), look(plugin.solvers, "a solver");
-  look(plugin.integrators, "an integrator"), look(plugin.strategies, "a strategy");
+  look(plugin.elements, "an element");
+  look(plugin.laws, "a law");
+  look(plugin.solvers, "a solver");
+  look(plugin.integrators, "an integrator");
+  look(plugin.strategies, "a strategy");
   return kind;
 }
 

@@ -103,18 +103,28 @@ void read_words(const std::vector<netloft_parameter>& parameters) {
   for (const auto& p : parameters) {
     for (const char* text : {p.name, p.unit, p.doc, p.fallback_of, p.fallback_text}) read_text(text);
     if (p.kind == NETLOFT_CHOICE || p.kind == NETLOFT_TEXT) read_texts(p.choices);
-    if (p.kind == NETLOFT_TABLE) read_texts(p.columns), read_texts(p.column_units);
+    if (p.kind == NETLOFT_TABLE) {
+      read_texts(p.columns);
+      read_texts(p.column_units);
+    }
   }
 }
 
 template <class Rows>
 void read_names(const Rows& rows) {
-  for (const auto& row : rows) read_text(row.name), read_text(row.doc);
+  for (const auto& row : rows) {
+    read_text(row.name);
+    read_text(row.doc);
+  }
 }
 
 void read_words(const ElementType& e) {
   read_words(e.parameters);
-  read_names(e.data), read_names(e.terms), read_names(e.outputs), read_names(e.laws), read_names(e.globals);
+  read_names(e.data);
+  read_names(e.terms);
+  read_names(e.outputs);
+  read_names(e.laws);
+  read_names(e.globals);
   for (const auto& d : e.data) read_text(d.unit);
   for (const auto& o : e.outputs) read_text(o.unit);
   for (const auto& l : e.laws) read_text(l.fallback);
@@ -124,13 +134,27 @@ void read_words(const ElementType& e) {
 /// Every word that this program may ever print of a plugin.
 void read_words(const PluginContent& content) {
   for (const auto& e : content.elements) read_words(e);
-  for (const auto& s : content.solvers) read_words(s.parameters), read_text(s.solver.doc);
-  for (const auto& l : content.laws) {
-    read_words(l.parameters), read_text(l.law.doc);
-    for (const auto& v : l.validity) read_text(v.source), read_text(v.where), read_text(v.unless);
+  for (const auto& s : content.solvers) {
+    read_words(s.parameters);
+    read_text(s.solver.doc);
   }
-  for (const auto& i : content.integrators) read_words(i.parameters), read_text(i.integrator.doc);
-  for (const auto& s : content.strategies) read_words(s.parameters), read_text(s.strategy.doc);
+  for (const auto& l : content.laws) {
+    read_words(l.parameters);
+    read_text(l.law.doc);
+    for (const auto& v : l.validity) {
+      read_text(v.source);
+      read_text(v.where);
+      read_text(v.unless);
+    }
+  }
+  for (const auto& i : content.integrators) {
+    read_words(i.parameters);
+    read_text(i.integrator.doc);
+  }
+  for (const auto& s : content.strategies) {
+    read_words(s.parameters);
+    read_text(s.strategy.doc);
+  }
 }
 
 void open_and_read(const char* file) {
@@ -220,9 +244,12 @@ class Trials {
 bool Trials::start() {
   int ends[2];
   if (talk_ >= 0) close(talk_);
-  talk_ = -1, tried_ = 0, process_ = -1;
+  talk_ = -1;
+  tried_ = 0;
+  process_ = -1;
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return false;
-  process_ = fork(), owner_ = getpid();
+  process_ = fork();
+  owner_ = getpid();
   if (process_ == 0) try_files(ends[1]);
   close(ends[1]);
   talk_ = ends[0];

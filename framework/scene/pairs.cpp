@@ -68,7 +68,9 @@ bool may_act(const ElementType& type, const Values& parameters) {
 
 Part make_companion(const Part& part, const ElementType& ridden, const ElementType& rider) {
   Part out;
-  out.name = part.name, out.type = rider.type, out.companion = true;
+  out.name = part.name;
+  out.type = rider.type;
+  out.companion = true;
   for (const auto& p : rider.parameters)
     if (const auto at = part.parameters.find(p.name); at != part.parameters.end()) out.parameters.insert(*at);
   const auto corners = static_cast<std::size_t>(ridden.nodes());

@@ -97,12 +97,15 @@ TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene&
     plan.reason = "the scene has no gravity";
   else if ((term.traits & NETLOFT_NEEDS_FLOW) && !meets_flow(scene, kind))
     plan.reason = kind == AnalysisKind::statics ? "the scene has no current" : "the scene has no water";
-  else if ((term.traits & NETLOFT_NEEDS_MOTION) && kind == AnalysisKind::statics)
-    plan.reason = "the analysis is static", plan.when_it_moves = !(term.traits & NETLOFT_NEEDS_WAVES);
-  else if ((term.traits & NETLOFT_NEEDS_WAVES) && !scene.waves)
+  else if ((term.traits & NETLOFT_NEEDS_MOTION) && kind == AnalysisKind::statics) {
+    plan.reason = "the analysis is static";
+    plan.when_it_moves = !(term.traits & NETLOFT_NEEDS_WAVES);
+  } else if ((term.traits & NETLOFT_NEEDS_WAVES) && !scene.waves)
     plan.reason = "the scene has no waves";
-  else
-    plan.on = true, plan.reason = term.needs ? set + " is set" : "the scene has what it needs";
+  else {
+    plan.on = true;
+    plan.reason = term.needs ? set + " is set" : "the scene has what it needs";
+  }
   return plan;
 }
 
@@ -137,7 +140,9 @@ void count_unknowns(Plan& plan, const Scene& scene) {
 
 Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, AnalysisKind kind) {
   Plan plan;
-  plan.tangent = tangent, plan.kind = kind, plan.ground = scene.ground;
+  plan.tangent = tangent;
+  plan.kind = kind;
+  plan.ground = scene.ground;
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
     FamilyPlan& family = family_of(plan.families, scene, scene.parts[p], registry, kind);
     family.parts.push_back(p);
@@ -161,7 +166,8 @@ Plan make_plan(const Scene& scene, Registry& registry, TangentChoice tangent, An
 void ask_mean_forces(Plan& plan, const std::string& integrator) {
   plan.between = true;
   if (!plan.symmetric) return;
-  plan.symmetric = false, plan.unsymmetric_because = integrator + ", whose forces are means of a step";
+  plan.symmetric = false;
+  plan.unsymmetric_because = integrator + ", whose forces are means of a step";
 }
 
 bool Plan::reads_ground() const {

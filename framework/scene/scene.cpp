@@ -181,7 +181,10 @@ std::optional<std::size_t> Scene::body_at(std::uint32_t origin) const {
 
 void Scene::add_body(RigidBody body) {
   carried.resize(node_count(), false);
-  for (const auto& point : body.points) carried[point.node] = true, held[point.node] = kAllAxes;
+  for (const auto& point : body.points) {
+    carried[point.node] = true;
+    held[point.node] = kAllAxes;
+  }
   bodies.push_back(std::move(body));
 }
 

@@ -3,6 +3,7 @@
 #include "framework/parameters/parameters.hpp"
 #include "framework/registry/element_data.hpp"
 #include "framework/scene/course.hpp"
+#include "framework/scene/standard_gravity.hpp"
 #include "framework/scene/water_field.hpp"
 #include "framework/scene/winch.hpp"
 
@@ -21,9 +22,9 @@ namespace netloft {
 
 /// The water in which the gear is towed. The z axis of the world frame points up; z = 0 at the surface.
 struct SceneWater {
-  double density = 1025;       // [kg/m3]
-  double gravity = 9.80665;    // [m/s2]
-  double viscosity = 1.19e-6;  // kinematic [m2/s]
+  double density = 1025;              // [kg/m3]
+  double gravity = kStandardGravity;  // [m/s2]
+  double viscosity = 1.19e-6;         // kinematic [m2/s]
 };
 
 /// Velocity of the water over depth and time, linear between samples and constant beyond them.

@@ -43,7 +43,9 @@ void KnownStages::keep(KnownStage stage) {
   const auto before = std::find_if(stages_.begin(), stages_.end(),
                                    [&](const KnownStage& s) { return ask_the_same(s.asked, stage.asked); });
   if (before != stages_.end()) forget(before);
-  stage.solution.cost = {}, stage.solution.judging = {}, stage.solution.run.history.clear();
+  stage.solution.cost = {};
+  stage.solution.judging = {};
+  stage.solution.run.history.clear();
   numbers_ += numbers_of(stage);
   stages_.push_back(std::move(stage));
   while (numbers_ > most_) forget(stages_.begin());

@@ -99,9 +99,13 @@ void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
     for (std::uint32_t i = 0; i < 3 * site.nodes; ++i)
       if (site.dof[i] != dof(i, false))
         carried_.push_back({members_.size(), i / 3, i % 3, dof(i, false), site.dof[i]});
-    members_.push_back(m), part_.push_back(family.part(element));
+    members_.push_back(m);
+    part_.push_back(family.part(element));
     weights_.push_back({{m.c[0], m.c[1], m.c[2]}, {m.number * m.c[0], m.number * m.c[1], m.number * m.c[2]}});
-    if (++site.members == 2) sites_.push_back(site), site.members = 0;
+    if (++site.members == 2) {
+      sites_.push_back(site);
+      site.members = 0;
+    }
   }
   if (site.members > 0) sites_.push_back(site);
 }
@@ -111,8 +115,10 @@ void MemberProblem::list_rotations() {
   std::vector<bool> turns(static_cast<std::size_t>(p.size));
   for (const auto& body : assembler_.body_nodes())
     for (int axis = 0; axis < 3; ++axis)
-      if (const Dof i = assembler_.numbering().dof(body[1], axis); assembler_.numbering().is_unknown(i))
-        turns[i.at()] = true, rotations_.push_back(i.at());
+      if (const Dof i = assembler_.numbering().dof(body[1], axis); assembler_.numbering().is_unknown(i)) {
+        turns[i.at()] = true;
+        rotations_.push_back(i.at());
+      }
   if (rotations_.empty()) return;
   for (std::size_t c = 0; c < turns.size(); ++c)
     for (auto k = static_cast<std::size_t>(p.column_start[c]);
@@ -134,14 +140,16 @@ std::int32_t MemberProblem::find_block(const MemberSite& site, std::uint32_t p, 
 }
 
 void MemberProblem::fill_interface() {
-  interface_.size = sizeof interface_, interface_.host = this;
+  interface_.size = sizeof interface_;
+  interface_.host = this;
   interface_.count = static_cast<std::uint32_t>(members_.size());
   interface_.unknowns = static_cast<std::uint32_t>(assembler_.pattern().size);
   interface_.dofs = static_cast<std::uint32_t>(x_.size());
   for (const auto& family : assembler_.families())
     for (const std::uint32_t part : family->parts()) interface_.parts = std::max(interface_.parts, part + 1);
   interface_.traits = assembler_.pattern().symmetric ? std::uint32_t{NETLOFT_SYMMETRIC} : 0u;
-  interface_.member = members_.data(), interface_.part = part_.data();
+  interface_.member = members_.data();
+  interface_.part = part_.data();
   interface_.largest_coordinate = largest_of(x_);
   interface_.chords = HostFunction<&MemberProblem::chords>::call;
   interface_.changes = HostFunction<&MemberProblem::changes>::call;
@@ -186,7 +194,8 @@ int MemberProblem::changes(const double* step, double* w) {
 
 int MemberProblem::evaluate(const double* u, double* residual) {
   Timed timed(statistics_.assembly_seconds);
-  ++statistics_.residuals, ++statistics_.matrices;
+  ++statistics_.residuals;
+  ++statistics_.matrices;
   assembler_.place({u, interface_.unknowns}, x_);
   const Request request{.without = NETLOFT_OF_MEMBERS,
                         .residual = residual,

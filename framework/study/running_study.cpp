@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/study/running_study.hpp"
+
 #include "framework/problem/reasons.hpp"
 #include "framework/registry/hand_out.hpp"
 #include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
-#include "framework/study/study_host.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +108,9 @@ void RunningStudy::fill_interface(const double* start) {
   Scales scales(*site_->assembler);
   Registry& registry = *host_.sites().source().registry;
   netloft_study& s = interface_;
-  s.size = sizeof s, s.host = this, s.start = start;
+  s.size = sizeof s;
+  s.host = this;
+  s.start = start;
   s.unknowns = static_cast<std::uint32_t>(site_->assembler->pattern().size);
   s.levels = std::max(1u, host_.sites().most_levels() - std::min(scene_.level, host_.sites().most_levels()));
   s.traits = traits_of(*site_->assembler);
@@ -116,11 +119,14 @@ void RunningStudy::fill_interface(const double* start) {
   if (resists_compression(*site_->scene, registry)) s.traits |= NETLOFT_STUDY_COMPRESSION;
   if (MemberProblem::serves(*site_->scene, *site_->assembler)) s.traits |= NETLOFT_STUDY_MEMBERS;
   s.member_count = static_cast<std::uint32_t>(count_members(*site_->assembler));
-  s.gear_size = scales.gear_size(), s.element_size = scales.element_size();
+  s.gear_size = scales.gear_size();
+  s.element_size = scales.element_size();
   const auto load = scales.driving_load();
-  s.load = load.sum, s.largest_load = load.largest;
+  s.load = load.sum;
+  s.largest_load = load.largest;
   s.stiffness = largest_stiffness(*site_->scene, registry);
-  s.message = message_, s.message_size = sizeof message_;
+  s.message = message_;
+  s.message_size = sizeof message_;
 
   s.size_of = HostFunction<&RunningStudy::size_of>::call;
   s.solve = HostFunction<&RunningStudy::solve>::call;
@@ -170,8 +176,10 @@ Solution RunningStudy::best() const {
 Solution RunningStudy::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;
-  if (host_.is_interrupted() && !host_.is_out_of_time() && s.status != SolveStatus::interrupted)
-    s.status = SolveStatus::interrupted, s.reason = "interrupted; " + s.reason;
+  if (host_.is_interrupted() && !host_.is_out_of_time() && s.status != SolveStatus::interrupted) {
+    s.status = SolveStatus::interrupted;
+    s.reason = "interrupted; " + s.reason;
+  }
   if (s.does_not_settle) s.reason += "; followed in time it did not come to rest";
   const bool was_cut_off = s.run.stop == Stop::work, is_used_up = work_left() == 0;
   if (is_used_up && !was_cut_off && !host_.is_interrupted()) s.reason += "; the budget of work is used up";
@@ -227,7 +235,10 @@ int RunningStudy::solve(netloft_stage* stage) {
   close();
   const double before = host_.spent();
   const Solution s = host_.solve(seen_from_host(*stage), host_.solver_of(*stage));
-  if (is_scene_itself(*stage)) keep(*stage, s), last_ = ending_of(s);
+  if (is_scene_itself(*stage)) {
+    keep(*stage, s);
+    last_ = ending_of(s);
+  }
   fill(*stage, s, host_.spent() - before);
   return NETLOFT_OK;
 }
@@ -253,7 +264,8 @@ int RunningStudy::call(const char* strategy, const char* parameters, netloft_sta
   const double before = host_.spent();
   StageRequest request{
       .by_strategy = true, .by = type.type, .parameters = std::move(values), .variant = seen.variant};
-  request.tolerance = seen.tolerance, request.start = {stage->u, stage->u + size_of(stage->variant.level)};
+  request.tolerance = seen.tolerance;
+  request.start = {stage->u, stage->u + size_of(stage->variant.level)};
   const KnownStage* known = host_.find_known(request);
   const KnownStage came = known ? *known : run_inner(type, block.data(), seen, std::move(request));
   unsettled_ += came.unsettled;
@@ -273,7 +285,8 @@ KnownStage RunningStudy::run_inner(const StrategyType& type, const void* paramet
   RunningStudy inner(host_, seen.variant, seen.tolerance, seen.work, seen.u);
   inner.run(type, parameters);
   KnownStage came{.asked = std::move(request), .solution = inner.best(), .has_solution = inner.has_any()};
-  came.unsettled = inner.unsettled_, came.ending = inner.ending();
+  came.unsettled = inner.unsettled_;
+  came.ending = inner.ending();
   const bool has_ended = inner.work_left() > 0 && came.ending != NETLOFT_ENDED_OUT_OF_WORK;
   if (has_ended) host_.keep_known(came);
   return came;
@@ -289,7 +302,8 @@ int RunningStudy::transfer(std::uint32_t from, const double* u, std::uint32_t to
 
 int RunningStudy::problem(netloft_stage* stage, netloft_problem* problem) {
   close();
-  open_stage_ = seen_from_host(*stage), open_site_ = host_.sites().at(open_stage_.variant);
+  open_stage_ = seen_from_host(*stage);
+  open_site_ = host_.sites().at(open_stage_.variant);
   open_problem_ = std::make_unique<StaticProblem>(*open_site_->assembler, host_.sites().source().make,
                                                   host_.limits_of(open_stage_, *open_site_),
                                                   host_.observer_of(open_stage_));
@@ -302,7 +316,8 @@ int RunningStudy::members(netloft_stage* stage, netloft_members* members) {
   close();
   if (!(interface_.traits & NETLOFT_STUDY_MEMBERS))
     throw std::invalid_argument("this study has no members (NETLOFT_STUDY_MEMBERS)");
-  open_stage_ = seen_from_host(*stage), open_site_ = host_.sites().at(open_stage_.variant);
+  open_stage_ = seen_from_host(*stage);
+  open_site_ = host_.sites().at(open_stage_.variant);
   open_members_ = std::make_unique<MemberProblem>(*open_site_->assembler, host_.sites().source().make,
                                                   host_.limits_of(open_stage_, *open_site_),
                                                   host_.options().on_iteration);
@@ -318,7 +333,9 @@ void RunningStudy::close() {
   host_.record({open_stage_.name ? open_stage_.name : "", open_members_ ? "members" : "own", size,
                 SolveStatus::not_converged, "", statistics, open_stage_.variant},
                *open_site_);
-  open_problem_.reset(), open_members_.reset(), open_site_.reset();
+  open_problem_.reset();
+  open_members_.reset();
+  open_site_.reset();
 }
 
 int RunningStudy::answer(const double* u) {
@@ -334,7 +351,10 @@ int RunningStudy::answer(const double* u) {
   }
   std::vector<double> own(answered.begin(), answered.end());
   netloft_stage stage{};
-  stage.size = sizeof stage, stage.variant = as_written(), stage.name = "answer", stage.u = own.data();
+  stage.size = sizeof stage;
+  stage.variant = as_written();
+  stage.name = "answer";
+  stage.u = own.data();
   Solution s = host_.assess(seen_from_host(stage));
   if (is_stationary(s))
     equilibria_.add(std::move(s));
@@ -360,13 +380,18 @@ void RunningStudy::keep(const netloft_stage& stage, const Solution& s) {
 void RunningStudy::fill(netloft_stage& stage, const Solution& s, double spent) {
   if (!s.u.empty()) std::copy(s.u.begin(), s.u.end(), stage.u);
   growing_ = s.growing.mode;
-  stage.ending = ending_of(s), stage.stability = stability_of(s);
-  stage.residual = s.balance.residual, stage.load = s.balance.scale, stage.energy = s.energy;
-  stage.rounding = s.balance.floor, stage.spent = spent / unit_;
+  stage.ending = ending_of(s);
+  stage.stability = stability_of(s);
+  stage.residual = s.balance.residual;
+  stage.load = s.balance.scale;
+  stage.energy = s.energy;
+  stage.rounding = s.balance.floor;
+  stage.spent = spent / unit_;
   stage.iterations_done = static_cast<std::uint32_t>(s.cost.statistics.iterations);
   stage.factorisations = static_cast<std::uint32_t>(s.cost.statistics.factorisations);
   stage.growing = growing_.empty() ? nullptr : growing_.data();
-  stage.growth_rate = s.growing.rate, stage.growth_frequency = flutters(s) ? s.growing.frequency : 0;
+  stage.growth_rate = s.growing.rate;
+  stage.growth_frequency = flutters(s) ? s.growing.frequency : 0;
 }
 
 }  // namespace netloft

@@ -89,8 +89,10 @@ class Search {
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();
-    for (Eigen::Index k = 1; k < n; ++k)
-      all.col(k).head(k).setConstant(1.0 / static_cast<double>(k)), all(k, k) = -1;
+    for (Eigen::Index k = 1; k < n; ++k) {
+      all.col(k).head(k).setConstant(1.0 / static_cast<double>(k));
+      all(k, k) = -1;
+    }
     return all;
   }
 
@@ -99,7 +101,8 @@ class Search {
     for (int step = 0; step < kMostSteps && at.distance() > kTolerance && !is_interrupted_; ++step) {
       Point next = best_step(at);
       if (next.is_there && next.distance() < at.distance()) {
-        at = std::move(next), just_measured = false;
+        at = std::move(next);
+        just_measured = false;
         continue;
       }
       if (!next.is_there) failed_ = next.solution.reason;
@@ -128,9 +131,11 @@ class Search {
     s.factors = factors_at(at.y);
     s.cost = cost_;
     if (is_interrupted_) {
-      s.status = SolveStatus::interrupted, s.reason = "interrupted while " + list_names() + " was looked for";
+      s.status = SolveStatus::interrupted;
+      s.reason = "interrupted while " + list_names() + " was looked for";
     } else if (at.is_there && at.distance() > kTolerance) {
-      s.status = SolveStatus::not_converged, s.reason = sentence_at(at);
+      s.status = SolveStatus::not_converged;
+      s.reason = sentence_at(at);
       if (!failed_.empty()) s.reason += "; beyond that " + failed_;
     }
     return s;

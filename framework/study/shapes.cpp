@@ -40,7 +40,9 @@ Solution EquilibriumChoice::best() const {
   for (auto other = begin(found_) + 1; other != end(found_); ++other)
     if (is_better(other->solution, at->solution)) at = other;
   Solution best = at->solution;
-  best.shapes.restarts = answers_ - 1, best.shapes.times = at->times, best.shapes.by_energy = has_energy_;
+  best.shapes.restarts = answers_ - 1;
+  best.shapes.times = at->times;
+  best.shapes.by_energy = has_energy_;
   for (auto other = begin(found_); other != end(found_); ++other) {
     if (other == at || !has_converged(other->solution)) continue;
     const auto [distance, node] = furthest_node(scene_, assembler_.numbering(), best.x, other->solution.x);

@@ -10,7 +10,8 @@ namespace netloft {
 
 Sites::Sites(SiteSource source) : source_(std::move(source)) {
   auto own = std::make_shared<Site>();
-  own->scene = source_.scene, own->assembler = source_.assembler;
+  own->scene = source_.scene;
+  own->assembler = source_.assembler;
   own->model = make_work_model(*own->assembler, source_.make);
   unit_ = own->model.unit = own->model.of_iteration();
   levels_.emplace(0u, std::move(own));

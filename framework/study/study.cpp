@@ -2,8 +2,8 @@
 #include "framework/study/study.hpp"
 
 #include "framework/registry/plugin_call.hpp"
+#include "framework/study/running_study.hpp"
 #include "framework/study/settings.hpp"
-#include "framework/study/study_host.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -27,8 +27,12 @@ Solution at_start(StudyHost& host, const netloft_study& study, Solution none) {
   std::vector<double> u(study.unknowns, 0.0);
   if (study.start) u.assign(study.start, study.start + study.unknowns);
   netloft_stage stage{};
-  stage.size = sizeof stage, stage.variant = as_written(), stage.name = "the start", stage.u = u.data();
-  stage.tolerance = host.options().limits.tolerance, stage.work = host.options().work;
+  stage.size = sizeof stage;
+  stage.variant = as_written();
+  stage.name = "the start";
+  stage.u = u.data();
+  stage.tolerance = host.options().limits.tolerance;
+  stage.work = host.options().work;
   Solution start = host.assess(stage);
   start.cost = std::move(none.cost);
   if (study.unknowns == 0) return start;  // nothing is free: there is no other point
@@ -56,8 +60,13 @@ Solution solve_near(const SiteSource& source, const StudyOptions& options, std::
   constexpr std::uint32_t kNear = 100;  // iterations, as from a point that a user names
   StudyHost host(source, options);
   netloft_stage stage{};
-  stage.size = sizeof stage, stage.variant = as_written(), stage.name = "next setting", stage.u = u.data();
-  stage.tolerance = options.limits.tolerance, stage.work = options.work, stage.iterations = kNear;
+  stage.size = sizeof stage;
+  stage.variant = as_written();
+  stage.name = "next setting";
+  stage.u = u.data();
+  stage.tolerance = options.limits.tolerance;
+  stage.work = options.work;
+  stage.iterations = kNear;
   return host.finish(host.solve(stage, options.solver));
 }
 
@@ -74,7 +83,8 @@ class SetScenes {
     Assembler assembler(scene, plan, source_.threads);
     assembler.set_memory(source_.assembler->memory());
     SiteSource source = source_;
-    source.scene = &scene, source.assembler = &assembler;
+    source.scene = &scene;
+    source.assembler = &assembler;
     SetEquilibrium found{solve(source, start), {}};
     if (is_stationary(found.solution))
       for (const Setting& setting : scene.settings) {
@@ -99,7 +109,8 @@ class SetScenes {
   Solution spend(Solution s) {
     left_.work = std::max(0.0, left_.work - s.cost.work);
     const double now = cpu_seconds();
-    left_.limits.seconds = std::max(0.0, left_.limits.seconds - (now - begun_)), begun_ = now;
+    left_.limits.seconds = std::max(0.0, left_.limits.seconds - (now - begun_));
+    begun_ = now;
     return s;
   }
 

@@ -57,7 +57,8 @@ Solution find_equilibrium(const SiteSource& source, const StudyOptions& options,
 std::string explain_strategy(const SiteSource& source, const StudyOptions& options,
                              const StrategyUse& strategy);
 
-/// "method=implicit,step=1" as values of a table of parameters. Throws std::invalid_argument with a sentence.
+/// "method=classic,damping=1" as values of a table of parameters. Throws std::invalid_argument with a
+/// sentence.
 Values parse_parameters(std::span<const netloft_parameter> table, const std::string& text);
 
 }  // namespace netloft

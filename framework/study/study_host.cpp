@@ -14,7 +14,9 @@ const SolverType& no_solver() {
   static const SolverType type = [] {
     SolverType none;
     none.type = "none";
-    none.solver.size = sizeof none.solver, none.solver.name = "none", none.solver.doc = "judges a point";
+    none.solver.size = sizeof none.solver;
+    none.solver.name = "none";
+    none.solver.doc = "judges a point";
     none.solver.solve = [](const void*, netloft_problem*) -> int { return NETLOFT_STOPPED; };
     return none;
   }();
@@ -89,7 +91,8 @@ Limits StudyHost::limits_of(const netloft_stage& stage, const Site& site) {
   limits.tolerance = stage.tolerance;
   if (stage.iterations > 0) limits.iterations = static_cast<int>(stage.iterations);
   if (stage.path > 0) limits.path = stage.path;
-  limits.model = &site.model, limits.work = stage.work;
+  limits.model = &site.model;
+  limits.work = stage.work;
   limits.seconds = seconds_left();
   limits.judging.ask_growth = is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
   if (limits.judging.ask_growth) limits.judging.known = &judged_;
@@ -145,7 +148,8 @@ Solution StudyHost::assess(const netloft_stage& stage) { return solve(stage, {&n
 
 void StudyHost::record(StageRecord stage, const Site& site) {
   stage.work += site.model.of(stage.statistics);
-  cost_.statistics.add(stage.statistics), cost_.work += stage.work;
+  cost_.statistics.add(stage.statistics);
+  cost_.work += stage.work;
   cost_.stages.push_back(std::move(stage));
 }
 

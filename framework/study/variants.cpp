@@ -25,7 +25,8 @@ netloft_variant combined(const netloft_variant& outer, const netloft_variant& in
   const bool has_both = outer.stiffness_cap > 0 && inner.stiffness_cap > 0;
   both.stiffness_cap = has_both ? std::min(outer.stiffness_cap, inner.stiffness_cap)
                                 : std::max(outer.stiffness_cap, inner.stiffness_cap);
-  both.compression = outer.compression * inner.compression, both.current = outer.current * inner.current;
+  both.compression = outer.compression * inner.compression;
+  both.current = outer.current * inner.current;
   return both;
 }
 
@@ -99,7 +100,8 @@ void scale_current(Scene& scene, double factor) {
     for (auto& sample : samples)
       for (double& component : sample.velocity) component *= factor;
   };
-  scale(scene.current.samples), scale(scene.current.drifts);
+  scale(scene.current.samples);
+  scale(scene.current.drifts);
   for (double& component : scene.current.tow) component *= factor;
 }
 

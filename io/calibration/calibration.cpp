@@ -48,7 +48,9 @@ Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
                       const std::filesystem::path& folder, Registry& registry, const Watch& watch,
                       const OnSolve& on_solve) {
   Calibration done;
-  done.file = std::move(file), done.measured = checked.measured, done.units = checked.units;
+  done.file = std::move(file);
+  done.measured = checked.measured;
+  done.units = checked.units;
   done.order = fitted_first(done.file);
   std::vector<Prior> priors;
   for (const auto& v : done.file.variables)
@@ -63,7 +65,8 @@ Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
   done.fit = fit(model, priors, fitted);
   done.cpu_seconds = cpu_seconds() - before;
   done.is_interrupted = scenes.is_interrupted() && !done.fit.converged;
-  done.solves = scenes.solves(), done.unstable = scenes.unstable();
+  done.solves = scenes.solves();
+  done.unstable = scenes.unstable();
   if (!done.fit.converged) done.trouble = scenes.trouble();
   return done;
 }

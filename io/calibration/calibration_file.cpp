@@ -107,7 +107,8 @@ class CalibrationReader {
       if (const auto scene = find_scene(row, "scene", row.text("scene", {.doc = "of which scene"})))
         read.scene = *scene;
       read.figure = row.text("figure", {.doc = "of which figure, such as gear/mouth/headline_height"});
-      read.place = row.place("figure"), read.value_place = row.place("value");
+      read.place = row.place("figure");
+      read.value_place = row.place("value");
       read.value = quantity(row, "value", "what was measured");
       read.deviation = quantity(row, "deviation", "its standard deviation");
       read.is_held_back = row.boolean(

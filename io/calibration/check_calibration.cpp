@@ -18,7 +18,8 @@ class Inspection {
   Inspection(const CalibrationFile& file, const std::filesystem::path& folder, Registry& registry,
              Diagnostics& diagnostics, const std::function<void(double)>& on_budget)
       : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics), on_budget_(on_budget) {
-    checked_.measured.resize(file.measured.size()), checked_.units.resize(file.measured.size());
+    checked_.measured.resize(file.measured.size());
+    checked_.units.resize(file.measured.size());
   }
 
   CheckedCalibration inspect() {
@@ -68,7 +69,8 @@ class Inspection {
                                 "set = [\"analysis.kind=static\"]");
     if (on_budget_) on_budget_(the_case.loaded().analysis.limits.seconds);
     Solution at_start;
-    at_start.x = the_case.assembler().start(), at_start.residual.resize(at_start.x.size());
+    at_start.x = the_case.assembler().start();
+    at_start.residual.resize(at_start.x.size());
     const auto figures = figures_of(the_case, at_start);
     for (std::size_t m = 0; m < file_.measured.size(); ++m)
       if (file_.measured[m].scene == scene) take_figure(m, figures);

@@ -113,7 +113,8 @@ std::optional<std::vector<std::vector<double>>> SceneModel::slopes(const std::ve
     for (const std::size_t scene : file_.variables[v].scenes) {
       if (is_interrupted()) return std::nullopt;
       std::vector<double> left = parameters, right = parameters;
-      left[v] = step_to(v, parameters[v], -1), right[v] = step_to(v, parameters[v], 1);
+      left[v] = step_to(v, parameters[v], -1);
+      right[v] = step_to(v, parameters[v], 1);
       const auto below = figures(scene, left, last_[scene], false),
                  above = figures(scene, right, last_[scene], false);
       if (!below || !above) return std::nullopt;

@@ -46,7 +46,8 @@ class Netting {
   void make_grid() {
     for (const std::size_t k : {0u, 1u}) {
       const auto [low, high] = std::minmax_element((k ? v_ : u_).begin(), (k ? v_ : u_).end());
-      low_[k] = *low, side_[k] = std::max(*high - *low, std::numeric_limits<double>::min());
+      low_[k] = *low;
+      side_[k] = std::max(*high - *low, std::numeric_limits<double>::min());
     }
     count_ = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles()))) + 1;
     cells_.assign(count_ * count_, {});
@@ -66,8 +67,10 @@ class Netting {
   void list(std::size_t t) {
     Place low = corner(t, 0), high = low;
     for (std::size_t c = 1; c < 3; ++c)
-      for (const std::size_t k : {0u, 1u})
-        low[k] = std::min(low[k], corner(t, c)[k]), high[k] = std::max(high[k], corner(t, c)[k]);
+      for (const std::size_t k : {0u, 1u}) {
+        low[k] = std::min(low[k], corner(t, c)[k]);
+        high[k] = std::max(high[k], corner(t, c)[k]);
+      }
     for (std::size_t i = index(low[0], 0); i <= index(high[0], 0); ++i)
       for (std::size_t j = index(low[1], 1); j <= index(high[1], 1); ++j)
         cells_[i * count_ + j].push_back(static_cast<std::uint32_t>(t));

@@ -111,7 +111,8 @@ void object_to_crossings(const LoadedScene& loaded, const Assembler& assembler, 
   if (!is_stationary(s) || !loaded.gear || loaded.gear->times != 2) return;
   for (const Crossing& crossing : find_crossings(loaded, assembler.node_positions(s.x)))
     if (!crossing.is_held) {
-      s.status = SolveStatus::not_converged, s.at_fault = loaded.scene.parts[crossing.part].name;
+      s.status = SolveStatus::not_converged;
+      s.at_fault = loaded.scene.parts[crossing.part].name;
       s.reason = crossing.sentence + ". No whole gear lies so; start it elsewhere, or solve it as a whole";
     }
 }
@@ -186,7 +187,8 @@ std::optional<std::vector<double>> Case::tangent_towards(Case& near, const std::
   if (!here.recompute(u, at, r, energy) || !there.recompute(v, at, r_near, energy)) return std::nullopt;
   for (std::size_t i = 0; i < r.size(); ++i) r_near[i] -= r[i];
   const bool is_found = find_correction(here, u, r_near, du);  // (1)
-  spent.add(here.statistics()), spent.add(there.statistics());
+  spent.add(here.statistics());
+  spent.add(there.statistics());
   if (!is_found) return std::nullopt;
   for (std::size_t i = 0; i < v.size(); ++i) du[i] += v[i];
   std::vector<double> dx = there.positions(du);
@@ -230,10 +232,12 @@ SiteSource Case::sites() {
 StudyOptions Case::study_options(const Limits& limits, const Watch& watch) {
   StudyOptions options;
   options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
-  options.limits = limits, options.limits.interrupt = watch.interrupt;
+  options.limits = limits;
+  options.limits.interrupt = watch.interrupt;
   options.given = loaded_.analysis.given;
   options.kept = watch.kept;
-  options.work = loaded_.analysis.work, options.on_iteration = watch.on_iteration;
+  options.work = loaded_.analysis.work;
+  options.on_iteration = watch.on_iteration;
   options.on_stage = watch.on_stage;
   return options;
 }
@@ -283,7 +287,8 @@ Solution Case::settle(const Watch& watch, const std::vector<double>& from) {
   limits.interrupt = watch.interrupt;
   settling.limits.seconds = limits.seconds;
   const WorkModel model = work_of_steps(*assembler_, make_);
-  settling.limits.model = &model, settling.limits.work = loaded_.analysis.work;
+  settling.limits.model = &model;
+  settling.limits.work = loaded_.analysis.work;
   const SolverType as_solver = settling.as_solver();
   Solution s = solve_static(scene, {&as_solver, &settling}, limits, {from}, {watch.on_iteration, watch.kept});
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
@@ -302,7 +307,8 @@ MarchResult Case::march(const MarchWatch& watch, const Watch& who, const MarchSt
   std::optional<WorkModel> model;
   if (std::isfinite(work)) {
     model = work_of_steps(*assembler_, make_);
-    limits.model = &*model, limits.work = work;
+    limits.model = &*model;
+    limits.work = work;
   }
   assert(from || a.dynamics.start_file.empty());  // who marches reads the result
   std::optional<MarchState> at_rest;
@@ -314,7 +320,8 @@ MarchResult Case::march(const MarchWatch& watch, const Watch& who, const MarchSt
       remark = "; it began at an equilibrium that is not stable: " + s.reason;
     else if (s.status != SolveStatus::converged) {
       MarchResult none;
-      none.reason = "there is no equilibrium to start from: " + s.reason, none.u = u;
+      none.reason = "there is no equilibrium to start from: " + s.reason;
+      none.u = u;
       return none;
     }
     from = &at_rest.emplace(state_at_rest(*assembler_, u));
@@ -334,7 +341,8 @@ std::vector<double> Case::find_start(const Watch& who, Solution& found) {
   Assembler assembler(loaded_.scene, plan, source_.threads);
   assert(assembler.pattern().size == assembler_->pattern().size);
   SiteSource source = sites();
-  source.assembler = &assembler, source.tangent = TangentChoice::exact;
+  source.assembler = &assembler;
+  source.tangent = TangentChoice::exact;
   Limits limits;
   limits.seconds = loaded_.analysis.limits.seconds;
   limits.judging.accept_swinging = loaded_.analysis.limits.judging.accept_swinging;

@@ -80,7 +80,8 @@ class Diagnosis {
       const std::size_t i = own[family.part(e)]++;
       if (t.of_elements.size() <= i) t.of_elements.resize(i + 1, std::numeric_limits<double>::infinity());
       t.of_elements[i] = std::min(t.of_elements[i], values[e]);
-      t.least = std::min(t.least, values[e]), t.largest = std::max(t.largest, values[e]);
+      t.least = std::min(t.least, values[e]);
+      t.largest = std::max(t.largest, values[e]);
     }
   }
 
@@ -155,7 +156,10 @@ class Diagnosis {
                        start[3 * std::size_t{node} + 2]};
       size = std::max(size, norm(from - Point{start[0], start[1], start[2]}));
       const double way = norm(at(node) - from);
-      if (std::isfinite(way) && way > furthest) furthest = way, gone = node;
+      if (std::isfinite(way) && way > furthest) {
+        furthest = way;
+        gone = node;
+      }
     }
     if (furthest > 2 * size && size > 0)
       sentences_.push_back(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/catalogue/catalogue.hpp"
 
+#include "framework/scene/standard_gravity.hpp"
 #include "io/toml/table_reader.hpp"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace netloft::io {
 namespace {
 
 constexpr double kSeaWater = 1025;  // ρ_w [kg/m³]
-constexpr double kGravity = 9.81;   // [m/s²]
 
 /// Entries at the head of a file that apply to all of its parts.
 struct FileHead {
@@ -63,8 +63,8 @@ void derive_line(CataloguePart& part, TableReader& table) {
   auto& n = part.numbers;
   if (n.contains("density")) return;
   if (n.contains("weight_in_water") && !n.contains("mass")) {
-    n["density"] =
-        kSeaWater + n["weight_in_water"] / (kGravity * std::numbers::pi / 4 * n["diameter"] * n["diameter"]);
+    n["density"] = kSeaWater + n["weight_in_water"] /
+                                   (kStandardGravity * std::numbers::pi / 4 * n["diameter"] * n["diameter"]);
     if (n["density"] <= 0) table.error("weight_in_water", "is less than that of a rope without mass");
     return;
   }
@@ -92,7 +92,8 @@ void derive(CataloguePart& part, TableReader& table) {
 CataloguePart read_part(const std::string& name, const PartKind& kind, const FileHead& head,
                         TableReader& table) {
   CataloguePart part;
-  part.name = name, part.kind = &kind;
+  part.name = name;
+  part.kind = &kind;
   const int errors_before = table.diagnostics().errors();
   read_texts(part, head, table);
   read_numbers(part, table);

@@ -68,11 +68,13 @@ bool compares_motions(const std::vector<Method>& methods) {
 
 ComparisonTask read_task(const CompareOptions& o) {
   ComparisonTask task;
-  task.methods = read_methods(o.methods), task.is_of_motions = compares_motions(task.methods);
+  task.methods = read_methods(o.methods);
+  task.is_of_motions = compares_motions(task.methods);
   task.tolerances = task.is_of_motions
                         ? read_decades(o.accuracy.empty() ? kAccuracies.example : o.accuracy, kAccuracies)
                         : read_decades(o.tolerance, kTolerances);
-  task.repeats = o.repeats, task.reference = o.reference;
+  task.repeats = o.repeats;
+  task.reference = o.reference;
   if (task.is_of_motions && !o.cells.empty())
     throw UsageError{"--cells gives the meshes of equilibria; motions are compared on one mesh"};
   if (!task.is_of_motions && !o.accuracy.empty())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cli/commands.hpp"
-#include "io/cli/damaged_file.hpp"
+#include "io/cli/last_words.hpp"
 #include "io/diff/report_diff.hpp"
 #include "io/hdf5/handle.hpp"
 
@@ -13,10 +13,6 @@ namespace {
 ResultSummary read(const std::string& path, bool json) {
   return on_file(path, json, [&] { return read_summary(path); });
 }
-
-}  // namespace
-
-namespace {
 
 /// How far nodes moved, where both files hold a shape that this program reads.
 std::optional<NodeMove> move_between(const Options& options) {

@@ -9,12 +9,12 @@
 #include "io/plot/plot.hpp"
 #include "io/scene/parameter_reader.hpp"
 #include "io/toml/document.hpp"
+#include "io/units/degrees.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <set>
 
 namespace netloft::io {
@@ -22,7 +22,6 @@ namespace netloft::io {
 namespace {
 
 constexpr const char *kPolar = "polar", *kSlip = "sideslip";
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// A polar as boards have it.
 struct Polar {
@@ -49,9 +48,10 @@ void put(const CataloguePart& part, const netloft_parameter& table, Table& all) 
   Table own;
   Place place;
   for (std::size_t k = 0; table.columns[k]; ++k)
-    if (const auto column = part.tables.find(table.columns[k]); column != part.tables.end())
-      own.members.push_back({table.columns[k], column->second.place, column->second}),
-          place = column->second.place;
+    if (const auto column = part.tables.find(table.columns[k]); column != part.tables.end()) {
+      own.members.push_back({table.columns[k], column->second.place, column->second});
+      place = column->second.place;
+    }
   if (own.members.size() > 1) all.members.push_back({table.name, place, {place, std::move(own)}});
 }
 
@@ -69,10 +69,10 @@ PlotSeries series_of(const std::string& name, const std::vector<double>& x, cons
                      const std::function<double(double)>& curve) {
   constexpr int kPieces = 120;  // of a curve, each a tenth of a millimetre in print
   PlotSeries series{name, {}};
-  for (std::size_t i = 0; i < x.size(); ++i) series.points.push_back({kDegrees * x[i], y[i]});
+  for (std::size_t i = 0; i < x.size(); ++i) series.points.push_back({kDegreesPerRadian * x[i], y[i]});
   for (int i = 0; i <= kPieces && !x.empty(); ++i) {
     const double at = std::lerp(x.front(), x.back(), static_cast<double>(i) / kPieces);
-    series.curve.push_back({kDegrees * at, curve(at)});
+    series.curve.push_back({kDegreesPerRadian * at, curve(at)});
   }
   return series;
 }
@@ -97,9 +97,13 @@ void add_sections(const std::string& prefix, const netloft_table& table, LinePlo
       const auto values = Curve::read(table, k + 2);
       std::vector<double> x, y;
       for (std::size_t i = 0; i < slip.size(); ++i)
-        if (slip[i] == s) x.push_back(attack[i]), y.push_back(values[i]);
-      plot.series.push_back(series_of(fmt::format("{}{}, sideslip {:.3g}°", prefix, names[k], kDegrees * s),
-                                      x, y, [&](double at) { return surface.at(at, s); }));
+        if (slip[i] == s) {
+          x.push_back(attack[i]);
+          y.push_back(values[i]);
+        }
+      plot.series.push_back(
+          series_of(fmt::format("{}{}, sideslip {:.3g}°", prefix, names[k], kDegreesPerRadian * s), x, y,
+                    [&](double at) { return surface.at(at, s); }));
     }
 }
 

@@ -26,7 +26,9 @@ const char* status_of(int exit_code) {
   }
 }
 
-std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+std::string dump(const Json& json, int indent = 2) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace
 
@@ -47,6 +49,10 @@ std::string error_json(const std::string& message, int exit_code) {
   const Json error = {{"severity", "error"}, {"where", ""},        {"line", 0},
                       {"column", 0},         {"message", message}, {"hint", ""}};
   return dump({{"status", status_of(exit_code)}, {"reason", message}, {"errors", Json::array({error})}});
+}
+
+std::string done_json(const std::string& output) {
+  return "{\"status\": \"done\", \"output\": " + dump(output, -1) + "}";
 }
 
 }  // namespace netloft::io

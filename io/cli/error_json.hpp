@@ -10,5 +10,7 @@ namespace netloft::io {
 std::string errors_json(const Diagnostics& diagnostics, int exit_code);
 /// The same for one sentence without a place.
 std::string error_json(const std::string& message, int exit_code);
+/// What was written, where nothing was wrong.
+std::string done_json(const std::string& output);
 
 }  // namespace netloft::io

@@ -160,7 +160,8 @@ void PartSchema::add(const ElementType& e, const PluginContent& plugin) {
   if (e.is_on_body()) return check(e, reference(name + "-on"));  // [bodies] makes what it stands on
   definitions[name] = part_schema(e, plugin);
   definitions[name + "-mesh"] = mesh_part_schema(e, plugin);
-  offers_.push_back(reference(name)), offers_.push_back(reference(name + "-mesh"));
+  offers_.push_back(reference(name));
+  offers_.push_back(reference(name + "-mesh"));
   const Json with_nodes = {
       {"if", {{"required", {"mesh"}}}}, {"then", reference(name + "-mesh")}, {"else", reference(name)}};
   check(e, {{"if", {{"required", {"on"}}}}, {"then", reference(name + "-on")}, {"else", with_nodes}});

@@ -5,8 +5,6 @@
 #include "io/cli/terminal.hpp"
 #include "io/files/whole_file.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -69,10 +67,6 @@ int write_last(Terminal& terminal, int code, const std::function<void()>& write)
     terminal.say(std::string("netloft: ") + e.what());
     return kOther;
   }
-}
-
-std::string in_json(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace netloft::io

@@ -27,7 +27,4 @@ void require_place(const std::string& file, const std::vector<std::string>& sour
 /// cannot be written; returns `code`, or kOther after such a failure.
 int write_last(Terminal& terminal, int code, const std::function<void()>& write);
 
-/// A text as JSON, in quotes.
-std::string in_json(const std::string& text);
-
 }  // namespace netloft::io

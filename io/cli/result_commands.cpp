@@ -2,7 +2,8 @@
 //
 // Commands about results that are there already: report, view, draw, export.
 #include "io/cli/commands.hpp"
-#include "io/cli/damaged_file.hpp"
+#include "io/cli/error_json.hpp"
+#include "io/cli/last_words.hpp"
 #include "io/cli/replaced_file.hpp"
 #include "io/cli/terminal.hpp"
 #include "io/hdf5/handle.hpp"
@@ -48,7 +49,7 @@ void write_and_say(const Options& options, const std::string& output, const std:
                    const std::vector<std::string>& sources, const std::vector<std::string>& endings = {}) {
   replace_file(output, content, sources, endings);
   if (options.json)
-    std::puts(("{\"status\": \"done\", \"output\": " + in_json(output) + "}").c_str());
+    std::puts(done_json(output).c_str());
   else
     Terminal(options.color).say("written to " + output);
 }

@@ -310,7 +310,8 @@ int plan_command(const Options& options) {
   if (const int code = session.open(); code != kDone) return code;
   PlanExtras extras = session.plan_extras();
   const MemoryForecast memory = foresee_memory(session.the_case());
-  extras.memory = memory.total(), extras.factor_memory = memory.factor,
+  extras.memory = memory.total();
+  extras.factor_memory = memory.factor;
   extras.stability_memory = memory.stability;
   std::puts(options.json
                 ? plan_json(session.loaded().scene, session.plan(), extras).c_str()

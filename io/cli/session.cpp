@@ -28,7 +28,8 @@ CaseSource source_of(const Options& options) {
     for (auto& word : overrides_of(key, specification)) source.overrides.push_back(std::move(word));
   };
   try {
-    add("strategy", options.strategy), add("solver", options.solver);
+    add("strategy", options.strategy);
+    add("solver", options.solver);
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }

@@ -129,7 +129,10 @@ RunOptions run_options(const Options& options, MatrixSoFar& matrix, Watchdog& wa
   const StabilityOptions& o = options.stability;
   RunOptions run;
   run.sizes = o.sizes.empty() ? std::vector<std::string>{"small", "medium"} : o.sizes;
-  run.pattern = o.pattern, run.seconds = o.seconds, run.work = o.work, run.update = o.update_references;
+  run.pattern = o.pattern;
+  run.seconds = o.seconds;
+  run.work = o.work;
+  run.update = o.update_references;
   run.threads = std::max(1, options.threads);
   run.watch = {.interrupt = &interrupt_flag(), .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   run.on_row = [&](const Row& row) { matrix.add(row); };

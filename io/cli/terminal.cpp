@@ -74,9 +74,10 @@ bool Terminal::is_due(double now) {
 void Terminal::show(const std::string& bar, const std::string& pairs, const std::string& object) {
   if (json_)
     std::fputs((object + "\n").c_str(), stderr);
-  else if (is_terminal_)
-    std::fputs(("\r\033[K" + bar).c_str(), stderr), drawn_ = true;
-  else
+  else if (is_terminal_) {
+    std::fputs(("\r\033[K" + bar).c_str(), stderr);
+    drawn_ = true;
+  } else
     std::fputs(("progress " + pairs + "\n").c_str(), stderr);
   std::fflush(stderr);
 }
@@ -96,7 +97,10 @@ void Terminal::progress_in_time(double t, double end, double seconds, const std:
 void Terminal::progress(const IterationRecord& r, double tolerance) {
   if (last_iteration_ >= 0 && r.iteration <= last_iteration_ && r.iteration == 0) ++stage_;
   const double now = wall_seconds();
-  if (r.iteration == 0 || first_residual_ == 0) first_residual_ = r.residual, stage_begun_ = now;
+  if (r.iteration == 0 || first_residual_ == 0) {
+    first_residual_ = r.residual;
+    stage_begun_ = now;
+  }
   last_iteration_ = r.iteration;
   if (!is_due(now)) return;
   const double wanted = tolerance * r.scale, seconds = now - begun_;
@@ -130,7 +134,10 @@ void Terminal::progress_in_steps(const std::string& things, std::size_t done, st
 }
 
 void Terminal::clear() {
-  if (drawn_) std::fputs("\r\033[K", stderr), std::fflush(stderr);
+  if (drawn_) {
+    std::fputs("\r\033[K", stderr);
+    std::fflush(stderr);
+  }
   drawn_ = false;
 }
 

@@ -91,14 +91,19 @@ void Watchdog::look(bool interrupted, double now) {
         std::find_if(seen_.begin(), seen_.end(), [&](const Seen& s) { return s.calls == calls; });
     if (known != seen_.end())
       look_at(*known, interrupted, now);
-    else
-      calls->watch_depth(), seen_.push_back({calls, calls->crossings(), calls->callbacks(), now});
+    else {
+      calls->watch_depth();
+      seen_.push_back({calls, calls->crossings(), calls->callbacks(), now});
+    }
   }
 }
 
 void Watchdog::look_at(Seen& seen, bool interrupted, double now) {
   const CallStack& calls = *seen.calls;
-  if (calls.crossings() != seen.crossings) seen.crossings = calls.crossings(), seen.since = now;
+  if (calls.crossings() != seen.crossings) {
+    seen.crossings = calls.crossings();
+    seen.since = now;
+  }
   const CallFrame frame = calls.innermost();
   if (frame.kind != CallFrame::Kind::host && now - seen.since > kGrace) {
     stop_others_at_the_boundary();
@@ -125,7 +130,8 @@ void Watchdog::end(bool interrupted, const CallFrame& frame, double waited) {
   } catch (const std::exception& e) {
     std::fprintf(stderr, "netloft: what was found could not be written: %s\n", e.what());
   }
-  std::fflush(stdout), std::fflush(stderr);
+  std::fflush(stdout);
+  std::fflush(stderr);
   _exit(code);
 }
 

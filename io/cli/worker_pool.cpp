@@ -37,7 +37,9 @@ void become(const std::vector<std::string>& command, int words, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(128 + SIGTERM);
   const int nothing = open("/dev/null", O_RDWR);
-  dup2(nothing, STDIN_FILENO), dup2(nothing, STDOUT_FILENO), dup2(words, STDERR_FILENO);
+  dup2(nothing, STDIN_FILENO);
+  dup2(nothing, STDOUT_FILENO);
+  dup2(words, STDERR_FILENO);
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -58,7 +60,10 @@ std::string read_last_words(int file) {
 class Pool {
  public:
   ~Pool() {
-    for (auto& [pid, worker] : workers_) kill(pid, SIGTERM), close(worker.words);
+    for (auto& [pid, worker] : workers_) {
+      kill(pid, SIGTERM);
+      close(worker.words);
+    }
   }
 
   bool is_empty() const { return workers_.empty(); }
@@ -127,7 +132,10 @@ std::size_t run_workers(std::size_t count, int jobs,
       pool.start(started, command(started));
       ++started;
     }
-    if (interrupt && !was_asked) pool.ask_to_end(), was_asked = true;
+    if (interrupt && !was_asked) {
+      pool.ask_to_end();
+      was_asked = true;
+    }
     WorkerEnd end;
     if (!pool.is_empty() && pool.wait_for_one(job, end)) on_end(job, end);
   }

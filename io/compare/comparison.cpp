@@ -22,8 +22,10 @@ double size_of(const Scene& scene) {
   double square = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = scene.positions[axis], high = low;
-    for (std::size_t d = axis; d < scene.positions.size(); d += 3)
-      low = std::min(low, scene.positions[d]), high = std::max(high, scene.positions[d]);
+    for (std::size_t d = axis; d < scene.positions.size(); d += 3) {
+      low = std::min(low, scene.positions[d]);
+      high = std::max(high, scene.positions[d]);
+    }
     square += (high - low) * (high - low);
   }
   return std::sqrt(square);
@@ -65,9 +67,12 @@ class Comparing {
   bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
 
   void describe() {
-    out_.scene = own_.loaded().scene.name, out_.mesh = mesh_of(own_.loaded());
-    out_.unknowns = own_.plan().unknowns, out_.repeats = task_.repeats;
-    out_.size = size_of(own_.loaded().scene), out_.is_of_motions = task_.is_of_motions;
+    out_.scene = own_.loaded().scene.name;
+    out_.mesh = mesh_of(own_.loaded());
+    out_.unknowns = own_.plan().unknowns;
+    out_.repeats = task_.repeats;
+    out_.size = size_of(own_.loaded().scene);
+    out_.is_of_motions = task_.is_of_motions;
   }
 
   MethodResult run_method(const Method& method) {
@@ -88,7 +93,8 @@ class Comparing {
     if (const auto absent = task_.absent.find(method.specification); absent != task_.absent.end()) {
       MethodResult result{method, {Trial{}}, {}, {}, true};
       Trial& trial = result.trials.front();
-      trial.tolerance = task_.tolerances.front(), trial.of_motion = "not installed",
+      trial.tolerance = task_.tolerances.front();
+      trial.of_motion = "not installed";
       trial.reason = absent->second;
       trial.cpu_seconds = std::numeric_limits<double>::quiet_NaN();
       return result;

@@ -46,7 +46,8 @@ Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<
   for (const auto& mesh : meshes) {
     const NamedScalar* found = find_scalar(mesh.*numbers, name);
     if (!found || !std::isfinite(found->value)) return {};
-    values.push_back(found->value), widths.push_back(mesh.mesh.width);
+    values.push_back(found->value);
+    widths.push_back(mesh.mesh.width);
   }
   return find_trend(values, widths, asked, meshes[asked].mesh.is_similar);
 }

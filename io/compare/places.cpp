@@ -70,7 +70,8 @@ double mean_distance(const Places& a, const Places& b, const Places& among) {
   for_common(a, b, [&](const Spot& spot, const Point& here, const Point& there) {
     if (!among.contains(spot)) return;
     const double d = distance(here, there);
-    sum += d * d, ++count;
+    sum += d * d;
+    ++count;
   });
   return std::sqrt(sum / static_cast<double>(count));
 }

@@ -18,7 +18,8 @@ void measure(StaticProblem& problem, Polished& p) {
   p.evaluated = problem.recompute(p.u, p.x, p.residuals, p.energy);
   if (!p.evaluated) return;
   const Balance balance = problem.balance(p.x, p.residuals);
-  p.residual = balance.residual, p.load = balance.scale;
+  p.residual = balance.residual;
+  p.load = balance.scale;
 }
 
 /// The rounding unit of the largest coordinate [m]; no position is known better.
@@ -48,7 +49,10 @@ Polished polish(Case& fresh, const std::vector<double>& u) {
   const bool counts_from_there = !fresh.assembler().has_bodies();
   Polished best;
   best.u = u;
-  if (counts_from_there) problem.count_from(problem.positions(u)), best.u.assign(u.size(), 0.0);
+  if (counts_from_there) {
+    problem.count_from(problem.positions(u));
+    best.u.assign(u.size(), 0.0);
+  }
   measure(problem, best);
   for (int step = 0; step < kMostSteps && best.evaluated; ++step) {
     Polished to = next(problem, best);

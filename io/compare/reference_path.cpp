@@ -39,7 +39,8 @@ const std::optional<ReferenceAnswer>& ReferencePaths::path_of(const Method& meth
     if (!trial.converged()) continue;
     known->second = ReferenceAnswer{method, true, trial.tolerance, Stability::unknown, {}};
     known->second->answer.uncertainty = std::numeric_limits<double>::quiet_NaN();
-    known->second->path = std::move(trial.path), known->second->is_damped = trial.is_damped;
+    known->second->path = std::move(trial.path);
+    known->second->is_damped = trial.is_damped;
     break;
   }
   return known->second;
@@ -63,7 +64,10 @@ std::optional<ReferenceAnswer> ReferencePaths::find_for(const Method& method, bo
           path_distance(own.loaded().scene, own.assembler().numbering(), reference->path, found->path);
       break;
     }
-    if (!reference) reference = found, reference->independent = plugin_of(other) != plugin_of(method);
+    if (!reference) {
+      reference = found;
+      reference->independent = plugin_of(other) != plugin_of(method);
+    }
   }
   return reference;
 }

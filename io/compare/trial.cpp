@@ -13,11 +13,17 @@ namespace {
 Trial trial_of(Solution&& s, double tolerance) {
   Trial t;
   t.tolerance = tolerance;
-  t.status = s.status, t.stability = s.stability, t.reason = std::move(s.reason);
-  t.cpu_seconds = s.cost.statistics.solver_cpu_seconds, t.statistics = s.cost.statistics;
-  t.residual = s.balance.residual, t.load = s.balance.scale;
-  t.estimate = s.correction.length, t.energy = s.energy;
-  t.x = std::move(s.x), t.u = std::move(s.u);
+  t.status = s.status;
+  t.stability = s.stability;
+  t.reason = std::move(s.reason);
+  t.cpu_seconds = s.cost.statistics.solver_cpu_seconds;
+  t.statistics = s.cost.statistics;
+  t.residual = s.balance.residual;
+  t.load = s.balance.scale;
+  t.estimate = s.correction.length;
+  t.energy = s.energy;
+  t.x = std::move(s.x);
+  t.u = std::move(s.u);
   return t;
 }
 
@@ -47,10 +53,14 @@ Trial trial_in_time(Case& fresh, const Method& method, double tolerance, const W
   };
   look.on_output = [&t](const Snapshot& at) { t.path.emplace_back(at.x.begin(), at.x.end()); };
   MarchResult result = fresh.march(look, watch, nullptr, fresh.loaded().analysis.work);
-  t.tolerance = tolerance, t.reason = std::move(result.reason), t.of_motion = word_for(result.status);
+  t.tolerance = tolerance;
+  t.reason = std::move(result.reason);
+  t.of_motion = word_for(result.status);
   t.status = result.status == MarchStatus::finished ? SolveStatus::converged : SolveStatus::not_converged;
-  t.cpu_seconds = result.statistics.total_cpu_seconds, t.statistics = result.statistics;
-  t.steps = result.steps, t.rejected = result.rejected;
+  t.cpu_seconds = result.statistics.total_cpu_seconds;
+  t.statistics = result.statistics;
+  t.steps = result.steps;
+  t.rejected = result.rejected;
   t.is_damped = !fresh.material_damping().starts_with("off: ");
   return t;
 }
@@ -58,7 +68,9 @@ Trial trial_in_time(Case& fresh, const Method& method, double tolerance, const W
 /// One that failed may do so at this tolerance alone, and others go well.
 Trial failed_trial(double tolerance, const std::string& why) {
   Trial t;
-  t.tolerance = tolerance, t.failed = true, t.reason = why;
+  t.tolerance = tolerance;
+  t.failed = true;
+  t.reason = why;
   t.cpu_seconds = std::numeric_limits<double>::quiet_NaN();
   return t;
 }
@@ -80,7 +92,9 @@ Trial run_once(const CaseSource& source, Registry& registry, const Method& metho
 
 Trial not_tried(double tolerance) {
   Trial t;
-  t.tolerance = tolerance, t.tried = false, t.reason = "a looser tolerance was not reached";
+  t.tolerance = tolerance;
+  t.tried = false;
+  t.reason = "a looser tolerance was not reached";
   return t;
 }
 

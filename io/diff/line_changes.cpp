@@ -28,7 +28,10 @@ struct Middle {
 
   Middle(const Lines& a, const Lines& b) : a_end(a.size()), b_end(b.size()) {
     while (begin < std::min(a_end, b_end) && a[begin] == b[begin]) ++begin;
-    while (a_end > begin && b_end > begin && a[a_end - 1] == b[b_end - 1]) --a_end, --b_end;
+    while (a_end > begin && b_end > begin && a[a_end - 1] == b[b_end - 1]) {
+      --a_end;
+      --b_end;
+    }
   }
   std::size_t rows() const { return a_end - begin; }
   std::size_t columns() const { return b_end - begin; }
@@ -65,9 +68,10 @@ void walk(const CommonTails& common, Changes& changes) {
   const Middle& m = changes.m;
   std::size_t i = 0, j = 0;
   while (i < m.rows() && j < m.columns())
-    if (changes.a[m.begin + i] == changes.b[m.begin + j])
-      ++i, ++j;
-    else if (common.at(i + 1, j) >= common.at(i, j + 1))
+    if (changes.a[m.begin + i] == changes.b[m.begin + j]) {
+      ++i;
+      ++j;
+    } else if (common.at(i + 1, j) >= common.at(i, j + 1))
       changes.gone(i++);
     else
       changes.is_new(j++);

@@ -27,9 +27,10 @@ class PanelIndex {
       if (mesh_.cell_part[mesh_.triangle_cells[t]] == part && std::isfinite(mesh_.corners[t][0]))
         triangles_.push_back(t);
     for (const std::size_t t : triangles_)
-      for (std::size_t k = 0; k < 6; ++k)
-        lo_[k % 2] = std::min(lo_[k % 2], mesh_.corners[t][k]),
-                hi_[k % 2] = std::max(hi_[k % 2], mesh_.corners[t][k]);
+      for (std::size_t k = 0; k < 6; ++k) {
+        lo_[k % 2] = std::min(lo_[k % 2], mesh_.corners[t][k]);
+        hi_[k % 2] = std::max(hi_[k % 2], mesh_.corners[t][k]);
+      }
     side_ =
         std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles_.size()))));
     for (const std::size_t t : triangles_) insert(t);
@@ -112,7 +113,8 @@ class MoveFinder {
       else
         compare_by_place(part, *other);
     }
-    move_.compared = compared_.size(), move_.nodes = before_.mesh.n_points;
+    move_.compared = compared_.size();
+    move_.nodes = before_.mesh.n_points;
     return compared_.empty() ? std::nullopt : std::optional(move_);
   }
 
@@ -143,7 +145,9 @@ class MoveFinder {
     compared_[node] = true;
     const double distance = std::hypot(after[0] - before[0], after[1] - before[1], after[2] - before[2]);
     if (distance < move_.distance) return;
-    move_.distance = distance, move_.before = before, move_.after = after;
+    move_.distance = distance;
+    move_.before = before;
+    move_.after = after;
     move_.part = before_.parts[before_.mesh.node_part[node]].name;
     move_.number = before_.mesh.node_number[node];
   }

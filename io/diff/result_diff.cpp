@@ -72,8 +72,10 @@ std::vector<int> partners(const std::vector<InputText>& before, const std::vecto
   std::vector<bool> taken(after.size());
   for (std::size_t i = 0; i < before.size(); ++i)
     for (std::size_t j = 0; j < after.size() && partner[i] < 0; ++j)
-      if (!taken[j] && (i == 0 ? j == 0 : j > 0 && name_of(before[i].path) == name_of(after[j].path)))
-        partner[i] = static_cast<int>(j), taken[j] = true;
+      if (!taken[j] && (i == 0 ? j == 0 : j > 0 && name_of(before[i].path) == name_of(after[j].path))) {
+        partner[i] = static_cast<int>(j);
+        taken[j] = true;
+      }
   return partner;
 }
 

@@ -132,7 +132,10 @@ std::string motion_json(const LoadedScene& loaded, const Plan& plan, const Motio
   using Json = nlohmann::ordered_json;
   const Statistics& b = r.march.statistics;
   Json results = Json::object(), units = Json::object(), energies = Json::object();
-  for (const auto& s : r.scalars) results[s.name] = s.value, units[s.name] = s.unit;
+  for (const auto& s : r.scalars) {
+    results[s.name] = s.value;
+    units[s.name] = s.unit;
+  }
   for (const auto& [name, joules] : r.energies) energies[name] = joules;
   const Json json = {{"scene", loaded.scene.name},
                      {"status", name_of(r.march.status)},

@@ -50,10 +50,13 @@ class LossWatch {
   void compare(const Moment& now) {
     judge_.note(before_.totals, now.totals, 1);
     if (!loss_) loss_.emplace();
-    loss_->lost = -judge_.made(), loss_->given = judge_.given();
+    loss_->lost = -judge_.made();
+    loss_->given = judge_.given();
     const double lost = now.totals.numerical - before_.totals.numerical;
     if (lost <= loss_->worst) return;
-    loss_->worst = lost, loss_->from = before_.t, loss_->until = now.t;
+    loss_->worst = lost;
+    loss_->from = before_.t;
+    loss_->until = now.t;
     loss_->node = scene_.node_name(most_changed(now.v));
   }
   std::uint32_t most_changed(const std::vector<double>& v) const {
@@ -63,7 +66,10 @@ class LossWatch {
       const std::size_t i = 3 * std::size_t{node};
       const double change =
           std::hypot(v[i] - before_.v[i], v[i + 1] - before_.v[i + 1], v[i + 2] - before_.v[i + 2]);
-      if (change > most) most = change, which = node;
+      if (change > most) {
+        most = change;
+        which = node;
+      }
     }
     return which;
   }
@@ -110,7 +116,8 @@ class MotionRun {
     result_.march =
         case_.march(watch, {.interrupt = options_.interrupt, .on_iteration = options_.on_iteration},
                     from_ ? &*from_ : nullptr);
-    result_.loss = losses_.loss(), result_.warnings = boards_.warnings();
+    result_.loss = losses_.loss();
+    result_.warnings = boards_.warnings();
     if (!journal_) return std::move(result_);
     if (result_.outputs == outputs_before_) recall_last_output();
     finish();
@@ -129,7 +136,8 @@ class MotionRun {
     journal_.emplace(SeriesJournal::go_on(part, options_.identity));
     const MarchState state =
         with_context(part.string(), [&] { return unpack_checkpoint(journal_->checkpoint()); });
-    result_.resumed_from = state.t, result_.outputs = outputs_before_ = journal_->size();
+    result_.resumed_from = state.t;
+    result_.outputs = outputs_before_ = journal_->size();
     if (!journal_->damage().empty()) warn_of_damage();
     return state;
   }
@@ -143,7 +151,8 @@ class MotionRun {
 
   void write(const Snapshot& at) {
     const SeriesState state = describe(at);
-    losses_.note(at), boards_.note(at.t, find_fallen_boards(loaded_, result_.gear));
+    losses_.note(at);
+    boards_.note(at.t, find_fallen_boards(loaded_, result_.gear));
     if (!journal_) begin_journal();
     if (result_.outputs == outputs_before_) journal_->require_layout(layout_);
     journal_->write(state, at.state ? pack_checkpoint(*at.state) : "");
@@ -197,22 +206,26 @@ class MotionRun {
   SeriesState describe(const Snapshot& at) {
     Assembler& assembler = case_.assembler();
     Solution solution;
-    solution.x.assign(at.x.begin(), at.x.end()),
-        solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
+    solution.x.assign(at.x.begin(), at.x.end());
+    solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
     const Answer& answer = answer_at(at.forces, solution.x);
     SeriesState state;
-    layout_.changing.clear(), layout_.columns.clear();
+    layout_.changing.clear();
+    layout_.columns.clear();
     state.time = at.t;
     state.points = assembler.node_positions(solution.x);
     add_point_fields(at, solution, state);
     if (!fields_) fields_.emplace(loaded_, assembler);
-    for (auto& cell : fields_->gather(answer.outputs))
-      layout_.changing.push_back(cell.spec), state.fields.push_back(std::move(cell.values));
+    for (auto& cell : fields_->gather(answer.outputs)) {
+      layout_.changing.push_back(cell.spec);
+      state.fields.push_back(std::move(cell.values));
+    }
     add_row(at, solution, answer.outputs, state);
     add_gear(at, answer, state);
     add_moment_of_forces(at, state);
     if (layout_.mesh.n_points == 0) {
-      layout_.mesh = make_mesh(loaded_, assembler), layout_.fixed = label_points(loaded_);
+      layout_.mesh = make_mesh(loaded_, assembler);
+      layout_.fixed = label_points(loaded_);
       layout_.fixed.push_back(label_cells(loaded_, assembler));
       layout_.fixed.push_back(label_corners(loaded_, assembler));
     }
@@ -222,9 +235,10 @@ class MotionRun {
   /// What elements say where forces are known, which is the same for all outputs within a step, and positions
   /// of the output.
   const Answer& answer_at(const ForceMoment& forces, std::span<const double> x) {
-    if (!answered_at_ || *answered_at_ != forces.t)
-      answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion, has_figures()),
+    if (!answered_at_ || *answered_at_ != forces.t) {
+      answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion, has_figures());
       answered_at_ = forces.t;
+    }
     answer_.x.assign(x.begin(), x.end());
     return answer_;
   }
@@ -252,10 +266,13 @@ class MotionRun {
 
   void add_row(const Snapshot& at, const Solution& solution, const FamilyOutputs& outputs,
                SeriesState& state) {
-    result_.scalars.clear(), result_.energies.clear();
+    result_.scalars.clear();
+    result_.energies.clear();
     for (const auto& request : loaded_.results) {
       NamedScalar scalar{};
-      scalar.name = request.name, scalar.unit = request.unit, scalar.doc = request.take + " of " + request.of;
+      scalar.name = request.name;
+      scalar.unit = request.unit;
+      scalar.doc = request.take + " of " + request.of;
       scalar.value = value_of(request, loaded_, case_.assembler(), solution, outputs);
       layout_.columns.push_back({scalar.name, scalar.unit, scalar.doc});
       state.row.push_back(scalar.value);

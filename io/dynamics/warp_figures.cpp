@@ -16,7 +16,10 @@ void set(std::vector<NamedScalar>& gear, const std::string& name, const char* un
   for (NamedScalar& figure : gear)
     if (figure.name == name) return void(figure.value = value);
   NamedScalar figure;
-  figure.name = name, figure.unit = unit, figure.doc = doc, figure.value = value;
+  figure.name = name;
+  figure.unit = unit;
+  figure.doc = doc;
+  figure.value = value;
   gear.push_back(std::move(figure));
 }
 

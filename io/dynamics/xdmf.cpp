@@ -20,7 +20,9 @@ struct SteppedArray {
 
   void append_to(std::string& text, std::size_t step) const {
     const auto first = static_cast<std::size_t>(offsets.at(step)) * columns;
-    text += before, text += std::to_string(place + 8 * first), text += after;
+    text += before;
+    text += std::to_string(place + 8 * first);
+    text += after;
   }
 };
 
@@ -87,7 +89,8 @@ void write_xdmf(const std::filesystem::path& result) {
                static_cast<std::size_t>(reader.integer("/VTKHDF/NumberOfPoints")), file);
   for (std::size_t i = 0; i < times.size(); ++i) {
     out += fmt::format("<Grid Name=\"step {}\"><Time Value=\"{:.17g}\"/>\n", i, times[i]);
-    out += cells, out += "<Geometry GeometryType=\"XYZ\">";
+    out += cells;
+    out += "<Geometry GeometryType=\"XYZ\">";
     points.append_to(out, i);
     out += "</Geometry>\n";
     for (const SteppedArray& array : arrays) array.append_to(out, i);

@@ -19,8 +19,12 @@ double distance_to_side(const PlanePoint& p, const PlanePoint& a, const PlanePoi
 BorderSides::BorderSides(const std::vector<PlanePoint>& border, double reach)
     : border_(border), reach_(reach) {
   low_ = high_ = border.front()[1];
-  for (const auto& p : border) low_ = std::min(low_, p[1]), high_ = std::max(high_, p[1]);
-  low_ -= reach, high_ += reach;
+  for (const auto& p : border) {
+    low_ = std::min(low_, p[1]);
+    high_ = std::max(high_, p[1]);
+  }
+  low_ -= reach;
+  high_ += reach;
   bands_.resize(static_cast<std::size_t>((high_ - low_) / reach) + 2);
   for (std::size_t i = 0; i < border.size(); ++i) {
     const auto [a, b] = std::minmax(border[i][1], border[(i + 1) % border.size()][1]);

@@ -26,7 +26,8 @@ double misses_by(const Panel& panel) {
 /// The panel with one of its cuts at another rate.
 Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string& rate) {
   auto& side = is_outer ? panel.outer : panel.inner;
-  side[which].rate = *parse_rate(rate), side[which].is_known = true;
+  side[which].rate = *parse_rate(rate);
+  side[which].is_known = true;
   settle(side, panel.depth);
   return panel;
 }
@@ -38,7 +39,10 @@ std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& rate : rates_near(cut.written)) {
     const double miss = misses_by(with_rate(panel, is_outer, which, rate));
-    if (miss < least) best = rate, least = miss;
+    if (miss < least) {
+      best = rate;
+      least = miss;
+    }
   }
   return best;
 }

@@ -33,9 +33,14 @@ Row read_row(const NetPlan& plan, const std::vector<std::string>& names, const P
       row.is_sound = false;
       continue;
     }
-    if (row.name.empty()) row.times = set.times(), row.mesh = set.panel->mesh, row.is_side = set.is_side();
+    if (row.name.empty()) {
+      row.times = set.times();
+      row.mesh = set.panel->mesh;
+      row.is_side = set.is_side();
+    }
     row.name += (row.name.empty() ? "" : " + ") + name;
-    row.meshes += set.times() * set.meshes(), row.stretched += set.times() * set.stretched();
+    row.meshes += set.times() * set.meshes();
+    row.stretched += set.times() * set.stretched();
     row.is_one_mesh_size = row.is_one_mesh_size && set.panel->mesh == row.mesh;
   }
   row.is_sound = row.is_sound && !names.empty();
@@ -236,7 +241,8 @@ class Connections {
   void add(const std::string& name, const Place& place) {
     parent_.push_back(parent_.size());
     index_.emplace(name, parent_.size() - 1);
-    names_.push_back(name), places_.push_back(place);
+    names_.push_back(name);
+    places_.push_back(place);
   }
   void connect(const std::string& a, const std::string& b) {
     const auto i = index_.find(a), j = index_.find(b);

@@ -48,7 +48,8 @@ class RopeWays {
   };
   void add(const std::string& a, const std::string& b, double length) {
     if (b.empty()) return;
-    ways_.emplace(a, Way{b, length}), ways_.emplace(b, Way{a, length});
+    ways_.emplace(a, Way{b, length});
+    ways_.emplace(b, Way{a, length});
   }
   std::multimap<std::string, Way> ways_;
 };

@@ -30,9 +30,10 @@ class Cutter {
     for (std::size_t p = 0; p < gear_.panels.size(); ++p) {
       const bool is_doubled =
           gear_.extent == Extent::whole && gear_.panels[p].panel->stands == Standing::middle;
-      if (is_doubled)
-        add_half(p, 1), add_half(p, -1);
-      else
+      if (is_doubled) {
+        add_half(p, 1);
+        add_half(p, -1);
+      } else
         add_panel(p);
     }
     return std::move(all_);
@@ -76,8 +77,10 @@ class Cutter {
     ClothSide side;
     side.edge = {p, e};
     side.kind = edge.kind;
-    side.edge_from = from, side.edge_to = to;
-    side.from = between(edge.from, edge.to, from), side.to = between(edge.from, edge.to, to);
+    side.edge_from = from;
+    side.edge_to = to;
+    side.from = between(edge.from, edge.to, from);
+    side.to = between(edge.from, edge.to, to);
     side.meshes = (to - from) * edge.meshes;
     side.stretched = (to - from) * edge.stretched * panel.panel->mesh;
     side.goes_aft = edge.kind == EdgeKind::outer ||
@@ -89,8 +92,10 @@ class Cutter {
   static void reverse(std::vector<ClothSide>& ring) {
     std::reverse(ring.begin(), ring.end());
     for (auto& side : ring) {
-      std::swap(side.from, side.to), std::swap(side.edge_from, side.edge_to);
-      side.from.x = -side.from.x, side.to.x = -side.to.x;
+      std::swap(side.from, side.to);
+      std::swap(side.edge_from, side.edge_to);
+      side.from.x = -side.from.x;
+      side.to.x = -side.to.x;
       side.is_reversed = true;
     }
   }
@@ -112,7 +117,8 @@ class Cutter {
     side.is_inside = true;
     side.kind = EdgeKind::middle;
     side.edge.panel = cloth.panel;
-    side.from = from, side.to = to;
+    side.from = from;
+    side.to = to;
     side.meshes = from.y - to.y;
     add_side(side);
   }

@@ -65,7 +65,8 @@ std::vector<std::string> rates_near(const std::string& text) {
     for (int others = 1; others <= 12; ++others)
       for (const char* letter : {"P", "M", "N", "T"}) {
         const std::string b = std::to_string(bars) + "B", o = std::to_string(others) + letter;
-        add(b + o), add(o + b);
+        add(b + o);
+        add(o + b);
       }
   return near;
 }

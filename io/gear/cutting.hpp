@@ -23,9 +23,6 @@ struct CuttingRate {
   /// Meshes across in `deep` meshes; not defined for a rate that goes across only (AM).
   double across(double deep) const { return deep * half_meshes_across() / half_meshes_deep(); }
   double deep(double across) const { return across * half_meshes_deep() / half_meshes_across(); }
-  /// Length of the twines along a cycle when pulled straight, in stretched meshes.
-  ///   s = b/2 + n + t                  (3)
-  double stretched_per_cycle() const { return 0.5 * bars + points + meshes; }
 
   bool operator==(const CuttingRate&) const = default;
 };

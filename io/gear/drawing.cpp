@@ -5,12 +5,12 @@
 #include "io/gear/layout.hpp"
 #include "io/gear/names.hpp"
 #include "io/plot/svg.hpp"
+#include "io/units/degrees.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 namespace netloft::io {
@@ -33,8 +33,10 @@ struct Scale {
 struct Box {
   double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
   void take(PanelPoint p) {
-    left = std::min(left, p.x), right = std::max(right, p.x);
-    top = std::min(top, p.y), bottom = std::max(bottom, p.y);
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+    top = std::min(top, p.y);
+    bottom = std::max(bottom, p.y);
   }
 };
 
@@ -61,7 +63,7 @@ std::string cutting_of(const Panel& panel, const std::string& edge) {
 std::string netting_of(const Panel& panel) {
   std::string text = fmt::format("{:.4g} mm", 1e3 * panel.mesh);
   if (panel.orientation != "diamond") text += " " + panel.orientation;
-  if (panel.angle != 0) text += fmt::format(" turned {:.4g}°", panel.angle * 180 / std::numbers::pi);
+  if (panel.angle != 0) text += fmt::format(" turned {:.4g}°", kDegreesPerRadian * panel.angle);
   return text;
 }
 
@@ -124,10 +126,9 @@ class Draughtsman {
   }
 
   void say_quality(const GearMesh& mesh) {
-    const double degrees = 180 / std::numbers::pi;
     say(fmt::format("{} nodes, {} triangles, angles {:.0f} to {:.0f}° where meshes are opened by one half",
-                    mesh.nodes, mesh.quality.triangles, degrees * mesh.quality.least_angle,
-                    degrees * mesh.quality.greatest_angle),
+                    mesh.nodes, mesh.quality.triangles, kDegreesPerRadian * mesh.quality.least_angle,
+                    kDegreesPerRadian * mesh.quality.greatest_angle),
         kInk);
   }
 

@@ -17,7 +17,8 @@ const char* prefix(Side side) {
 
 OutlineEdge mirrored(OutlineEdge edge) {
   std::swap(edge.from, edge.to);
-  edge.from.x = -edge.from.x, edge.to.x = -edge.to.x;
+  edge.from.x = -edge.from.x;
+  edge.to.x = -edge.to.x;
   return edge;
 }
 
@@ -37,12 +38,15 @@ Outline both_halves(const Outline& half) {
     if (crosses_middle(edge)) {
       right.from.x = edge.kind == EdgeKind::fore ? -edge.to.x : edge.from.x;
       right.to.x = edge.kind == EdgeKind::fore ? edge.to.x : -edge.from.x;
-      right.meshes *= 2, right.stretched *= 2;
+      right.meshes *= 2;
+      right.stretched *= 2;
       starboard.push_back(right);
       continue;
     }
-    right.name = prefix(Side::starboard) + right.name, left.name = prefix(Side::port) + left.name;
-    starboard.push_back(right), port.push_back(left);
+    right.name = prefix(Side::starboard) + right.name;
+    left.name = prefix(Side::port) + left.name;
+    starboard.push_back(right);
+    port.push_back(left);
   }
   starboard.insert(starboard.end(), port.rbegin(), port.rend());
   return {std::move(starboard)};

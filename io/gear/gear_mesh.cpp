@@ -79,7 +79,8 @@ class Divider {
 
   std::vector<double> fractions_of(const Run& run) const {
     auto fractions = lines_.lines[run.line].fractions;
-    fractions.insert(fractions.begin(), 0), fractions.push_back(1);
+    fractions.insert(fractions.begin(), 0);
+    fractions.push_back(1);
     if (run.is_forward) return fractions;
     std::reverse(fractions.begin(), fractions.end());
     for (auto& fraction : fractions) fraction = 1 - fraction;

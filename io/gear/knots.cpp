@@ -41,10 +41,16 @@ class Lattice {
 std::vector<PlanePoint> knots_within(const Panel& panel, double sign, const std::vector<PlanePoint>& border) {
   const Lattice lattice(panel, sign);
   double low[2], high[2];
-  for (const int k : {0, 1}) low[k] = std::numeric_limits<double>::infinity(), high[k] = -low[k];
+  for (const int k : {0, 1}) {
+    low[k] = std::numeric_limits<double>::infinity();
+    high[k] = -low[k];
+  }
   for (const PlanePoint& p : border) {
     const PlanePoint t = lattice.twines(p);
-    for (const std::size_t k : {0u, 1u}) low[k] = std::min(low[k], t[k]), high[k] = std::max(high[k], t[k]);
+    for (const std::size_t k : {0u, 1u}) {
+      low[k] = std::min(low[k], t[k]);
+      high[k] = std::max(high[k], t[k]);
+    }
   }
   const BorderSides sides(border, kNearest * panel.mesh / 2);
   std::vector<PlanePoint> knots;

@@ -78,7 +78,8 @@ class Sheet {
     for (std::size_t i = first; i < placed_.size(); ++i)
       for (const auto& corner : placed_[i].outline.corners()) {
         const double x = placed_[i].on_sheet(corner).x;
-        left = std::min(left, x), right = std::max(right, x);
+        left = std::min(left, x);
+        right = std::max(right, x);
       }
     for (std::size_t i = first; i < placed_.size(); ++i) placed_[i].x += next_ - left;
     next_ += (1 + kGap) * (right - left);

@@ -43,7 +43,8 @@ std::vector<double> by_gains(std::size_t nodes, const std::vector<Gain>& gains,
   for (const auto& [from, to, gain, weight] : gains) {
     const int i = static_cast<int>(from), j = static_cast<int>(to);
     entries.insert(entries.end(), {{i, i, weight}, {j, j, weight}, {i, j, -weight}, {j, i, -weight}});
-    load[i] -= weight * gain, load[j] += weight * gain;
+    load[i] -= weight * gain;
+    load[j] += weight * gain;
   }
   for (const auto& [node, value] : fixed) {
     entries.push_back({static_cast<int>(node), static_cast<int>(node), kHold});

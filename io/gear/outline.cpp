@@ -45,7 +45,8 @@ class Pen {
   /// A point within rounding of the middle is put on the middle.
   void draw(OutlineEdge edge, PanelPoint to) {
     if (std::abs(to.x) < 1e-9) to.x = 0;
-    edge.from = at_, edge.to = to;
+    edge.from = at_;
+    edge.to = to;
     at_ = to;
     if (std::hypot(edge.to.x - edge.from.x, edge.to.y - edge.from.y) > 1e-9)
       edges_.push_back(std::move(edge));
@@ -103,7 +104,8 @@ std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, do
   std::vector<PanelPoint> corners = {{x0, 0}};
   double x = x0, y = 0;
   for (const auto& cut : side) {
-    x += sign * cut.goes * cut.across, y += scale * cut.deep;
+    x += sign * cut.goes * cut.across;
+    y += scale * cut.deep;
     corners.push_back({x + shift * y / depth, y});
   }
   return corners;

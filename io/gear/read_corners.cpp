@@ -131,9 +131,11 @@ class CornerReader {
                   "sides go from the fore to the aft end; divide the panel there and join the pieces");
     const double outwards = side_sign(side) * across;
     Cut cut;
-    cut.name = corners_[i].edge, cut.place = table_.place("corners");
+    cut.name = corners_[i].edge;
+    cut.place = table_.place("corners");
     cut.goes = outwards > 0 ? 1 : outwards < 0 ? -1 : 0;
-    cut.said_across = cut.across = std::abs(across), cut.said_deep = cut.deep = deep;
+    cut.said_across = cut.across = std::abs(across);
+    cut.said_deep = cut.deep = deep;
     side.push_back(std::move(cut));
   }
 
@@ -154,12 +156,14 @@ class CornerReader {
   }
 
   void name_sides() {
-    name_all(panel_.fore, "fore"), name_all(panel_.aft, "aft");
+    name_all(panel_.fore, "fore");
+    name_all(panel_.aft, "aft");
     name_all(panel_.outer, panel_.stands == Standing::middle ? "sides" : "outer");
     name_all(panel_.inner, "inner");
     if (panel_.fore.empty()) panel_.fore = {{"fore", 0, table_.place("corners")}};
     if (panel_.aft.empty()) panel_.aft = {{"aft", 0, table_.place("corners")}};
-    panel_.states_aft = true, panel_.aft_place = table_.place("corners");
+    panel_.states_aft = true;
+    panel_.aft_place = table_.place("corners");
   }
 
   template <class Edge>

@@ -60,11 +60,14 @@ void read_direction(Cut& cut, const std::string& direction, TableReader& table, 
 /// Reads a rate. If the text is not a rate, the probable one is found later, with the whole panel.
 void read_rate(Cut& cut, TableReader& table, const char* key) {
   const auto words = split_cut(table.text(key, {.doc = "cutting rate and direction, such as \"5B1P in\""}));
-  cut.written = words.rate, cut.place = table.place(key);
+  cut.written = words.rate;
+  cut.place = table.place(key);
   if (const auto rate = parse_rate(words.rate))
     cut.rate = *rate;
-  else
-    cut.is_known = false, cut.rate = {.points = 1};
+  else {
+    cut.is_known = false;
+    cut.rate = {.points = 1};
+  }
   read_direction(cut, words.direction, table, key);
 }
 
@@ -116,7 +119,10 @@ std::vector<Cut> read_whole_side(TableReader& table, const char* key) {
 /// The straight side of a tube without cuts.
 Cut straight_cut(const char* key, const Place& place) {
   Cut cut;
-  cut.name = key, cut.written = "AN", cut.rate = {.points = 1}, cut.place = place;
+  cut.name = key;
+  cut.written = "AN";
+  cut.rate = {.points = 1};
+  cut.place = place;
   return cut;
 }
 
@@ -181,7 +187,8 @@ void read_material(Panel& panel, TableReader& table, const Catalogue& catalogue)
     panel.mesh = netting->numbers.at("mesh");
   ChosenPart twine = table.has("twine") || !netting ? read_part_choice(table, "twine", "twine", catalogue)
                                                     : twine_of(*netting, table.place("netting"), catalogue);
-  panel.twine_name = std::move(twine.name), panel.twine = std::move(twine.table);
+  panel.twine_name = std::move(twine.name);
+  panel.twine = std::move(twine.table);
   panel.twine_diameter = diameter_of(panel.twine, table.path("twine"), table.diagnostics());
   panel.twines =
       static_cast<int>(table.integer("twines", {.doc = "side by side", .lo = 1, .hi = 9, .fallback = 1}));
@@ -303,7 +310,8 @@ Standing read_standing(TableReader& table, const char* fallback) {
 
 Panel read_panel(const std::string& name, TableReader& table, const Catalogue& catalogue) {
   Panel panel;
-  panel.name = name, panel.place = table.place();
+  panel.name = name;
+  panel.place = table.place();
   panel.stands = read_standing(table, "middle");
   table.has("corners") ? read_corners(panel, table) : read_counts_and_cuttings(panel, table);
   read_material(panel, table, catalogue);

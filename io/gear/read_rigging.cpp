@@ -78,10 +78,12 @@ const std::vector<std::string>& rope_roles() {
 
 Rope read_rope(const std::string& name, TableReader& table, const Catalogue& catalogue) {
   Rope rope;
-  rope.name = name, rope.place = table.place();
+  rope.name = name;
+  rope.place = table.place();
   rope.stands = read_standing(table, "pair");
   ChosenPart part = read_part_choice(table, "rope", "rope", catalogue);
-  rope.part_name = std::move(part.name), rope.rope = std::move(part.table);
+  rope.part_name = std::move(part.name);
+  rope.rope = std::move(part.table);
   rope.length = read_length(table, "length", "unstretched, of the whole rope");
   read_role(rope, table);
   if (table.has("between")) {
@@ -97,7 +99,8 @@ Hanging read_hanging(TableReader& table) {
   Hanging hanging;
   hanging.edge = table.text("edge", {.doc = "of a panel, such as \"top-wing.inner\""});
   hanging.rope = table.text("on", {.doc = "a rope"});
-  hanging.edge_place = table.place("edge"), hanging.rope_place = table.place("on");
+  hanging.edge_place = table.place("edge");
+  hanging.rope_place = table.place("on");
   hanging.place = table.place();
   if (table.has("length") && table.has("ratio"))
     table.error("ratio", "cannot be combined with length, which has the same meaning", "leave out either");
@@ -136,9 +139,11 @@ Join read_join(TableReader& table) {
 
 Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue& catalogue) {
   Pieces pieces;
-  pieces.name = name, pieces.place = table.place();
+  pieces.name = name;
+  pieces.place = table.place();
   ChosenPart part = read_part_choice(table, "float", "float", catalogue);
-  pieces.part_name = std::move(part.name), pieces.piece = std::move(part.table);
+  pieces.part_name = std::move(part.name);
+  pieces.piece = std::move(part.table);
   const std::string spread = table.text("spread", {.doc = "how many along which rope, or at which point"});
   pieces.spread_place = table.place("spread");
   if (table.has("spread") && table.kind("spread") == Kind::text && !split_spread(spread, pieces))
@@ -150,7 +155,8 @@ Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue&
 
 Point read_point(const std::string& name, TableReader& table) {
   Point point;
-  point.name = name, point.place = table.place();
+  point.name = name;
+  point.place = table.place();
   point.stands = read_standing(table, "pair");
   if (table.has("at")) {
     const auto at = table.reals("at", {.unit = "m", .doc = "x, y, z", .range = kPlaces, .count = exactly(3)});

@@ -68,10 +68,12 @@ const RealSpec kTension{.unit = "N", .doc = "at the block, held by the winch", .
 
 Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogue) {
   Rope rope;
-  rope.name = rope.role = kWarp, rope.place = rope.role_place = warp.place();
+  rope.name = rope.role = kWarp;
+  rope.place = rope.role_place = warp.place();
   rope.stands = Standing::pair;
   ChosenPart part = read_part_choice(warp, "rope", "rope", catalogue);
-  rope.part_name = std::move(part.name), rope.rope = std::move(part.table);
+  rope.part_name = std::move(part.name);
+  rope.rope = std::move(part.table);
   const RealSpec length{.unit = "m", .doc = "from the block", .range = {0, 1e5, true}};
   rope.length = warp.real("length", length);
   if (warp.has("length_port")) rope.length_port = warp.real("length_port", length);
@@ -93,7 +95,8 @@ Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogu
 
 PlanBody read_plan_body(const std::string& name, TableReader& table, const Catalogue& catalogue) {
   PlanBody body;
-  body.name = name, body.place = table.place();
+  body.name = name;
+  body.place = table.place();
   body.stands = read_standing(table, "pair");
   const Value* own = table.has(kPoints) ? table.raw(kPoints) : nullptr;
   body.points = names_in(own ? own->as<Table>() : points_of_catalogue(table, catalogue));
@@ -103,14 +106,16 @@ PlanBody read_plan_body(const std::string& name, TableReader& table, const Catal
 
 void add_ship(NetPlan& plan, TableReader& table, const Catalogue& catalogue) {
   Ship ship;
-  ship.place = table.place(), ship.speed_place = table.place("speed");
+  ship.place = table.place();
+  ship.speed_place = table.place("speed");
   ship.speed = table.real("speed", {.unit = "m/s", .doc = "over the ground", .range = between(0, 50)});
   if (table.has("efficiency"))
     ship.efficiency = table.real(
         "efficiency", {.unit = "1", .doc = "towing power over the heat of the fuel", .range = {0, 1, true}});
   if (table.has("path")) {
     TableReader path = table.table("path");
-    ship.path = read_path(path, ship.speed), ship.path_place = path.place();
+    ship.path = read_path(path, ship.speed);
+    ship.path_place = path.place();
   }
   if (table.has("path_port")) {
     TableReader path = table.table("path_port");

@@ -238,7 +238,8 @@ class Rigger {
         borders_.points.unite(middle, before < after ? course[k].from : course[k].to);
       } else {
         const RopeStretch whole = course[k];
-        course[k].to = middle, course[k].length = before;
+        course[k].to = middle;
+        course[k].length = before;
         course.insert(course.begin() + static_cast<std::ptrdiff_t>(k) + 1,
                       {{}, true, middle, whole.to, after});
       }

@@ -50,7 +50,10 @@ class LineMaker {
     for (const auto& breaks : borders_.breaks)
       for (const auto& b : breaks) number(b.point);
     for (const auto& course : ropes.courses)
-      for (const auto& stretch : course) number(stretch.from), number(stretch.to);
+      for (const auto& stretch : course) {
+        number(stretch.from);
+        number(stretch.to);
+      }
     for (const auto& [name, point] : ropes.points)
       if (number_of(point) != kNoPoint) all_.points.emplace(name, number_of(point));
   }
@@ -118,7 +121,8 @@ class LineMaker {
     const ClothSide& side = cloths_.sides[s.side];
     const auto& breaks = borders_.breaks[s.side];
     SideRun& run = all_.sides[s.side][k];
-    run.line = l, run.is_forward = s.is_forward;
+    run.line = l;
+    run.is_forward = s.is_forward;
     Line& line = all_.lines[l];
     line.ends = {number_of(breaks[s.is_forward ? k : k + 1].point),
                  number_of(breaks[s.is_forward ? k + 1 : k].point)};

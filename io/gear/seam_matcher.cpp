@@ -204,8 +204,14 @@ class Sewer {
     for (const auto& k : from)
       for (const auto& other : to) {
         if (!borders_.points.are_one(k.point, other.point)) continue;
-        if (k.fraction < fraction && k.fraction > a) a = k.fraction, at_a = other.fraction;
-        if (k.fraction > fraction && k.fraction < b) b = k.fraction, at_b = other.fraction;
+        if (k.fraction < fraction && k.fraction > a) {
+          a = k.fraction;
+          at_a = other.fraction;
+        }
+        if (k.fraction > fraction && k.fraction < b) {
+          b = k.fraction;
+          at_b = other.fraction;
+        }
       }
     return at_a + (fraction - a) / (b - a) * (at_b - at_a);
   }

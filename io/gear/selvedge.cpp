@@ -51,16 +51,20 @@ void add_strip(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, const
                Diagnostics& diagnostics) {
   const Panel& panel = *set.panel;
   Rope rope;
-  rope.name = panel.name + "-" + edge.name + "-selvedge", rope.is_selvedge = true;
+  rope.name = panel.name + "-" + edge.name + "-selvedge";
+  rope.is_selvedge = true;
   if (is_taken(plan, rope.name, join, diagnostics)) return;
   rope.stands = set.times() == 2 ? Standing::pair : panel.stands;
   rope.rope = strip_of(panel, bundle_of(panel, join.selvedge), diagnostics);
   rope.length = edge.stretched * panel.mesh;
   rope.place = rope.between_place = join.place;
   Hanging hanging;
-  hanging.edge = panel.name + "." + edge.name, hanging.rope = rope.name, hanging.length = rope.length;
+  hanging.edge = panel.name + "." + edge.name;
+  hanging.rope = rope.name;
+  hanging.length = rope.length;
   hanging.edge_place = hanging.rope_place = hanging.place = join.place;
-  plan.ropes.push_back(std::move(rope)), plan.hangings.push_back(std::move(hanging));
+  plan.ropes.push_back(std::move(rope));
+  plan.hangings.push_back(std::move(hanging));
 }
 
 void gather(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, double meshes) {

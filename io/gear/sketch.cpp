@@ -27,10 +27,12 @@ SideEnds side_ends(const Outline& outline) {
   for (const auto& edge : outline.edges) {
     if (edge.kind == EdgeKind::outer) {
       if (!outer_seen) ends.fore_outer = edge.from.x;
-      ends.aft_outer = edge.to.x, outer_seen = true;
+      ends.aft_outer = edge.to.x;
+      outer_seen = true;
     } else if (edge.kind == EdgeKind::inner || edge.kind == EdgeKind::middle) {
       if (!inner_seen) ends.aft_inner = edge.from.x;
-      ends.fore_inner = edge.to.x, inner_seen = true;
+      ends.fore_inner = edge.to.x;
+      inner_seen = true;
     }
   }
   return ends;

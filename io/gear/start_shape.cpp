@@ -111,7 +111,10 @@ class Shaper {
   double shift_along(int axis, bool by_ropes) {
     double sum = 0, count = 0;
     for (const auto& k : known_)
-      if (k.axis == axis && placed_[k.node]) sum += k.value - x(k.node, axis), ++count;
+      if (k.axis == axis && placed_[k.node]) {
+        sum += k.value - x(k.node, axis);
+        ++count;
+      }
     if (count > 0) return sum / count;
     return by_ropes ? shift_by_leads() : shift_to_lowest();
   }
@@ -129,7 +132,8 @@ class Shaper {
       const double aside = known_at(lead.to, 1).value_or(x(lead.to, 1)) - *known_at(lead.from, 1);
       const double along =
           std::sqrt(std::max(lead.length * lead.length - aside * aside, 0.25 * lead.length * lead.length));
-      sum += *known_at(lead.from, 0) + along - x(lead.to, 0), ++count;
+      sum += *known_at(lead.from, 0) + along - x(lead.to, 0);
+      ++count;
     }
     return count > 0 ? sum / count : 0;
   }
@@ -168,7 +172,10 @@ class Shaper {
         continue;  // beyond it lies netting
       }
       for (const auto& [next, step] : neighbours[node])
-        if (length + step < best[next]) before[next] = node, queue.push({best[next] = length + step, next});
+        if (length + step < best[next]) {
+          before[next] = node;
+          queue.push({best[next] = length + step, next});
+        }
     }
   }
 
@@ -254,7 +261,8 @@ class Shaper {
       const std::size_t next = i < to ? i + 1 : i - 1;
       const auto here = rope.nodes[i], there = rope.nodes[next];
       x(there, 0) = x(here, 0) - rope.rest_lengths[std::min(i, next)];
-      x(there, 1) = x(here, 1), x(there, 2) = x(here, 2);
+      x(there, 1) = x(here, 1);
+      x(there, 2) = x(here, 2);
       placed_[there] = true;
       i = next;
     }

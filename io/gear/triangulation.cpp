@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gear/triangulation.hpp"
 
+#include "io/units/degrees.hpp"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
@@ -10,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace netloft::io {
@@ -31,7 +32,7 @@ constexpr double kShape = 0.125;
 constexpr double kLongest = 1.35;  // longest side of a triangle, relative to the wanted mean
 constexpr int kRounds = 5;         // rounds of smoothing
 // corners from this angle on are divided between triangles
-constexpr double kSharp = 50 * std::numbers::pi / 180;
+constexpr double kSharp = in_radians(50);
 
 double twice_area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

@@ -74,7 +74,8 @@ Journal Journal::go_on(const fs::path& path, const Visit& visit) {
   try {
     journal.visit_records(visit);
   } catch (const Damage& damage) {
-    journal.damage_ = damage.found, journal.has_remainder_ = true;
+    journal.damage_ = damage.found;
+    journal.has_remainder_ = true;
   }
   return journal;
 }
@@ -157,7 +158,9 @@ void Journal::read_at(std::uint64_t place, void* data, std::size_t size) const {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) reject(system_reason());
     if (got == 0) reject("it became shorter while it was read");
-    to += got, size -= static_cast<std::size_t>(got), place += static_cast<std::uint64_t>(got);
+    to += got;
+    size -= static_cast<std::size_t>(got);
+    place += static_cast<std::uint64_t>(got);
   }
 }
 
@@ -200,7 +203,8 @@ void Journal::write_at_end(std::string_view bytes) {
       has_remainder_ = ftruncate(file_.get(), static_cast<off_t>(end_)) != 0;
       throw FileError("cannot write " + path_.string() + ": " + reason);
     }
-    bytes.remove_prefix(static_cast<std::size_t>(written)), place += static_cast<std::uint64_t>(written);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    place += static_cast<std::uint64_t>(written);
     if (bytes.empty()) end_ = place;
   }
 }

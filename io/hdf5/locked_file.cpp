@@ -110,7 +110,9 @@ void read_at(int fd, std::uint64_t place, char* to, std::size_t size) {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw FileError(system_reason());
     if (got == 0) throw FileError("it became shorter while it was read");
-    to += got, size -= static_cast<std::size_t>(got), place += static_cast<std::uint64_t>(got);
+    to += got;
+    size -= static_cast<std::size_t>(got);
+    place += static_cast<std::uint64_t>(got);
   }
 }
 

@@ -31,7 +31,6 @@ class PartFile {
   void finish_as(std::filesystem::path final_path);
   /// Removes the .part, which is not worth keeping; nothing can be written afterwards.
   void discard();
-  bool is_finished() const { return finished_; }
 
  private:
   std::filesystem::path final_;

@@ -38,7 +38,8 @@ std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(length, kBlock));
     read_at(fd, place, block.data(), size);
     sum = checksum(std::string_view(block).substr(0, size), sum);
-    place += size, length -= size;
+    place += size;
+    length -= size;
   }
   return sum;
 }
@@ -113,7 +114,8 @@ SealedFile parse(std::string_view lines, std::uint64_t length) {
     if (range.place < place || range.place > length || range.length > length - range.place)
       throw FileError("it is damaged: its checksums are of bytes that it has not");
     place = range.place + range.length;
-    file.ranges.push_back(std::move(range)), file.sums.push_back(sum);
+    file.ranges.push_back(std::move(range));
+    file.sums.push_back(sum);
   }
   throw FileError("it is damaged: its checksums are not complete");
 }

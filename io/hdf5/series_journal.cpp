@@ -11,16 +11,22 @@ enum Kind : std::uint32_t { kLayout = 1, kOutput = 2, kRewind = 3, kStatus = 4 }
 const SeriesStatus kRunning = {"running", "the run that writes this file has not ended, or was killed"};
 
 void put(ByteWriter& to, const FieldSpec& spec) {
-  to.put(spec.name), to.put(spec.unit), to.put(spec.doc);
-  to.put(std::uint64_t{spec.location == Location::kCell}), to.put(std::uint64_t{spec.components});
+  to.put(spec.name);
+  to.put(spec.unit);
+  to.put(spec.doc);
+  to.put(std::uint64_t{spec.location == Location::kCell});
+  to.put(std::uint64_t{spec.components});
   to.put(std::uint64_t{spec.is_integer});
 }
 
 FieldSpec read_spec(ByteReader& from) {
   FieldSpec spec;
-  spec.name = from.text(), spec.unit = from.text(), spec.doc = from.text();
+  spec.name = from.text();
+  spec.unit = from.text();
+  spec.doc = from.text();
   spec.location = from.integer() == 0 ? Location::kPoint : Location::kCell;
-  spec.components = from.integer(), spec.is_integer = from.integer() != 0;
+  spec.components = from.integer();
+  spec.is_integer = from.integer() != 0;
   return spec;
 }
 
@@ -33,9 +39,16 @@ void put(ByteWriter& to, const SeriesLayout& layout) {
   to.put(std::uint64_t{layout.changing.size()});
   for (const auto& spec : layout.changing) put(to, spec);
   to.put(std::uint64_t{layout.fixed.size()});
-  for (const auto& field : layout.fixed) put(to, field.spec), to.put_array(field.values);
+  for (const auto& field : layout.fixed) {
+    put(to, field.spec);
+    to.put_array(field.values);
+  }
   to.put(std::uint64_t{layout.columns.size()});
-  for (const auto& column : layout.columns) to.put(column.name), to.put(column.unit), to.put(column.doc);
+  for (const auto& column : layout.columns) {
+    to.put(column.name);
+    to.put(column.unit);
+    to.put(column.doc);
+  }
 }
 
 SeriesLayout read_layout(ByteReader& from) {
@@ -52,7 +65,9 @@ SeriesLayout read_layout(ByteReader& from) {
   }
   for (std::uint64_t left = from.integer(); left > 0; --left) {
     SeriesColumn column;
-    column.name = from.text(), column.unit = from.text(), column.doc = from.text();
+    column.name = from.text();
+    column.unit = from.text();
+    column.doc = from.text();
     layout.columns.push_back(std::move(column));
   }
   return layout;
@@ -75,9 +90,13 @@ SeriesJournal SeriesJournal::create(const std::filesystem::path& part, const std
   SeriesJournal series;
   series.journal_ = Journal::create(part);
   ByteWriter head;
-  head.put(identity), head.put(origins), put(head, layout);
+  head.put(identity);
+  head.put(origins);
+  put(head, layout);
   series.append(kLayout, head);
-  series.layout_ = layout, series.identity_ = identity, series.origins_ = origins;
+  series.layout_ = layout;
+  series.identity_ = identity;
+  series.origins_ = origins;
   series.stored_.resize(layout.changing.size());
   series.set_status(kRunning);
   return series;
@@ -112,7 +131,9 @@ Journal::Visit SeriesJournal::reader(const std::filesystem::path& part) {
 void SeriesJournal::interpret(const Journal::Record& record, std::string_view content) {
   ByteReader from(content);
   if (record.kind == kLayout) {
-    identity_ = from.text(), origins_ = from.text(), layout_ = read_layout(from);
+    identity_ = from.text();
+    origins_ = from.text();
+    layout_ = read_layout(from);
     stored_.assign(layout_.changing.size(), {});
   } else if (record.kind == kOutput) {
     note_output(record, content);
@@ -121,7 +142,8 @@ void SeriesJournal::interpret(const Journal::Record& record, std::string_view co
     if (kept > outputs_.size()) throw FileError("it is damaged: it goes on from an output that it has not");
     keep_outputs(kept);
   } else if (record.kind == kStatus) {
-    status_.outcome = from.text(), status_.sentence = from.text();
+    status_.outcome = from.text();
+    status_.sentence = from.text();
   }
 }
 
@@ -129,7 +151,8 @@ void SeriesJournal::note_output(const Journal::Record& record, std::string_view 
   outputs_.push_back(record);
   ByteReader from(content);
   const std::string_view checkpoint = from.text();
-  from.real(), from.skip_reals();
+  from.real();
+  from.skip_reals();
   for (auto& stored : stored_) stored.push_back(from.skip_reals() > 0);
   if (checkpoint.empty()) return;
   checkpoint_ = checkpoint;
@@ -168,7 +191,8 @@ SeriesState SeriesJournal::stored_state(std::size_t i) const {
     ByteReader from(content);
     from.text();  // the checkpoint
     SeriesState state;
-    state.time = from.real(), state.points = from.reals();
+    state.time = from.real();
+    state.points = from.reals();
     for (std::size_t k = 0; k < layout_.changing.size(); ++k) state.fields.push_back(from.reals());
     state.row = from.reals();
     return state;
@@ -177,7 +201,9 @@ SeriesState SeriesJournal::stored_state(std::size_t i) const {
 
 void SeriesJournal::write(const SeriesState& state, const std::string& checkpoint) {
   buffer_.clear();
-  buffer_.put(checkpoint), buffer_.put(state.time), buffer_.put_array(state.points);
+  buffer_.put(checkpoint);
+  buffer_.put(state.time);
+  buffer_.put_array(state.points);
   last_fields_.resize(state.fields.size());
   for (std::size_t k = 0; k < state.fields.size(); ++k) {
     const bool is_new = outputs_.empty() || !have_same_bits(state.fields[k], last_fields_[k]);
@@ -197,7 +223,8 @@ void SeriesJournal::require_layout(const SeriesLayout& layout) const {
 
 void SeriesJournal::set_status(const SeriesStatus& status) {
   ByteWriter bytes;
-  bytes.put(status.outcome), bytes.put(status.sentence);
+  bytes.put(status.outcome);
+  bytes.put(status.sentence);
   append(kStatus, bytes);
   status_ = status;
 }

@@ -120,7 +120,10 @@ hid_t Tree::group_of(const std::string& path) {
   if (links_ < 0) links_ = make_link_properties();
   const std::string wanted = path.substr(0, path.rfind('/'));
   const bool is_known = group_ >= 0 && (wanted == group_path_ || wanted.starts_with(group_path_ + "/"));
-  if (!is_known) group_ = Handle(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose), group_path_.clear();
+  if (!is_known) {
+    group_ = Handle(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose);
+    group_path_.clear();
+  }
   while (group_path_.size() < wanted.size()) {
     const std::size_t begin = group_path_.size() + 1, end = std::min(wanted.find('/', begin), wanted.size());
     group_ = open_group(group_, wanted.substr(begin, end - begin), links_);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/scene/standard_gravity.hpp"
 #include "io/mesh/mesh.hpp"
 
 #include <array>
@@ -38,7 +39,7 @@ struct TableRope {
 struct BarTable {
   std::vector<TableNode> nodes;
   std::vector<TableRope> ropes;
-  double density = 1025, gravity = 9.81, depth = 0;  // of the water [kg/m³], [m/s²], [m]
+  double density = 1025, gravity = kStandardGravity, depth = 0;  // of the water [kg/m³], [m/s²], [m]
 };
 
 /// Reads a table (TABLE.md). Errors are located in source `file`; after an error what could be read is

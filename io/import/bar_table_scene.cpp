@@ -20,7 +20,8 @@ class TableScene {
     for (const auto& text : head) scene_.comment(in_ascii(text));
     scene_.comment("A current is written into [water] as current = [0.8, 0, 0].");
     scene_.add("\n[water]\n");
-    scene_.line("density", table_.density), scene_.line("gravity", table_.gravity);
+    scene_.line("density", table_.density);
+    scene_.line("gravity", table_.gravity);
     for (const auto& rope : table_.ropes) write_rope(rope);
     write_beds();
     write_weights();
@@ -100,7 +101,8 @@ class TableScene {
     for (const auto& [weight, set] : sets) {
       const auto& [mass, buoyancy, volume, drag_area] = weight;
       scene_.begin_part(set, "float/float");
-      scene_.line("on", quoted("*." + set)), scene_.line("each", 1);
+      scene_.line("on", quoted("*." + set));
+      scene_.line("each", 1);
       InlineTable table;
       table.add_unless_zero("mass", mass)
           .add_unless_zero("buoyancy", buoyancy)
@@ -114,7 +116,8 @@ class TableScene {
     using Force = std::array<double, 3>;
     for (const auto& [force, set] : sets_of<Force>("force-", [](const TableNode& n) { return n.force; })) {
       scene_.begin_part(set, "force/constant");
-      scene_.line("on", quoted("*." + set)), scene_.line("each", 1);
+      scene_.line("on", quoted("*." + set));
+      scene_.line("each", 1);
       scene_.line("force", InlineTable()
                                .add_unless_zero("x", force[0])
                                .add_unless_zero("y", force[1])

@@ -39,7 +39,10 @@ CsvCell CsvRows::take_cell() {
   while (here() == ' ' || (here() == '\t' && separator_ != '\t')) step();
   CsvCell cell{"", {file_, line_, column_, 1}};
   if (here() == '"') take_quoted(cell.text);
-  while (!is_at_line_end() && here() != separator_) cell.text += here(), step();
+  while (!is_at_line_end() && here() != separator_) {
+    cell.text += here();
+    step();
+  }
   while (!cell.text.empty() && (cell.text.back() == ' ' || cell.text.back() == '\t')) cell.text.pop_back();
   if (line_ == cell.place.line) cell.place.length = std::max(1, column_ - cell.place.column);
   return cell;
@@ -64,7 +67,8 @@ void CsvRows::step() {
 void CsvRows::skip_line_end() {
   if (is_at_end()) return;
   at_ += here() == '\r' && here(1) == '\n' ? 2 : 1;
-  ++line_, column_ = 1;
+  ++line_;
+  column_ = 1;
 }
 
 }  // namespace netloft::io

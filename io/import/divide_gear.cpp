@@ -214,7 +214,8 @@ class Divider {
     const auto [known, is_new] = lines_.try_emplace(std::minmax({a, b}));
     Line& line = known->second;
     if (is_new) {
-      line.from = from, line.to = to;
+      line.from = from;
+      line.to = to;
       line.nodes.push_back(a);
       for (double i = 1; i < parts && is_fine(); ++i)
         line.nodes.push_back(add_node(between(from, to, i / parts), type, place));
@@ -347,7 +348,8 @@ class Divider {
       triangle.panel = number;
       for (std::size_t k = 0; k < 3; ++k) {
         triangle.nodes[k] = all.nodes[t[k]];
-        triangle.UV[2 * k] = all.meshes[t[k]].U, triangle.UV[2 * k + 1] = all.meshes[t[k]].V;
+        triangle.UV[2 * k] = all.meshes[t[k]].U;
+        triangle.UV[2 * k + 1] = all.meshes[t[k]].V;
       }
       const double d = twice_area(all.meshes[t[0]], all.meshes[t[1]], all.meshes[t[2]]);
       const auto& [a, b, c] = triangle.nodes;

@@ -43,9 +43,10 @@ void DonScanner::fail(const Place& place, const std::string& message, const std:
 }
 
 void DonScanner::step() {
-  if (here() == '\n')
-    ++line_, column_ = 1;
-  else if ((here() & 0xC0) != 0x80)
+  if (here() == '\n') {
+    ++line_;
+    column_ = 1;
+  } else if ((here() & 0xC0) != 0x80)
     ++column_;
   ++at_;
 }
@@ -71,7 +72,10 @@ bool DonScanner::begins_a_number() const {
 std::optional<std::string> DonScanner::take_number(bool whole) {
   if (!begins_a_number() || (whole && !is_digit(here(here() == '+' || here() == '-' ? 1 : 0)))) return {};
   std::string digits;
-  const auto take = [&] { digits += here(), step(); };
+  const auto take = [&] {
+    digits += here();
+    step();
+  };
   const auto take_digits = [&] {
     while (is_digit(here())) take();
   };
@@ -83,7 +87,8 @@ std::optional<std::string> DonScanner::take_number(bool whole) {
   const char e = here();
   const std::size_t sign = here(1) == '+' || here(1) == '-' ? 1 : 0;
   if ((e == 'e' || e == 'E' || e == 'd' || e == 'D') && is_digit(here(1 + sign))) {
-    digits += 'e', step();
+    digits += 'e';
+    step();
     if (sign) take();
     take_digits();
   }

@@ -48,7 +48,11 @@ class DonScanner {
     int line, column;
   };
   Mark mark() const { return {at_, line_, column_}; }
-  void go_back(const Mark& to) { at_ = to.at, line_ = to.line, column_ = to.column; }
+  void go_back(const Mark& to) {
+    at_ = to.at;
+    line_ = to.line;
+    column_ = to.column;
+  }
 
   Place place() const;  // here
   Place place_of_word() const { return word_place_; }

@@ -19,13 +19,16 @@ class Curve {
   void add(double time, double value) {
     const double slope = (value - values_.back()) / (time - times_.back());
     if (slope < low_ || slope > high_) {
-      times_.push_back(time_), values_.push_back(value_);
-      low_ = -kInfinite, high_ = kInfinite;
+      times_.push_back(time_);
+      values_.push_back(value_);
+      low_ = -kInfinite;
+      high_ = kInfinite;
     }
     const double passed = time - times_.back();
     low_ = std::max(low_, (value - kHauledWithin - values_.back()) / passed);
     high_ = std::min(high_, (value + kHauledWithin - values_.back()) / passed);
-    time_ = time, value_ = value;
+    time_ = time;
+    value_ = value;
   }
   /// Whether it ever changed, beyond rounding.
   bool changes() const {
@@ -33,7 +36,10 @@ class Curve {
            value_ != values_[0];
   }
   HauledBar finish(std::size_t bar, std::size_t number) {
-    if (time_ > times_.back()) times_.push_back(time_), values_.push_back(value_);
+    if (time_ > times_.back()) {
+      times_.push_back(time_);
+      values_.push_back(value_);
+    }
     HauledBar out{bar, number, times_, {}};
     for (const double v : values_) out.shares.push_back(v / values_[0]);
     return out;
@@ -85,7 +91,8 @@ void step(const Drum& drum, double time, double dt, std::vector<double>& lengths
     double& l = lengths[from_first ? n : lengths.size() - 1 - n];
     const double room = std::max(0.0, hauls ? l - drum.shortest : drum.longest - l);
     const double taken = std::min(left, room);
-    l += hauls ? -taken : taken, left -= taken;
+    l += hauls ? -taken : taken;
+    left -= taken;
   }
 }
 

@@ -10,6 +10,9 @@
 
 namespace netloft::io::femnet {
 
+/// Gravity of FEMNET [m/s²]: its answers to the same files are found with it.
+inline constexpr double kGravity = 9.81;
+
 using Triple = std::array<double, 3>;
 
 /// A corner of a panel in the drawing.

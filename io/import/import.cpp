@@ -120,7 +120,8 @@ std::vector<femnet::Finding> convert(const ImportRequest& request, Diagnostics& 
   out.mesh =
       mesh_text(imported.mesh, "the mesh of " + names.gear +
                                    (mesh_name.empty() ? ", divided on its import" : ", from " + mesh_name));
-  out.nodes = mesh.nodes.size(), out.elements = mesh.bars.size() + mesh.triangles.size();
+  out.nodes = mesh.nodes.size();
+  out.elements = mesh.bars.size() + mesh.triangles.size();
   return imported.findings;
 }
 
@@ -137,8 +138,10 @@ FolderCheck::Gear check_gear(const fs::path& path, const fs::path& folder, bool 
   FolderCheck::Gear result{fs::relative(path, folder).string(), false, {}};
   std::set<std::string> needs;
   for (const auto& f : convert({path, {}, "gear.mesh", false, moves}, diagnostics, gear))
-    if (f.kind == femnet::Finding::Kind::left_out)
-      needs.insert(f.text), result.lines.push_back(f.what + ": " + f.text);
+    if (f.kind == femnet::Finding::Kind::left_out) {
+      needs.insert(f.text);
+      result.lines.push_back(f.what + ": " + f.text);
+    }
   for (const auto& need : needs) ++out.needs[need];
   for (const auto& feature : gear.features) ++out.features[feature];
   result.features = gear.features;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/import/keywords.hpp"
 
+#include "io/units/degrees.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@ namespace netloft::io::femnet {
 
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr int kMostRows = 10000;  // of a table: more is not meant
 
 /// Keywords that change nothing in the answer sought here; those that end with * are beginnings.
@@ -108,7 +109,8 @@ class KeywordReader {
                                       {"wave_model", &KeywordReader::wave_model},
                                       {"link", &KeywordReader::link},
                                       {"type_noeud_XYZ_SUPINF", &KeywordReader::type_box}};
-    name_ = name, name_place_ = in_.place_of_word();
+    name_ = name;
+    name_place_ = in_.place_of_word();
     for (const auto& k : known)
       if (name == k.name) return (this->*k.step)();
     if (is_one_of(name, kMissing)) return leave_out("is not modelled here");
@@ -161,7 +163,8 @@ class KeywordReader {
     TypeBox box{name_place_};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [low, high] = std::minmax({number(), number()});
-      box.low[axis] = low, box.high[axis] = high;
+      box.low[axis] = low;
+      box.high[axis] = high;
     }
     const NodeType* type = one_of(gear_.types, "type");
     if (!type) return;
@@ -194,9 +197,11 @@ class KeywordReader {
     const Cable* c = cable();
     if (!c) return;
     Drum d{name_place_, static_cast<int>(c - gear_.cables.data())};
-    d.shortest = number(), d.longest = number();
+    d.shortest = number();
+    d.longest = number();
     const std::size_t rows = rows_of_table();
-    d.times = times(rows), d.speeds = numbers(rows);
+    d.times = times(rows);
+    d.speeds = numbers(rows);
     for (std::size_t i = 0; i < rows && !in_.has_failed(); ++i)
       d.ends.push_back(in_.next_integer("an end of a cable"));
     if (in_.has_failed()) return;
@@ -249,7 +254,8 @@ class KeywordReader {
       diagnostics_.warning(name_place_, name_ + ": the spheres lift more than the water that they displace");
     const double d = std::sqrt(4 * whole / (pi * L));
     c.cd = (0.6 * n * pi * D * D / 4 + c.cd * L * c.diameter) / (L * d);
-    c.density = (V_c * c.density + n * m) / whole, c.diameter = d;
+    c.density = (V_c * c.density + n * m) / whole;
+    c.diameter = d;
     char text[120];
     std::snprintf(text, sizeof text, "%s%.6g spheres of %.6g m and %.6g N", c.floats.empty() ? "" : ", ", n,
                   D, F);
@@ -272,7 +278,9 @@ class KeywordReader {
     Panel* p = panel();
     if (!p) return;
     p->twines = number();
-    number(), number(), number();
+    number();
+    number();
+    number();
     const auto bars = in_.try_real();
     p->bars = bars.value_or(0);
     if (!bars && !in_.has_failed()) {
@@ -303,8 +311,7 @@ class KeywordReader {
     const double S = number(), cd = number(), cl = number(), cz = number();
     if (in_.has_failed() || !type) return;
     const Environment& e = gear_.environment;
-    const double psi = e.direction * std::numbers::pi / 180,
-                 q = 0.5 * e.water_density * S * e.speed * e.speed;
+    const double psi = in_radians(e.direction), q = 0.5 * e.water_density * S * e.speed * e.speed;
     type->force = {q * (cd * std::cos(psi) - cl * std::sin(psi)),
                    q * (cd * std::sin(psi) + cl * std::cos(psi)), q * cz};
   }

@@ -31,7 +31,8 @@ void add_triangles(std::size_t panel, const MeshFile& file, InputMesh& mesh) {
     if (t.panel != static_cast<int>(panel)) continue;
     for (const std::size_t k : {0u, 2u, 1u}) {
       region.nodes.push_back(t.nodes[k]);
-      region.numbers.push_back(t.UV[2 * k]), region.numbers.push_back(t.UV[2 * k + 1]);
+      region.numbers.push_back(t.UV[2 * k]);
+      region.numbers.push_back(t.UV[2 * k + 1]);
     }
   }
   if (region.size() > 0) mesh.regions.push_back(std::move(region));
@@ -87,7 +88,10 @@ class Pieces {
   explicit Pieces(const MeshFile& file) : leader_(file.nodes.size()), is_used_(file.nodes.size()) {
     std::iota(leader_.begin(), leader_.end(), 0u);
     for (const auto& b : file.bars) connect(b.nodes[0], b.nodes[1]);
-    for (const auto& t : file.triangles) connect(t.nodes[0], t.nodes[1]), connect(t.nodes[0], t.nodes[2]);
+    for (const auto& t : file.triangles) {
+      connect(t.nodes[0], t.nodes[1]);
+      connect(t.nodes[0], t.nodes[2]);
+    }
   }
   std::uint32_t leader(std::uint32_t node) {
     while (leader_[node] != node) node = leader_[node] = leader_[leader_[node]];
@@ -125,7 +129,8 @@ TwineBar::TwineBar(const Panel& p) {
   const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
   length = single(single(p.twines * p.side) / p.bars);
   sides = p.twines / p.bars;
-  EA = single(p.twines * p.EA), EA_compression = single(p.twines * p.EA_compression);
+  EA = single(p.twines * p.EA);
+  EA_compression = single(p.twines * p.EA_compression);
 }
 
 std::vector<Loose> find_loose(const GearFile& gear, const MeshFile& file) {

@@ -3,6 +3,7 @@
 
 #include "io/import/scene_text.hpp"
 #include "io/mesh/mesh.hpp"
+#include "io/units/degrees.hpp"
 #include "io/waves/airy.hpp"
 
 #include <algorithm>
@@ -13,14 +14,12 @@ namespace netloft::io::femnet {
 
 namespace {
 
-constexpr double kGravity = 9.81;
-
 double number_of_waves(const Environment& e) {
   return wave_number(2 * std::numbers::pi / e.wave_period, kGravity, e.depth);
 }
 
 /// A direction in degrees, in radians from -π to π.
-double in_radians(double degrees) { return std::remainder(degrees, 360) * std::numbers::pi / 180; }
+double wrapped_radians(double degrees) { return in_radians(std::remainder(degrees, 360)); }
 
 }  // namespace
 
@@ -39,7 +38,7 @@ std::string waves_text(const Environment& e) {
   return "waves = " + InlineTable()
                           .add("height", e.wave_height)
                           .add("period", e.wave_period)
-                          .add_unless_zero("direction", in_radians(e.wave_direction))
+                          .add_unless_zero("direction", wrapped_radians(e.wave_direction))
                           .add("depth", e.depth)
                           .add("ramp", e.wave_period)
                           .add("stretching", quoted("none"))

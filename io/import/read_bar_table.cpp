@@ -106,17 +106,20 @@ class TableOfBars {
       read_head(row, kNodeColumns);
     else if (row[0].text == "bar")
       read_head(row, kBarColumns);
-    else if (!head_)
-      has_no_head_ = true,
+    else if (!head_) {
+      has_no_head_ = true;
       error(row[0].place, "the first line names the columns, and begins with node or bar", kHeads);
-    else if (has_columns(row))
+    } else if (has_columns(row))
       head_ == kNodeColumns ? read_node(row) : read_bar(row);
   }
 
   /// Which column stands where: `EA` or `EA [N]`.
   template <std::size_t N>
   void read_head(const Row& row, const Column (&columns)[N]) {
-    head_ = columns, where_.assign(N, 0), width_ = row.size(), is_known_.assign(N, false);
+    head_ = columns;
+    where_.assign(N, 0);
+    width_ = row.size();
+    is_known_.assign(N, false);
     for (std::size_t i = 0; i < row.size(); ++i) {
       const auto bracket = row[i].text.find('[');
       std::string name = row[i].text.substr(0, bracket);
@@ -129,7 +132,8 @@ class TableOfBars {
       const auto column = static_cast<std::size_t>(at - columns);
       if (is_known_[column]) error(row[i].place, "the column " + name + " stands here twice");
       if (bracket != std::string::npos) check_unit(row[i], row[i].text.substr(bracket), *at);
-      is_known_[column] = true, where_[column] = i;
+      is_known_[column] = true;
+      where_[column] = i;
     }
     for (std::size_t c = 0; c < N; ++c)
       if (columns[c].is_needed && !is_known_[c])
@@ -192,10 +196,12 @@ class TableOfBars {
 
   void read_node(const Row& row) {
     TableNode n;
-    n.name = name_in(row), n.place = row[where_[0]].place;
+    n.name = name_in(row);
+    n.place = row[where_[0]].place;
     n.at = {number_or_zero(row, kX), number_or_zero(row, kY), number_or_zero(row, kZ)};
     n.force = {number_or_zero(row, kForceX), number_or_zero(row, kForceY), number_or_zero(row, kForceZ)};
-    n.mass = number_or_zero(row, kMass), n.buoyancy = number_or_zero(row, kBuoyancy);
+    n.mass = number_or_zero(row, kMass);
+    n.buoyancy = number_or_zero(row, kBuoyancy);
     if (n.mass != 0 && n.buoyancy != 0)
       error(cell(row, kMass)->place, "a node has a mass or a buoyancy, which is net of its weight",
             "leave one of them blank");
@@ -217,11 +223,15 @@ class TableOfBars {
 
   void read_bar(const Row& row) {
     TableRope rope;
-    rope.name = name_in(row), rope.place = row[where_[0]].place;
-    rope.diameter = number_or_zero(row, kDiameter), rope.EA = number_or_zero(row, kEA);
-    rope.density = number_or_zero(row, kDensity), rope.EI = number_or_zero(row, kEI);
+    rope.name = name_in(row);
+    rope.place = row[where_[0]].place;
+    rope.diameter = number_or_zero(row, kDiameter);
+    rope.EA = number_or_zero(row, kEA);
+    rope.density = number_or_zero(row, kDensity);
+    rope.EI = number_or_zero(row, kEI);
     rope.EA_compression = number(row, kCompression);
-    rope.normal = number(row, kNormal), rope.tangential = number(row, kTangential);
+    rope.normal = number(row, kNormal);
+    rope.tangential = number(row, kTangential);
     if (rope.normal.has_value() != rope.tangential.has_value())
       error(row[0].place, "one of normal_drag and tangential_drag is blank, and the other is not");
     const auto length = number(row, kLength);

@@ -109,14 +109,16 @@ class GearReader {
     in_.next_real("the number of a corner");
     Corner c;
     c.at = read_place("a coordinate of a corner");
-    c.U = in_.next_real("U of a corner"), c.V = in_.next_real("V of a corner");
+    c.U = in_.next_real("U of a corner");
+    c.V = in_.next_real("V of a corner");
     c.type = in_.next_integer("the type of a corner");
     c.side_type = in_.next_integer("the type of the nodes that follow a corner");
     return c;
   }
 
   void read_cable() {
-    in_.skip_colon("a cable"), in_.skip_colon("the ends of a cable");
+    in_.skip_colon("a cable");
+    in_.skip_colon("the ends of a cable");
     Cable c;
     c.place = in_.place();
     for (auto& end : c.ends) {
@@ -180,10 +182,14 @@ class GearReader {
     in_.skip_colon("a type of nodes");
     NodeType t;
     t.place = in_.place();
-    t.mass = read_triple("the mass"), t.added_mass = read_triple("the added mass");
-    t.box = read_triple("the lengths of the box"), t.drag = read_triple("the drag coefficients of the box");
-    t.force = read_triple("the force"), t.fixed = read_triple("what is fixed");
-    t.limit = read_triple("the limits"), t.sense = read_triple("the sense of the limits");
+    t.mass = read_triple("the mass");
+    t.added_mass = read_triple("the added mass");
+    t.box = read_triple("the lengths of the box");
+    t.drag = read_triple("the drag coefficients of the box");
+    t.force = read_triple("the force");
+    t.fixed = read_triple("what is fixed");
+    t.limit = read_triple("the limits");
+    t.sense = read_triple("the sense of the limits");
     t.symmetry = read_triple("the planes of symmetry");
     gear_.types.push_back(t);
   }
@@ -191,23 +197,29 @@ class GearReader {
   void read_numbers() {
     in_.real("the divisor");
     gear_.environment.tolerance = in_.real("the convergence threshold");
-    in_.real("the displacement limit"), in_.real("the number of iterations");
+    in_.real("the displacement limit");
+    in_.real("the number of iterations");
     const auto time = [&](const char* what) { return in_.skip_colon(what), in_.real(what); };
     Environment& e = gear_.environment;
-    e.time_step = time("the time step"), e.record_step = time("the time step of the record");
-    e.record_begin = time("the beginning of the record"), e.end = time("the end of the record");
+    e.time_step = time("the time step");
+    e.record_step = time("the time step of the record");
+    e.record_begin = time("the beginning of the record");
+    e.end = time("the end of the record");
   }
 
   void read_environment() {
     Environment& e = gear_.environment;
-    e.direction = in_.real("the direction of the current"), e.speed = in_.real("the speed of the current");
-    e.wave_period = in_.real("the period of waves"), e.waves = in_.place();
+    e.direction = in_.real("the direction of the current");
+    e.speed = in_.real("the speed of the current");
+    e.wave_period = in_.real("the period of waves");
+    e.waves = in_.place();
     e.wave_height = in_.real("the height of waves");
-    e.wave_direction = in_.real("the direction of waves"), e.depth = in_.real("the depth of the water");
+    e.wave_direction = in_.real("the direction of waves");
+    e.depth = in_.real("the depth of the water");
     e.catch_volume = in_.real("the volume of the catch");
     e.catch_accuracy = in_.real("the accuracy of the catch");
     e.catch_coefficient = in_.real("the pressure coefficient of the catch");
-    e.bed_friction = in_.real("the friction of the bed"),
+    e.bed_friction = in_.real("the friction of the bed");
     e.bed_stiffness = in_.real("the stiffness of the bed");
   }
 
@@ -216,7 +228,8 @@ class GearReader {
     const auto read = [&](Kind kind, bool keep) {
       in_.skip_colon("a wanted number");
       Wanted w{kind, in_.text_in_hashes("a text between #"), 0, 0};
-      w.first = in_.integer("a node, or a cable"), w.second = in_.integer("a node, or an axis");
+      w.first = in_.integer("a node, or a cable");
+      w.second = in_.integer("a node, or an axis");
       in_.integer("a number of decimals");
       if (keep) gear_.wanted.push_back(std::move(w));
     };

@@ -71,8 +71,10 @@ class MeshFileReader {
       else if (row.size() != columns)
         error(row[0].place, std::to_string(row.size()) + " numbers stand in a row of " + what +
                                 "; there must be " + std::to_string(columns));
-      else
-        check_number(row[0], what), read(row);
+      else {
+        check_number(row[0], what);
+        read(row);
+      }
     }
   }
 
@@ -150,7 +152,8 @@ class MeshFileReader {
                                std::string(row[3].text.substr(0, 30)) + " and " +
                                std::string(row[4].text.substr(0, 30)) + "; they must grow from 0 to 1",
                            "the mesh may be older than the .don");
-    from = std::max(from, 0.0), to = std::min(to, 1.0);
+    from = std::max(from, 0.0);
+    to = std::min(to, 1.0);
   }
 
   void check_twines(const MeshFile::Bar& b, const Row& row) {

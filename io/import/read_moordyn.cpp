@@ -5,6 +5,7 @@
 //   density of a line   ρ = m/(π d²/4)                  m [kg/m] mass, d [m] diameter (1) tangential drag C_t
 //   = π C_dAx                   MoorDyn's is on the surface π d, here it is on d     (2) bed under a line k =
 //   k_bot d                     k_bot [Pa/m]; a segment of length s meets k s        (3)
+#include "framework/scene/standard_gravity.hpp"
 #include "io/import/moordyn.hpp"
 #include "io/mesh/text_rows.hpp"
 #include "io/units/in_quotes.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr int kMostErrors = 50;
 constexpr double kMostSegments = 1e5, kMostNodes = 1e6, kFarthest = 1e6;
-constexpr double kGravity = 9.81, kDensity = 1025, kBedStiffness = 3e6;  // MoorDyn's own defaults
+constexpr double kDensity = 1025, kBedStiffness = 3e6;  // MoorDyn's own defaults
 
 std::string in_capitals(std::string_view text) {
   std::string out(text);
@@ -65,7 +66,8 @@ class MooringReader {
  public:
   MooringReader(const std::string& text, int file, Diagnostics& diagnostics)
       : rows_(text, file), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {
-    out_.table.gravity = kGravity, out_.table.density = kDensity;
+    out_.table.gravity = kStandardGravity;
+    out_.table.density = kDensity;
   }
 
   MooringFile read() {
@@ -202,14 +204,19 @@ class MooringReader {
     if (!has_columns(row, 9, "number, attachment, X Y Z, mass, volume, CdA, Ca")) return;
     const bool has_forces = row.size() >= 12;  // version 1
     TableNode n;
-    n.name = "point-" + std::string(row[0].text), n.place = row[0].place;
+    n.name = "point-" + std::string(row[0].text);
+    n.place = row[0].place;
     for (std::size_t axis = 0; axis < 3; ++axis)
       n.at[axis] = number(row[2 + axis], "a coordinate of the point", -kFarthest, kFarthest);
     attach(n, row[1]);
     const double mass = number(row[5], "the mass of the point", 0, 1e6),
                  volume = number(row[6], "the volume of the point", 0, 1e3);
     const double area = number(row[has_forces ? 10 : 7], "CdA of the point", 0, 1e3);
-    if (n.hold.empty()) n.mass = mass, n.volume = volume, n.drag_area = area;
+    if (n.hold.empty()) {
+      n.mass = mass;
+      n.volume = volume;
+      n.drag_area = area;
+    }
     for (std::size_t axis = 0; has_forces && axis < 3; ++axis)
       n.force[axis] = number(row[7 + axis], "a force on the point [N]", -1e9, 1e9);
     if (!integer_in(row[0].text)) return error(row[0].place, shown(row[0]) + " is no number of a point");
@@ -270,11 +277,15 @@ class MooringReader {
   void add_line(const std::string& name, const Place& place, const LineType& type, double length,
                 int segments, std::array<std::uint32_t, 2> ends) {
     TableRope rope;
-    rope.name = name, rope.place = place;
-    rope.diameter = type.diameter, rope.EA = type.EA, rope.EI = type.EI;
+    rope.name = name;
+    rope.place = place;
+    rope.diameter = type.diameter;
+    rope.EA = type.EA;
+    rope.EI = type.EI;
     rope.density = type.mass / (std::numbers::pi * type.diameter * type.diameter / 4);  // (1)
-    rope.normal = type.cd, rope.tangential = std::numbers::pi * type.cd_axial;          // (2)
-    rope.bed = type.diameter;                                                           // (3), without k_bot
+    rope.normal = type.cd;
+    rope.tangential = std::numbers::pi * type.cd_axial;  // (2)
+    rope.bed = type.diameter;                            // (3), without k_bot
     if (std::any_of(out_.table.ropes.begin(), out_.table.ropes.end(),
                     [&](auto& r) { return r.name == name; }))
       return error(place, "there is a line with this number already");

@@ -2,6 +2,7 @@
 #include "io/import/scene_draft.hpp"
 
 #include "io/import/motion.hpp"
+#include "io/units/degrees.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ bool SceneDraft::is_towed() const {
 }
 
 double SceneDraft::flow_angle() const {
-  return environment().direction * std::numbers::pi / 180 + (environment().speed < 0 ? std::numbers::pi : 0);
+  return in_radians(environment().direction) + (environment().speed < 0 ? std::numbers::pi : 0);
 }
 
 double SceneDraft::heading() const { return std::remainder(flow_angle(), 2 * std::numbers::pi); }

@@ -39,7 +39,8 @@ void SceneText::line(const std::string& key, double value) { line(key, spell_num
 
 void SceneText::hold(const std::string& on, const std::string& name, const std::string& axes) {
   text_ += "\n[[hold]]\n";
-  line("on", quoted(on)), line("name", quoted(name));
+  line("on", quoted(on));
+  line("name", quoted(name));
   if (axes != "xyz") line("axes", quoted(axes));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/import/scene_draft.hpp"
+#include "io/units/degrees.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace netloft::io::femnet {
 
@@ -132,7 +132,7 @@ void write_clamps(SceneDraft& to) {
         to.within(180 - clamp.angle, 0, 180, clamp.place, "180 degrees less the angle of the clamp");
     to.line("clamp", InlineTable()
                          .add("EI", to.within(EI, 0, 1e12, clamp.place, "the stiffness of the clamp"))
-                         .add("angle", turn * std::numbers::pi / 180)
+                         .add("angle", in_radians(turn))
                          .add("curvature", quoted("nodes"))
                          .text());
   }

@@ -75,7 +75,8 @@ double first_front(const SceneDraft& from) {
     for (const auto node : t.nodes) {
       const auto& at = from.file.nodes[node].at;
       const double along = at[0] * std::cos(from.flow_angle()) + at[1] * std::sin(from.flow_angle());
-      low = std::min(low, along), high = std::max(high, along);
+      low = std::min(low, along);
+      high = std::max(high, along);
     }
   return high - 0.2 * (high - low);
 }

@@ -8,8 +8,6 @@ namespace netloft::io::femnet {
 
 namespace {
 
-constexpr double kGravity = 9.81;
-
 /// Of what stands at a node on planes of symmetry, so much is of this half of the gear.
 double share_of(const NodeType& t) {
   double share = 1;

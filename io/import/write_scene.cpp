@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/import/motion.hpp"
 #include "io/import/scene_draft.hpp"
+#include "io/units/degrees.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace netloft::io::femnet {
 
@@ -24,13 +24,14 @@ std::string header(const SceneDraft& from) {
 
 std::string water(const SceneDraft& from) {
   const Environment& e = from.environment();
-  std::string text = "\n[water]\ndensity = " + spell_number(e.water_density) + "\ngravity = 9.81\n";
+  std::string text = "\n[water]\ndensity = " + spell_number(e.water_density) +
+                     "\ngravity = " + spell_number(kGravity) + "\n";
   if (from.has_waves()) text += waves_text(e) + "\n";
   if (!from.has_current()) return text;
   if (from.is_towed())
     return text + "\n[tow]  # the bed passes with the water\nspeed = " + spell_number(std::abs(e.speed)) +
            "\nleeway = " + spell_number(from.heading()) + "\n";
-  const double psi = e.direction * std::numbers::pi / 180;
+  const double psi = in_radians(e.direction);
   const double x = e.speed * std::cos(psi), y = e.direction == 180 ? 0 : e.speed * std::sin(psi);
   return text + "current = [" + spell_number(x) + ", " + spell_number(y) + ", 0]\n";
 }

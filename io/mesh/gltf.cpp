@@ -248,7 +248,8 @@ class GltfReader {
       double UV[6];
       for (std::size_t k = 0; k < 3; ++k) {
         own[k] = nodes[order[i + k]];
-        UV[2 * k] = textures[2 * order[i + k]], UV[2 * k + 1] = textures[2 * order[i + k] + 1];
+        UV[2 * k] = textures[2 * order[i + k]];
+        UV[2 * k + 1] = textures[2 * order[i + k] + 1];
       }
       builder_.add_element(region, own, UV, place_);
     }
@@ -288,7 +289,7 @@ class GltfReader {
     const std::size_t size = components * (out.type == kUnsignedByte    ? 1
                                            : out.type == kUnsignedShort ? 2
                                                                         : 4);
-    out.count = whole(accessor, "count", kMostElements * 3),
+    out.count = whole(accessor, "count", kMostElements * 3);
     out.stride = whole(view, "byteStride", 252, size);
     const std::string_view all = buffer(whole(view, "buffer", 1000000));
     const std::size_t most = std::size_t{1} << 40;

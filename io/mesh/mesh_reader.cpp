@@ -106,7 +106,10 @@ class MeshReader {
     if (section_ == Section::region) read_element(row);
     if (section_ == Section::set)
       for (const auto& word : row)
-        if (const auto node = read_index(word)) mesh_.sets.back().nodes.push_back(*node), note(word);
+        if (const auto node = read_index(word)) {
+          mesh_.sets.back().nodes.push_back(*node);
+          note(word);
+        }
     if (section_ == Section::none && errors() == 0)
       error(row[0].place, "numbers stand before the first section", "[nodes] is the first");
   }

@@ -95,7 +95,10 @@ class ObjReader {
     if (texture.empty()) return c;
     c.has_texture = true;
     const std::size_t t = index(texture, textures_.size(), "texture coordinate", word.place);
-    if (t < textures_.size()) c.U = textures_[t][0], c.V = textures_[t][1];
+    if (t < textures_.size()) {
+      c.U = textures_[t][0];
+      c.V = textures_[t][1];
+    }
     return c;
   }
 

@@ -69,7 +69,8 @@ std::vector<Word> TextRows::words_of(std::string_view line) const {
                                        [](char c) { return (c & 0xC0) != 0x80; }));
     if (!is_blank(line[at]))
       words.push_back({line.substr(at, end - at), {file_, line_, column, std::max(length, 1)}});
-    column += length, at = end;
+    column += length;
+    at = end;
   }
   return words;
 }

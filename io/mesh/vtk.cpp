@@ -27,7 +27,8 @@ class VtkReader {
       : rows_(text, file), builder_(diagnostics) {}
 
   InputMesh read() {
-    rows_.next_line(), rows_.next_line();  // version and title
+    rows_.next_line();
+    rows_.next_line();  // version and title
     const Word form = next();
     if (in_capitals(form.text) != "ASCII")
       fail(form.place, "only VTK files in ASCII are read", "save it as ASCII, legacy");
@@ -45,7 +46,10 @@ class VtkReader {
 
   /// The next word, whatever the lines; empty at the end.
   Word next() {
-    if (at_ >= row_.size()) row_ = rows_.next_row(), at_ = 0;
+    if (at_ >= row_.size()) {
+      row_ = rows_.next_row();
+      at_ = 0;
+    }
     return row_.empty() ? Word{{}, rows_.place()} : row_[at_++];
   }
   double next_number() {
@@ -76,11 +80,13 @@ class VtkReader {
       read_cells();
     else if (name == "CELL_TYPES")
       read_types();
-    else if (name == "CELL_DATA")
-      next_count(kMostElements, "cells"), is_on_cells_ = true;
-    else if (name == "POINT_DATA")
-      next_count(kMostNodes, "points"), is_on_cells_ = false;
-    else if (name == "SCALARS")
+    else if (name == "CELL_DATA") {
+      next_count(kMostElements, "cells");
+      is_on_cells_ = true;
+    } else if (name == "POINT_DATA") {
+      next_count(kMostNodes, "points");
+      is_on_cells_ = false;
+    } else if (name == "SCALARS")
       read_scalars();
     else if (name == "FIELD")
       read_field();
@@ -129,7 +135,8 @@ class VtkReader {
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < offsets && goes_on(); ++i)
       ends.push_back(next_count(nodes, "nodes before a cell"));
-    next(), next();  // CONNECTIVITY, type
+    next();
+    next();  // CONNECTIVITY, type
     for (std::size_t c = 0; c + 1 < ends.size() && goes_on(); ++c) {
       cells_.nodes.emplace_back();
       if (ends[c + 1] < ends[c]) return fail(place_of_cells_, "the offsets of cells do not grow");
@@ -160,8 +167,10 @@ class VtkReader {
     next();  // type
     std::size_t components = 1;
     Word word = next();
-    if (const auto value = integer_in(word.text); value && *value >= 1 && *value <= 4)
-      components = static_cast<std::size_t>(*value), word = next();
+    if (const auto value = integer_in(word.text); value && *value >= 1 && *value <= 4) {
+      components = static_cast<std::size_t>(*value);
+      word = next();
+    }
     if (in_capitals(word.text) != "LOOKUP_TABLE")
       return fail(word.place, "LOOKUP_TABLE is expected behind SCALARS");
     next();  // its name
@@ -173,7 +182,10 @@ class VtkReader {
     const std::size_t arrays = next_count(1000, "arrays");
     for (std::size_t a = 0; a < arrays && goes_on(); ++a) {
       Word word = next();
-      if (in_capitals(word.text) == "METADATA") skip_metadata(), word = next();
+      if (in_capitals(word.text) == "METADATA") {
+        skip_metadata();
+        word = next();
+      }
       const std::string name(word.text);
       const std::size_t components = next_count(1000, "components"),
                         count = next_count(kMostElements, "values");
@@ -200,7 +212,8 @@ class VtkReader {
 
   /// Names of components and the like, up to a blank line.
   void skip_metadata() {
-    row_.clear(), at_ = 0;
+    row_.clear();
+    at_ = 0;
     for (auto line = rows_.next_line(); line && line->find_first_not_of(" \t") != std::string_view::npos;)
       line = rows_.next_line();
   }
@@ -237,13 +250,19 @@ class VtkWriter {
   }
 
  private:
-  void begin(const std::string& name) { names_ += name + "\n", ++regions_; }
+  void begin(const std::string& name) {
+    names_ += name + "\n";
+    ++regions_;
+  }
 
   void add_cell(int type, const std::uint32_t* nodes, std::size_t count) {
     nodes_ += std::to_string(count);
     for (std::size_t k = 0; k < count; ++k) nodes_ += " " + std::to_string(nodes[k]);
-    nodes_ += "\n", words_ += count + 1, ++cells_;
-    types_ += std::to_string(type) + "\n", region_ += std::to_string(regions_ - 1) + "\n";
+    nodes_ += "\n";
+    words_ += count + 1;
+    ++cells_;
+    types_ += std::to_string(type) + "\n";
+    region_ += std::to_string(regions_ - 1) + "\n";
   }
 
   static void add_numbers(std::string& block, const double* numbers, std::size_t count) {
@@ -267,7 +286,9 @@ class VtkWriter {
   void add_set(const MeshSet& set) {
     begin(set.name);
     add_cell(vtk::kPolyVertex, set.nodes.data(), set.nodes.size());
-    add_numbers(corners_, nullptr, 6), add_numbers(shares_, nullptr, 2), add_numbers(twines_, nullptr, 2);
+    add_numbers(corners_, nullptr, 6);
+    add_numbers(shares_, nullptr, 2);
+    add_numbers(twines_, nullptr, 2);
   }
 
   std::string names_, nodes_, types_, region_, corners_, shares_, twines_;

@@ -174,7 +174,8 @@ class VtkHdfMesh {
         ++left_out[cells_.region_of(c, "a part")];
         continue;
       }
-      kept.nodes.push_back(cells_.nodes[c]), kept.types.push_back(cells_.types[c]);
+      kept.nodes.push_back(cells_.nodes[c]);
+      kept.types.push_back(cells_.types[c]);
       for (auto& [name, array] : kept.arrays) {
         const auto& from = cells_.arrays[name].values;
         const auto first = from.begin() + static_cast<std::ptrdiff_t>(array.components * c);

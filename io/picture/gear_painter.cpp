@@ -32,7 +32,8 @@ struct Plane {
   Plane(const std::array<Point3, 3>& p, double f0, double f1, double f2) : at_first(f0) {
     const double ax = p[1][0] - p[0][0], ay = p[1][1] - p[0][1], bx = p[2][0] - p[0][0],
                  by = p[2][1] - p[0][1], twice = ax * by - ay * bx;
-    dx = ((f1 - f0) * by - (f2 - f0) * ay) / twice, dy = ((f2 - f0) * ax - (f1 - f0) * bx) / twice;
+    dx = ((f1 - f0) * by - (f2 - f0) * ay) / twice;
+    dy = ((f2 - f0) * ax - (f1 - f0) * bx) / twice;
   }
   double operator()(double x, double y) const { return at_first + dx * x + dy * y; }
   double slope() const { return std::hypot(dx, dy); }
@@ -81,7 +82,8 @@ class GearPainter {
         canvas_(canvas) {}
 
   void paint(double dx, double dy) {
-    dx_ = dx, dy_ = dy;
+    dx_ = dx;
+    dy_ = dy;
     for (const double sign : shape_.result->is_half ? std::vector<double>{1, -1} : std::vector<double>{1}) {
       place(sign);
       paint_catch();

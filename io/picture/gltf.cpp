@@ -37,7 +37,8 @@ struct Vertices {
   }
   void add_meshes(const double* UV) {
     has_meshes = has_meshes && std::isfinite(UV[0]) && std::isfinite(UV[1]);
-    meshes.push_back(static_cast<float>(UV[0])), meshes.push_back(static_cast<float>(UV[1]));
+    meshes.push_back(static_cast<float>(UV[0]));
+    meshes.push_back(static_cast<float>(UV[1]));
   }
 };
 
@@ -187,7 +188,8 @@ class GltfWriter {
                      {"bufferViews", views_},
                      {"buffers", {{{"byteLength", binary_.size()}}}}};
     if (!textures_.empty()) {
-      document["textures"] = textures_, document["images"] = images_;
+      document["textures"] = textures_;
+      document["images"] = images_;
       document["samplers"] = Json::array({Json{{"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}}});
     }
     std::string text = document.dump(-1, ' ', true, Json::error_handler_t::replace);

@@ -37,7 +37,10 @@ Frame free_place(const LabelledLine& line, double size, const Frame& picture,
       const Frame place = beside(line, size, along, to_the_right, picture);
       double sum = 0;
       for (const Frame& other : before) sum += shared(place, other);
-      if (sum < least) least = sum, best = place;
+      if (sum < least) {
+        least = sum;
+        best = place;
+      }
     }
   return best;
 }

@@ -121,7 +121,8 @@ void add_dimensions(const GearShape& shape, const Projection& projection, const 
     const Point3 from = place_of(dimension.from, *shape.result, points, {});
     const Point3 to = place_of(dimension.to, *shape.result, points, from);
     Point3 a = projection(from), b = projection(to);
-    a[1] += picture.top, b[1] += picture.top;
+    a[1] += picture.top;
+    b[1] += picture.top;
     if (!is_inside(a, picture) || !is_inside(b, picture)) continue;
     if (std::hypot(b[0] - a[0], b[1] - a[1]) < kLeastDimension) continue;
     add_arrow(a, b, layout);

@@ -50,8 +50,10 @@ std::map<std::uint32_t, Sides> sides_of(const StoredResult& result) {
 struct Box {
   long left = 1L << 60, right = -(1L << 60), top = 1L << 60, bottom = -(1L << 60);
   void take(const Grid& p) {
-    left = std::min(left, p[0]), right = std::max(right, p[0]);
-    top = std::min(top, p[1]), bottom = std::max(bottom, p[1]);
+    left = std::min(left, p[0]);
+    right = std::max(right, p[0]);
+    top = std::min(top, p[1]);
+    bottom = std::max(bottom, p[1]);
   }
 };
 
@@ -61,7 +63,10 @@ std::string plan_sketch(const StoredResult& result) {
   const auto sides = sides_of(result);
   Box whole;
   for (const auto& [part, all] : sides)
-    for (const auto& [side, times] : all) whole.take(side[0]), whole.take(side[1]);
+    for (const auto& [side, times] : all) {
+      whole.take(side[0]);
+      whole.take(side[1]);
+    }
   if (sides.empty() || whole.bottom <= whole.top) return "";
   const double scale = kTall / static_cast<double>(whole.bottom - whole.top);
   const auto place = [&](const Grid& p) {
@@ -72,7 +77,8 @@ std::string plan_sketch(const StoredResult& result) {
   for (const auto& [part, all] : sides) {
     Box box;
     for (const auto& [side, times] : all) {
-      box.take(side[0]), box.take(side[1]);
+      box.take(side[0]);
+      box.take(side[1]);
       if (times == 1) picture.line(place(side[0]), place(side[1]), kInk, 1.2);
     }
     const PicturePoint right = place({box.right, (box.top + box.bottom) / 2});

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/picture/projection.hpp"
 
+#include "io/units/degrees.hpp"
+
 #include <netloft/vectors.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace netloft::io {
 
 namespace {
 
 Projection axes_of(const ViewAngles& angles) {
-  const double a = angles.azimuth * std::numbers::pi / 180, e = angles.elevation * std::numbers::pi / 180;
+  const double a = in_radians(angles.azimuth), e = in_radians(angles.elevation);
   const double ca = std::cos(a), sa = std::sin(a), ce = std::cos(e), se = std::sin(e);
   return {{-sa, ca, 0}, {-se * ca, -se * sa, ce}, {ce * ca, ce * sa, se}};
 }
@@ -47,10 +48,15 @@ Point3 Projection::operator()(const Point3& p) const {
 Projection fit(View view, const std::vector<Point3>& points, const Frame& frame) {
   Projection projection = axes_of(angles_of(view));
   double left = 0, right = 1, low = 0, high = 1;
-  if (!points.empty()) left = low = INFINITY, right = high = -INFINITY;
+  if (!points.empty()) {
+    left = low = INFINITY;
+    right = high = -INFINITY;
+  }
   for (const auto& p : points) {
-    left = std::min(left, dot(p, projection.right)), right = std::max(right, dot(p, projection.right));
-    low = std::min(low, dot(p, projection.up)), high = std::max(high, dot(p, projection.up));
+    left = std::min(left, dot(p, projection.right));
+    right = std::max(right, dot(p, projection.right));
+    low = std::min(low, dot(p, projection.up));
+    high = std::max(high, dot(p, projection.up));
   }
   projection.pixels_per_metre =
       std::min(frame.width / std::max(right - left, 1e-6), frame.height / std::max(high - low, 1e-6));

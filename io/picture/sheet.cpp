@@ -90,7 +90,10 @@ SheetLayout empty_layout(bool is_dark) {
 double picture_height(View view, const std::vector<Point3>& points, double width) {
   const Projection projection = fit(view, points, {kMargin, 0, width - 2 * kMargin, 1e9});
   double low = INFINITY, high = -INFINITY;
-  for (const auto& p : points) low = std::min(low, projection(p)[1]), high = std::max(high, projection(p)[1]);
+  for (const auto& p : points) {
+    low = std::min(low, projection(p)[1]);
+    high = std::max(high, projection(p)[1]);
+  }
   const double tall = points.empty() ? 0 : high - low;
   return std::round(std::clamp(tall + 2 * kMargin, kLeastHeight * width, kGreatestHeight * width));
 }

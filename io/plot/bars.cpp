@@ -22,8 +22,10 @@ std::vector<double> values_of(const BarChart& chart) {
   std::vector<double> values{0};
   for (const auto& group : chart.groups)
     for (const auto& row : group.rows)
-      for (const auto& bar : row.bars)
-        values.push_back(bar.value + bar.error), values.push_back(bar.value - bar.error);
+      for (const auto& bar : row.bars) {
+        values.push_back(bar.value + bar.error);
+        values.push_back(bar.value - bar.error);
+      }
   return values;
 }
 

@@ -27,15 +27,23 @@ double round_length(double length) {
 LinearAxis::LinearAxis(std::span<const double> values, int most_labels) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double v : values)
-    if (std::isfinite(v)) least = std::min(least, v), most = std::max(most, v);
-  if (least > most) least = 0, most = 1;
+    if (std::isfinite(v)) {
+      least = std::min(least, v);
+      most = std::max(most, v);
+    }
+  if (least > most) {
+    least = 0;
+    most = 1;
+  }
   const double size = std::max({std::abs(least), std::abs(most), std::numeric_limits<double>::min()});
   if (most - least < kSame * size) {
     const double half = std::max(kSame * size, least == 0 && most == 0 ? 0.5 : 0.05 * size);
-    least -= half, most += half;
+    least -= half;
+    most += half;
   }
   const double margin = kMargin * (most - least);
-  low_ = least - margin, high_ = most + margin;
+  low_ = least - margin;
+  high_ = most + margin;
   find_ticks(most_labels);
 }
 

@@ -36,7 +36,9 @@ int label_stride(int count, int most) { return std::max(1, (count + most - 1) / 
 }  // namespace
 
 LogAxis::LogAxis(std::span<const double> values, int most_labels) {
-  low_ = 1, high_ = 10, labels_powers_ = true;
+  low_ = 1;
+  high_ = 10;
+  labels_powers_ = true;
   find_ends(values);
   find_ticks(most_labels);
 }
@@ -48,10 +50,17 @@ double LogAxis::place(double value) const { return std::log(value / low_) / std:
 void LogAxis::find_ends(std::span<const double> values) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const double v : values)
-    if (v > 0 && std::isfinite(v)) least = std::min(least, v), most = std::max(most, v);
+    if (v > 0 && std::isfinite(v)) {
+      least = std::min(least, v);
+      most = std::max(most, v);
+    }
   if (most == 0) return;
-  low_ = round_down(least / kMargin), high_ = round_up(most * kMargin);
-  if (high_ < 4 * low_) low_ = round_down(low_ / 2), high_ = round_up(high_ * 2);
+  low_ = round_down(least / kMargin);
+  high_ = round_up(most * kMargin);
+  if (high_ < 4 * low_) {
+    low_ = round_down(low_ / 2);
+    high_ = round_up(high_ * 2);
+  }
 }
 
 void LogAxis::find_ticks(int most_labels) {

@@ -119,7 +119,8 @@ class Drawing {
       const double at = x(mark.x) - kLeft < kSmall + 3 ? x(mark.x) + kSmall : x(mark.x) - 3;
       depth = at - last < kSmall + 4 ? depth : 0;
       picture_.rotated_text({at, kTop + 4 + depth}, mark.label, kSmall, kMarkInk, Anchor::end, true);
-      last = at, depth += kLetter * kSmall * static_cast<double>(mark.label.size());
+      last = at;
+      depth += kLetter * kSmall * static_cast<double>(mark.label.size());
     }
   }
 

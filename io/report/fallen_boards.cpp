@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/fallen_boards.hpp"
 
+#include "io/units/degrees.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -38,7 +40,8 @@ double outward_force(const LoadedScene& loaded, const std::vector<std::uint32_t>
   double x = 0, y = 2 * value(here + "y");
   if (pair.size() == 2) {
     const std::string there = "bodies/" + name(1 - which) + "/";
-    x = value(here + "x") - value(there + "x"), y = value(here + "y") - value(there + "y");
+    x = value(here + "x") - value(there + "x");
+    y = value(here + "y") - value(there + "y");
   }
   const double side = side_of(loaded, pair[which]), apart = std::hypot(x, y);
   double work = 0;
@@ -53,7 +56,7 @@ double outward_force(const LoadedScene& loaded, const std::vector<std::uint32_t>
 std::string trouble_of(const std::string& board, double heel, double outward) {
   if (std::abs(heel) > std::numbers::pi / 2)
     return fmt::format("{} lies over, its top turned {} by {:.0f}°", board, heel > 0 ? "outward" : "inward",
-                       180 / std::numbers::pi * std::abs(heel));
+                       kDegreesPerRadian * std::abs(heel));
   if (outward >= 0) return "";
   return fmt::format("{} does not spread the gear: water and ground push it inward with {:.4g} N", board,
                      -outward);

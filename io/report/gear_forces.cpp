@@ -25,7 +25,8 @@ std::vector<PartGroup> kinds_of(const GearView& gear) {
   std::vector<PartGroup> kinds = {
       {"all", {}}, {"netting", g.panels}, {"ropes", g.ropes}, {"floats", g.pieces}, {"others", {}}};
   std::set<std::uint32_t> planned(g.panels.begin(), g.panels.end());
-  planned.insert(g.ropes.begin(), g.ropes.end()), planned.insert(g.pieces.begin(), g.pieces.end());
+  planned.insert(g.ropes.begin(), g.ropes.end());
+  planned.insert(g.pieces.begin(), g.pieces.end());
   const auto& parts = gear.loaded().scene.parts;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
     if (parts[p].companion) continue;  // counts with the part it rides on, whose name it bears
@@ -150,7 +151,8 @@ std::array<OnGround, kStretches> stretches_of(const GearView& gear, std::uint32_
       if (other > one)
         add_to_stretches(one, other, all - middle, force * (other - one) / (to - from), force > 0, stretches);
     };
-    add(std::max(from, 0.0), to), add(std::max(-to, 0.0), -from);
+    add(std::max(from, 0.0), to);
+    add(std::max(-to, 0.0), -from);
     if (i < lengths.size()) s += lengths[i];
   }
   return stretches;
@@ -206,7 +208,10 @@ void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
   double normal = 0;
   bool is_there = false;
   for (const auto part : all.parts)
-    for (const double force : gear.output(part, output::kNormalForce)) normal += force, is_there = true;
+    for (const double force : gear.output(part, output::kNormalForce)) {
+      normal += force;
+      is_there = true;
+    }
   if (!is_there) return;
   figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * normal});
   if (any_has(gear, all, &PartForce::is_along_ground))

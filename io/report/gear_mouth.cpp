@@ -95,7 +95,8 @@ void add_role_figures(const GearView& gear, std::vector<Figure>& figures) {
     for (const auto rope : ropes) {
       const auto T = gear.tensions(rope);
       if (T.empty() || gear.gear().across.contains(rope)) continue;
-      sum += tension_at_end(T, gear.rest_lengths(rope)), ++counted;
+      sum += tension_at_end(T, gear.rest_lengths(rope));
+      ++counted;
     }
     if (counted)
       figures.push_back({"rigging/" + role + "/tension_start", "N",

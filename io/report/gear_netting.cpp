@@ -17,7 +17,10 @@ struct Amount {
   bool is_spread = false;  // true: it consists of triangles, which have an area
 
   void add(const Amount& other) {
-    area += other.area, filtered += other.filtered, twine_area += other.twine_area, mass += other.mass;
+    area += other.area;
+    filtered += other.filtered;
+    twine_area += other.twine_area;
+    mass += other.mass;
     is_spread |= other.is_spread;
   }
 };
@@ -66,7 +69,9 @@ void add_opening(const GearView& gear, std::uint32_t panel, std::vector<Figure>&
   double least = 1, most = 0, weighted = 0;
   for (std::size_t e = 0; e < angles.size(); ++e) {
     const double opening = std::sin(angles[e]);  // (2)
-    least = std::min(least, opening), most = std::max(most, opening), weighted += knots[e] * opening;
+    least = std::min(least, opening);
+    most = std::max(most, opening);
+    weighted += knots[e] * opening;
   }
   const std::string at = "panels/" + gear.name(panel) + "/opening_", doc = "mesh width over stretched mesh, ";
   figures.push_back({at + "min", "1", doc + "where it is least open", least});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/report/gear_text.hpp"
 
+#include "io/units/degrees.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kDegrees = 57.295779513082321;
 using Out = std::back_insert_iterator<std::string>;
 
 /// Formats a number, or "-" if it is unknown.
@@ -136,17 +137,17 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
 void bodies(const std::vector<NamedScalar>& figures, Out out) {
   const std::string body = "bodies/";
   table(figures, "bodies",
-        {{"heading [°]", body, "/heading", "{:.2f}", false, kDegrees},
-         {"heel [°]", body, "/heel", "{:.2f}", false, kDegrees},
-         {"trim [°]", body, "/trim", "{:.2f}", false, kDegrees},
+        {{"heading [°]", body, "/heading", "{:.2f}", false, kDegreesPerRadian},
+         {"heel [°]", body, "/heel", "{:.2f}", false, kDegreesPerRadian},
+         {"trim [°]", body, "/trim", "{:.2f}", false, kDegreesPerRadian},
          {"x [m]", body, "/x"},
          {"y [m]", body, "/y"},
          {"z [m]", body, "/z"},
          {"above bed", body, "/above_bed", "{:.3f}"}},
         out);
   table(figures, "water on bodies",
-        {{"attack [°]", body, "/attack", "{:.2f}", false, kDegrees},
-         {"sideslip [°]", body, "/sideslip", "{:.2f}", false, kDegrees},
+        {{"attack [°]", body, "/attack", "{:.2f}", false, kDegreesPerRadian},
+         {"sideslip [°]", body, "/sideslip", "{:.2f}", false, kDegreesPerRadian},
          {"lift [N]", body, "/lift"},
          {"drag [N]", body, "/drag"},
          {"outward [N]", body, "/outward"}},
@@ -159,9 +160,9 @@ void bodies(const std::vector<NamedScalar>& figures, Out out) {
 void warps(const std::vector<NamedScalar>& figures, Out out) {
   table(figures, "warps",
         {{"length [m]", "warps/", "/length", "{:.4f}"},
-         {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, kDegrees},
-         {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegrees},
-         {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegrees}},
+         {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, kDegreesPerRadian},
+         {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegreesPerRadian},
+         {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegreesPerRadian}},
         out);
   table(figures, "warps at the block",
         {{"tension [N]", "warps/", "/tension"}, {"out [m/s]", "warps/", "/paying_out", "{:.3f}"}}, out);

@@ -54,7 +54,8 @@ std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembl
       std::map<std::uint32_t, std::array<std::size_t, 2>> elements;  // of a part: in doubt, all
       for (std::size_t e = 0; e < family.size(); ++e) {
         auto& [in_doubt, all] = elements[family.part(e)];
-        in_doubt += answer.outputs[f][k][e] != 0, ++all;
+        in_doubt += answer.outputs[f][k][e] != 0;
+        ++all;
       }
       for (const auto& [part, count] : elements)
         if (count[0] > 0)

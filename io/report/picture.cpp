@@ -36,7 +36,10 @@ class PanelPlaces {
     double least = std::numeric_limits<double>::infinity();
     for (auto [it, end] = places_.equal_range(node); it != end; ++it) {
       const double d = std::hypot(it->second[0] - near[0], it->second[1] - near[1]);
-      if (d < least) least = d, best = it->second;
+      if (d < least) {
+        least = d;
+        best = it->second;
+      }
     }
     return best;
   }
@@ -62,7 +65,8 @@ std::array<double, 6> corners_on_panel(const PanelPlaces& panel, std::span<const
   const PanelPoint anchor = panel.anchor(nodes);
   for (std::size_t c = 0; c < 3; ++c) {
     const PanelPoint at = panel.nearest(nodes[c], anchor);
-    corners[2 * c] = at[0], corners[2 * c + 1] = at[1];
+    corners[2 * c] = at[0];
+    corners[2 * c + 1] = at[1];
   }
   return corners;
 }
@@ -148,10 +152,13 @@ std::vector<StaticField> label_points(const LoadedScene& loaded) {
   std::vector<double> part(n), node(n), panel(2 * n, kNone);
   for (std::size_t i = 0; i < n; ++i) {
     const NodeLabel label = loaded.scene.labels[i];
-    part[i] = label.part, node[i] = label.id;
+    part[i] = label.part;
+    node[i] = label.id;
     const auto& coordinates = loaded.parts[label.part].panel;
-    if (!coordinates.empty())
-      panel[2 * i] = coordinates[label.id][0], panel[2 * i + 1] = coordinates[label.id][1];
+    if (!coordinates.empty()) {
+      panel[2 * i] = coordinates[label.id][0];
+      panel[2 * i + 1] = coordinates[label.id][1];
+    }
   }
   return {
       {{"part", "1", "part the node was made for, index into /netloft/parts/name", Location::kPoint, 1, true},

@@ -92,18 +92,24 @@ std::optional<Numbers> numbers_at(const LoadedScene& loaded, Assembler& assemble
 /// Evaluates all numbers once more, after the next Newton step, to estimate the solver's error.
 void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   Solution after;
-  after.x = result.solution.correction.x, after.x_low = result.solution.correction.x_low;
-  if (const auto numbers = numbers_at(loaded, assembler, std::move(after)))
-    note_changes(numbers->scalars, result.scalars), note_changes(numbers->gear, result.gear);
+  after.x = result.solution.correction.x;
+  after.x_low = result.solution.correction.x_low;
+  if (const auto numbers = numbers_at(loaded, assembler, std::move(after))) {
+    note_changes(numbers->scalars, result.scalars);
+    note_changes(numbers->gear, result.gear);
+  }
 }
 
 /// And at every other equilibrium that was found.
 void collect_spread(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   for (const OtherShape& other : result.solution.shapes.others) {
     Solution there;
-    there.x = other.x, there.energy = other.energy;
-    if (const auto numbers = numbers_at(loaded, assembler, std::move(there)))
-      widen(numbers->scalars, result.scalars), widen(numbers->gear, result.gear);
+    there.x = other.x;
+    there.energy = other.energy;
+    if (const auto numbers = numbers_at(loaded, assembler, std::move(there))) {
+      widen(numbers->scalars, result.scalars);
+      widen(numbers->gear, result.gear);
+    }
   }
 }
 
@@ -120,7 +126,9 @@ double length_of(std::span<const double> x) {
 Solution swung(const Assembler& assembler, const Solution& s, const std::vector<double>& along,
                double length) {
   Solution there;
-  there.u = s.u, there.x.resize(s.x.size()), there.energy = s.energy;
+  there.u = s.u;
+  there.x.resize(s.x.size());
+  there.energy = s.energy;
   for (std::size_t i = 0; i < there.u.size(); ++i) there.u[i] += length * along[i];
   assembler.place(there.u, there.x);
   return there;
@@ -187,7 +195,8 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
   for (auto& doubt : doubt_warnings(loaded, assembler, answer)) result.warnings.push_back(std::move(doubt));
   for (auto& board : find_fallen_boards(loaded, result.gear))
     result.warnings.push_back(std::move(board.sentence));
-  result.outputs = std::move(answer.outputs), result.part_forces = std::move(answer.forces);
+  result.outputs = std::move(answer.outputs);
+  result.part_forces = std::move(answer.forces);
   collect_hold_forces(loaded, assembler, result);
   collect_balance(result);
   collect_solver_errors(loaded, assembler, result);

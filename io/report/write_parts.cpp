@@ -65,8 +65,10 @@ struct PartRows {
   std::vector<double> diameters, bars, axes, sheet;
 
   void add(const Part& part, const PartGeometry* geometry, const SheetPlace* place) {
-    names.push_back(part.name), types.push_back(part.type);
-    diameters.push_back(diameter_of(part)), bars.push_back(first_of(part, datum::kBarLength));
+    names.push_back(part.name);
+    types.push_back(part.type);
+    diameters.push_back(diameter_of(part));
+    bars.push_back(first_of(part, datum::kBarLength));
     const Axes of_twines = geometry ? axes_of(part, *geometry) : Axes{kNone, kNone, kNone, kNone};
     axes.insert(axes.end(), of_twines.begin(), of_twines.end());
     const SheetPlace at = place ? *place : SheetPlace{kNone, kNone, kNone, kNone, kNone, kNone};
@@ -122,9 +124,12 @@ void write_bodies(Tree& tree, const LoadedScene& loaded) {
   for (std::size_t b = 0; b < loaded.bodies.size(); ++b) {
     const RigidBody& body = loaded.scene.bodies[b];
     const BodyInScene& look = loaded.bodies[b];
-    names.push_back(body.name), origins.push_back(body.origin), sides.push_back(look.side);
+    names.push_back(body.name);
+    origins.push_back(body.origin);
+    sides.push_back(look.side);
     for (std::size_t k = 0; k < body.points.size(); ++k) {
-      points.push_back(look.points[k]), nodes.push_back(body.points[k].node);
+      points.push_back(look.points[k]);
+      nodes.push_back(body.points[k].node);
       of_points.push_back(static_cast<std::int64_t>(b));
       places.insert(places.end(), body.points[k].r.begin(), body.points[k].r.end());
     }
@@ -222,10 +227,15 @@ void write_bill(Tree& tree, const LoadedScene& loaded) {
   std::vector<std::string> kinds, names, parts;
   std::vector<double> numbers, lengths, diameters, loads, masses, areas;
   for (const auto& row : bill) {
-    kinds.push_back(row.kind), names.push_back(row.name), parts.push_back(row.part_name);
-    numbers.push_back(row.number), lengths.push_back(row.length);
-    diameters.push_back(row.diameter), loads.push_back(row.breaking_load);
-    masses.push_back(row.mass), areas.push_back(row.area);
+    kinds.push_back(row.kind);
+    names.push_back(row.name);
+    parts.push_back(row.part_name);
+    numbers.push_back(row.number);
+    lengths.push_back(row.length);
+    diameters.push_back(row.diameter);
+    loads.push_back(row.breaking_load);
+    masses.push_back(row.mass);
+    areas.push_back(row.area);
   }
   const std::string at = "/netloft/bill/";
   tree.write_strings(at + "kind", kinds);

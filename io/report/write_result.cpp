@@ -42,10 +42,14 @@ StateFields fields_at(const LoadedScene& loaded, const Assembler& assembler, std
     std::copy(reaction.begin(), reaction.end(), held.begin() + 3 * std::ptrdiff_t{node});
   }
   state.values = {std::move(displacement), std::move(left), std::move(held)};
-  if (auto rotations = rotation_field(loaded, assembler, x))
-    state.specs.push_back(rotations->first), state.values.push_back(std::move(rotations->second));
-  for (auto& cell : OutputFields(loaded, assembler).gather(outputs))
-    state.specs.push_back(cell.spec), state.values.push_back(std::move(cell.values));
+  if (auto rotations = rotation_field(loaded, assembler, x)) {
+    state.specs.push_back(rotations->first);
+    state.values.push_back(std::move(rotations->second));
+  }
+  for (auto& cell : OutputFields(loaded, assembler).gather(outputs)) {
+    state.specs.push_back(cell.spec);
+    state.values.push_back(std::move(cell.values));
+  }
   return state;
 }
 
@@ -90,14 +94,21 @@ void write_provenance(Tree& tree, const LoadedScene& loaded, const RunContext& c
   tree.write_text(at + "scene/path", loaded.files.empty() ? "" : loaded.files[0].path);
   tree.write_text(at + "scene/text", loaded.files.empty() ? "" : loaded.files[0].text);
   std::vector<std::string> path, hash, text;
-  for (const auto& f : loaded.files) path.push_back(f.path), hash.push_back(f.hash), text.push_back(f.text);
+  for (const auto& f : loaded.files) {
+    path.push_back(f.path);
+    hash.push_back(f.hash);
+    text.push_back(f.text);
+  }
   tree.write_strings(at + "files/path", path);
   tree.write_strings(at + "files/hash", hash);
   tree.write_strings(at + "files/text", text);
   std::vector<std::string> name, version, file, fingerprint;
-  for (const auto* p : context.plugins)
-    name.push_back(p->name), version.push_back(p->version), file.push_back(p->file),
-        fingerprint.push_back("fnv1a64-words:" + p->fingerprint);
+  for (const auto* p : context.plugins) {
+    name.push_back(p->name);
+    version.push_back(p->version);
+    file.push_back(p->file);
+    fingerprint.push_back("fnv1a64-words:" + p->fingerprint);
+  }
   tree.write_strings(at + "plugins/name", name);
   tree.write_strings(at + "plugins/version", version);
   tree.write_strings(at + "plugins/path", file);
@@ -117,9 +128,12 @@ void write_convergence(Tree& tree, const Solution& s) {
   std::vector<double> residual, scale, energy, seconds;
   std::vector<std::string> note;
   for (const auto& r : s.run.history) {
-    iteration.push_back(r.iteration), factorisations.push_back(r.factorisations);
-    residual.push_back(r.residual), scale.push_back(r.scale), energy.push_back(r.energy),
-        seconds.push_back(r.seconds);
+    iteration.push_back(r.iteration);
+    factorisations.push_back(r.factorisations);
+    residual.push_back(r.residual);
+    scale.push_back(r.scale);
+    energy.push_back(r.energy);
+    seconds.push_back(r.seconds);
     note.push_back(r.note);
   }
   const std::string at = "/netloft/convergence/";
@@ -186,8 +200,10 @@ void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result
                       "sum of this force over each part, in the direction in which it acts on the gear");
   std::vector<double> held;
   std::vector<std::string> names;
-  for (const auto& h : result.hold_forces)
-    names.push_back(h.name), held.insert(held.end(), h.force.begin(), h.force.end());
+  for (const auto& h : result.hold_forces) {
+    names.push_back(h.name);
+    held.insert(held.end(), h.force.begin(), h.force.end());
+  }
   tree.write_matrix("/netloft/forces/held", held, 3, "N", "force of each hold on the gear");
   tree.write_strings("/netloft/forces/held_name", names);
   tree.write_reals("/netloft/forces/balance", result.balance, "N",

@@ -73,7 +73,8 @@ void FieldSpread::take(std::span<const double> values) {
   const std::size_t step = 1 + values.size() / kSample;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) continue;
-    lo_ = std::min(lo_, values[i]), hi_ = std::max(hi_, values[i]);
+    lo_ = std::min(lo_, values[i]);
+    hi_ = std::max(hi_, values[i]);
     if (i % step == 0 || sample_.empty()) sample_.push_back(values[i]);
   }
 }
@@ -91,7 +92,8 @@ Scale FieldSpread::linear(bool middle) const {
   const Ends e = ends(middle);
   Scale scale{e.low >= 0 && e.low < e.high / 2 ? 0 : e.low, e.high};
   if (!(scale.hi > scale.lo)) scale.hi = scale.lo + (scale.lo == 0 ? 1 : std::abs(scale.lo));
-  scale.is_cut_below = e.lo<scale.lo, scale.is_cut_above = e.hi> scale.hi;
+  scale.is_cut_below = e.lo < scale.lo;
+  scale.is_cut_above = e.hi > scale.hi;
   return scale;
 }
 
@@ -100,7 +102,8 @@ Scale FieldSpread::logarithmic(bool middle) const {
   const Ends e = ends(middle);
   Scale scale{std::max(e.low, kLeastOfLargest * e.high), e.high, true};
   if (!(scale.hi > scale.lo)) scale.hi = 2 * scale.lo;
-  scale.is_cut_below = e.lo<scale.lo, scale.is_cut_above = e.hi> scale.hi;
+  scale.is_cut_below = e.lo < scale.lo;
+  scale.is_cut_above = e.hi > scale.hi;
   return scale;
 }
 
@@ -140,8 +143,10 @@ std::vector<std::array<double, 3>> values_at_corners(const StoredMesh& mesh,
   };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c)
-      if (const double value = by_cell[mesh.triangle_cells[t]]; std::isfinite(value))
-        mean_at(t, c).sum += value, mean_at(t, c).count += 1;
+      if (const double value = by_cell[mesh.triangle_cells[t]]; std::isfinite(value)) {
+        mean_at(t, c).sum += value;
+        mean_at(t, c).count += 1;
+      }
   std::vector<std::array<double, 3>> corners(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c)

@@ -79,7 +79,8 @@ std::vector<Material> materials_of(const StoredResult& result) {
       row.mass = sum_of(figures_of(result, "panels", item.name, "mass"));
       row.load = largest_twine_tension(result, tension, item.name);
     } else {
-      row.mass = item.number * item.mass, row.area = item.number * item.area;
+      row.mass = item.number * item.mass;
+      row.area = item.number * item.area;
     }
     rows.push_back(row);
   }

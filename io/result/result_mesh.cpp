@@ -24,7 +24,10 @@ class ResultMesh {
   }
 
   std::string text(MeshFormat format) {
-    for (std::uint32_t part = 0; part < result_.parts.size(); ++part) add_triangles(part), add_bars(part);
+    for (std::uint32_t part = 0; part < result_.parts.size(); ++part) {
+      add_triangles(part);
+      add_bars(part);
+    }
     if (mesh_.regions.empty())
       throw std::invalid_argument("there are neither ropes nor panels of triangles, so there is no mesh");
     if (format == MeshFormat::obj) return obj_text(mesh_, comment_);
@@ -84,8 +87,10 @@ class ResultMesh {
     }
     if (region.size() == 0) return;
     const double length = ends.back();
-    for (std::size_t e = 0; e < region.size(); ++e)
-      region.numbers.push_back(ends[e] / length), region.numbers.push_back(ends[e + 1] / length);
+    for (std::size_t e = 0; e < region.size(); ++e) {
+      region.numbers.push_back(ends[e] / length);
+      region.numbers.push_back(ends[e + 1] / length);
+    }
     say(fmt::format("{}: length = {:.12g}", region.name, length));
     mesh_.regions.push_back(std::move(region));
   }

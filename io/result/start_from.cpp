@@ -173,7 +173,10 @@ class Carrier {
       if (result_.mesh.cell_part[result_.mesh.triangle_cells[t]] != part || !has_places) continue;
       panel.nodes.insert(panel.nodes.end(), result_.mesh.triangles[t].begin(),
                          result_.mesh.triangles[t].end());
-      for (std::size_t c = 0; c < 3; ++c) u.push_back(corners[2 * c]), v.push_back(corners[2 * c + 1]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        u.push_back(corners[2 * c]);
+        v.push_back(corners[2 * c + 1]);
+      }
     }
     return panel;
   }
@@ -185,7 +188,8 @@ class Carrier {
     for (std::size_t own = 0; own < (geometry.nodes.size() + 2) / 3 * 3; ++own) {
       const std::size_t n = std::min(own, geometry.nodes.size() - 1);
       panel.nodes.push_back(geometry.nodes[n]);
-      u.push_back(geometry.panel[n][0]), v.push_back(geometry.panel[n][1]);
+      u.push_back(geometry.panel[n][0]);
+      v.push_back(geometry.panel[n][1]);
     }
     return panel;
   }

@@ -88,7 +88,9 @@ void StoredResult::read_status() {
   const auto attribute = [&](const char* name) {
     return reader_.has(at) && reader_.has_attribute(at, name) ? reader_.text_attribute(at, name) : "";
   };
-  outcome = attribute("outcome"), sentence = attribute("sentence"), stability = attribute("stability");
+  outcome = attribute("outcome");
+  sentence = attribute("sentence");
+  stability = attribute("stability");
   is_motion = reader_.has(kRoot + "series");
   const std::string gear = kRoot + "gear";
   if (!reader_.has(gear)) return;
@@ -105,8 +107,10 @@ void StoredResult::read_parts() {
   if (axes.empty()) notes.push_back("it was written by an older version, which did not say how twines lie");
   for (std::size_t p = 0; p < names.size(); ++p) {
     StoredPart part = nameless_part();
-    part.name = names[p], part.type = p < types.size() ? types[p] : "";
-    part.diameter = at_or_none(diameters, p), part.bar = at_or_none(bars, p);
+    part.name = names[p];
+    part.type = p < types.size() ? types[p] : "";
+    part.diameter = at_or_none(diameters, p);
+    part.bar = at_or_none(bars, p);
     for (std::size_t k = 0; k < 4; ++k) part.twine_axes[k] = at_or_none(axes, 4 * p + k);
     double* const place[] = {&part.sheet.x,        &part.sheet.y,      &part.sheet.x_across,
                              &part.sheet.y_across, &part.sheet.x_deep, &part.sheet.y_deep};
@@ -167,14 +171,17 @@ void StoredResult::read_cells() {
     }
     const auto cell = static_cast<std::uint32_t>(c);
     if (nodes == 3) {
-      mesh.triangles.push_back(corner), mesh.triangle_cells.push_back(cell);
+      mesh.triangles.push_back(corner);
+      mesh.triangle_cells.push_back(cell);
       std::array<double, 6> uv;
       std::copy_n(corners.begin() + 6 * static_cast<std::ptrdiff_t>(c), 6, uv.begin());
       mesh.corners.push_back(uv);
     } else if (nodes == 2) {
-      mesh.bars.push_back({corner[0], corner[1]}), mesh.bar_cells.push_back(cell);
+      mesh.bars.push_back({corner[0], corner[1]});
+      mesh.bar_cells.push_back(cell);
     } else if (nodes == 1) {
-      mesh.dots.push_back(corner[0]), mesh.dot_cells.push_back(cell);
+      mesh.dots.push_back(corner[0]);
+      mesh.dot_cells.push_back(cell);
     }
   }
 }
@@ -236,7 +243,8 @@ void StoredResult::read_scalars(const std::string& group, const std::string& err
 
 void StoredResult::read_forces() {
   const std::string at = kRoot + "forces/";
-  mesh_note = text_or_nothing(kErrors + "mesh_note"), node_error = known(kErrors + "nodes");
+  mesh_note = text_or_nothing(kErrors + "mesh_note");
+  node_error = known(kErrors + "nodes");
   swings_most = text_or_nothing(kSwing + "furthest");
   if (!reader_.has(at)) return;
   const auto vector_at = [](const std::vector<double>& rows, std::size_t row) {
@@ -277,7 +285,8 @@ void StoredResult::read_surroundings() {
 void StoredResult::read_relief() {
   const std::string at = kRoot + "seabed/relief/";
   if (!reader_.has(at)) return;
-  bed->relief_x = reader_.reals(at + "x"), bed->relief_y = reader_.reals(at + "y");
+  bed->relief_x = reader_.reals(at + "x");
+  bed->relief_y = reader_.reals(at + "y");
   require(bed->relief_x.size() > 1 && bed->relief_y.size() > 1, path, "the relief of its bed is cut off");
   for (const auto* places : {&bed->relief_x, &bed->relief_y})
     require(std::is_sorted(places->begin(), places->end(), std::less_equal<>()), path,
@@ -307,15 +316,19 @@ void StoredResult::read_convergence() {
   if (!reader_.has(at)) return;
   convergence.iteration = reader_.integers(at + "iteration");
   convergence.factorisations = reader_.integers(at + "factorisations");
-  convergence.residual = reader_.reals(at + "residual"), convergence.load = reader_.reals(at + "load");
+  convergence.residual = reader_.reals(at + "residual");
+  convergence.load = reader_.reals(at + "load");
   convergence.note = strings_or_nothing(at + "note");
 }
 
 void StoredResult::read_origins() {
   const std::string at = kRoot + "provenance/";
-  origins.version = text_or_nothing(at + "version"), origins.machine = text_or_nothing(at + "machine");
-  origins.compiler = text_or_nothing(at + "compiler"), origins.started = text_or_nothing(at + "started");
-  origins.finished = text_or_nothing(at + "finished"), origins.command = strings_or_nothing(at + "command");
+  origins.version = text_or_nothing(at + "version");
+  origins.machine = text_or_nothing(at + "machine");
+  origins.compiler = text_or_nothing(at + "compiler");
+  origins.started = text_or_nothing(at + "started");
+  origins.finished = text_or_nothing(at + "finished");
+  origins.command = strings_or_nothing(at + "command");
   const auto paths = strings_or_nothing(at + "files/path"), texts = strings_or_nothing(at + "files/text");
   for (std::size_t i = 0; i < paths.size() && i < texts.size(); ++i)
     origins.files.emplace_back(paths[i], texts[i]);

@@ -40,7 +40,8 @@ void read_settling(TableReader& table, Registry& registry, Analysis& a) {
   if (!table.has("mass_damping")) a.dynamics.march.mass_damping = 1;
   if (!table.has("duration")) a.dynamics.march.duration = 1e6;
   if (!table.has("max_iterations")) a.limits.iterations = 1000000;
-  a.dynamics.march.output_interval = 0, a.dynamics.march.budget = false;
+  a.dynamics.march.output_interval = 0;
+  a.dynamics.march.budget = false;
 }
 
 /// Refuses what speaks of time where nobody said that there is none: kind = "dynamic" may be forgotten.
@@ -101,10 +102,14 @@ void pass_over_strategy(TableReader& table, Registry& registry, const Values& va
 
 Analysis from_keys(const AnalysisKeys& keys) {
   Analysis a;
-  a.strategy = keys.strategy, a.solver = keys.solver, a.work = keys.work;
+  a.strategy = keys.strategy;
+  a.solver = keys.solver;
+  a.work = keys.work;
   a.tangent = static_cast<TangentChoice>(keys.tangent);
-  a.limits.tolerance = keys.tolerance, a.limits.iterations = static_cast<int>(keys.max_iterations);
-  a.limits.seconds = keys.max_seconds, a.limits.judging.accept_swinging = keys.swinging != 0;
+  a.limits.tolerance = keys.tolerance;
+  a.limits.iterations = static_cast<int>(keys.max_iterations);
+  a.limits.seconds = keys.max_seconds;
+  a.limits.judging.accept_swinging = keys.swinging != 0;
   a.kind = static_cast<AnalysisKind>(keys.kind);
   return a;
 }
@@ -172,7 +177,9 @@ void read_others(TableReader& table, Registry& registry, Analysis& a) {
   for (const auto& name : registry.available()) {
     if (!table.has(name)) continue;
     const PluginContent& plugin = registry.plugin(name);
-    read(plugin.solvers), read(plugin.integrators), read(plugin.strategies);
+    read(plugin.solvers);
+    read(plugin.integrators);
+    read(plugin.strategies);
   }
 }
 

@@ -40,7 +40,10 @@ void check_height(const Bed& bed, const Scene& scene, Diagnostics& diagnostics) 
   std::string lowest_held;
   for (const auto node : bed.part->nodes) {
     const double above = bed.above(&scene.positions[3 * std::size_t{node}]);
-    if (above < held && scene.held[node] == kAllAxes) held = above, lowest_held = scene.node_name(node);
+    if (above < held && scene.held[node] == kAllAxes) {
+      held = above;
+      lowest_held = scene.node_name(node);
+    }
   }
   const double sinking = std::max(bed.softness, 1e-3);
   if (highest < -sinking)

@@ -97,7 +97,8 @@ Geometry read_body(TableReader& table, const BodyOfPlan* plan) {
     out.names.sets[body.names[k]] = {k + 1};
   }
   out.elements = {0};
-  out.data[datum::kSide.name] = {body.side}, out.data[datum::kArm.name] = {0, 0, 0};
+  out.data[datum::kSide.name] = {body.side};
+  out.data[datum::kArm.name] = {0, 0, 0};
   out.body = std::move(body);
   return out;
 }

@@ -36,7 +36,8 @@ void Draft::add_part(Part part, Geometry geometry, const ElementType* type, bool
 
 void Draft::add_rider(Part part, Place place, const ElementType* type, bool sound) {
   Geometry none;
-  none.names.name = part.name, none.names.place = place;
+  none.names.name = part.name;
+  none.names.place = place;
   types.push_back(type);
   is_sound.push_back(sound);
   out.parts.push_back(none.names);

@@ -144,12 +144,19 @@ Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
   Dynamics d;
   d.integrator = k.integrator;
   read_start(k.start, analysis, d);
-  d.march.duration = k.duration, d.march.step = k.step, d.march.adaptive = k.adaptive;
-  d.march.accuracy = k.accuracy, d.march.longest_step = k.longest_step;
-  d.march.shortest_step = k.shortest_step, d.march.output_interval = k.output_interval;
+  d.march.duration = k.duration;
+  d.march.step = k.step;
+  d.march.adaptive = k.adaptive;
+  d.march.accuracy = k.accuracy;
+  d.march.longest_step = k.longest_step;
+  d.march.shortest_step = k.shortest_step;
+  d.march.output_interval = k.output_interval;
   d.march.check = k.check;
-  d.march.dense = k.dense, d.march.budget = k.energy_budget, d.march.mass_damping = k.mass_damping;
-  d.stiffness_damping = k.stiffness_damping, d.material_damping = k.material_damping;
+  d.march.dense = k.dense;
+  d.march.budget = k.energy_budget;
+  d.march.mass_damping = k.mass_damping;
+  d.stiffness_damping = k.stiffness_damping;
+  d.material_damping = k.material_damping;
   const IntegratorType& type = registry.integrator(d.integrator);
   if (analysis.diagnostics().errors() > errors_before) return d;  // what follows from them helps nobody
   if (!k.adaptive && k.step == 0 && !type.is_explicit())

@@ -109,7 +109,8 @@ std::optional<GearModel> read_gear_model(const NetPlan& plan, TableReader& root)
   const auto& keys = *static_cast<const GearKeys*>(block.data());
   model.fineness.knots ? check_knots(table) : check_fineness(keys, table);
   model.gear = make_gear(plan, keys.extent == 1 ? Extent::half : Extent::whole);
-  model.fineness.nodes = static_cast<std::size_t>(keys.nodes), model.fineness.size = keys.size;
+  model.fineness.nodes = static_cast<std::size_t>(keys.nodes);
+  model.fineness.size = keys.size;
   read_finer(table, model.gear, model.fineness);
   if (model.gear.extent == Extent::half) check_halves(plan, table);
   return model;

@@ -43,10 +43,13 @@ GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice
   GearInScene& in_scene = draft_.out.gear.emplace();
   Fineness fineness;
   if (auto model = read_gear_model(plan, root)) {
-    gear_ = std::move(model->gear), fineness = model->fineness;
+    gear_ = std::move(model->gear);
+    fineness = model->fineness;
     in_scene.times = gear_.extent == Extent::half ? 2 : 1;
-    in_scene.nodes = fineness.nodes, in_scene.size = fineness.size;
-    in_scene.bill = bill_of(plan), in_scene.sheet = sheet_of(plan, gear_);
+    in_scene.nodes = fineness.nodes;
+    in_scene.size = fineness.size;
+    in_scene.bill = bill_of(plan);
+    in_scene.sheet = sheet_of(plan, gear_);
   }
   TableReader table = root.table("elements", Presence::optional);
   elements_.emplace(plan, gear_, table, choice);
@@ -99,7 +102,9 @@ void GearParts::add_parts() {
 void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
   const io::Panel& plan = *panel.panel;
   Geometry geometry;
-  geometry.names.panel = mesh.meshes, geometry.names.sets = mesh.sets, geometry.names.place = plan.place;
+  geometry.names.panel = mesh.meshes;
+  geometry.names.sets = mesh.sets;
+  geometry.names.place = plan.place;
   geometry.elements = mesh.triangles;
   for (const auto own : mesh.triangles) {
     const auto [U, V] = mesh.meshes[own];
@@ -121,7 +126,8 @@ void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
 
 void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
   Geometry geometry;
-  geometry.names.sets = mesh.sets, geometry.names.place = rope.rope->place;
+  geometry.names.sets = mesh.sets;
+  geometry.names.place = rope.rope->place;
   for (std::uint32_t i = 0; i + 1 < mesh.nodes.size(); ++i)
     geometry.elements.insert(geometry.elements.end(), {i, i + 1});
   geometry.data[datum::kRestLength.name] = mesh.rest_lengths;
@@ -195,7 +201,8 @@ void GearParts::put_pieces(const GearPieces& pieces) {
 std::vector<std::uint32_t> GearParts::nodes_of(const GearPieces& pieces, std::vector<double>& carried) const {
   std::vector<std::uint32_t> nodes;
   const auto carry = [&](std::uint32_t from, std::uint32_t to, double length) {
-    carried[from] += length / 2, carried[to] += length / 2;
+    carried[from] += length / 2;
+    carried[to] += length / 2;
   };
   if (!pieces.point.empty()) return {scene_node(mesh_.points.at(pieces.point))};
   if (!pieces.rope.empty()) {
@@ -287,7 +294,8 @@ void GearParts::hold_middle() {
   Scene& scene = draft_.out.scene;
   Hold hold{kPlaneOfSymmetry, {}, {}};
   for (const auto node : mesh_.middle) {
-    hold.nodes.push_back(scene_node(node)), hold.axes.push_back(kAxisY);
+    hold.nodes.push_back(scene_node(node));
+    hold.axes.push_back(kAxisY);
     scene.held[hold.nodes.back()] |= kAxisY;
     scene.positions[3 * std::size_t{hold.nodes.back()} + 1] = 0;
   }
@@ -301,7 +309,8 @@ void GearParts::hold_blocks() {
   for (const auto& point : gear_.points) {
     if (point.point->name != kBlock) continue;
     const std::uint32_t node = scene_node(mesh_.points.at(point.name));
-    hold.nodes.push_back(node), hold.axes.push_back(kAllAxes);
+    hold.nodes.push_back(node);
+    hold.axes.push_back(kAllAxes);
     scene.held[node] = kAllAxes;
     std::copy(point.at->begin(), point.at->end(), scene.positions.begin() + 3 * std::ptrdiff_t{node});
     if (!plan_.ship->path.empty())

@@ -35,7 +35,8 @@ Geometry read_point(TableReader& part) {
   const Point at = read_one_point(part, kAt);
   append(out.positions, at);
   out.elements = {0};
-  out.data[datum::kPieces.name] = {1}, out.data[datum::kLength.name] = {0};
+  out.data[datum::kPieces.name] = {1};
+  out.data[datum::kLength.name] = {0};
   out.names.sets["point"] = {0};
   return out;
 }

@@ -2,6 +2,7 @@
 #include "io/scene/keys.hpp"
 
 #include "framework/problem/static_problem.hpp"
+#include "framework/scene/standard_gravity.hpp"
 
 namespace netloft::io {
 
@@ -11,7 +12,7 @@ std::span<const netloft_parameter> water_keys() {
     t.real("density", &WaterKeys::density, "kg/m3", "density of the water; 0 is air",
            {.lo = 0, .hi = 3000, .fallback = 1025});
     t.real("gravity", &WaterKeys::gravity, "m/s2", "acceleration of gravity, downwards",
-           {.lo = 0, .hi = 100, .fallback = 9.80665});
+           {.lo = 0, .hi = 100, .fallback = kStandardGravity});
     t.real("viscosity", &WaterKeys::viscosity, "m2/s", "kinematic viscosity of the water",
            {.lo = 1e-9, .hi = 1, .fallback = 1.19e-6});
     t.real(

@@ -82,7 +82,8 @@ void read_triangles(const MeshRegion& region, TableReader& part, Geometry& out) 
   for (std::size_t corner = 0; corner < region.nodes.size(); ++corner) {
     const double U = region.numbers[2 * corner], V = region.numbers[2 * corner + 1];
     const auto [u, v] = twine_coordinates(netting, 0, U, V);
-    out.data[datum::kU.name].push_back(u), out.data[datum::kV.name].push_back(v);
+    out.data[datum::kU.name].push_back(u);
+    out.data[datum::kV.name].push_back(v);
     out.data[datum::kToAft.name].push_back(aft - V);
     out.names.panel[out.elements[corner]] = {U, V};
   }
@@ -202,7 +203,8 @@ void MeshParts::connect(Joiner& joiner) const {
       if (is_new) continue;
       const auto [part, other] = at->second;
       auto& ends = common.try_emplace({part, s.part}, Ends{part, {}}, Ends{s.part, {}}).first->second;
-      ends.first.own.push_back(other), ends.second.own.push_back(own);
+      ends.first.own.push_back(other);
+      ends.second.own.push_back(own);
     }
   for (const auto& [parts, ends] : common) joiner.join({ends.first, ends.second});
 }

@@ -65,7 +65,10 @@ Samples read_grid(const netloft_parameter& p, TableReader table) {
   std::sort(rows.begin(), rows.end(),
             [](const auto& a, const auto& b) { return std::pair(a[0], a[1]) < std::pair(b[0], b[1]); });
   std::set<double> first, second;
-  for (const auto& row : rows) first.insert(row[0]), second.insert(row[1]);
+  for (const auto& row : rows) {
+    first.insert(row[0]);
+    second.insert(row[1]);
+  }
   auto at = rows.begin();
   for (const double x : first)
     for (const double y : second) {

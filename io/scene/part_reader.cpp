@@ -105,7 +105,8 @@ void PartReader::read_part(const std::string& name, TableReader& table, Home hom
   } else {
     for (const auto& key : table.keys()) table.raw(key);  // nobody knows what may stand here
   }
-  geometry.names.name = name, geometry.names.place = table.place();
+  geometry.names.name = name;
+  geometry.names.place = table.place();
   if (is_turned(table) && diagnostics_.errors() == errors_before)
     check_turned_netting(part, table.table("panel").place("netting"), diagnostics_);
   if (diagnostics_.errors() == errors_before) check_thickness(part, geometry, table);

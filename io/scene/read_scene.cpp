@@ -68,7 +68,10 @@ class SceneReader {
   }
 
   void read_holds() {
-    if (gear_) gear_->hold_middle(), gear_->hold_blocks();
+    if (gear_) {
+      gear_->hold_middle();
+      gear_->hold_blocks();
+    }
     holds_.read();
     if (gear_) gear_->follow_holds();
   }
@@ -77,8 +80,10 @@ class SceneReader {
     out_.analysis = read_analysis(reading_.root.table("analysis", Presence::optional), reading_.registry,
                                   reading_.refused);
     water_.take_model();
-    if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0)
-      holds_.check_guides(), water_.check_waves();
+    if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) {
+      holds_.check_guides();
+      water_.check_waves();
+    }
     ResultReader(reading_).read();
     if (diagnostics_.errors() == 0) water_.lay_bottom();
     if (reading_.plan) ready_winches(*reading_.plan, reading_.registry, out_, diagnostics_);

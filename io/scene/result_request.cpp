@@ -68,7 +68,10 @@ std::vector<std::string> quantity_names(const ElementType* type) {
 bool find_quantity(ResultRequest& request, const ElementType* type) {
   const auto is_wanted = [&](const NodeQuantity& q) {
     if (request.quantity != q.name) return false;
-    request.source = q.source, request.axis = q.axis, request.unit = q.unit, request.doc = q.doc;
+    request.source = q.source;
+    request.axis = q.axis;
+    request.unit = q.unit;
+    request.doc = q.doc;
     return true;
   };
   if (std::any_of(std::begin(kNodeQuantities), std::end(kNodeQuantities), is_wanted)) return true;
@@ -77,7 +80,9 @@ bool find_quantity(ResultRequest& request, const ElementType* type) {
   if (type)
     for (const auto& o : type->outputs)
       if (request.quantity == o.name) {
-        request.source = Source::output, request.unit = o.unit, request.doc = o.doc;
+        request.source = Source::output;
+        request.unit = o.unit;
+        request.doc = o.doc;
         return true;
       }
   return false;

@@ -42,8 +42,10 @@ Row divide(const std::vector<ShipMoment>& path) {
     const int parts =
         std::max(1, static_cast<int>(std::ceil(std::abs(path[i].heading - path[i - 1].heading) / kArc)));
     if (i > 1) row.turns.back() = at_corner(row.turns.back(), turn);
-    for (int k = 1; k <= parts; ++k)
-      row.moments.push_back(between(path[i - 1], path[i], double(k) / parts)), row.turns.push_back(turn);
+    for (int k = 1; k <= parts; ++k) {
+      row.moments.push_back(between(path[i - 1], path[i], double(k) / parts));
+      row.turns.push_back(turn);
+    }
   }
   row.turns.back() = 0;
   return row;
@@ -67,8 +69,10 @@ Course course_of_block(const Ship& ship, double from_the_middle) {
     }
     const double s = std::sin(m.heading), c = std::cos(m.heading), turn = across * row.turns[i];
     Course::Knot knot{m.t, way, velocity(ship, m)};  // (1)
-    knot.d[0] += across * s, knot.d[1] += across * (c - 1);
-    knot.v[0] += turn * c, knot.v[1] -= turn * s;
+    knot.d[0] += across * s;
+    knot.d[1] += across * (c - 1);
+    knot.v[0] += turn * c;
+    knot.v[1] -= turn * s;
     course.knots.push_back(knot);
   }
   return course;

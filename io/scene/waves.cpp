@@ -78,7 +78,8 @@ std::shared_ptr<const WaterField> read_waves(TableReader& water, const Scene& sc
   }
   const double depth = depth_of(keys, scene), omega = 2 * std::numbers::pi / keys.period;
   const double k = wave_number(omega, scene.water.gravity, depth);
-  check_height(keys, k, depth, waves), check_depth(k, depth, keys.depth > 0, waves);
+  check_height(keys, k, depth, waves);
+  check_depth(k, depth, keys.depth > 0, waves);
   if (waves.diagnostics().errors() > before) return nullptr;
   return std::make_shared<AiryWaves>(sea_of(keys, depth), scene.water.gravity, scene.current);
 }

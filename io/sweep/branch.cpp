@@ -68,8 +68,10 @@ double size_of(const Scene& scene) {
   double size = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = scene.positions[axis], high = low;
-    for (std::size_t d = axis; d < scene.positions.size(); d += 3)
-      low = std::min(low, scene.positions[d]), high = std::max(high, scene.positions[d]);
+    for (std::size_t d = axis; d < scene.positions.size(); d += 3) {
+      low = std::min(low, scene.positions[d]);
+      high = std::max(high, scene.positions[d]);
+    }
     size = std::max(size, high - low);
   }
   return size;

@@ -90,7 +90,8 @@ class Inspection {
                          "set = [\"analysis.kind=static\"]");
     if (file_.figures.empty()) return;
     Solution at_start;
-    at_start.x = the_case.assembler().start(), at_start.residual.resize(at_start.x.size());
+    at_start.x = the_case.assembler().start();
+    at_start.residual.resize(at_start.x.size());
     for (const StudyFigure& figure : figures_of(the_case, at_start)) known_.insert(figure.name);
   }
 

@@ -75,7 +75,10 @@ std::size_t items_per_minute(const Study& study, const std::filesystem::path& fo
   std::size_t known = 0;
   std::string unused;
   for (const StudyItem& item : study.items)
-    if (const auto record = find_record(folder, item, unused)) sum += record->cost.wall_seconds, ++known;
+    if (const auto record = find_record(folder, item, unused)) {
+      sum += record->cost.wall_seconds;
+      ++known;
+    }
   seconds_per_item = known ? sum / static_cast<double>(known) : 0;
   if (!(seconds_per_item > 0)) return 1;
   const double wanted = std::ceil(kLeastSeconds / seconds_per_item);

@@ -151,8 +151,10 @@ class Estimator {
     for (const bool drawn : {false, true})
       for (std::size_t v = 0; v < site_.size(); ++v)
         if (table_.columns[v].is_drawn == drawn && site_[v] && table_.columns[v].is_number &&
-            (drawn || !is_level(v)))
-          free_.push_back(v), listed_ += !drawn;
+            (drawn || !is_level(v))) {
+          free_.push_back(v);
+          listed_ += !drawn;
+        }
     for (const std::size_t v : free_) {
       const Numbers levels = levels_of(table_, v);
       lows_.push_back(levels.front());
@@ -177,9 +179,10 @@ class Estimator {
     std::set<std::size_t> draws;
     for (const StudyRow& row : table_.rows) {
       if (!counts(row)) continue;
-      if (row.record.status == "converged")
-        rows_.push_back(&row), draws.insert(row.draw);
-      else
+      if (row.record.status == "converged") {
+        rows_.push_back(&row);
+        draws.insert(row.draw);
+      } else
         result_.left_out.push_back({row.item, row.point, row.record.status, row.record.reason});
     }
     if (is_over_draws_) result_.draws = draws.size();
@@ -220,8 +223,10 @@ class Estimator {
     });
     all.resize(std::min(all.size(), kMostPoints));
     Known known;
-    for (auto& [point, sample] : all)
-      known.points.push_back(std::move(point)), known.samples.push_back(std::move(sample));
+    for (auto& [point, sample] : all) {
+      known.points.push_back(std::move(point));
+      known.samples.push_back(std::move(sample));
+    }
     return known;
   }
 
@@ -247,7 +252,8 @@ class Estimator {
       if (!why_too_few(of_draw).empty()) continue;
       const WithError number = estimate_number(of_draw, scales ? &*scales : nullptr);
       found.push_back(number.value);
-      low.push_back(number.value - number.error), high.push_back(number.value + number.error);
+      low.push_back(number.value - number.error);
+      high.push_back(number.value + number.error);
     }
     figure.draws = found.size();
     if (found.empty()) {
@@ -258,7 +264,9 @@ class Estimator {
       const double y = quantile_of(found, p);
       return WithError{y, std::max(quantile_of(high, p) - y, y - quantile_of(low, p))};  // (2)
     };
-    figure.low = at(kBandLow), figure.value = at(0.5), figure.high = at(kBandHigh);
+    figure.low = at(kBandLow);
+    figure.value = at(0.5);
+    figure.high = at(kBandHigh);
   }
 
   std::map<std::size_t, std::vector<const StudyRow*>> rows_by_draw() const {

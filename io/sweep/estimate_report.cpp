@@ -70,9 +70,13 @@ Json number_json(const WithError& number) { return {{"value", number.value}, {"e
 Json figure_json(const EstimatedFigure& figure) {
   if (!figure.why_not.empty()) return {{"unit", figure.unit}, {"why_not", figure.why_not}};
   Json json = number_json(figure.value);
-  json["unit"] = figure.unit, json["points"] = figure.points;
+  json["unit"] = figure.unit;
+  json["points"] = figure.points;
   if (figure.draws) json["draws"] = figure.draws;
-  if (figure.low) json["low"] = number_json(*figure.low), json["high"] = number_json(*figure.high);
+  if (figure.low) {
+    json["low"] = number_json(*figure.low);
+    json["high"] = number_json(*figure.high);
+  }
   return json;
 }
 

@@ -62,8 +62,13 @@ Json item_json(const Study& study, const StudyItem& item) {
   for (const StudyPoint& point : item.points)
     points.push_back({{"set", point.set}, {"values", values_json(point.values)}});
   Json json = {{"id", item.id}};
-  if (item.draw > 0) json["draw"] = item.draw, json["seed"] = study.seed;
-  json["set"] = item.set, json["values"] = values_json(item.values), json["points"] = std::move(points);
+  if (item.draw > 0) {
+    json["draw"] = item.draw;
+    json["seed"] = study.seed;
+  }
+  json["set"] = item.set;
+  json["values"] = values_json(item.values);
+  json["points"] = std::move(points);
   json["hash"] = item.hash;
   return json;
 }
@@ -80,8 +85,10 @@ std::vector<VariableValue> read_values(const Json& json) {
 
 StudyColumn read_column(const Json& json) {
   StudyColumn column;
-  json.at("name").get_to(column.variable.name), json.at("unit").get_to(column.variable.unit);
-  json.at("is_number").get_to(column.is_number), json.at("in_path").get_to(column.is_in_path);
+  json.at("name").get_to(column.variable.name);
+  json.at("unit").get_to(column.variable.unit);
+  json.at("is_number").get_to(column.is_number);
+  json.at("in_path").get_to(column.is_in_path);
   json.at("is_drawn").get_to(column.is_drawn);
   for (const Json& key : json.at("keys"))
     column.variable.keys.push_back(
@@ -93,8 +100,11 @@ void read_head(const Json& json, Study& study) {
   if (const int format = json.at("netloft_study").get<int>(); format != kFormat)
     throw StudyError("it has format " + std::to_string(format) + ", and this version of Netloft reads " +
                      std::to_string(kFormat));
-  json.at("name").get_to(study.name), json.at("scene").get_to(study.scene), json.at("set").get_to(study.set);
-  json.at("figures").get_to(study.figures), json.at("draw").get_to(study.drawing);
+  json.at("name").get_to(study.name);
+  json.at("scene").get_to(study.scene);
+  json.at("set").get_to(study.set);
+  json.at("figures").get_to(study.figures);
+  json.at("draw").get_to(study.drawing);
   json.at("seed").get_to(study.seed);
   for (const Json& column : json.at("variables")) study.columns.push_back(read_column(column));
   for (const Json& file : json.at("files"))
@@ -103,7 +113,9 @@ void read_head(const Json& json, Study& study) {
 
 StudyItem read_item(const Json& json, const Study& study) {
   StudyItem item;
-  json.at("id").get_to(item.id), json.at("set").get_to(item.set), json.at("hash").get_to(item.hash);
+  json.at("id").get_to(item.id);
+  json.at("set").get_to(item.set);
+  json.at("hash").get_to(item.hash);
   item.draw = json.value("draw", std::size_t{0});
   item.values = read_values(json.at("values"));
   for (const Json& point : json.at("points"))
@@ -140,9 +152,10 @@ Study read_manifest(const fs::path& path) {
   for (std::string text; std::getline(in, text);) try {
       ++number;
       const Json json = Json::parse(text);
-      if (number == 1)
-        read_head(json, study), json.at("items").get_to(items);
-      else
+      if (number == 1) {
+        read_head(json, study);
+        json.at("items").get_to(items);
+      } else
         study.items.push_back(read_item(json, study));
     } catch (const std::exception& e) {
       throw StudyError(path.string() + ":" + std::to_string(number) + ": the manifest is damaged (" +

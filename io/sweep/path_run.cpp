@@ -44,14 +44,17 @@ class PathRun {
 
   std::optional<ItemRecord> run() {
     ItemRecord record;
-    record.hash = item_.hash, record.program = program_version();
-    record.cost.host = host_name(), record.cost.started = utc_now();
+    record.hash = item_.hash;
+    record.program = program_version();
+    record.cost.host = host_name();
+    record.cost.started = utc_now();
     const double wall = wall_seconds(), cpu = cpu_seconds();
     for (const StudyPoint& point : item_.points) {
       record.points.push_back(solve(point));
       if (is_interrupted()) return std::nullopt;
     }
-    record.cost.wall_seconds = wall_seconds() - wall, record.cost.cpu_seconds = cpu_seconds() - cpu;
+    record.cost.wall_seconds = wall_seconds() - wall;
+    record.cost.cpu_seconds = cpu_seconds() - cpu;
     return record;
   }
 
@@ -77,13 +80,15 @@ class PathRun {
     const auto the_case = make_case(point.set);
     PointRecord record;
     if (the_case->open() != Case::State::ready) {
-      record.status = "wrong input", record.reason = first_fault(the_case->diagnostics());
+      record.status = "wrong input";
+      record.reason = first_fault(the_case->diagnostics());
       return record;
     }
     require_same_files(*the_case);
     if (const auto why_not = the_case->why_unfit()) throw StudyError(*why_not);
     const Reached reached = branch_.reach(the_case, point.values);
-    record.start = reached.was_continued ? "continued" : "anew", record.events = reached.events;
+    record.start = reached.was_continued ? "continued" : "anew";
+    record.events = reached.events;
     fill(record, *the_case, reached.solution);
     return record;
   }
@@ -96,8 +101,9 @@ class PathRun {
   }
 
   void fill(PointRecord& record, Case& the_case, const Solution& s) const {
-    record.status = name_of(s.status), record.reason = s.reason;
-    record.iterations = s.cost.statistics.iterations,
+    record.status = name_of(s.status);
+    record.reason = s.reason;
+    record.iterations = s.cost.statistics.iterations;
     record.factorisations = s.cost.statistics.factorisations;
     record.work = s.cost.work;
     record.figures = figures_of(the_case, s);

@@ -56,9 +56,12 @@ Json point_json(const PointRecord& point, const FigureNames& names) {
 
 PointRecord read_point(const Json& json, const std::vector<StudyFigure>& names) {
   PointRecord point;
-  json.at("status").get_to(point.status), json.at("reason").get_to(point.reason);
-  json.at("start").get_to(point.start), json.at("events").get_to(point.events);
-  json.at("iterations").get_to(point.iterations), json.at("factorisations").get_to(point.factorisations);
+  json.at("status").get_to(point.status);
+  json.at("reason").get_to(point.reason);
+  json.at("start").get_to(point.start);
+  json.at("events").get_to(point.events);
+  json.at("iterations").get_to(point.iterations);
+  json.at("factorisations").get_to(point.factorisations);
   json.at("work").get_to(point.work);
   const Json& values = json.at("values");
   if (values.size() != names.size())
@@ -97,15 +100,17 @@ ItemRecord read_record(const std::string& text, const StudyItem& item) {
   try {
     const Json json = Json::parse(text.begin(), text.end() - static_cast<std::ptrdiff_t>(sum));
     ItemRecord record;
-    json.at("hash").get_to(record.hash), json.at("program").get_to(record.program);
+    json.at("hash").get_to(record.hash);
+    json.at("program").get_to(record.program);
     std::vector<StudyFigure> names;
     for (const Json& f : json.at("figures"))
       names.push_back({f.at("name").get<std::string>(), f.at("unit").get<std::string>(), 0});
     for (const Json& point : json.at("points")) record.points.push_back(read_point(point, names));
     const Json& cost = json.at("cost");
-    cost.at("wall_seconds").get_to(record.cost.wall_seconds),
-        cost.at("cpu_seconds").get_to(record.cost.cpu_seconds);
-    cost.at("host").get_to(record.cost.host), cost.at("started").get_to(record.cost.started);
+    cost.at("wall_seconds").get_to(record.cost.wall_seconds);
+    cost.at("cpu_seconds").get_to(record.cost.cpu_seconds);
+    cost.at("host").get_to(record.cost.host);
+    cost.at("started").get_to(record.cost.started);
     if (record.hash != item.hash || record.points.size() != item.points.size())
       throw StudyError("it is the record of another item");
     return record;

@@ -4,6 +4,7 @@
 #include "io/plot/plot.hpp"
 #include "io/sweep/branch.hpp"
 #include "io/sweep/path_run.hpp"
+#include "io/units/degrees.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
 
@@ -16,11 +17,12 @@ namespace netloft::io {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN(), kDegrees = 57.295779513082321;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Variable variable_in_metres(const char* name, const char* key) {
   Variable variable;
-  variable.name = name, variable.unit = "m";
+  variable.name = name;
+  variable.unit = "m";
   variable.keys.emplace_back().path = key;
   return variable;
 }
@@ -55,7 +57,7 @@ ScopePoint point_of(Case& the_case, const Solution& solution, double warp) {
   const auto figures = figures_of(the_case, solution);
   const FigureNames names = names_for(the_case.loaded());
   return {warp,
-          kDegrees * value_of(figures, names.heel),
+          kDegreesPerRadian * value_of(figures, names.heel),
           value_of(figures, names.spread),
           value_of(figures, "gear/mouth/upper_wing_spread"),
           value_of(figures, "gear/mouth/headline_height"),
@@ -130,8 +132,10 @@ class ScopeRun {
     const double warp = scope * row.depth;
     if (ScopePoint point =
             solve(row, warp, {variables_[0].value_of(row.depth), variables_[1].value_of(warp)}, branch);
-        !is_interrupted())
-      row.points.push_back(std::move(point)), ++solved_;
+        !is_interrupted()) {
+      row.points.push_back(std::move(point));
+      ++solved_;
+    }
     if (on_point_ && !row.points.empty()) on_point_(solved_, row, row.points.back());
   }
 
@@ -163,7 +167,8 @@ class ScopeRun {
 void find_lengths(const ScopeRequest& request, ScopeRow& row) {
   const auto& p = row.points;
   const double middle = 0.5 * (request.heel.low + request.heel.high);
-  row.chosen.reset(), row.warp.reset();
+  row.chosen.reset();
+  row.warp.reset();
   for (std::size_t k = 0; k < p.size(); ++k)
     if (is_within(request, p[k]) &&
         (!row.chosen || std::abs(p[k].heel - middle) < std::abs(p[*row.chosen].heel - middle)))

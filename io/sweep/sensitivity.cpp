@@ -52,8 +52,11 @@ struct Known {
   Known without(const Group& group) const {
     Known rest;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (!std::binary_search(group.begin(), group.end(), i))
-        rest.points.push_back(points[i]), rest.values.push_back(values[i]), rest.draws.push_back(draws[i]);
+      if (!std::binary_search(group.begin(), group.end(), i)) {
+        rest.points.push_back(points[i]);
+        rest.values.push_back(values[i]);
+        rest.draws.push_back(draws[i]);
+      }
     return rest;
   }
 };
@@ -71,13 +74,16 @@ class FigureIndices {
     SobolIndices found = indices_of(kriging_, {});
     const SobolIndices at_first = indices_of(kriging_, kOneReplicate);
     std::vector<SobolIndex> lack(found.variables.size());  // of the response, in the errors
-    add_draws(at_first, lack), add_levels(at_first, lack);
+    add_draws(at_first, lack);
+    add_levels(at_first, lack);
     for (std::size_t i = 0; i < lack.size(); ++i) {
       auto& [first, total] = found.variables[i];
       first.error = std::hypot(first.error, lack[i].first.error);
       total.error = std::hypot(total.error, lack[i].total.error);
     }
-    figure.mean = found.mean, figure.deviation = found.deviation, figure.variables = found.variables;
+    figure.mean = found.mean;
+    figure.deviation = found.deviation;
+    figure.variables = found.variables;
     if (residuals_ && found.deviation > 0)
       figure.off = std::sqrt(squares_ / static_cast<double>(residuals_)) / found.deviation;
   }
@@ -137,8 +143,10 @@ class FigureIndices {
           worst[i].total.error = std::max(worst[i].total.error, differences[i].total.error);
         }
       }
-      for (std::size_t i = 0; i < lack.size(); ++i)
-        lack[i].first.error += worst[i].first.error, lack[i].total.error += worst[i].total.error;
+      for (std::size_t i = 0; i < lack.size(); ++i) {
+        lack[i].first.error += worst[i].first.error;
+        lack[i].total.error += worst[i].total.error;
+      }
     }
   }
 
@@ -155,8 +163,10 @@ class FigureIndices {
   std::vector<SobolIndex> without(const Group& group, const SobolIndices& all) {
     std::vector<SobolIndex> differences(all.variables.size());
     if (!scales_ || group.empty() || 2 * group.size() > known_.points.size()) return differences;
-    for (const double residual : kriging_.residuals_without(group))
-      squares_ += residual * residual, ++residuals_;
+    for (const double residual : kriging_.residuals_without(group)) {
+      squares_ += residual * residual;
+      ++residuals_;
+    }
     const Known rest = known_.without(group);
     const SobolIndices found = indices_of(Kriging(rest.points, rest.values, &*scales_), kOneReplicate);
     for (std::size_t i = 0; i < differences.size(); ++i) {
@@ -293,8 +303,11 @@ class Analysis {
       std::swap(chosen[i], chosen[i + dice.index(chosen.size() - i)]);
     chosen.resize(std::min(chosen.size(), kMostPoints));
     Known known;
-    for (auto& [point, value] : chosen)
-      known.points.push_back(point), known.values.push_back(value.first), known.draws.push_back(value.second);
+    for (auto& [point, value] : chosen) {
+      known.points.push_back(point);
+      known.values.push_back(value.first);
+      known.draws.push_back(value.second);
+    }
     return known;
   }
 

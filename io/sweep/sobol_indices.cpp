@@ -24,7 +24,8 @@ Values evaluate(const UnitFunction& f, std::size_t d, std::size_t points, std::u
   for (const Numbers& both : unit_points(Drawing::sobol, points, 2 * d, seed)) {
     const auto middle = both.begin() + static_cast<std::ptrdiff_t>(d);
     Numbers row(both.begin(), middle);
-    values.a.push_back(f(row)), values.b.push_back(f({middle, both.end()}));
+    values.a.push_back(f(row));
+    values.b.push_back(f({middle, both.end()}));
     for (std::size_t i = 0; i < d; ++i) {
       const double kept = std::exchange(row[i], both[d + i]);
       values.c[i].push_back(f(row));
@@ -46,7 +47,8 @@ SobolIndices indices_of(const Values& values) {
     double first = 0, total = 0;
     for (std::size_t j = 0; j < values.a.size(); ++j) {
       const double step = values.c[i][j] - values.a[j];
-      first += (values.b[j] - indices.mean) * step, total += step * step;
+      first += (values.b[j] - indices.mean) * step;
+      total += step * step;
     }
     indices.variables[i] = {{first / (n * variance), 0}, {total / (2 * n * variance), 0}};
   }

@@ -92,7 +92,9 @@ class Maker {
   }
 
   void make() {
-    add_columns(of_items_, false), add_columns(drawn_, false), add_columns(of_path_, true);
+    add_columns(of_items_, false);
+    add_columns(drawn_, false);
+    add_columns(of_path_, true);
     const auto draws = unit_points(file_.drawing, file_.draws, drawn_.size(), file_.seed);
     const auto combined = file_.combination == Combination::grid ? combine_grid(of_items_, of_path_)
                                                                  : combine_list(of_items_, of_path_);
@@ -106,14 +108,16 @@ class Maker {
   void add_columns(const Chosen& chosen, bool in_path) {
     for (const auto* v : chosen) {
       Variable variable = v->variable;
-      variable.values.clear(), variable.interval.reset();
+      variable.values.clear();
+      variable.interval.reset();
       study_.columns.push_back({std::move(variable), v->variable.is_number(), in_path, v->is_drawn()});
     }
   }
 
   void add_item(const Combined& combined, std::size_t draw, const std::vector<double>& p) {
     StudyItem item;
-    item.id = study_.items.size() + 1, item.draw = draw;
+    item.id = study_.items.size() + 1;
+    item.draw = draw;
     for (std::size_t v = 0; v < of_items_.size(); ++v) {
       const Variable& variable = of_items_[v]->variable;
       put(variable, variable.values[combined.item[v]], item);
@@ -164,7 +168,10 @@ Study make_study(const StudyFile& file, const std::string& scene,
                  std::vector<std::pair<std::string, std::string>> files) {
   assert(count_points(file) <= kMostPoints);
   Study study;
-  study.name = file.name, study.scene = scene, study.set = file.set, study.figures = file.figures;
+  study.name = file.name;
+  study.scene = scene;
+  study.set = file.set;
+  study.figures = file.figures;
   study.files = std::move(files);
   if (file.draws > 0) {
     study.drawing = file.drawing == Drawing::sobol ? "sobol" : "latin-hypercube";
@@ -181,7 +188,9 @@ std::string hash_of(const Study& study, const StudyItem& item) {
     for (const std::string& word : words) all += "\n  " + word;
   };
   for (const auto& [path, hash] : study.files) all += "\nfile " + hash;
-  add(study.figures, "figures"), add(study.set, "set"), add(item.set, "item");
+  add(study.figures, "figures");
+  add(study.set, "set");
+  add(item.set, "item");
   for (const StudyPoint& point : item.points) add(point.set, "point");
   return fnv1a64(all);
 }

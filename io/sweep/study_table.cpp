@@ -46,8 +46,10 @@ class Collector {
       StudyRow row{item.id, item.draw, p + 1, study_.values_of(item, item.points[p]), {}, {}};
       if (record)
         row.record = std::move(record->points[p]);
-      else
-        row.record.status = "missing", row.record.reason = fault;
+      else {
+        row.record.status = "missing";
+        row.record.reason = fault;
+      }
       learn(row.record);
       table_.rows.push_back(std::move(row));
     }

@@ -123,7 +123,8 @@ std::string study_hdf5(const Study& study, const StudyTable& table) {
                        [](const StudyRow& r) { return r.draw; });
     columns.write_ints("/study/point", "point of the item, from 1",
                        [](const StudyRow& r) { return r.point; });
-    write_variables(columns, table), write_outcomes(columns);
+    write_variables(columns, table);
+    write_outcomes(columns);
     for (std::size_t f = 0; f < table.figures.size(); ++f)
       columns.write_reals("/study/figures/" + table.figures[f].name, table.figures[f].unit, "",
                           [&](const StudyRow& row) { return row.figures[f]; });

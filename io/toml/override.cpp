@@ -169,7 +169,8 @@ class Walk {
       return stop(
           walked_ + " has " + std::to_string(array->items.size()) + " items, so there is no " + itself,
           "items count from 0");
-    walked_ = itself, at_ = &array->items[item];
+    walked_ = itself;
+    at_ = &array->items[item];
   }
 
   Value* at_;

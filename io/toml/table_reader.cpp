@@ -368,8 +368,10 @@ std::vector<TableReader> TableReader::tables(std::string_view key, Presence pres
     const Spot item{array->items[i], with_index(at.path, i), at.diagnostics};
     if (item.value.as<Table>())
       readers.push_back(open(item.value, item.path));
-    else
-      item.refuse_type("a table", doc, headers), ++bad;
+    else {
+      item.refuse_type("a table", doc, headers);
+      ++bad;
+    }
   }
   return readers;
 }

@@ -29,7 +29,8 @@ std::optional<WrittenQuantity> number_in(const Value& value) {
 class VariableReader {
  public:
   VariableReader(const std::string& name, TableReader& table) : table_(table) {
-    variable_.name = name, variable_.place = table.place();
+    variable_.name = name;
+    variable_.place = table.place();
   }
 
   Variable read(VariedBy by) {

@@ -26,11 +26,4 @@ std::vector<std::string> Variable::overrides(const VariableValue& value) const {
   return all;
 }
 
-std::map<std::string, Place> places_of_keys(const std::vector<Variable>& variables) {
-  std::map<std::string, Place> places;
-  for (const Variable& variable : variables)
-    for (const FollowingKey& key : variable.keys) places.emplace(key.path, variable.place);
-  return places;
-}
-
 }  // namespace netloft::io

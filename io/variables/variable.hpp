@@ -2,7 +2,6 @@
 #pragma once
 #include "io/toml/diagnostics.hpp"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,8 +42,5 @@ struct Variable {
   /// "path=value" for every key, as `--set` takes them.
   std::vector<std::string> overrides(const VariableValue& value) const;
 };
-
-/// The place of every key that variables set, for hand_on_faults().
-std::map<std::string, Place> places_of_keys(const std::vector<Variable>& variables);
 
 }  // namespace netloft::io

@@ -13,7 +13,10 @@ struct Stretch {
   double first = INFINITY, last = -INFINITY;
 
   void take(double x) {
-    if (std::isfinite(x)) first = std::min(first, x), last = std::max(last, x);
+    if (std::isfinite(x)) {
+      first = std::min(first, x);
+      last = std::max(last, x);
+    }
   }
   double size() const { return last - first; }
 };
@@ -23,13 +26,15 @@ std::array<Stretch, 2> region_of(const StoredResult& result) {
   std::array<Stretch, 2> region;
   const auto points = result.points(result.times.size() - 1);
   for (std::size_t n = 0; n + 2 < points.size(); n += 3) {
-    region[0].take(points[n]), region[1].take(points[n + 1]);
+    region[0].take(points[n]);
+    region[1].take(points[n + 1]);
     if (result.is_half) region[1].take(-points[n + 1]);
   }
   const double margin = std::max({region[0].size(), region[1].size(), 1.0});
   for (auto& range : region) {
     if (!(range.size() >= 0)) range = {0, 0};
-    range.first -= margin, range.last += margin;
+    range.first -= margin;
+    range.last += margin;
   }
   return region;
 }

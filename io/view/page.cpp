@@ -38,7 +38,8 @@ std::string unfinished_html(const StoredResult& result) {
 
 std::string picture_html(const StoredResult& result, View view, const std::string& words) {
   SheetOptions options;
-  options.view = view, options.width = kPictureWidth;
+  options.view = view;
+  options.width = kPictureWidth;
   options.with_dimensions = options.is_small = true;
   return "<figure>" + svg_sheet(result, options) + "<figcaption>" + words + "</figcaption></figure>\n";
 }

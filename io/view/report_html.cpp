@@ -67,7 +67,10 @@ class HtmlTable {
         percent + " %</td>";
     return *this;
   }
-  void end() { html_ += "</tr>\n", ++rows_; }
+  void end() {
+    html_ += "</tr>\n";
+    ++rows_;
+  }
   std::string finish() const { return rows_ ? html_ + "</table>\n" : ""; }
 
  private:

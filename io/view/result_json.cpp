@@ -73,14 +73,20 @@ Json parts_of(const StoredMesh& mesh, const std::vector<std::uint32_t>& cells) {
 void put_mesh(const StoredMesh& mesh, Json& json) {
   std::vector<double> corners;
   for (const auto& six : mesh.corners) corners.insert(corners.end(), six.begin(), six.end());
-  json["nPoints"] = mesh.n_points, json["nCells"] = mesh.n_cells;
-  json["tri"] = packed(flat(mesh.triangles)), json["triUV"] = packed(corners);
-  json["triCell"] = packed(mesh.triangle_cells), json["triPart"] = parts_of(mesh, mesh.triangle_cells);
-  json["bar"] = packed(flat(mesh.bars)), json["barCell"] = packed(mesh.bar_cells);
+  json["nPoints"] = mesh.n_points;
+  json["nCells"] = mesh.n_cells;
+  json["tri"] = packed(flat(mesh.triangles));
+  json["triUV"] = packed(corners);
+  json["triCell"] = packed(mesh.triangle_cells);
+  json["triPart"] = parts_of(mesh, mesh.triangle_cells);
+  json["bar"] = packed(flat(mesh.bars));
+  json["barCell"] = packed(mesh.bar_cells);
   json["barPart"] = parts_of(mesh, mesh.bar_cells);
-  json["dot"] = packed(mesh.dots), json["dotCell"] = packed(mesh.dot_cells);
+  json["dot"] = packed(mesh.dots);
+  json["dotCell"] = packed(mesh.dot_cells);
   json["dotPart"] = parts_of(mesh, mesh.dot_cells);
-  json["nodePart"] = packed(mesh.node_part), json["nodeNumber"] = packed(mesh.node_number);
+  json["nodePart"] = packed(mesh.node_part);
+  json["nodeNumber"] = packed(mesh.node_number);
 }
 
 using Origin = std::array<double, 3>;
@@ -104,8 +110,10 @@ Origin origin_of(const StoredResult& result) {
   Origin origin{};
   for (std::size_t axis = 0; axis < 3 && points.size() >= 3; ++axis) {
     double lo = INFINITY, hi = -INFINITY;
-    for (std::size_t i = axis; i < points.size(); i += 3)
-      lo = std::min(lo, points[i]), hi = std::max(hi, points[i]);
+    for (std::size_t i = axis; i < points.size(); i += 3) {
+      lo = std::min(lo, points[i]);
+      hi = std::max(hi, points[i]);
+    }
     if (std::isfinite(lo + hi) && !(axis == 1 && result.is_half)) origin[axis] = std::round((lo + hi) / 2);
   }
   return origin;
@@ -128,7 +136,8 @@ void put_solids(const StoredResult& result, std::size_t state, const Origin& ori
     const auto triangles = triangles_of(ship);
     hulls.insert(hulls.end(), triangles.begin(), triangles.end());
   }
-  json["plates"] = packed_corners(plates, origin), json["hulls"] = packed_corners(hulls, origin);
+  json["plates"] = packed_corners(plates, origin);
+  json["hulls"] = packed_corners(hulls, origin);
 }
 
 /// Which single node each triangle of the plates belongs to.
@@ -152,9 +161,12 @@ void put_states(const StoredResult& result, const std::vector<std::size_t>& kept
     for (std::size_t f = 0; f < result.fields.size(); ++f) {
       one["fields"].push_back(packed_as_shown(result.field(result.fields[f].name, state)));
     }
-    states.push_back(one), times.push_back(number(result.times[state]));
+    states.push_back(one);
+    times.push_back(number(result.times[state]));
   }
-  json["origin"] = origin, json["times"] = times, json["states"] = states;
+  json["origin"] = origin;
+  json["times"] = times;
+  json["states"] = states;
 }
 
 Json scale_json(const std::optional<Scale>& scale) {
@@ -255,7 +267,8 @@ Json result_json(const StoredResult& result, std::size_t most_states) {
   }
   put_mesh(result.mesh, json);
   put_states(result, kept, json);
-  json["figures"] = figures_json(result), json["series"] = series_json(result, kept);
+  json["figures"] = figures_json(result);
+  json["series"] = series_json(result, kept);
   json["convergence"] = {{"residual", numbers(result.convergence.residual)},
                          {"load", numbers(result.convergence.load)}};
   return json;

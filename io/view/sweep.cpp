@@ -76,7 +76,8 @@ Varied varied_among(const std::vector<Settings>& all) {
       const auto at = settings.find(name);
       varied.values.push_back(at == settings.end() ? "" : unquoted(at->second));
       const Quantity quantity = quantity_in(varied.values.back());
-      varied.numbers.push_back(quantity.number), units.insert(quantity.unit);
+      varied.numbers.push_back(quantity.number);
+      units.insert(quantity.unit);
       if (std::isfinite(quantity.number)) different.insert(quantity.number);
     }
     if (units.size() == 1) varied.unit = *units.begin();

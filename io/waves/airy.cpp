@@ -46,7 +46,8 @@ struct Profile {
   Profile(double k, double d, double zeta) {
     const double down = std::exp(k * zeta), up = std::exp(-k * (zeta + 2 * d)),
                  base = -std::expm1(-2 * k * d);
-    C = (down + up) / base, S = (down - up) / base;
+    C = (down + up) / base;
+    S = (down - up) / base;
   }
   double C, S;
 };
@@ -83,9 +84,12 @@ AiryWaves::Plane AiryWaves::plane(double s, double zeta, double slope, double ti
     const double theta = a.k * s - a.omega * time + a.phase, c = std::cos(theta), r = std::sin(theta);
     const Profile p(a.k, sea_.depth, zeta);
     const double speed = a.amplitude * a.omega;
-    sum.u += speed * p.C * c, sum.w += speed * p.S * r;                                // (2)
-    sum.u_rate += speed * a.omega * p.C * r, sum.w_rate -= speed * a.omega * p.S * c;  // (3)
-    sum.u_dz += slope * speed * a.k * p.S * c, sum.w_dz += slope * speed * a.k * p.C * r;
+    sum.u += speed * p.C * c;
+    sum.w += speed * p.S * r;  // (2)
+    sum.u_rate += speed * a.omega * p.C * r;
+    sum.w_rate -= speed * a.omega * p.S * c;  // (3)
+    sum.u_dz += slope * speed * a.k * p.S * c;
+    sum.w_dz += slope * speed * a.k * p.C * r;
   }
   return sum;
 }

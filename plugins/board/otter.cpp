@@ -21,11 +21,15 @@ void Otter::gather(const Parameters& p, const Data&, Whole& whole) {
     whole.drag = Surface(attack, {0}, Curve::read(p.polar, 2));
     whole.is_of_attack_alone = true;
   } else if (p.polar_slip.rows) {
-    whole.lift = Surface(p.polar_slip, 2), whole.drag = Surface(p.polar_slip, 3),
+    whole.lift = Surface(p.polar_slip, 2);
+    whole.drag = Surface(p.polar_slip, 3);
     whole.side = Surface(p.polar_slip, 4);
   }
   if (p.bottom.rows) whole.ploughing = Surface(p.bottom, 2);
-  if (p.pressure.rows) whole.chord = Curve(p.pressure, 1), whole.span = Curve(p.pressure, 2);
+  if (p.pressure.rows) {
+    whole.chord = Curve(p.pressure, 1);
+    whole.span = Curve(p.pressure, 2);
+  }
 }
 
 Otter::Flow Otter::flow_past(const Data& d, const Body<double>& b) {

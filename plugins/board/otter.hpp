@@ -115,9 +115,11 @@ Coefficients<T> of_table(const Otter::Parameters& p, const Otter::Whole& t, cons
   c.force += (cz / across) * Vec3<T>{-w.z * w.x, -w.z * w.y, across * across};
   if (t.chord.empty()) {
     const PlateForce<T> plate = plate_force(w, p.chord, p.span);
-    c.at_chord = plate.ahead_chord, c.at_span = plate.ahead_span;
+    c.at_chord = plate.ahead_chord;
+    c.at_span = plate.ahead_span;
   } else {
-    c.at_chord = p.chord * (t.chord.at(alpha) - 0.5), c.at_span = p.span * t.span.at(alpha);
+    c.at_chord = p.chord * (t.chord.at(alpha) - 0.5);
+    c.at_span = p.span * t.span.at(alpha);
   }
   return c;
 }

@@ -137,7 +137,10 @@ Pressure::Fraction Pressure::fraction_behind_front(const std::array<double, 3>& 
   if (meshes <= b) return cut_off(corner, {meshes - a, b - a, c - a, 1});
   std::swap(corner[0], corner[2]);
   Fraction fraction = cut_off(corner, {c - meshes, c - b, c - a, -1});
-  for (std::size_t i = 0; i < 3; ++i) fraction.at[i] = kThird - fraction.at[i], fraction.slope_at[i] *= -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    fraction.at[i] = kThird - fraction.at[i];
+    fraction.slope_at[i] *= -1;
+  }
   return fraction;
 }
 

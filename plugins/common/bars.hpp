@@ -92,7 +92,10 @@ inline Status add_elastic(const Lanes& p, netloft_tile& t) {
   const double(&wx)[kLanes] = w[0], (&wy)[kLanes] = w[1], (&wz)[kLanes] = w[2];
   for (std::size_t i = 0; i < t.count; ++i) {
     const auto b = axial::stretch(wx[i], wy[i], wz[i], p.l0[i], p.EA[i], p.EA_compression[i]);
-    inverse[i] = b.inverse, T[i] = b.T, k[i] = b.k, energy[i] = b.energy;
+    inverse[i] = b.inverse;
+    T[i] = b.T;
+    k[i] = b.k;
+    energy[i] = b.energy;
   }
   if (t.energy)
     for (std::size_t i = 0; i < t.count; ++i) t.energy[i] += energy[i];
@@ -118,7 +121,10 @@ inline Status add_weight(const Lanes& p, netloft_tile& t) {
   for (std::size_t i = 0; i < t.count; ++i) {
     const double half = 0.5 * p.volume[i] * (p.density[i] - t.water_density) * t.gravity;  // (2)
     if (t.energy) t.energy[i] += half * (t.x[2 * kLanes + i] + t.x[5 * kLanes + i]);
-    if (t.force) t.force[2 * kLanes + i] += half, t.force[5 * kLanes + i] += half;
+    if (t.force) {
+      t.force[2 * kLanes + i] += half;
+      t.force[5 * kLanes + i] += half;
+    }
   }
   return Status::ok;
 }

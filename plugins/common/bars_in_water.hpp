@@ -68,7 +68,8 @@ inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLane
         for (std::size_t i = 0; i < count; ++i) {
           const double d =
               -0.5 * p.twine[i] * (cu * (sign * turn[c][i] + along_z * shear[i]) - cv * 0.5 * d_flow[i]);
-          first[i] += d, second[i] += d;
+          first[i] += d;
+          second[i] += d;
         }
       }
     }
@@ -87,7 +88,8 @@ inline Status add_drag(const Lanes& p, const netloft_bound_law& law, netloft_til
 #pragma GCC ivdep
       for (std::size_t i = 0; i < count; ++i) {
         const double half = 0.5 * p.twine[i] * f.force[axis][i];  // (3)
-        first[i] -= half, second[i] -= half;
+        first[i] -= half;
+        second[i] -= half;
       }
     }
   if (t.tangent) add_drag_tangent(p, chord, f, t);
@@ -138,13 +140,18 @@ inline void add_dampers(const Chords& chord, const Dampers& d, netloft_tile& t) 
     const double direct = t.cu * (d.slope[i] * rate - damper * d.growth[i]) + t.cv * damper;
     for (int r = 0; r < 3; ++r) {
       const double pull = damper * rate * s[r];
-      if (t.force) t.force[at(r, i)] -= pull, t.force[at(r + 3, i)] += pull;
+      if (t.force) {
+        t.force[at(r, i)] -= pull;
+        t.force[at(r + 3, i)] += pull;
+      }
       if (!t.tangent) continue;
       for (int c = 0; c < 3; ++c) {
         const double turn = s[r] * (w[c] - along * s[c]) + rate * ((r == c ? 1 : 0) - s[r] * s[c]);
         const double a = damper * t.cu * chord.inverse[i] * turn + direct * s[r] * s[c];
-        t.tangent[at(place(0, r, 0, c), i)] += a, t.tangent[at(place(1, r, 1, c), i)] += a;
-        t.tangent[at(place(0, r, 1, c), i)] -= a, t.tangent[at(place(1, r, 0, c), i)] -= a;
+        t.tangent[at(place(0, r, 0, c), i)] += a;
+        t.tangent[at(place(1, r, 1, c), i)] += a;
+        t.tangent[at(place(0, r, 1, c), i)] -= a;
+        t.tangent[at(place(1, r, 0, c), i)] -= a;
       }
     }
   }
@@ -163,7 +170,8 @@ inline Status add_loss(const Lanes& p, const double* growth, netloft_tile& t) {
   Dampers d;
   for (std::size_t i = 0; i < t.count; ++i) {
     const axial::Damper one = axial::damper(p.loss[i], chord.l[i], p.l0[i]);
-    d.c[i] = one.c, d.slope[i] = one.slope;
+    d.c[i] = one.c;
+    d.slope[i] = one.slope;
     if (growth) d.growth[i] = growth[i];
   }
   add_dampers(chord, d, t);

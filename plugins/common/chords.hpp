@@ -26,7 +26,9 @@ struct Chords {
       const double wx = t[0][i], wy = t[1][i], wz = t[2][i];
       l[i] = std::sqrt(wx * wx + wy * wy + wz * wz);
       inverse[i] = 1 / std::max(l[i], axial::kCollapsed * l0[i]);
-      t[0][i] = wx * inverse[i], t[1][i] = wy * inverse[i], t[2][i] = wz * inverse[i];
+      t[0][i] = wx * inverse[i];
+      t[1][i] = wy * inverse[i];
+      t[2][i] = wz * inverse[i];
     }
   }
   double l[kLanes] = {}, inverse[kLanes] = {}, t[3][kLanes] = {};

@@ -59,7 +59,9 @@ struct Drag {
   /// A tile in which the drag leaves its answer here.
   netloft_tile answer_of(const netloft_tile& t) {
     netloft_tile inner = t;
-    inner.energy = nullptr, inner.force = force, inner.tangent = t.tangent ? tangent : nullptr;
+    inner.energy = nullptr;
+    inner.force = force;
+    inner.tangent = t.tangent ? tangent : nullptr;
     return inner;
   }
   /// (2) of a node, with the share `dry` and its slope over z.

@@ -16,10 +16,13 @@ struct Motion {
   Motion(double shielding, const netloft_flow& f, std::size_t i) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto row = static_cast<std::size_t>(axis) * kLanes + i;
-      U[axis] = shielding * f.flow[row], t[axis] = f.direction[row];
+      U[axis] = shielding * f.flow[row];
+      t[axis] = f.direction[row];
     }
-    tau = dot(U, t), U_n = U - tau * t;
-    s = norm(U_n), u = norm(U);
+    tau = dot(U, t);
+    U_n = U - tau * t;
+    s = norm(U_n);
+    u = norm(U);
     e = std::sqrt(s * s + NettingTwine::kAlong * NettingTwine::kAlong * tau * tau);
   }
   Vec3<double> U, t, U_n;

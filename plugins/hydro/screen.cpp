@@ -35,7 +35,8 @@ struct Incidence {
   Incidence(double r, const Vec3<double>& flow, const Vec3<double>& normal)
       : U(r * flow), sign(dot(U, normal) < 0 ? -1 : 1), n(sign * normal), u(norm(U)) {
     e = (1 / std::max(u, kStill)) * U;
-    q = dot(U, n), c = dot(e, n);
+    q = dot(U, n);
+    c = dot(e, n);
   }
   Vec3<double> U;
   double sign;  // sign of the flow along the given normal

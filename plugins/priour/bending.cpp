@@ -17,10 +17,14 @@ struct Logarithm {
   explicit Logarithm(double h) {
     const double w = 1 - h, w0 = Bending::kFolded;
     if (w >= w0) {
-      L = std::log1p(-h), L1 = 1 / w, L2 = -L1 * L1;
+      L = std::log1p(-h);
+      L1 = 1 / w;
+      L2 = -L1 * L1;
     } else {
       const double z = w / w0 - 1;
-      L = std::log(w0) + z - 0.5 * z * z, L1 = (1 - z) / w0, L2 = -1 / (w0 * w0);
+      L = std::log(w0) + z - 0.5 * z * z;
+      L1 = (1 - z) / w0;
+      L2 = -1 / (w0 * w0);
     }
   }
   double L, L1, L2;
@@ -40,7 +44,9 @@ struct Fold {
     }
     q = n[0] - n[1];
     const Logarithm log(0.25 * dot(q, q));
-    E = -flat.kappa * log.L, D1 = flat.kappa * log.L1, D2 = -flat.kappa * log.L2;
+    E = -flat.kappa * log.L;
+    D1 = flat.kappa * log.L1;
+    D2 = -flat.kappa * log.L2;
     for (int k = 0; k < 2; ++k) {
       const Vec3<double> g = (0.5 * D1 * kSign[k]) * q;
       normal[k] = dot(g, n[k]);
@@ -116,7 +122,8 @@ void spread(const Square9& K, double cu, Local<4>& out) {
     for (int s = 0; s < 9; ++s) {
       const double k = cu * K[r][s];
       out.tangent[3 + r][3 + s] += k;
-      out.tangent[r % 3][3 + s] -= k, out.tangent[3 + r][s % 3] -= k;
+      out.tangent[r % 3][3 + s] -= k;
+      out.tangent[3 + r][s % 3] -= k;
       out.tangent[r % 3][s % 3] += k;
     }
 }

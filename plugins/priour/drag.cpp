@@ -57,7 +57,8 @@ void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const do
   double length[kLanes];
   for (std::size_t i = 0; i < t.count; ++i) {
     for (int axis = 0; axis < 3; ++axis) f.direction[axis][i] = twines.t[axis][i];
-    f.solidity[i] = 0, length[i] = p.bars[i] * p.l0[i];
+    f.solidity[i] = 0;
+    length[i] = p.bars[i] * p.l0[i];
   }
   f.call(law, t, t.tangent != nullptr, length);
   add_law<turn>(f, length, t, out);
@@ -164,7 +165,9 @@ void add_tangent(const Force& F, netloft_tile& t) {
 #pragma GCC ivdep
         for (std::size_t i = 0; i < count; ++i) {
           const double k = third * (cu * (x[i] + counts * shear[i]) - cv * flow[i] / 3);
-          row[0][i] += k, row[1][i] += k, row[2][i] += k;
+          row[0][i] += k;
+          row[1][i] += k;
+          row[2][i] += k;
         }
       }
 }
@@ -177,7 +180,8 @@ void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const 
   for (int r = 0; r < 3; ++r)
     for (int q = 0; q < 3; ++q)
       for (int c = 0; c < 3; ++c) {
-        find_slope(in_slowed, &slowed, t, r, q, c, with), find_slope(in_all, nullptr, t, r, q, c, without);
+        find_slope(in_slowed, &slowed, t, r, q, c, with);
+        find_slope(in_all, nullptr, t, r, q, c, without);
         for (int p = 0; p < 3; ++p)
           for (std::size_t i = 0; i < t.count; ++i)
             t.tangent[at(place(p, r, q, c), i)] -= (with[i] - without[i]) / 3;
@@ -207,7 +211,8 @@ Status SlowedDrag::tile(const Family<Triangle>& family, netloft_tile& t) {
   const Slowing slowed(family.lanes(t), t, family.law(0).kind);
   if (!slowed.acts) return Status::ok;
   Force with, without;
-  compute(family, t, &slowed, with), compute(family, t, nullptr, without);
+  compute(family, t, &slowed, with);
+  compute(family, t, nullptr, without);
   if (t.force)
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < t.count; ++i)

@@ -13,8 +13,11 @@ struct Series {
   constexpr Series() {
     double power = 1, binomial = 2;  // 2^(k−1), C(2k, k)
     for (int k = 1; k <= kTerms; ++k) {
-      A[k] = power / (k * k * binomial), kA[k] = k * A[k], kkA[k] = (k - 1) * kA[k];
-      power *= 2, binomial *= 2.0 * (2 * k + 1) / (k + 1);
+      A[k] = power / (k * k * binomial);
+      kA[k] = k * A[k];
+      kkA[k] = (k - 1) * kA[k];
+      power *= 2;
+      binomial *= 2.0 * (2 * k + 1) / (k + 1);
     }
   }
 };
@@ -40,7 +43,8 @@ Status Opening::tile(const double* stiffness, const Triangle::Lanes& p, netloft_
     }
     const double e = s * s / (1 + c);  // 1 − c without cancellation when meshes close
     if (a0 == 0 && c > 0 && e < kSeries) {
-      f.E[i] = H * e * sum(kSeriesOf.A, 1, e), f.E1[i] = -H * sum(kSeriesOf.kA, 1, e);  // (4)
+      f.E[i] = H * e * sum(kSeriesOf.A, 1, e);
+      f.E1[i] = -H * sum(kSeriesOf.kA, 1, e);  // (4)
       f.E2[i] = H * sum(kSeriesOf.kkA, 2, e);
       continue;
     }

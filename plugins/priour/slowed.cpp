@@ -20,12 +20,14 @@ Slowing::Slowing(const Triangle::Lanes& p, const netloft_tile& t, std::uint32_t 
     const double along =
         p.slowed_x[i] * middle(t, with_low, 0, i) + p.slowed_y[i] * middle(t, with_low, 1, i);
     const double d = p.slowed_front[i] - along, b = p.slowed_by[i], R = p.slowed_radius[i];
-    left[i] = 1 - b, x[i] = y[i] = 0;
+    left[i] = 1 - b;
+    x[i] = y[i] = 0;
     if (!(d > 0)) continue;
     const double near = 1 + d * d / (R * R), root = std::sqrt(near);
     left[i] = 1 - b / (near * root);                                   // (2)
     const double slope = -3 * b * d / (R * R) / (near * near * root);  // (3)
-    x[i] = slope * p.slowed_x[i], y[i] = slope * p.slowed_y[i];
+    x[i] = slope * p.slowed_x[i];
+    y[i] = slope * p.slowed_y[i];
   }
 }
 

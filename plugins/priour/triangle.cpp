@@ -67,7 +67,10 @@ void Triangle::check(const Parameters& p, const Data& d) {
 
 void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
   const Shape s = shape(d);
-  for (std::size_t k = 0; k < 3; ++k) lanes.a[k][lane] = s.a[k], lanes.b[k][lane] = s.b[k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    lanes.a[k][lane] = s.a[k];
+    lanes.b[k][lane] = s.b[k];
+  }
   lanes.bars[lane] = bars(p, d);
   lanes.l0[lane] = d.bar_length;
   lanes.EA[lane] = p.EA;
@@ -77,14 +80,17 @@ void Triangle::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_
   lanes.diameter[lane] = p.diameter;
   lanes.damping[lane] = p.damping;
   lanes.loss[lane] = axial::loss_of(p.EA, p.loss_factor, p.loss_frequency);
-  lanes.added_mass[lane] = p.added_mass, lanes.surface[lane] = p.surface;
+  lanes.added_mass[lane] = p.added_mass;
+  lanes.surface[lane] = p.surface;
   lanes.H[lane] = p.opening_stiffness;
   lanes.H_of_EI[lane] = 12 * p.EI / d.bar_length;
   lanes.alpha0[lane] = p.opening_angle;
   lanes.touching[lane] = touching_cosine(p, d);
-  lanes.slowed_by[lane] = p.slowed_by, lanes.slowed_front[lane] = p.slowed_front;
+  lanes.slowed_by[lane] = p.slowed_by;
+  lanes.slowed_front[lane] = p.slowed_front;
   lanes.slowed_radius[lane] = p.slowed_radius;
-  lanes.slowed_x[lane] = std::cos(p.slowed_direction), lanes.slowed_y[lane] = std::sin(p.slowed_direction);
+  lanes.slowed_x[lane] = std::cos(p.slowed_direction);
+  lanes.slowed_y[lane] = std::sin(p.slowed_direction);
   lanes.slows |= p.slowed_by > 0;
 }
 
@@ -127,7 +133,10 @@ void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], c
   find_spans(t, c, s.w);
   for (std::size_t i = 0; i < t.count; ++i) {
     const auto b = axial::stretch(s.w[0][i], s.w[1][i], s.w[2][i], p.l0[i], p.EA[i], p.EA_compression[i]);
-    s.inverse[i] = b.inverse, s.T[i] = b.T, s.k[i] = b.k, s.energy[i] = b.energy;
+    s.inverse[i] = b.inverse;
+    s.T[i] = b.T;
+    s.k[i] = b.k;
+    s.energy[i] = b.energy;
   }
 }
 

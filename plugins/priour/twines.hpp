@@ -33,7 +33,9 @@ struct Twines {
       const double wx = t[0][i], wy = t[1][i], wz = t[2][i];
       const double l = std::sqrt(wx * wx + wy * wy + wz * wz);
       inverse[i] = 1 / std::max(l, axial::kCollapsed * l0[i]);
-      t[0][i] = inverse[i] * wx, t[1][i] = inverse[i] * wy, t[2][i] = inverse[i] * wz;
+      t[0][i] = inverse[i] * wx;
+      t[1][i] = inverse[i] * wy;
+      t[2][i] = inverse[i] * wz;
     }
   }
   bool collapsed(std::size_t lane, double l0) const { return inverse[lane] * axial::kCollapsed * l0 >= 1; }

@@ -15,7 +15,8 @@ void Bar::check(const Parameters& p, const Data& d) {
 
 void Bar::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
   bars::pack(p, d.rest_length, 1, lanes, lane);
-  lanes.constant_tension[lane] = p.constant_tension, lanes.weight_in_water[lane] = p.weight_in_water;
+  lanes.constant_tension[lane] = p.constant_tension;
+  lanes.weight_in_water[lane] = p.weight_in_water;
   lanes.is_weighed |= p.weight_in_water != 0;
   lanes.length_share[lane] = p.length_share;
   lanes.changes |= p.length_share.rows > 0;
@@ -46,7 +47,9 @@ const Bar::Lanes& Bar::now(const Lanes& lanes, const netloft_tile& t, Lanes& roo
   room = lanes;
   for (std::size_t i = 0; i < t.count; ++i) {
     const double share = share_at(lanes.length_share[i], t.time);  // (2)
-    room.l0[i] *= share, room.twine[i] *= share, room.volume[i] *= share;
+    room.l0[i] *= share;
+    room.twine[i] *= share;
+    room.volume[i] *= share;
   }
   return room;
 }

@@ -15,7 +15,10 @@ struct Turn {
 
   explicit Turn(const State<3>& s) {
     const Vec3<double> w[2] = {s.between(0, 1), s.between(1, 2)};
-    for (int k = 0; k < 2; ++k) l[k] = norm(w[k]), t[k] = (1 / l[k]) * w[k];
+    for (int k = 0; k < 2; ++k) {
+      l[k] = norm(w[k]);
+      t[k] = (1 / l[k]) * w[k];
+    }
     const Vec3<double> d = t[1] - t[0];
     h = 0.25 * dot(d, d);
     c = 1 - 2 * h;

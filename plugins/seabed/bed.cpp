@@ -4,8 +4,10 @@
 namespace netloft::seabed {
 
 void OnBed::gather(const Parameters& p, const Data&, Whole& whole) {
-  if (whole.stiffness.empty() && p.bottom.rows)
-    whole.stiffness = Surface(p.bottom, 2), whole.friction = Surface(p.bottom, 3);
+  if (whole.stiffness.empty() && p.bottom.rows) {
+    whole.stiffness = Surface(p.bottom, 2);
+    whole.friction = Surface(p.bottom, 3);
+  }
 }
 
 Status OnBed::Contact::evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s,

@@ -18,11 +18,15 @@ void Plane::check(const Parameters&, const Data& d) {
 
 void Plane::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane) {
   const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);  // (1)
-  lanes.n[0][lane] = -p.slope_x * n_z, lanes.n[1][lane] = -p.slope_y * n_z, lanes.n[2][lane] = n_z;
+  lanes.n[0][lane] = -p.slope_x * n_z;
+  lanes.n[1][lane] = -p.slope_y * n_z;
+  lanes.n[2][lane] = n_z;
   lanes.offset[lane] = n_z * p.depth;
   const double metres = d.length > 0 ? d.length : d.pieces;
-  lanes.K[lane] = p.stiffness * metres, lanes.shear[lane] = p.shear_stiffness * metres;
-  lanes.softness[lane] = p.softness, lanes.friction[lane] = p.friction;
+  lanes.K[lane] = p.stiffness * metres;
+  lanes.shear[lane] = p.shear_stiffness * metres;
+  lanes.softness[lane] = p.softness;
+  lanes.friction[lane] = p.friction;
 }
 
 Plane::Depth Plane::press(double depth, double softness) {  // (2)
@@ -107,8 +111,10 @@ Hold hold_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
     b.rounding = std::max(b.rounding, kRounding * std::abs(t.x[at(axis, i)]));
   }
   const Plane::Depth depth = press_node(p, t, i);
-  b.limit = p.friction[i] * p.K[i] * depth.f1, b.limit_slope = p.friction[i] * p.K[i] * depth.f2;
-  b.way = std::sqrt(square), b.spring = has_past && b.limit > 0 ? p.shear[i] : 0;
+  b.limit = p.friction[i] * p.K[i] * depth.f1;
+  b.limit_slope = p.friction[i] * p.K[i] * depth.f2;
+  b.way = std::sqrt(square);
+  b.spring = has_past && b.limit > 0 ? p.shear[i] : 0;
   for (int axis = 0; axis < 3; ++axis) b.unit[axis] = b.way > 0 ? w[axis] / b.way : 0;
   return b;
 }
@@ -149,12 +155,17 @@ Drag drag_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
   for (int axis = 0; axis < 3; ++axis) {
     d.n[axis] = p.n[axis][i];
     d.w[axis] = (t.v ? t.v[at(axis, i)] : 0) - t.ground[axis];
-    along += d.n[axis] * d.w[axis], ground += t.ground[axis] * t.ground[axis];
+    along += d.n[axis] * d.w[axis];
+    ground += t.ground[axis] * t.ground[axis];
   }
-  for (int axis = 0; axis < 3; ++axis) d.w[axis] -= along * d.n[axis], square += d.w[axis] * d.w[axis];
+  for (int axis = 0; axis < 3; ++axis) {
+    d.w[axis] -= along * d.n[axis];
+    square += d.w[axis] * d.w[axis];
+  }
   d.slip = Plane::slip(std::sqrt(square), Plane::kCreep * std::sqrt(ground));
   const Plane::Depth depth = press_node(p, t, i);
-  d.limit = p.friction[i] * p.K[i] * depth.f1, d.limit_slope = p.friction[i] * p.K[i] * depth.f2;
+  d.limit = p.friction[i] * p.K[i] * depth.f1;
+  d.limit_slope = p.friction[i] * p.K[i] * depth.f2;
   return d;
 }
 

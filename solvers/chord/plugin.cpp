@@ -71,7 +71,8 @@ class Chords {
     do {
       const Factor factor = factorise_at_u(problem_, mu_);
       if (factor == Factor::failed) return false;
-      is_fresh_ = true, is_worn_ = false;
+      is_fresh_ = true;
+      is_worn_ = false;
       if (factor != Factor::ok) continue;
       problem_.solve(r_, s_);
       if (find_slope()) return true;
@@ -105,7 +106,8 @@ class Chords {
         t = low + 0.25 * (t - low);
         continue;
       }
-      (slope > 0 ? high : low) = t, (slope > 0 ? at_high : at_low) = slope;
+      (slope > 0 ? high : low) = t;
+      (slope > 0 ? at_high : at_low) = slope;
       const double share = -at_low / (at_high - at_low);
       t = low + std::clamp(share, 0.1, 0.9) * (high - low);
     }

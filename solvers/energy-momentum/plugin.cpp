@@ -42,7 +42,8 @@ Step EnergyMomentum::step(const Parameters& p, Motion& m) {
   if (m.solve_between(v0, cv, a0, ca, chi, nu, u1) != Step::found) return Step::shorter;
   for (std::size_t i = 0; i < m.size(); ++i) {
     const double rate = a0[i] + ca * u1[i], late = rate - m.a()[i];
-    m.next_u()[i] = u1[i], m.next_v()[i] = m.v()[i] + h * rate;
+    m.next_u()[i] = u1[i];
+    m.next_v()[i] = m.v()[i] + h * rate;
     m.next_a()[i] = m.a()[i] + nu * late;
     m.error()[i] = (nu / 12 + chi / 2) * h * h * std::abs(late);  // (4)
   }

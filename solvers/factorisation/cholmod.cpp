@@ -117,15 +117,18 @@ class PatternView {
     if constexpr (!std::is_same_v<Index, std::int32_t>) {
       column_start_.assign(pattern.column_start.begin(), pattern.column_start.end());
       row_.assign(pattern.row.begin(), pattern.row.end());
-      view_.p = column_start_.data(), view_.i = row_.data();
+      view_.p = column_start_.data();
+      view_.i = row_.data();
     } else {
       view_.p = const_cast<Index*>(pattern.column_start.data());
       view_.i = const_cast<Index*>(pattern.row.data());
     }
     view_.nrow = view_.ncol = static_cast<std::size_t>(pattern.size);
     view_.nzmax = pattern.entries();
-    view_.stype = -1, view_.itype = Calls<Index>::kIndex;
-    view_.xtype = CHOLMOD_PATTERN, view_.dtype = CHOLMOD_DOUBLE;
+    view_.stype = -1;
+    view_.itype = Calls<Index>::kIndex;
+    view_.xtype = CHOLMOD_PATTERN;
+    view_.dtype = CHOLMOD_DOUBLE;
     view_.sorted = view_.packed = 1;
   }
   cholmod_sparse* get() { return &view_; }

@@ -186,7 +186,9 @@ NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std:
       V& rows = *reinterpret_cast<V*>(column + i + part);
       V L = rows;
       own.keep<Register>(part, L);
-      rows -= L, L *= reciprocal, rows += L;
+      rows -= L;
+      L *= reciprocal;
+      rows += L;
       for (std::ptrdiff_t j = k + 1; j < end; ++j)
         *reinterpret_cast<V*>(left + i + part + j * stride) -= L * U[j - k - 1];
     }

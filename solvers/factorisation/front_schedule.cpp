@@ -43,7 +43,8 @@ class Scheduler {
 
   /// Of each front with all below it, and the first of these: they come in a row.
   void sum_up_work() {
-    work_.assign(fronts_, 0), first_.resize(fronts_);
+    work_.assign(fronts_, 0);
+    first_.resize(fronts_);
     for (std::size_t s = 0; s < fronts_; ++s) first_[s] = s;
     for (std::size_t s = 0; s < fronts_; ++s) {
       work_[s] += flops_of(tree_.fronts[s]);

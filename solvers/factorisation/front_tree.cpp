@@ -312,13 +312,19 @@ void FrontTreeBuilder::sort_entries() {
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::size_t s = 0; s < tree_.fronts.size(); ++s) tree_.fronts[s].entries = next[s];
   Front end;
-  end.entries = next.back(), end.panels = tree_.panels, end.indices = tree_.other.size();
+  end.entries = next.back();
+  end.panels = tree_.panels;
+  end.indices = tree_.other.size();
   end.runs = tree_.runs.size();
-  tree_.of_matrix.resize(end.entries), row_.resize(end.entries), column_.resize(end.entries);
+  tree_.of_matrix.resize(end.entries);
+  row_.resize(end.entries);
+  column_.resize(end.entries);
   for (const auto& [row, column, slot, size] : pieces_) {
     const std::size_t k = next[front_of_entry(row, column)]++;
-    row_[k] = row, column_[k] = column;
-    tree_.of_matrix[k].slot = slot, tree_.of_matrix[k].size = size;
+    row_[k] = row;
+    column_[k] = column;
+    tree_.of_matrix[k].slot = slot;
+    tree_.of_matrix[k].size = size;
   }
   tree_.fronts.push_back(end);
 }

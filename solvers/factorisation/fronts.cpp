@@ -24,7 +24,9 @@ void Room::resize(std::size_t count) {
 
 void Fronts::plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values) {
   forget_room();
-  tree_ = &tree, schedule_ = &schedule, value_count_ = values;
+  tree_ = &tree;
+  schedule_ = &schedule;
+  value_count_ = values;
 }
 
 void Fronts::forget_room() {
@@ -34,7 +36,8 @@ void Fronts::forget_room() {
 
 void Fronts::make_room() {
   for (int parity : {0, 1}) updates_[parity].resize(schedule_->room[parity]);
-  values_.resize(value_count_), exchanged_.resize(tree_->unknown.size());
+  values_.resize(value_count_);
+  exchanged_.resize(tree_->unknown.size());
   by_place_.resize(tree_->unknown.size());
   of_front_.assign(static_cast<std::size_t>(tree_->most_unknowns) + kTileRows, 0.0);
   panels_.resize(tree_->panels);
@@ -98,11 +101,16 @@ void Fronts::set_entries(std::size_t front) {
     to[0] = from[0];
     if (entries.size == 1) continue;
     const std::ptrdiff_t down = entries.down, across = entries.across;
-    to[across] = from[1], to[2 * across] = from[2];
+    to[across] = from[1];
+    to[2 * across] = from[2];
     to += down;
-    to[0] = from[3], to[across] = from[4], to[2 * across] = from[5];
+    to[0] = from[3];
+    to[across] = from[4];
+    to[2 * across] = from[5];
     to += down;
-    to[0] = from[6], to[across] = from[7], to[2 * across] = from[8];
+    to[0] = from[6];
+    to[across] = from[7];
+    to[2 * across] = from[8];
   }
 }
 

@@ -13,7 +13,10 @@ namespace netloft {
 class Room {
  public:
   void resize(std::size_t count);
-  void clear() { all_.reset(), begin_ = nullptr; }
+  void clear() {
+    all_.reset();
+    begin_ = nullptr;
+  }
   bool is_empty() const { return begin_ == nullptr; }
   double* at(std::size_t i) { return begin_ + i; }
 

@@ -63,7 +63,8 @@ class LentFactorisation final : public Factorisation, public ForeseesMemory {
       analysed_->pattern = pattern;
       inner().analyse(analysed_->pattern);
     }
-    is_analysed_ = true, has_failed_ = false;
+    is_analysed_ = true;
+    has_failed_ = false;
   }
   /// A factorisation that has failed is not kept, because it may have grown or have an unknown size.
   FactorResult factorise(std::span<const double> values) override {

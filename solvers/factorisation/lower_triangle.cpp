@@ -29,7 +29,9 @@ struct WholePattern {
 };
 
 WholePattern::WholePattern(const SparsePattern& lower) {
-  pattern.size = lower.size, pattern.node = lower.node, pattern.symmetric = false;
+  pattern.size = lower.size;
+  pattern.node = lower.node;
+  pattern.symmetric = false;
   count_entries(lower);
   std::vector<std::int32_t> next(pattern.column_start.begin(), pattern.column_start.end() - 1);
   const auto put = [&](std::int32_t row, std::int32_t column, std::int32_t entry) {

@@ -19,10 +19,15 @@ NETLOFT_INLINE void add(const double* x, std::ptrdiff_t count, double* y) {
   for (; i + Register::kLanes <= count; i += Register::kLanes)
     *reinterpret_cast<V*>(y + i) += *reinterpret_cast<const V*>(x + i);
   if constexpr (Register::kLanes > 4)
-    if (i + 4 <= count)
-      *reinterpret_cast<Four::V*>(y + i) += *reinterpret_cast<const Four::V*>(x + i), i += 4;
+    if (i + 4 <= count) {
+      *reinterpret_cast<Four::V*>(y + i) += *reinterpret_cast<const Four::V*>(x + i);
+      i += 4;
+    }
   if constexpr (Register::kLanes > 2)
-    if (i + 2 <= count) *reinterpret_cast<Two::V*>(y + i) += *reinterpret_cast<const Two::V*>(x + i), i += 2;
+    if (i + 2 <= count) {
+      *reinterpret_cast<Two::V*>(y + i) += *reinterpret_cast<const Two::V*>(x + i);
+      i += 2;
+    }
   if (i < count) y[i] += x[i];
 }
 
@@ -66,7 +71,10 @@ NETLOFT_INLINE bool take(std::span<const double> from, double* to) {
       sum[part] += some - some;
     }
   double rest = 0;
-  for (; i < from.size(); ++i) to[i] = from[i], rest += from[i] - from[i];
+  for (; i < from.size(); ++i) {
+    to[i] = from[i];
+    rest += from[i] - from[i];
+  }
   return wide::sum_of((sum[0] + sum[1]) + (sum[2] + sum[3])) + rest == 0;
 }
 
@@ -75,7 +83,8 @@ NETLOFT_INLINE void multiply(const MatrixBlocks& A, const double* values, std::s
                              double* products, double* sizes) {
   using V = typename Register::V;
   constexpr int kParts = 8 / Register::kLanes;
-  std::fill_n(products, 3 * x.size(), 0.0), std::fill_n(sizes, 3 * x.size(), 0.0);
+  std::fill_n(products, 3 * x.size(), 0.0);
+  std::fill_n(sizes, 3 * x.size(), 0.0);
   for (std::size_t c = 0; c + 1 < A.columns.size(); ++c) {
     const double* three = x.data() + A.columns[c].column;
     const Four::V once = {three[0], three[1], three[2], 0};
@@ -94,12 +103,14 @@ NETLOFT_INLINE void multiply(const MatrixBlocks& A, const double* values, std::s
         *reinterpret_cast<V*>(size + i * Register::kLanes) += each < 0 ? -each : each;
       }
       const double last = a[8] * three[2];
-      product[8] += last, size[8] += std::abs(last);
+      product[8] += last;
+      size[8] += std::abs(last);
     }
   }
   for (const auto& [row, column, slot] : A.entries) {
     const double product = values[slot] * x[static_cast<std::size_t>(column)];
-    products[3 * row] += product, sizes[3 * row] += std::abs(product);
+    products[3 * row] += product;
+    sizes[3 * row] += std::abs(product);
   }
 }
 

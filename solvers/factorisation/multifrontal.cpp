@@ -78,7 +78,8 @@ void MultifrontalFactorisation::analyse(const SparsePattern& pattern) {
   state_ = State::none;
   spare_.reset();
   pattern_ = &pattern;
-  tree_ = {}, schedule_ = {};
+  tree_ = {};
+  schedule_ = {};
   if (pattern.size > 0) {
     tree_ = make_front_tree(pattern, method_);
     schedule();
@@ -115,7 +116,8 @@ double MultifrontalFactorisation::factor_bytes() const {
 
 FactorResult MultifrontalFactorisation::factorise(std::span<const double> values) {
   assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
-  state_ = State::none, is_checked_ = false;
+  state_ = State::none;
+  is_checked_ = false;
   if (pattern_->size > 0) {
     if (!has_room()) return {FactorStatus::out_of_memory};
     if (!take(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};

@@ -136,7 +136,9 @@ void MumpsFactorisation::analyse_unknowns(const SparsePattern& pattern) {
   MumpsInstance& mumps = *mumps_;
   mumps->n = pattern.size;
   mumps->nnz = static_cast<MUMPS_INT8>(pattern.entries());
-  mumps->irn = row_.data(), mumps->jcn = column_.data(), mumps->a = value_.data();
+  mumps->irn = row_.data();
+  mumps->jcn = column_.data();
+  mumps->a = value_.data();
   mumps->perm_in = position.data();
   if (const int status = mumps.run(kAnalyse); status < 0) {
     throw std::runtime_error("cannot analyse a matrix of " + std::to_string(pattern.size) +
@@ -148,7 +150,8 @@ void MumpsFactorisation::analyse_unknowns(const SparsePattern& pattern) {
 
 void MumpsFactorisation::list_entries(const SparsePattern& pattern) {
   value_.resize(pattern.entries());
-  row_.resize(pattern.entries()), column_.resize(pattern.entries());
+  row_.resize(pattern.entries());
+  column_.resize(pattern.entries());
   std::transform(pattern.row.begin(), pattern.row.end(), row_.begin(), [](auto row) { return row + 1; });
   for (std::int32_t column = 0; column < pattern.size; ++column)
     std::fill(column_.begin() + pattern.column_start[column],

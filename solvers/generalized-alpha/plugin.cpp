@@ -39,7 +39,8 @@ Step GeneralizedAlpha::step(const Parameters& p, Motion& m) {
   if (m.solve(m.t() + (1 - af) * h, v0, cv, a0, ca, u_f) != Step::found) return Step::shorter;
   for (std::size_t i = 0; i < m.size(); ++i) {
     const double u1 = (u_f[i] - af * m.u()[i]) / (1 - af), a1 = k * (u1 - known[i]);
-    m.next_u()[i] = u1, m.next_a()[i] = a1;
+    m.next_u()[i] = u1;
+    m.next_a()[i] = a1;
     m.next_v()[i] = m.v()[i] + h * ((1 - gamma) * m.a()[i] + gamma * a1);
     m.error()[i] = std::abs(beta - 1.0 / 6) * h * h * (a1 - m.a()[i]);  // (5)
   }

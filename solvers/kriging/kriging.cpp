@@ -118,8 +118,11 @@ Scales search(const Matrix& points, const Matrix& trend, const Vector& values, C
         other.logs[j] =
             std::clamp(other.logs[j] + direction * step * (j < d ? 1 : 3), std::log(low), std::log(high));
         if (other.logs[j] == best.logs[j]) continue;
-        if (const double there = Factorised(points, trend, values, other).unlikeliness(); there < least)
-          best = other, least = there, moved = true;
+        if (const double there = Factorised(points, trend, values, other).unlikeliness(); there < least) {
+          best = other;
+          least = there;
+          moved = true;
+        }
       }
     if (!moved) step /= 2;
   }
@@ -231,7 +234,10 @@ class Kriging::Model {
     for (const Correlation kind : {Correlation::matern, Correlation::gaussian}) {
       const Scales scales = search(points, trend, values, kind);
       const double there = Factorised(points, trend, values, scales).unlikeliness();
-      if (best.logs.empty() || there < least) best = scales, least = there;
+      if (best.logs.empty() || there < least) {
+        best = scales;
+        least = there;
+      }
     }
     return best;
   }

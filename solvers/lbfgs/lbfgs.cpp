@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "solvers/common/round_off.hpp"
 #include "solvers/lbfgs/line_search.hpp"
 #include "solvers/lbfgs/memory.hpp"
 
@@ -16,8 +17,6 @@ namespace {
 
 enum Preconditioner { stiffness, diagonal, none };
 
-/// Energies this close cannot be told apart: rounding of a sum of many terms.
-constexpr double kEnergyNoise = 1e-13;
 /// The first step of all knows no curvature: it moves no node farther than this, over the largest element.
 constexpr double kFirstReach = 1;
 
@@ -91,10 +90,11 @@ class Minimiser {
   bool search_line() {
     const Sample start{0, energy_, dot(r_, step_)};
     if (!(start.slope < 0)) return false;
-    const LineSearch search{p_.decrease, p_.curvature, kEnergyNoise * std::abs(energy_)};
+    const LineSearch search{p_.decrease, p_.curvature, kEnergyRoundOff * std::abs(energy_)};
     const auto found = search.find(start, first_length(), [&](double t) { return sample(t); });
     if (!found) return false;
-    length_ = found->t, energy_ = found->value;
+    length_ = found->t;
+    energy_ = found->value;
     return true;
   }
   double first_length() {

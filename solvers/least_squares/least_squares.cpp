@@ -98,7 +98,8 @@ class Fitter {
       for (Eigen::Index j = 0; j < columns; ++j)
         slopes_(i, j) = (*slopes)[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] *
                         priors_[static_cast<std::size_t>(j)].deviation;
-    normal_ = Matrix::Identity(columns, columns), gradient_.resize(columns);
+    normal_ = Matrix::Identity(columns, columns);
+    gradient_.resize(columns);
     for (Eigen::Index j = 0; j < columns; ++j)
       gradient_(j) = in_deviations(point_.parameters, static_cast<std::size_t>(j));
     for (std::size_t i = 0; i < measured_.size(); ++i) {
@@ -123,8 +124,10 @@ class Fitter {
     for (std::size_t j = 0; j < priors_.size(); ++j) {
       if (!is_pinned(j)) continue;
       const auto k = static_cast<Eigen::Index>(j);
-      damped.row(k).setZero(), damped.col(k).setZero();
-      damped(k, k) = 1, right(k) = 0;
+      damped.row(k).setZero();
+      damped.col(k).setZero();
+      damped(k, k) = 1;
+      right(k) = 0;
     }
     return damped.ldlt().solve(right);
   }
@@ -147,7 +150,8 @@ class Fitter {
       auto next = evaluate(moved(by));
       if (model_.is_interrupted()) return Outcome::stepped;
       if (next && next->sum() < point_.sum()) {
-        point_ = std::move(*next), damping_ /= kRatio;
+        point_ = std::move(*next);
+        damping_ /= kRatio;
         return Outcome::stepped;
       }
       damping_ *= kRatio;
@@ -156,7 +160,8 @@ class Fitter {
   }
 
   Fit ended(bool converged, std::string reason) {
-    fit_.converged = converged, fit_.reason = std::move(reason);
+    fit_.converged = converged;
+    fit_.reason = std::move(reason);
     return std::move(fit_);
   }
 
@@ -175,8 +180,10 @@ class Fitter {
     }
     for (Eigen::Index i = 0; i < slopes_.rows(); ++i)
       fit_.model_deviations.push_back(std::sqrt(slopes_.row(i).dot(covariance * slopes_.row(i).transpose())));
-    fit_.parameters = point_.parameters, fit_.predictions = point_.predictions;
-    fit_.misfit = point_.misfit, fit_.prior_misfit = point_.prior_misfit;
+    fit_.parameters = point_.parameters;
+    fit_.predictions = point_.predictions;
+    fit_.misfit = point_.misfit;
+    fit_.prior_misfit = point_.prior_misfit;
     return ended(converged, std::move(reason));
   }
 

@@ -7,13 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "solvers/common/round_off.hpp"
 #include "solvers/newton/line_search.hpp"
 #include "solvers/newton/newton.hpp"
 
 namespace netloft::newton {
-
-/// Energies that differ by less than this fraction of them are equal: rounding of a sum of many terms.
-constexpr double kEnergyRoundOff = 1e-13;
 
 /// How all searches along a line go on.
 inline Refinement refinement_of(const Newton::Parameters& p) {

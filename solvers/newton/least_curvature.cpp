@@ -59,7 +59,9 @@ struct Tridiagonal {
 }  // namespace
 
 LeastCurvature::LeastCurvature(std::size_t size) : size_(size) {
-  basis_.reserve(kSteps * size), images_.reserve(kSteps * size), w_.reserve(size);
+  basis_.reserve(kSteps * size);
+  images_.reserve(kSteps * size);
+  w_.reserve(size);
 }
 
 double LeastCurvature::find(Problem& problem, double shift) {
@@ -86,7 +88,9 @@ void LeastCurvature::combine(std::span<const double> y) {
 }
 
 void LeastCurvature::start(Problem& problem) {
-  w_.resize(size_), basis_.resize(kSteps * size_), images_.resize(kSteps * size_);
+  w_.resize(size_);
+  basis_.resize(kSteps * size_);
+  images_.resize(kSteps * size_);
   length_ = 0;
   scatter(w_);
   problem.multiply(Matrix::none, 1, w_, image(0));

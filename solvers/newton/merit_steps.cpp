@@ -4,7 +4,8 @@
 namespace netloft::newton {
 
 std::span<const double> CurvedStep::find(Iterate& iterate, std::span<const double> s, double t) {
-  minus_second_derivative_.assign(s.size(), 0.0), a_.resize(s.size());
+  minus_second_derivative_.assign(s.size(), 0.0);
+  a_.resize(s.size());
   for (const double side : {t, -t}) {
     const auto r = iterate.residual_at({s}, side);
     if (!r) return {};
@@ -28,7 +29,10 @@ Step MeritSteps::take(Iterate& iterate, const Direction& direction) {
   if (!is_whole && iterate.is_conservative() && iterate.problem().symmetric()) {
     const Path curved{direction.s, curved_.find(iterate, direction.s, found ? found->t : kDifference)};
     const auto bent = curved.a.empty() ? std::nullopt : along(curved);
-    if (bent && (!found || bent->value < found->value)) path = curved, found = bent;
+    if (bent && (!found || bent->value < found->value)) {
+      path = curved;
+      found = bent;
+    }
   }
   if (!found || !iterate.try_move(path, found->t)) return {.damping = direction.damping};
   add_gain(first.value - found->value);

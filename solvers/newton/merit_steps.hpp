@@ -15,7 +15,10 @@ namespace netloft::newton {
 class CurvedStep {
  public:
   /// Memory for `size` unknowns is reserved, and touched by the first search.
-  explicit CurvedStep(std::size_t size) { minus_second_derivative_.reserve(size), a_.reserve(size); }
+  explicit CurvedStep(std::size_t size) {
+    minus_second_derivative_.reserve(size);
+    a_.reserve(size);
+  }
   /// By differences of r over ± t s, with the last factor. Empty where elements are not defined at one of
   /// these points.
   std::span<const double> find(Iterate& iterate, std::span<const double> s, double t);
@@ -32,7 +35,10 @@ class MeritSteps {
   /// Moves u along s by (5), else (4), and where (4) ends short, by (8) if that gains more.
   Step take(Iterate& iterate, const Direction& direction);
   /// What m has fallen by, here or by (6).
-  void add_gain(double gain) { gained_ += gain, most_gained_ = std::max(most_gained_, gained_); }
+  void add_gain(double gain) {
+    gained_ += gain;
+    most_gained_ = std::max(most_gained_, gained_);
+  }
 
  private:
   std::optional<Sample> try_whole_step(Iterate& iterate, const Path& path) const;

@@ -31,18 +31,21 @@ Step RoundOffSteps::take(Iterate& iterate, const Direction& direction) {
 Step RoundOffSteps::fall_back(Iterate& iterate, double damping) {
   if (!may_fall_back(iterate, damping)) return {.damping = damping};
   fell_back_at_ = iterate.count();
-  Problem& problem = iterate.problem();
-  Step step;
-  if (problem.factorise(Matrix::exact, 0) == Factor::ok)
-    step = take_newton_step(iterate);
-  else if (const auto sigma =
-               iterate.is_conservative() ? nearly_definite_.factorise(problem) : std::nullopt) {
-    const auto v = curvature_.find_direction(problem, *sigma);
-    step = v ? Step{.damping = *sigma, .leaves_saddle = curvature_.leave_along(*v, iterate)}
-             : take_by_slope(iterate, solve(iterate), *sigma);
-  }
+  Step step = take_with_another_matrix(iterate);
   if (!step) step.damping = damping;
   return step;
+}
+
+/// By the undamped matrix, else by one that is nearly definite.
+Step RoundOffSteps::take_with_another_matrix(Iterate& iterate) {
+  Problem& problem = iterate.problem();
+  if (problem.factorise(Matrix::exact, 0) == Factor::ok) return take_newton_step(iterate);
+  if (!iterate.is_conservative()) return {};
+  const auto sigma = nearly_definite_.factorise(problem);
+  if (!sigma) return {};
+  const auto v = curvature_.find_direction(problem, *sigma);
+  if (!v) return take_by_slope(iterate, solve(iterate), *sigma);
+  return {.damping = *sigma, .leaves_saddle = curvature_.leave_along(*v, iterate)};
 }
 
 bool RoundOffSteps::may_fall_back(Iterate& iterate, double damping) const {

@@ -20,7 +20,10 @@ class StallCount {
   explicit StallCount(std::int64_t most_steps) : most_steps_(most_steps) {}
   /// Counts one more step, and tells whether they have stalled.
   bool stalls_with(double decrease);
-  void reset() { least_ = std::numeric_limits<double>::infinity(), steps_without_halving_ = 0; }
+  void reset() {
+    least_ = std::numeric_limits<double>::infinity();
+    steps_without_halving_ = 0;
+  }
 
  private:
   std::int64_t most_steps_, steps_without_halving_ = 0;     // in a row
@@ -45,6 +48,7 @@ class RoundOffSteps {
 
  private:
   bool may_fall_back(Iterate& iterate, double damping) const;
+  Step take_with_another_matrix(Iterate& iterate);
   Step take_newton_step(Iterate& iterate);
   Step take_by_slope(Iterate& iterate, std::span<const double> s, double damping);
   std::span<const double> solve(Iterate& iterate);

@@ -71,7 +71,8 @@ double InteriorPoint::mean_complementarity() const {
   double sum = 0, length = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const double own = members_[e].number * members_[e].rest_length;
-    sum += own * dot(z_of(e), states_[e].y), length += own;
+    sum += own * dot(z_of(e), states_[e].y);
+    length += own;
   }
   return sum / length;
 }

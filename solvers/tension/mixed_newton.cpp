@@ -54,9 +54,12 @@ void MixedNewton::begin(const Stage& stage, std::span<const double> u) {
   }
   if (T_.empty()) {
     T_.resize(members_.size());
-    update_geometry(u), follow_positions();
+    update_geometry(u);
+    follow_positions();
   }
-  damping_ = stage.damping, took_whole_step_ = false, norm_ = 0;
+  damping_ = stage.damping;
+  took_whole_step_ = false;
+  norm_ = 0;
 }
 
 void MixedNewton::update_geometry(std::span<const double> u) {

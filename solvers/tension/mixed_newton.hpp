@@ -19,8 +19,8 @@ namespace netloft::tension {
 /// - a < 1 where a member would turn by more than `farthest_turn`; no energy is searched;
 /// - D = μ Σ n c cᵀ EA/l₀ I, the linear stiffness, holds what is slack; μ falls after a whole step and
 ///   becomes μ/2a after a shorter one;
-/// - far from an equilibrium T = k ε(u) instead of (3), and μ follows the residual (solvers/ptc,
-///   (2)).
+/// - far from an equilibrium T = k ε(u) instead of (3), and μ follows the residual (W. A. Mulder
+///   and B. van Leer, J. Comput. Phys. 59 (1985) 232-246).
 class MixedNewton {
  public:
   /// μ above which steps no longer depend on anything else.

@@ -54,7 +54,10 @@ class Scaling {
   Scaling(const Point& z, const Point& y) {
     const double of_z = std::sqrt(determinant(z)), of_y = std::sqrt(determinant(y));
     Point one_z, one_y;
-    for (std::size_t i = 0; i < 4; ++i) one_z[i] = z[i] / of_z, one_y[i] = y[i] / of_y;
+    for (std::size_t i = 0; i < 4; ++i) {
+      one_z[i] = z[i] / of_z;
+      one_y[i] = y[i] / of_y;
+    }
     const double gamma = std::sqrt((1 + dot(one_z, one_y)) / 2);
     one_z = mirrored(one_z);
     for (std::size_t i = 0; i < 4; ++i) p_[i] = (one_y[i] + one_z[i]) / (2 * gamma);

@@ -18,16 +18,15 @@ from pathlib import Path
 
 READ = """io/scene/keys.cpp solvers/strategies/auto/* solvers/strategies/coarse-to-fine/* solvers/strategies/direct/*
 solvers/strategies/stiffness-steps/* solvers/strategies/pseudo-time/* solvers/strategies/relaxed/* solvers/tension/* solvers/newton/*
-solvers/ptc/plugin.cpp solvers/ptc/implicit.cpp solvers/ptc/ptc.hpp solvers/relaxation/* framework/problem/convergence.*
+solvers/ptc/* solvers/common/round_off.hpp solvers/relaxation/* framework/problem/convergence.*
 framework/problem/assessment.* framework/problem/correction.* framework/problem/growth.* framework/problem/arnoldi.*
 framework/problem/cayley.* framework/problem/linear_motion.* framework/problem/static_problem.* framework/problem/limits.*
 framework/problem/work.*
 framework/study/running_study.* framework/study/study_host.*
 framework/study/known_stages.* framework/study/shapes.* framework/include/netloft/strategy.hpp
-framework/include/netloft/imbalance.hpp""".split()
+framework/include/netloft/imbalance.hpp framework/include/netloft/scatter.hpp""".split()
 # Methods that `auto` does not ask for, and what users ask of an analysis besides.
 NOT_ITS_OWN = {
-    "solvers/ptc/plugin.cpp": {"step", "growth", "shrink", "reach"},
     "io/scene/keys.cpp": None,
 }
 ONLY = {"io/scene/keys.cpp": {"tolerance", "max_iterations", "work"}}
@@ -69,7 +68,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "rise > 0 ?": "bisection",
         "double middle": "bisection",
         "high += 2": "Gershgorin's bound",
-        "kMostGrowth": "(5) of ptc.hpp: the curvature beyond which Euler's step leads onto what the motion leaves, halved",
+        "kMostGrowth": "(3) of ptc.hpp: the curvature beyond which Euler's step leads onto what the motion leaves, halved",
         "-0.5 * std::inner_product": "energy of a quadratic model",
         "? 2 : 0.5": "halving and doubling",
         "convex_share_": "halving and doubling",

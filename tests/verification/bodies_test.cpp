@@ -14,8 +14,6 @@
 namespace netloft::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 Vec3<double> vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
 /// A body on a rope that ends at r of its own axes, its mass at the origin; turned at the start. Nodes: top

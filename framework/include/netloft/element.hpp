@@ -106,7 +106,11 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
                       ? std::uint32_t{NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC}
                       : 0u);
     netloft_term t{};
-    t.size = sizeof t, t.traits = traits, t.name = name, t.doc = doc, t.needs = needs;
+    t.size = sizeof t;
+    t.traits = traits;
+    t.name = name;
+    t.doc = doc;
+    t.needs = needs;
     t.evaluate = &detail::evaluate_term<E, T, (traits & NETLOFT_SYMMETRIC) != 0>;
     terms_.push_back(t);
     if constexpr ((traits & NETLOFT_OF_MEMBERS) != 0) declare_members();
@@ -129,7 +133,11 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   /// A law that users choose by name under this key; `accepts` is a sum of netloft_law_kind.
   void law(const char* name, std::uint32_t accepts, const char* fallback, const char* doc) {
     netloft_law_slot l{};
-    l.size = sizeof l, l.accepts = accepts, l.name = name, l.doc = doc, l.fallback = fallback;
+    l.size = sizeof l;
+    l.accepts = accepts;
+    l.name = name;
+    l.doc = doc;
+    l.fallback = fallback;
     laws_.push_back(l);
   }
   /// This element is made wherever another one of the plugin is used, on pairs of it: bending on a rope's
@@ -139,7 +147,11 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   /// always, if there is none), else it stands where it starts. They are x, y, z of State::x's last node.
   void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
     netloft_global g{};
-    g.size = sizeof g, g.name = name, g.unit = unit, g.doc = doc, g.needs = needs;
+    g.size = sizeof g;
+    g.name = name;
+    g.unit = unit;
+    g.doc = doc;
+    g.needs = needs;
     globals_.push_back(g);
     starts_.push_back(start);
   }
@@ -149,17 +161,30 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   netloft_element descriptor() const {
     detail::OwnParameters<E>::declare(this->rows());
     netloft_element e{};
-    e.size = sizeof e, e.stencil = E::stencil, e.name = name_, e.doc = doc_;
+    e.size = sizeof e;
+    e.stencil = E::stencil;
+    e.name = name_;
+    e.doc = doc_;
     e.parameter_bytes = sizeof(Parameters);
-    e.parameter_count = static_cast<std::uint32_t>(this->rows().size()), e.parameters = this->rows().data();
-    e.datum_count = static_cast<std::uint32_t>(data_.size()), e.data = data_.data();
-    e.term_count = static_cast<std::uint32_t>(terms_.size()), e.terms = terms_.data();
-    e.output_count = static_cast<std::uint32_t>(outputs_.size()), e.outputs = outputs_.data();
-    e.laws = laws_.data(), e.law_count = static_cast<std::uint32_t>(laws_.size());
-    e.rides_on = rides_on_, e.state_width = state_width_;
-    e.globals = globals_.data(), e.global_count = static_cast<std::uint32_t>(globals_.size());
-    e.create = &create, e.destroy = &destroy, e.output = &evaluate_outputs;
-    e.member_count = member_count_, e.members = members_;
+    e.parameter_count = static_cast<std::uint32_t>(this->rows().size());
+    e.parameters = this->rows().data();
+    e.datum_count = static_cast<std::uint32_t>(data_.size());
+    e.data = data_.data();
+    e.term_count = static_cast<std::uint32_t>(terms_.size());
+    e.terms = terms_.data();
+    e.output_count = static_cast<std::uint32_t>(outputs_.size());
+    e.outputs = outputs_.data();
+    e.laws = laws_.data();
+    e.law_count = static_cast<std::uint32_t>(laws_.size());
+    e.rides_on = rides_on_;
+    e.state_width = state_width_;
+    e.globals = globals_.data();
+    e.global_count = static_cast<std::uint32_t>(globals_.size());
+    e.create = &create;
+    e.destroy = &destroy;
+    e.output = &evaluate_outputs;
+    e.member_count = member_count_;
+    e.members = members_;
     return e;
   }
 
@@ -181,18 +206,27 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     static_assert(detail::HasMembers<E>,
                   "A term of members needs a static function of the element, `std::array<Member, N> "
                   "members(const Parameters&, const Data&, double time)`.");
-    member_count_ = detail::count_members<E>(), members_ = &detail::write_members<E>;
+    member_count_ = detail::count_members<E>();
+    members_ = &detail::write_members<E>;
   }
   void add_output(const char* name, const char* unit, const char* doc, OutputFunction function,
                   OutputRole role) {
     netloft_output o{};
-    o.size = sizeof o, o.role = static_cast<std::uint32_t>(role), o.name = name, o.unit = unit, o.doc = doc;
+    o.size = sizeof o;
+    o.role = static_cast<std::uint32_t>(role);
+    o.name = name;
+    o.unit = unit;
+    o.doc = doc;
     outputs_.push_back(o);
     functions_.push_back(function);
   }
   void add_datum(const char* name, const char* unit, const char* doc, std::size_t offset, std::size_t width) {
     netloft_datum d{};
-    d.size = sizeof d, d.width = static_cast<std::uint32_t>(width), d.name = name, d.unit = unit, d.doc = doc;
+    d.size = sizeof d;
+    d.width = static_cast<std::uint32_t>(width);
+    d.name = name;
+    d.unit = unit;
+    d.doc = doc;
     data_.push_back(d);
     offsets_.push_back(offset);
   }

@@ -152,7 +152,10 @@ State<Nodes> gather(const netloft_tile& t, std::size_t lane, std::size_t of_sten
   if (t.ground) s.ground = {t.ground[0], t.ground[1], t.ground[2]};
   s.bed = beds_below<static_cast<std::size_t>(Nodes)>(t, of_stencil, lane);
   s.water = {t.water_density, t.gravity, t.water_viscosity};
-  s.time = t.time, s.cu = t.cu, s.cv = t.cv, s.ca = t.ca;
+  s.time = t.time;
+  s.cu = t.cu;
+  s.cv = t.cv;
+  s.ca = t.ca;
   s.wants_tangent = t.want & (NETLOFT_WANT_TANGENT | NETLOFT_WANT_CONVEX | NETLOFT_WANT_METRIC);
   return s;
 }
@@ -216,17 +219,24 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   MotionOf<E, T> m;
   if constexpr (is_on_body<E>) {
     static_cast<Pose<T>&>(m) = pose_of(x[0], x[1]);
-    m.v = v[0], m.omega = spin_of(x[1], v[1]);
-    m.a = a[0], m.alpha = spin_rate_of(x[1], v[1], a[1]);
+    m.v = v[0];
+    m.omega = spin_of(x[1], v[1]);
+    m.a = a[0];
+    m.alpha = spin_rate_of(x[1], v[1], a[1]);
     m.current = current[0];
-    m.current_dz = read_dual<double, N>(t.current_dz, lane, 0)[0];
+    m.current_dz = read_dual < double;
+    N > (t.current_dz, lane, 0)[0];
     m.bed = bed_below(t, 0, lane);
   } else {
-    m.x = x, m.v = v, m.a = a, m.current = current;
+    m.x = x;
+    m.v = v;
+    m.a = a;
+    m.current = current;
     m.bed = beds_below<static_cast<std::size_t>(N)>(t, E::stencil & 0xff, lane);
   }
   if (t.ground) m.ground = {t.ground[0], t.ground[1], t.ground[2]};
-  m.water = {t.water_density, t.gravity, t.water_viscosity}, m.time = t.time;
+  m.water = {t.water_density, t.gravity, t.water_viscosity};
+  m.time = t.time;
   return m;
 }
 
@@ -236,7 +246,8 @@ Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile&
   Points<T, nodes_of<E>> residual{};
   if constexpr (is_on_body<E>) {
     const auto psi = read_dual<T, nodes_of<E>>(t.x, lane, t.cu)[1];
-    residual[0] = -push.force, residual[1] = -moment_on_vector(psi, push.moment);
+    residual[0] = -push.force;
+    residual[1] = -moment_on_vector(psi, push.moment);
   } else {
     for (std::size_t n = 0; n < residual.size(); ++n) residual[n] = -push[n];
   }

@@ -94,9 +94,13 @@ class IntegratorTable : public ParameterTable<typename I::Parameters> {
   netloft_integrator descriptor() const {
     detail::OwnParameters<I>::declare(this->rows());
     netloft_integrator i{};
-    i.size = sizeof i, i.traits = traits_, i.name = name_, i.doc = doc_;
+    i.size = sizeof i;
+    i.traits = traits_;
+    i.name = name_;
+    i.doc = doc_;
     i.parameter_bytes = sizeof(Parameters);
-    i.parameter_count = static_cast<std::uint32_t>(this->rows().size()), i.parameters = this->rows().data();
+    i.parameter_count = static_cast<std::uint32_t>(this->rows().size());
+    i.parameters = this->rows().data();
     i.step = &detail::run_step<I>;
     i.order = [](const void* p) { return I::order(detail::OwnParameters<I>::from(p)); };
     i.stable_step = [](const void* p, double w) {

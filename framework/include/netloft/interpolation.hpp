@@ -166,7 +166,8 @@ class Surface {
  private:
   std::size_t at_of(std::size_t row, std::size_t column) const { return row * y_.size() + column; }
   void find_slopes() {
-    fx_.assign(f_.size(), 0.0), fy_.assign(f_.size(), 0.0);
+    fx_.assign(f_.size(), 0.0);
+    fy_.assign(f_.size(), 0.0);
     std::vector<double> line;
     for (std::size_t r = 0; r < x_.size(); ++r) {
       line.assign(f_.begin() + static_cast<std::ptrdiff_t>(at_of(r, 0)),

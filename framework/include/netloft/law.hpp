@@ -33,11 +33,21 @@ struct FlowLanes {
   void call(const netloft_bound_law& law, const netloft_tile& t, bool derivatives,
             const double* extent = nullptr) {
     netloft_flow f{};
-    f.size = sizeof f, f.count = t.count;
-    f.water_density = t.water_density, f.water_viscosity = t.water_viscosity;
-    f.flow = flow[0], f.direction = direction[0], f.diameter = diameter, f.solidity = solidity;
-    f.force = force[0], f.extent = extent;
-    if (derivatives) f.d_flow = d_flow[0], f.d_direction = d_direction[0], f.d_solidity = d_solidity[0];
+    f.size = sizeof f;
+    f.count = t.count;
+    f.water_density = t.water_density;
+    f.water_viscosity = t.water_viscosity;
+    f.flow = flow[0];
+    f.direction = direction[0];
+    f.diameter = diameter;
+    f.solidity = solidity;
+    f.force = force[0];
+    f.extent = extent;
+    if (derivatives) {
+      f.d_flow = d_flow[0];
+      f.d_direction = d_direction[0];
+      f.d_solidity = d_solidity[0];
+    }
     if (law.evaluate(law.parameters, &f) != NETLOFT_OK)
       throw std::runtime_error("the hydrodynamic law failed");
   }
@@ -55,7 +65,9 @@ void differentiate_law(const typename L::Parameters& p, const netloft_flow& f) {
       in.direction[a] = T::variable(f.direction[static_cast<std::size_t>(a) * kLanes + i], 3 + a);
     }
     in.solidity = T::variable(f.solidity[i], 6);
-    in.diameter = f.diameter[i], in.density = f.water_density, in.viscosity = f.water_viscosity;
+    in.diameter = f.diameter[i];
+    in.density = f.water_density;
+    in.viscosity = f.water_viscosity;
     const Vec3<T> force = L::force(p, in);
     for (std::size_t r = 0; r < 3; ++r) {
       const T& value = force[static_cast<int>(r)];
@@ -110,19 +122,29 @@ class LawTable : public ParameterTable<typename L::Parameters> {
   /// much of the gear it was asked there.
   void valid(Quantity quantity, double lo, double hi, const char* source, Condition condition = {}) {
     netloft_validity v{};
-    v.size = sizeof v, v.quantity = static_cast<std::uint32_t>(quantity), v.lo = lo, v.hi = hi;
-    v.source = source, v.where = condition.where, v.unless = condition.unless;
+    v.size = sizeof v;
+    v.quantity = static_cast<std::uint32_t>(quantity);
+    v.lo = lo;
+    v.hi = hi;
+    v.source = source;
+    v.where = condition.where;
+    v.unless = condition.unless;
     validity_.push_back(v);
   }
 
   netloft_law descriptor() const {
     detail::OwnParameters<L>::declare(this->rows());
     netloft_law l{};
-    l.size = sizeof l, l.kind = L::kind, l.name = name_, l.doc = doc_;
+    l.size = sizeof l;
+    l.kind = L::kind;
+    l.name = name_;
+    l.doc = doc_;
     l.parameter_bytes = sizeof(typename L::Parameters);
-    l.parameter_count = static_cast<std::uint32_t>(this->rows().size()), l.parameters = this->rows().data();
+    l.parameter_count = static_cast<std::uint32_t>(this->rows().size());
+    l.parameters = this->rows().data();
     l.evaluate = &detail::evaluate_law<L>;
-    l.validity = validity_.data(), l.validity_count = static_cast<std::uint32_t>(validity_.size());
+    l.validity = validity_.data();
+    l.validity_count = static_cast<std::uint32_t>(validity_.size());
     return l;
   }
 

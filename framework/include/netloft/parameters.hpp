@@ -39,14 +39,17 @@ class ParameterTable {
  public:
   void real(const char* name, double P::*member, const char* unit, const char* doc, Real range) {
     auto& p = add(NETLOFT_REAL, name, offset(member), unit, doc);
-    p.lo = range.lo, p.hi = range.hi, p.fallback_of = range.fallback_of;
+    p.lo = range.lo;
+    p.hi = range.hi;
+    p.fallback_of = range.fallback_of;
     p.flags |= static_cast<std::uint32_t>(range.role);
     set_fallback(p, range.fallback, range.fallback != range.fallback);
   }
   void integer(const char* name, std::int64_t P::*member, const char* doc, std::int64_t lo, std::int64_t hi,
                std::int64_t fallback) {
     auto& p = add(NETLOFT_INTEGER, name, offset(member), "1", doc);
-    p.lo = static_cast<double>(lo), p.hi = static_cast<double>(hi);
+    p.lo = static_cast<double>(lo);
+    p.hi = static_cast<double>(hi);
     set_fallback(p, static_cast<double>(fallback), false);
   }
   void boolean(const char* name, bool P::*member, const char* doc, bool fallback) {
@@ -73,9 +76,14 @@ class ParameterTable {
     auto& p = add(NETLOFT_TABLE, name, offset(member), "1", doc);
     auto& names = choices_.emplace_back();
     auto& units = choices_.emplace_back();
-    for (const auto& [column, unit] : columns) names.push_back(column), units.push_back(unit);
-    names.push_back(nullptr), units.push_back(nullptr);
-    p.columns = names.data(), p.column_units = units.data();
+    for (const auto& [column, unit] : columns) {
+      names.push_back(column);
+      units.push_back(unit);
+    }
+    names.push_back(nullptr);
+    units.push_back(nullptr);
+    p.columns = names.data();
+    p.column_units = units.data();
     if (required) p.flags |= NETLOFT_REQUIRED;
   }
   /// Samples on a grid of two arguments, the first two columns; empty if not given.
@@ -97,7 +105,12 @@ class ParameterTable {
   netloft_parameter& add(std::uint32_t kind, const char* name, std::uint32_t offset, const char* unit,
                          const char* doc) {
     netloft_parameter p{};
-    p.size = sizeof p, p.kind = kind, p.name = name, p.unit = unit, p.doc = doc, p.offset = offset;
+    p.size = sizeof p;
+    p.kind = kind;
+    p.name = name;
+    p.unit = unit;
+    p.doc = doc;
+    p.offset = offset;
     return rows_.emplace_back(p);
   }
   static void set_fallback(netloft_parameter& p, double fallback, bool required) {
@@ -138,7 +151,8 @@ class OwnParameters {
     std::sort(declared.begin(), declared.end(), [](auto& a, auto& b) { return a.offset < b.offset; });
     if (is_known_ && declared != declared_)
       throw std::logic_error("one struct is described by two tables with different parameters");
-    declared_ = std::move(declared), is_known_ = true;
+    declared_ = std::move(declared);
+    is_known_ = true;
   }
   /// What no table has described is taken as it is: the caller is the author.
   static Parameters from(const void* host) {

@@ -548,7 +548,7 @@ typedef struct netloft_stage {
   netloft_variant variant;
   const char* name;       /* what it is for, in a few words, for the report */
   const char* solver;     /* "ptc"; null: that of the analysis, with its parameters */
-  const char* parameters; /* "method=implicit,step=1"; null: none but those */
+  const char* parameters; /* "method=classic,damping=1"; null: none but those */
   double tolerance;       /* largest residual over the largest load; 0: that of the analysis */
   double work;            /* budget; 0: whatever the study has left */
   double path;            /* most that nodes may move in all, over the gear's size; 0: any */

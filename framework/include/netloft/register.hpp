@@ -48,15 +48,22 @@ class Plugin {
   const netloft_plugin* finish(const char* name, const char* version, const char* doc) {
     for (const auto& table : pending_) table->describe(*this);
     plugin_.size = sizeof plugin_;
-    plugin_.abi_major = NETLOFT_ABI_MAJOR, plugin_.abi_minor = NETLOFT_ABI_MINOR;
+    plugin_.abi_major = NETLOFT_ABI_MAJOR;
+    plugin_.abi_minor = NETLOFT_ABI_MINOR;
     plugin_.flags = NETLOFT_BUILD_FLAGS;
-    plugin_.name = name, plugin_.version = version, plugin_.doc = doc, plugin_.compiler = __VERSION__;
-    plugin_.elements = elements_.data(), plugin_.element_count = static_cast<std::uint32_t>(elements_.size());
-    plugin_.solvers = solvers_.data(), plugin_.solver_count = static_cast<std::uint32_t>(solvers_.size());
-    plugin_.laws = laws_.data(), plugin_.law_count = static_cast<std::uint32_t>(laws_.size());
-    plugin_.integrators = integrators_.data(),
+    plugin_.name = name;
+    plugin_.version = version;
+    plugin_.doc = doc;
+    plugin_.compiler = __VERSION__;
+    plugin_.elements = elements_.data();
+    plugin_.element_count = static_cast<std::uint32_t>(elements_.size());
+    plugin_.solvers = solvers_.data();
+    plugin_.solver_count = static_cast<std::uint32_t>(solvers_.size());
+    plugin_.laws = laws_.data();
+    plugin_.law_count = static_cast<std::uint32_t>(laws_.size());
+    plugin_.integrators = integrators_.data();
     plugin_.integrator_count = static_cast<std::uint32_t>(integrators_.size());
-    plugin_.strategies = strategies_.data(),
+    plugin_.strategies = strategies_.data();
     plugin_.strategy_count = static_cast<std::uint32_t>(strategies_.size());
     return &plugin_;
   }

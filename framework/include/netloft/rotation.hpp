@@ -55,9 +55,12 @@ RotationFactors<T> rotation_factors(const T& s) {
     return f;
   }
   const T phi = sqrt(s), cosine = cos(phi);
-  f.a = sin(phi) / phi, f.b = (T(1) - cosine) / s, f.c = (T(1) - f.a) / s;
+  f.a = sin(phi) / phi;
+  f.b = (T(1) - cosine) / s;
+  f.c = (T(1) - f.a) / s;
   const T da = (cosine - f.a) / (2.0 * s);
-  f.db = (0.5 * f.a - f.b) / s, f.dc = (-da - f.c) / s;
+  f.db = (0.5 * f.a - f.b) / s;
+  f.dc = (-da - f.c) / s;
   return f;
 }
 
@@ -127,16 +130,21 @@ inline Vec3<double> rotation_vector(const std::array<Vec3<double>, 3>& axes) {
   Vec3<double> q;
   double w;
   if (largest == 3) {
-    w = 1 + trace, q = {R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)};
+    w = 1 + trace;
+    q = {R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)};
   } else {
     const int i = largest, j = (i + 1) % 3, k = (i + 2) % 3;
     q[i] = 1 + R(i, i) - R(j, j) - R(k, k);
-    q[j] = R(i, j) + R(j, i), q[k] = R(i, k) + R(k, i);
+    q[j] = R(i, j) + R(j, i);
+    q[k] = R(i, k) + R(k, i);
     w = R(k, j) - R(j, k);
   }
   const double sine = norm(q);
   if (sine == 0) return {0, 0, 0};
-  if (w < 0) w = -w, q = -q;
+  if (w < 0) {
+    w = -w;
+    q = -q;
+  }
   const double phi = 2 * std::atan2(sine, w);
   return (phi / sine) * q;
 }

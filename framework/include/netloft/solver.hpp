@@ -154,9 +154,13 @@ class SolverTable : public ParameterTable<typename S::Parameters> {
   netloft_solver descriptor() const {
     detail::OwnParameters<S>::declare(this->rows());
     netloft_solver s{};
-    s.size = sizeof s, s.needs = needs_, s.name = name_, s.doc = doc_;
+    s.size = sizeof s;
+    s.needs = needs_;
+    s.name = name_;
+    s.doc = doc_;
     s.parameter_bytes = sizeof(typename S::Parameters);
-    s.parameter_count = static_cast<std::uint32_t>(this->rows().size()), s.parameters = this->rows().data();
+    s.parameter_count = static_cast<std::uint32_t>(this->rows().size());
+    s.parameters = this->rows().data();
     s.solve = &detail::run_solver<S>;
     return s;
   }

@@ -33,14 +33,11 @@ namespace netloft {
 
 using Displacements = std::vector<double>;  // of the unknowns of a level [m]
 
-/// Every unknown moved by up to `amplitude` [m], by fractions of multiples of the golden ratio, which no
-/// symmetry survives; the same on every machine, another one for every `turn`.
+/// Every unknown moved by up to `amplitude` [m], which no symmetry survives; the same on every machine,
+/// another one for every `turn`.
 inline Displacements perturbed(Displacements u, double amplitude, int turn = 0) {
-  constexpr double kGolden = 0.61803398874989485, kSilver = 0.41421356237309505;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const double multiple = kGolden * static_cast<double>(i + 1) + kSilver * turn;
-    u[i] += amplitude * (2 * (multiple - std::floor(multiple)) - 1);
-  }
+  constexpr double kSilver = 0.41421356237309505;  // of the silver ratio, by whose multiples rows differ
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += amplitude * scattered(i, kSilver * turn);
   return u;
 }
 
@@ -63,7 +60,7 @@ struct Ask {
   const char* name = "";  // what it is for, in a few words, for the report
   Variant variant{};
   const char* solver = nullptr;      // null: that of the analysis, with its parameters
-  const char* parameters = nullptr;  // "method=implicit,step=1"
+  const char* parameters = nullptr;  // "method=classic,damping=1"
   double tolerance = 0;              // 0: that of the analysis
   double work = 0;                   // 0: whatever is left
   double path = 0;                   // most that nodes may move in all, over the gear's size; 0: any
@@ -210,10 +207,15 @@ class Study {
   netloft_stage stage_of(const Ask& ask, Displacements& u) const {
     netloft_stage stage{};
     stage.size = sizeof stage, stage.flags = ask.compensated ? std::uint32_t{NETLOFT_COMPENSATED} : 0u;
-    stage.variant = ask.variant.c(), stage.name = ask.name;
-    stage.solver = ask.solver, stage.parameters = ask.parameters;
-    stage.tolerance = ask.tolerance, stage.work = ask.work, stage.path = ask.path;
-    stage.iterations = ask.iterations, stage.u = u.data();
+    stage.variant = ask.variant.c();
+    stage.name = ask.name;
+    stage.solver = ask.solver;
+    stage.parameters = ask.parameters;
+    stage.tolerance = ask.tolerance;
+    stage.work = ask.work;
+    stage.path = ask.path;
+    stage.iterations = ask.iterations;
+    stage.u = u.data();
     return stage;
   }
 
@@ -223,11 +225,18 @@ class Study {
     netloft_stage s = stage_of(ask, u);
     check(call(s));
     Stage stage;
-    stage.u = std::move(u), stage.ending = static_cast<Ending>(s.ending);
+    stage.u = std::move(u);
+    stage.ending = static_cast<Ending>(s.ending);
     stage.stability = static_cast<int>(s.stability);
-    stage.residual = s.residual, stage.load = s.load, stage.energy = s.energy, stage.rounding = s.rounding;
-    stage.spent = s.spent, stage.iterations = s.iterations_done, stage.factorisations = s.factorisations;
-    stage.growth_rate = s.growth_rate, stage.growth_frequency = s.growth_frequency;
+    stage.residual = s.residual;
+    stage.load = s.load;
+    stage.energy = s.energy;
+    stage.rounding = s.rounding;
+    stage.spent = s.spent;
+    stage.iterations = s.iterations_done;
+    stage.factorisations = s.factorisations;
+    stage.growth_rate = s.growth_rate;
+    stage.growth_frequency = s.growth_frequency;
     if (s.growing) stage.growing.assign(s.growing, s.growing + stage.u.size());
     return stage;
   }
@@ -282,25 +291,32 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
 
   /// Empty only where that is the default.
   void strategy(const char* name, Word member, const char* doc, const char* fallback) {
-    this->text(name, member, doc, fallback), last_row().unit = "strategy";
+    this->text(name, member, doc, fallback);
+    last_row().unit = "strategy";
   }
   void solver(const char* name, Word member, const char* doc, const char* fallback) {
-    this->text(name, member, doc, fallback), last_row().unit = "solver";
+    this->text(name, member, doc, fallback);
+    last_row().unit = "solver";
   }
   /// Any number of `words`, with a plus between two; none by default.
   void several(const char* name, Word member, const char* doc, std::vector<const char*> words) {
-    this->text(name, member, doc, ""), words.push_back(nullptr);
+    this->text(name, member, doc, "");
+    words.push_back(nullptr);
     last_row().choices = words_.emplace_back(std::move(words)).data();
   }
 
   netloft_strategy descriptor() const {
     detail::OwnParameters<S>::declare(this->rows());
     netloft_strategy s{};
-    s.size = sizeof s, s.needs = needs_, s.name = name_, s.doc = doc_;
+    s.size = sizeof s;
+    s.needs = needs_;
+    s.name = name_;
+    s.doc = doc_;
     s.parameter_bytes = sizeof(typename S::Parameters);
     rows_ = this->rows();
     for (const auto& [at, row] : described_) rows_[at] = row;
-    s.parameter_count = static_cast<std::uint32_t>(rows_.size()), s.parameters = rows_.data();
+    s.parameter_count = static_cast<std::uint32_t>(rows_.size());
+    s.parameters = rows_.data();
     s.run = &detail::run_strategy<S>;
     if constexpr (requires(const typename S::Parameters& p, Study& study) { S::explain(p, study); })
       s.explain = &detail::explain_strategy<S>;

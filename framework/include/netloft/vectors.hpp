@@ -3,6 +3,8 @@
 // Sums over vectors of unknowns, for authors of solvers and strategies. Every sum is taken in one fixed
 // order, so that results are the same on every machine.
 #pragma once
+#include <netloft/scatter.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -45,15 +47,9 @@ inline void add_scaled(std::span<const double> x, double a, std::span<const doub
   for (std::size_t i = 0; i < z.size(); ++i) z[i] = x[i] + a * y[i];
 }
 
-/// Fills x with numbers in [−1, 1) that have a component in every direction one meets, without a random
-/// generator: xᵢ = 2 frac((i + 1) φ) − 1, where φ is the golden ratio, whose multiples spread most evenly
-/// (H. Weyl, Math. Ann. 77, 1916).
+/// Fills x with numbers in [−1, 1) that have a component in every direction one meets.
 inline void scatter(std::span<double> x) {
-  constexpr double kGolden = 0.61803398874989485;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double multiple = kGolden * static_cast<double>(i + 1);
-    x[i] = 2 * (multiple - std::floor(multiple)) - 1;
-  }
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = scattered(i);
 }
 
 }  // namespace netloft

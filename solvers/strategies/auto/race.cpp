@@ -15,12 +15,6 @@ namespace {
 /// g of (1): the price of what succeeds is least with it.
 constexpr double kGrowth = 2;
 
-double largest_of(std::span<const double> v) {
-  double largest = 0;
-  for (const double x : v) largest = std::max(largest, std::abs(x));
-  return largest;
-}
-
 /// Of an element, how far beside a point to begin that a solver cannot leave: small, for an element may be a
 /// whole warp, and by one it would be another start.
 constexpr double kBeside = 1e-3;
@@ -65,11 +59,11 @@ Displacements beside(Study& study, const Stage& saddle, const Ask& ask, int side
 }  // namespace
 
 Race::Race(Study& study, const Options& options)
-    : study_(study), options_(options), budget_(study.work_left()), start_(start_with_forces(study)) {}
+    : study_(study), options_(options), budget_(study), start_(start_with_forces(study)) {}
 
 Stage Race::run() {
   for (const Attempt& attempt : attempts_for(study_, options_)) runners_.push_back({attempt});
-  const auto is_out = [](const Runner& r) { return r.is_out; };
+  const auto is_out = [](const Runner& r) { return r.fate == Fate::out; };
   for (double slice = options_.slice; !is_decided() && !std::all_of(runners_.begin(), runners_.end(), is_out);
        slice *= kGrowth)
     run_round(slice);
@@ -79,54 +73,51 @@ Stage Race::run() {
 void Race::run_round(double slice) {
   for (Runner& runner : runners_) {
     if (is_decided()) return;
-    if (!runner.is_out) run_slice(runner, slice);
-    if (runner.is_near && !is_decided()) run_slice(runner, kGrowth * slice);
+    if (runner.fate == Fate::out) continue;
+    run_slice(runner, slice);
+    if (runner.fate == Fate::again_at_once && !is_decided()) run_slice(runner, kGrowth * slice);
   }
 }
 
-bool Race::is_decided() const { return best_.has_converged() || study_.work_left() <= over_at_; }
+bool Race::is_decided() const { return best_.has_converged() || budget_.is_used_up(); }
 
 void Race::run_slice(Runner& runner, double slice) {
-  const double work = std::min(slice, study_.work_left() - over_at_);
+  const double work = std::min(slice, budget_.left());
   const Attempt& attempt = runner.attempt;
   Stage stage =
       study_.call(attempt.strategy, attempt.parameters, {.name = attempt.name, .work = work}, start_);
   const bool is_near = stage.was_cut_off() && stage.has_forces() && stage.imbalance() <= kOnlyAStart;
-  const double left = study_.work_left();
-  stage = off_saddle(std::move(stage), work);
-  runner.is_out = !stage.was_cut_off() && left - study_.work_left() < work;
-  runner.is_near = is_near;
-  if (stage.flutters()) look_on_for_as_much_again();
+  const Budget beyond = budget_.split(work);
+  stage = off_saddle(std::move(stage), beyond);
+  const bool is_out = !stage.was_cut_off() && beyond.spent() < work;
+  runner.fate = is_out ? Fate::out : is_near ? Fate::again_at_once : Fate::again;
+  // Looks on for as much work again as the race has cost when it first met an equilibrium about which the
+  // gear swings.
+  if (stage.flutters()) budget_.end_after(budget_.spent());
   keep_better(with_compensated_positions(std::move(stage)));
-}
-
-/// Ends the race after as much work again as it has cost when it first met an equilibrium about which the
-/// gear swings.
-void Race::look_on_for_as_much_again() {
-  const double spent = budget_ - study_.work_left();
-  if (over_at_ == 0) over_at_ = std::max(0.0, study_.work_left() - spent);
 }
 
 /// From an unstable equilibrium to one side, and if that does not converge, to the other. Where that leads to
 /// an unstable one that was not met before, both sides of that one are tried instead. What flutters is left
 /// alone: the motion comes back to it from either side.
-Stage Race::off_saddle(Stage saddle, double work) {
-  const double end = std::max(over_at_, study_.work_left() - work);
-  const auto ask = [&] {
-    return Ask{.name = "off an unstable equilibrium", .work = study_.work_left() - end};
-  };
+Stage Race::off_saddle(Stage saddle, const Budget& budget) {
+  const auto ask = [&] { return Ask{.name = "off an unstable equilibrium", .work = budget.left()}; };
   std::vector<Displacements> met{saddle.u};
   for (int side = 0; side < 2 && saddle.ending == Ending::unstable && !saddle.flutters(); ++side) {
-    if (study_.work_left() <= end) break;
+    if (budget.is_used_up()) break;
     const Displacements start = beside(study_, saddle, ask(), side);
-    if (study_.work_left() <= end) break;
+    if (budget.is_used_up()) break;
     Stage next = study_.call("direct", "", ask(), start);
     if (next.has_converged()) return next;
     const bool is_another = next.ending == Ending::unstable &&
                             std::none_of(met.begin(), met.end(), [&](const Displacements& one) {
                               return is_one_place(study_, one, next.u);
                             });
-    if (is_another) saddle = std::move(next), met.push_back(saddle.u), side = -1;
+    if (is_another) {
+      saddle = std::move(next);
+      met.push_back(saddle.u);
+      side = -1;
+    }
   }
   return saddle;
 }

@@ -2,9 +2,30 @@
 #pragma once
 #include "solvers/strategies/auto/attempts.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace netloft::automatic {
+
+/// Work of a study, or a part of it, from now on.
+class Budget {
+ public:
+  explicit Budget(Study& study, double end = 0) : study_(study), begun_(study.work_left()), end_(end) {}
+
+  double spent() const { return begun_ - study_.work_left(); }
+  double left() const { return study_.work_left() - end_; }
+  bool is_used_up() const { return left() <= 0; }
+  /// At most so much of what is left.
+  Budget split(double work) const { return Budget(study_, std::max(end_, study_.work_left() - work)); }
+  /// Ends after so much more work, unless it has been given an end before.
+  void end_after(double work) {
+    if (end_ == 0) end_ = std::max(0.0, study_.work_left() - work);
+  }
+
+ private:
+  Study& study_;
+  double begun_, end_;  // work left when it began, and at which it is used up
+};
 
 /// Attempts run in slices of work, all of one length before any of the next longer one but for what is nearly
 /// in balance:
@@ -22,24 +43,23 @@ class Race {
   Stage run();
 
  private:
+  /// `again_at_once`: it was cut off where the scene is nearly in balance.
+  enum class Fate { out, again, again_at_once };
   struct Runner {
     Attempt attempt;
-    bool is_out = false;   // not tried again
-    bool is_near = false;  // cut off where the scene is nearly in balance
+    Fate fate = Fate::again;
   };
 
   void run_round(double slice);
   void run_slice(Runner& runner, double slice);
-  Stage off_saddle(Stage saddle, double work);
+  Stage off_saddle(Stage saddle, const Budget& budget);
   Stage with_compensated_positions(Stage stage);
-  void look_on_for_as_much_again();
   void keep_better(Stage stage);
   bool is_decided() const;
 
   Study& study_;
   const Options& options_;
-  double budget_;       // work that was left when the race began
-  double over_at_ = 0;  // work left at which the race is over
+  Budget budget_;
   Displacements start_;
   std::vector<Runner> runners_;
   Stage best_;  // of those that are stationary

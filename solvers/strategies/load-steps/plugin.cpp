@@ -18,9 +18,11 @@ struct LoadSteps {
     double fraction = 0;
     for (double step = p.step; fraction + step < 1 && study.work_left() > 0;) {
       Stage stage = solve_at(study, fraction + step, u);
-      if (stage.is_stationary())
-        fraction += step, u = std::move(stage.u), step *= 2;
-      else if ((step *= 0.5) < p.shortest)
+      if (stage.is_stationary()) {
+        fraction += step;
+        u = std::move(stage.u);
+        step *= 2;
+      } else if ((step *= 0.5) < p.shortest)
         return study.decline("steps of the current became too short");
     }
     if (study.work_left() == 0) return;

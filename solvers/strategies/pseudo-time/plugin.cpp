@@ -20,10 +20,9 @@ struct PseudoTime {
 
   static void run(const Parameters& p, Study& study) {
     const Specification by = specification_of(p.solver);
-    const std::string parameters = "method=implicit" + (by.parameters.empty() ? "" : "," + by.parameters);
     const Stage motion = study.solve({.name = "motion",
                                       .solver = by.name.c_str(),
-                                      .parameters = parameters.c_str(),
+                                      .parameters = by.parameters.c_str(),
                                       .path = p.path,
                                       .iterations = kAsManyAsItTakes},
                                      study.start());
@@ -44,7 +43,7 @@ NETLOFT_PLUGIN("pseudo-time", "0.1.0", "Along a motion to where it comes to rest
   auto& s = plugin.strategy<PseudoTime>(
       "pseudo-time", "Along the motion that the linear stiffness resists, to where it comes to rest");
   using P = PseudoTime::Parameters;
-  s.solver("solver", &P::solver, "solver that follows the motion; takes method=implicit", "ptc");
+  s.solver("solver", &P::solver, "solver that follows the motion", "ptc");
   s.real("path", &P::path, "1",
          "what has gone so many times the gear's size does not come to rest: motions of hard cases that did "
          "had gone up to 6.3 times that, most others 20 to 80 times",

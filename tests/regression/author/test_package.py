@@ -46,7 +46,7 @@ class Package(WithInstallation):
         for library in ("libc6 (>=", "libstdc++6 (>=", "libmetis"):  # those of SuiteSparse and BLAS are archives
             self.assertIn(library, depends)
         self.assertEqual(self.field("Package"), "netloft")
-        for library in ("petsc", "sundials", "gtest", "cholmod", "blas"):
+        for library in ("sundials", "gtest", "cholmod", "blas"):
             self.assertNotIn(library, depends)
 
     def test_names_no_folder_of_the_machine_it_was_built_on(self):

@@ -37,7 +37,7 @@ COARSER = (
     (r"^(netloft stability .*)", r"\1 --seconds-per-case 0.2"),
     (r"^(netloft run .*(scene|panel)\.toml)", r"\1 --set parts.net.cells=[8,8]"),
     (r"^(netloft run .*panel-in-current\.toml).*", r"\1 --set parts.net.cells=[8,8] --set analysis.duration=0.5"))
-NEED = ("arkode", "kinsol", "snes", "ts")  # built only where their libraries are
+NEED = ("arkode", "kinsol")  # built only where their libraries are
 
 
 def commands_of(text):

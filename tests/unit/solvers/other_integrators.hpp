@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of time schemes of other libraries (arkode, ts) share.
+// What the tests of time schemes of other libraries (arkode) need.
 #pragma once
 #include <gtest/gtest.h>
 

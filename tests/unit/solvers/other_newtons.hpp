@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of Newtons of other libraries (kinsol, snes) share.
+// What the tests of Newtons of other libraries (kinsol) need.
 #pragma once
 #include <gtest/gtest.h>
 

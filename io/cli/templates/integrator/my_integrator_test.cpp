@@ -23,9 +23,19 @@ int main() {
   const double u[1] = {1}, v[1] = {0}, a[1] = {-1};
   double u1[1], v1[1], a1[1], error[1];
   netloft_motion m{};
-  m.size = sizeof m, m.unknowns = 1, m.t = 0, m.h = 1;
-  m.u = u, m.v = v, m.a = a, m.u_new = u1, m.v_new = v1, m.a_new = a1, m.error = error;
-  m.solve = solve, m.scratch = scratch;
+  m.size = sizeof m;
+  m.unknowns = 1;
+  m.t = 0;
+  m.h = 1;
+  m.u = u;
+  m.v = v;
+  m.a = a;
+  m.u_new = u1;
+  m.v_new = v1;
+  m.a_new = a1;
+  m.error = error;
+  m.solve = solve;
+  m.scratch = scratch;
   netloft::Motion motion(m);
   MyIntegrator::step(MyIntegrator::Parameters{.damping = 0}, motion);
   const double by_hand[3] = {0.6, -0.8, -0.6};  // (1 - 1/4)/(1 + 1/4), -(1 + 0.6)/2, -u; 0.6^2 + 0.8^2 = 1

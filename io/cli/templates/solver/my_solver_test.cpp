@@ -9,7 +9,10 @@ namespace {
 
 int evaluate(void*, std::uint32_t, const double* u, double* energy, double* r) {
   if (energy) *energy = u[0] * u[0] - u[0] * u[1] + u[1] * u[1] - u[0] - 2 * u[1];
-  if (r) r[0] = 2 * u[0] - u[1] - 1, r[1] = 2 * u[1] - u[0] - 2;
+  if (r) {
+    r[0] = 2 * u[0] - u[1] - 1;
+    r[1] = 2 * u[1] - u[0] - 2;
+  }
   return NETLOFT_OK;
 }
 double diagonal = 0;  // of the matrix (2, -1; -1, 2), shifted by so many of itself
@@ -20,7 +23,8 @@ int factorise(void*, int, double shift) {
 int solve(void*, const double* b, double* x) {
   const double determinant = 0.75 * diagonal * diagonal;
   const double first = (diagonal * b[0] + diagonal / 2 * b[1]) / determinant;
-  x[1] = (diagonal * b[1] + diagonal / 2 * b[0]) / determinant, x[0] = first;
+  x[1] = (diagonal * b[1] + diagonal / 2 * b[0]) / determinant;
+  x[0] = first;
   return NETLOFT_OK;
 }
 int progress(void*, const double*, double, const double* r, const char*) {
@@ -32,8 +36,14 @@ int progress(void*, const double*, double, const double* r, const char*) {
 int main() {
   double u[2] = {0, 0};
   netloft_problem p{};
-  p.size = sizeof p, p.unknowns = 2, p.traits = NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC, p.u = u;
-  p.evaluate = evaluate, p.factorise = factorise, p.solve = solve, p.progress = progress;
+  p.size = sizeof p;
+  p.unknowns = 2;
+  p.traits = NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC;
+  p.u = u;
+  p.evaluate = evaluate;
+  p.factorise = factorise;
+  p.solve = solve;
+  p.progress = progress;
   netloft::Problem problem(p);
   MySolver::solve(MySolver::Parameters{.damping = 0.1, .overshoot = 0.5}, problem);
   const double by_hand[2] = {4.0 / 3, 5.0 / 3};  // 2 a - b = 1, 2 b - a = 2

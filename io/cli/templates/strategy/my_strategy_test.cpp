@@ -31,8 +31,13 @@ int take_answer(void*, const double* u) {
 
 int main() {
   netloft_study s{};
-  s.size = sizeof s, s.unknowns = s.levels = 1, s.stiffness = 100;
-  s.size_of = size_of, s.work_left = work_left, s.solve = solve, s.answer = take_answer;
+  s.size = sizeof s;
+  s.unknowns = s.levels = 1;
+  s.stiffness = 100;
+  s.size_of = size_of;
+  s.work_left = work_left;
+  s.solve = solve;
+  s.answer = take_answer;
   netloft::Study study(s);
   MyStrategy::run(MyStrategy::Parameters{.softest = 1e-3, .factor = 10}, study);
   const double by_hand = 0.01;  // 1 N over 100 N/m; at once, then 0.1, 1, 10 and 100 N/m

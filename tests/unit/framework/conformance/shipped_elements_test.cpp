@@ -21,14 +21,11 @@ const fs::path kFolder = netloft::test::build_folder() + "/lib/netloft";
 
 bool runs_v3() { return netloft::best_build(kFolder, "rope").parent_path() != kFolder; }
 
-/// MPI, which PETSc starts, has a thread of its own.
-bool starts_threads(const std::string& plugin) { return plugin == "snes" || plugin == "ts"; }
-
 /// All shipped plugins.
 std::vector<std::string> shipped() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(kFolder)) {
-    if (entry.path().extension() != ".so" || starts_threads(entry.path().stem())) continue;
+    if (entry.path().extension() != ".so") continue;
     const auto content = netloft::open_library(entry.path());
     if (!content.elements.empty() || !content.laws.empty() || !content.solvers.empty() ||
         !content.integrators.empty() || !content.strategies.empty())

@@ -321,7 +321,7 @@ TEST(AStudy, LetsTheUsersOwnParametersHoldOverThoseOfTheStrategy) {
   EXPECT_GT(each_step, 5);
   EXPECT_LT(iterations_of_named_solver({{"relaxation/relaxation", {{"steps", std::int64_t{1000}}}}}),
             each_step);
-  EXPECT_EQ(iterations_of_named_solver({{"ptc/ptc", {{"step", 1.0}}}}), each_step)
+  EXPECT_EQ(iterations_of_named_solver({{"ptc/ptc", {{"solved", 0.1}}}}), each_step)
       << "that of another solver";
 }
 

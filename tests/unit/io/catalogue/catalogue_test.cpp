@@ -42,6 +42,19 @@ TEST(Catalogue, DensityGivesTheWeightInWaterOfTheMaterial) {
   EXPECT_NEAR((numbers.at("density") - 1025) * round, in_water, 1e-15);
 }
 
+TEST(Catalogue, TheWeightInWaterOfAMetreIsOneInStandardGravity) {
+  TestFolder folder;
+  folder.write("ropes.toml",
+               "[rope.ground]\ndiameter = \"20 mm\"\nEA = 1e6\nweight_in_water = \"28 N/m\"\nsource = \"s\"\n"
+               "uncertainty = \"u\"\n");
+  Diagnostics d;
+  const Catalogue catalogue = load(folder, d);
+  ASSERT_EQ(d.errors(), 0) << d.render(false);
+  const double round = std::numbers::pi / 4 * 0.02 * 0.02;
+  EXPECT_NEAR((catalogue.find("ground", {"rope"})->numbers.at("density") - 1025) * round * 9.80665, 28,
+              1e-12);
+}
+
 TEST(Catalogue, TheFolderNamedFirstCounts) {
   TestFolder own, library;
   own.write("mine.toml", std::string(kTwine).replace(std::string(kTwine).find("2 mm"), 4, "3 mm"));

@@ -47,12 +47,6 @@ TEST(CuttingRate, AddsUpWholeCyclesExactly) {
   EXPECT_EQ(parse_rate("5B1P")->deep(50), 70);
 }
 
-/// Five bars and one point are five times half a mesh and one mesh of twine.
-TEST(CuttingRate, MeasuresTheTwineAlongIt) {
-  EXPECT_DOUBLE_EQ(parse_rate("5B1P")->stretched_per_cycle(), 3.5);
-  EXPECT_DOUBLE_EQ(parse_rate("5B1M")->stretched_per_cycle(), 3.5);
-}
-
 TEST(CuttingRate, ABlurredLetterHidesFewRates) {
   const auto near = rates_near("381M");
   EXPECT_EQ(near, std::vector<std::string>{"3B1M"});

@@ -57,12 +57,6 @@ TEST(Variable, LetsSeveralKeysGoTogether) {
   EXPECT_EQ(r.in.error(), "");
   EXPECT_EQ(r.variable.overrides(r.variable.values[0]), (Words{"bed.depth=20 m", "end.at[2]=-19.5 m"}));
 }
-TEST(Variable, KnowsThePlacesOfItsKeys) {
-  const Read r("key = [\"a\", \"b\"]\nvalues = [1]");
-  const auto places = places_of_keys({r.variable});
-  ASSERT_EQ(places.size(), 2u);
-  EXPECT_EQ(places.at("b").line, 1);
-}
 TEST(Variable, ReadsNumbersInItsUnit) {
   Read r("key = \"a\"\nrange = [\"1 m\", \"2 m\"]");
   Input in("mean = \"150 cm\"\nother = 3");
