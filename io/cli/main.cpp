@@ -29,7 +29,6 @@ constexpr Command kCommands[] = {
     {"diff", diff_command},
     {"refine", refine_command, true},
     {"scope", scope_command, true},
-    {"stability", stability_command, true},
     {"study", study_command, true},
     {"calibrate", calibrate_command, true},
     {"new", new_command},
