@@ -3,7 +3,7 @@
 # build folder has the same layout, so that find_package(netloft) and `netloft --cflags` work there, too.
 #
 #   bin/netloft   include/netloft/   lib/netloft/ (plugins)   lib/cmake/netloft/
-#   share/netloft/gear-library/, suites/stability/   share/doc/netloft/ (guides, reference with the schema of scenes, licence)
+#   share/netloft/gear-library/   share/doc/netloft/ (guides, reference with the schema of scenes, licence)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME netloft)
 set(NETLOFT_CMAKE_DIR lib/cmake/netloft)
 
@@ -37,7 +37,6 @@ endif()
 install(DIRECTORY framework/include/netloft DESTINATION include)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/${NETLOFT_CMAKE_DIR}/ DESTINATION ${NETLOFT_CMAKE_DIR})
 install(DIRECTORY gear-library DESTINATION share/netloft)
-install(DIRECTORY tests/stability DESTINATION share/netloft/suites)
 install(DIRECTORY framework/guides DESTINATION share/doc/netloft PATTERN README.md EXCLUDE)
 install(DIRECTORY ${netloft_reference} DESTINATION share/doc/netloft)
 install(FILES LICENSE DESTINATION share/doc/netloft RENAME copyright)

@@ -39,7 +39,7 @@ struct Watch {
 };
 
 /// A scene on its way from a file to an answer: read, planned, assembled, solved. What `run`, `plan`,
-/// `compare` and `stability` share. Not movable: the assembler stands on the scene.
+/// `compare` and the suite of hard cases share. Not movable: the assembler stands on the scene.
 class Case {
  public:
   enum class State { ready, wrong_input, refused };

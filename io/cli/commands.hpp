@@ -18,7 +18,6 @@ int compare_command(const Options& options);    // speed against error of solver
 int diff_command(const Options& options);       // what changed between two results
 int refine_command(const Options& options);     // what a scene reports on finer and finer meshes
 int scope_command(const Options& options);      // lengths of warp for depths
-int stability_command(const Options& options);  // solvers on hard cases
 int calibrate_command(const Options& options);  // parameters of scenes out of measurements
 int study_command(const Options& options);      // many solves of one scene, varied
 int new_command(const Options& options);        // write a plugin to begin with

@@ -2,7 +2,6 @@
 #pragma once
 #include "io/cli/compare_options.hpp"
 #include "io/cli/scope_options.hpp"
-#include "io/cli/stability_options.hpp"
 #include "io/cli/study_options.hpp"
 
 #include <cstdint>
@@ -57,7 +56,6 @@ struct Options {
   PictureOptions picture;          // of view and draw
   CompareOptions compare;          // of that command alone
   ScopeOptions scope;              // of that command alone
-  StabilityOptions stability;      // of that command alone
   StudyCommandOptions study;       // of that command alone
   std::vector<std::string> words;  // the command line as given
   std::vector<std::string> given;  // long names of the options in it: "--field"

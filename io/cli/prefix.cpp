@@ -8,10 +8,6 @@ std::filesystem::path installed_prefix() {
   return std::filesystem::read_symlink("/proc/self/exe", none).parent_path().parent_path();
 }
 
-std::filesystem::path installed_data(const std::string& name) {
-  return installed_prefix() / "share" / "netloft" / name;
-}
-
 /// As in cmake/NetloftPlugin.cmake.
 std::string compiler_flags() {
   const std::string prefix = installed_prefix().string();

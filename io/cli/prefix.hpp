@@ -9,9 +9,6 @@ namespace netloft::io {
 /// folder is laid out in the same way.
 std::filesystem::path installed_prefix();
 
-/// A folder of data that is installed with the program, such as "gear-library": share/netloft/NAME.
-std::filesystem::path installed_data(const std::string& name);
-
 /// What to say to a C++ compiler between its name and the sources: `c++ $(netloft --cflags) otter.cpp -o
 /// otter.so`.
 std::string compiler_flags();

@@ -3,11 +3,11 @@
 # Runs the suite of hard cases with one thread, with two, and beside processes that keep the machine busy, and compares stages and
 # answers of every case, but for times.
 #
-#   determinism.sh NETLOFT SUITE [WORDS OF NETLOFT STABILITY…]
+#   determinism.sh HARD_CASES SUITE [WORDS OF HARD_CASES…]
 #
 # such as --strategy auto --size small --case rope/. Prints the cases that differ; exit 1 if there are any.
 set -eu
-netloft=$1
+hard_cases=$1
 suite=$2
 shift 2
 folder=$(mktemp -d)
@@ -19,7 +19,7 @@ trap 'exit 1' INT TERM HUP  # sh runs the trap of EXIT after a signal only where
 run() {
   out=$1
   shift
-  "$netloft" stability "$suite" --json "$@" >"$folder/$out.json" 2>/dev/null || [ $? -eq 3 ]
+  "$hard_cases" "$suite" --json "$@" >"$folder/$out.json" 2>/dev/null || [ $? -eq 3 ]
 }
 
 run alone --threads 1 "$@"

@@ -11,9 +11,11 @@ import argparse
 import json
 import math
 import re
+import shutil
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 LITTLE = 0.05  # of the work: machines and draws differ by more
 DONE, NOT_ALL_RIGHT = 0, 3
@@ -68,17 +70,18 @@ class Bench:
     def __init__(self, words):
         self.words = words
 
-    def netloft(self, *arguments):
-        ended = subprocess.run([self.words.netloft, *arguments], capture_output=True, text=True, check=False)
+    @staticmethod
+    def answer(program, *arguments):
+        ended = subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
         if ended.returncode not in (DONE, NOT_ALL_RIGHT):
-            raise SystemExit(f"netloft {' '.join(arguments)}: exit {ended.returncode}\n{ended.stderr}")
+            raise SystemExit(f"{program} {' '.join(arguments)}: exit {ended.returncode}\n{ended.stderr}")
         return json.loads(ended.stdout)
 
     def parameters(self):
         """Numbers of all components that were named, and what of them is none."""
         numbers, others = [], []
         for component in self.words.of:
-            for described in self.netloft("describe", component, "--json")["parameters"]:
+            for described in self.answer(self.words.netloft, "describe", component, "--json")["parameters"]:
                 described["default"] = str(described.get("default", ""))
                 if is_number(described):
                     numbers.append(Parameter(component, described))
@@ -88,7 +91,7 @@ class Bench:
 
     def run(self, setting=None):
         w = self.words
-        arguments = ["stability", w.suite, "--strategy", w.strategy, "--draw", str(w.draw), "--size", w.size, "--json"]
+        arguments = [w.suite, "--strategy", w.strategy, "--draw", str(w.draw), "--size", w.size, "--json"]
         if w.case:
             arguments += ["--case", w.case]
         if w.work:
@@ -97,7 +100,7 @@ class Bench:
             arguments += ["--seconds-per-case", str(w.seconds_per_case)]
         if setting:
             arguments += ["--set", setting]
-        return Outcome(self.netloft(*arguments))
+        return Outcome(self.answer(w.hard_cases, *arguments))
 
     def row(self, parameter, base):
         half, double = (self.run(parameter.setting(v)) if v else None for v in map(parameter.scaled, (0.5, 2)))
@@ -119,7 +122,7 @@ def note(base, *others):
 
 def parse(arguments):
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    p.add_argument("netloft", help="the program")
+    p.add_argument("netloft", help="the program; hard_cases stands beside it")
     p.add_argument("suite", help="folder of the suite: tests/stability")
     p.add_argument("--draw", type=int, required=True, help="number of a draw that nothing was chosen by")
     p.add_argument("--of", action="append", help="component whose numbers are changed; the strategy that is run, what it calls, or its solver; may be repeated")
@@ -131,6 +134,7 @@ def parse(arguments):
     p.add_argument("--jobs", type=int, default=1, help="runs at a time; budgets in seconds want one")
     words = p.parse_args(arguments)
     words.of = words.of or [words.strategy]
+    words.hard_cases = Path(shutil.which(words.netloft) or words.netloft).with_name("hard_cases")
     return words
 
 

@@ -19,7 +19,6 @@ void add_commands(CLI::App& app, Options& o) {
   add_refine_command(app, o);
   add_scope_command(app, o);
   add_import_command(app, o);
-  add_stability_command(app, o);
   add_study_command(app, o);
   add_calibrate_command(app, o);
   app.require_subcommand(1);

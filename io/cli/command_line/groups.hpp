@@ -14,7 +14,6 @@ void add_scope_command(CLI::App& app, Options& o);
 
 // methods.cpp
 void add_compare_command(CLI::App& app, Options& o);
-void add_stability_command(CLI::App& app, Options& o);
 
 // plugins.cpp
 void add_component_commands(CLI::App& app, Options& o);  // list, describe, schema

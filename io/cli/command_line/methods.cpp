@@ -4,8 +4,6 @@
 #include "io/cli/command_line/groups.hpp"
 #include "io/cli/command_line/shared.hpp"
 
-#include <limits>
-
 namespace netloft::io {
 
 namespace {
@@ -46,39 +44,6 @@ void add_compare_command(CLI::App& app, Options& o) {
       ->check(CLI::Range(1, 1000));
   command->add_option("--csv", c.csv, "write the tables as comma-separated values")->type_name("FILE.csv");
   command->add_option("--plot", c.plot, "draw work over precision")->type_name("FILE.svg|FILE.html");
-}
-
-void add_stability_command(CLI::App& app, Options& o) {
-  StabilityOptions& s = o.stability;
-  auto* command = app.add_subcommand(
-      "stability", "run strategies and solvers on the suite of hard cases, and print how they did");
-  command->add_option("SUITE", s.suite,
-                      "folder of the suite; else tests/stability here, or the installed one");
-  as_words(
-      command->add_option("--strategy", s.strategies, "strategy; may be repeated, and stand beside solvers"),
-      kMethod);
-  as_words(command->add_option("--without", s.without,
-                               "leave out an attempt of the strategy auto; may be repeated"),
-           "PART");
-  add_set_option(*command, o, "a value of every scene: analysis.newton.damping=0.1");
-  as_words(command->add_option("--solver", s.solvers, "solver, as run takes it; may be repeated"), kMethod);
-  command->add_option("--size", s.sizes, "about 200, 800 and 12000 unknowns; else small,medium")
-      ->check(CLI::IsMember({"small", "medium", "large"}))
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--case", s.pattern, "only cases whose name contains this")->type_name("TEXT");
-  command->add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
-  command->add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
-      ->check(numbers_between(0.001, 1e6));
-  command
-      ->add_option("--work", s.work, "for one case, in iterations of Newton's method for its scene; else any")
-      ->check(numbers_between(1.0, 1e9));
-  command->add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
-  command->add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
-  command->add_option("--threads", o.threads, "threads of the assembly; else one")
-      ->check(CLI::Range(1, 1024));
-  add_plugin_options(*command, o);
 }
 
 }  // namespace netloft::io

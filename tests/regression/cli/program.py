@@ -11,6 +11,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM = os.environ["NETLOFT_PROGRAM"]
+HARD_CASES = str(Path(PROGRAM).with_name("hard_cases"))
 SOURCE = Path(os.environ["NETLOFT_SOURCE_DIR"])
 
 # A panel of 4 x 4 meshes hangs from its fore edge and carries a rope along its aft edge. Wrong scenes are this one
@@ -83,7 +84,8 @@ class InFreshFolder(unittest.TestCase):
         return name
 
     def command(self, *words):
-        return [PROGRAM, *words]
+        """Of netloft, or where the first word is hard_cases, of that program beside it."""
+        return [HARD_CASES, *words[1:]] if words[0] == "hard_cases" else [PROGRAM, *words]
 
     def environment(self, **more):
         return {**{k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "NETLOFT_PLUGINS")}, **more}

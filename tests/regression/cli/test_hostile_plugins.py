@@ -9,7 +9,7 @@ from pathlib import Path
 
 import h5py
 
-from program import InFreshFolder
+from program import SOURCE, InFreshFolder
 
 PLUGINS = Path(os.environ["NETLOFT_TEST_PLUGINS"])
 AT_START = PLUGINS.parent / "hostile"
@@ -138,7 +138,8 @@ class EndlessLoopsElsewhere(Hostile):
                   says="hostile/stalls, solve, did not come back for 2 s .*; the refinement ends here without a table")
 
     def test_in_the_suite_which_shows_what_it_has(self):
-        self.ends(3, "stability", "--solver", "newton", "--solver", "hostile/stalls", "--case", "hanging", "--size", "small", "--seconds-per-case", "0.2",
+        self.ends(3, "hard_cases", str(SOURCE / "tests/stability"), "--solver", "newton", "--solver", "hostile/stalls", "--case", "hanging",
+                  "--size", "small", "--seconds-per-case", "0.2",
                   says="hostile/stalls, solve, did not come back for 2 s .*; the suite ends here, after 0 of its cases", out="stability, draw 1")
 
     def test_in_a_study(self):

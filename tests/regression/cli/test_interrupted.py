@@ -78,7 +78,7 @@ class Interrupted(InFreshFolder):
         self.assertIn("of 9 depths, and kept.svg is not written", err)
 
     def test_a_suite_shows_the_cases_that_were_solved(self):
-        out, err = self.interrupted("stability", str(SOURCE / "tests/stability"), "--solver", "newton", "--size", "small", "--html", "kept.html",
+        out, err = self.interrupted("hard_cases", str(SOURCE / "tests/stability"), "--solver", "newton", "--size", "small", "--html", "kept.html",
                                     is_due=lambda line: line.strip())
         self.assertRegex(err, r"interrupted; the suite ends here, after [1-9]\d* of its cases")
         self.assertIn("right", out)

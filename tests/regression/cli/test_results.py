@@ -467,10 +467,10 @@ class Swinging(InFreshFolder):
         self.write("float/solvers.toml", '[[solver]]\nstrategy = "auto"\n')
 
         def words():
-            return [case["where"] for case in self.netloft("stability", "float", "--size", "small", "--json").json()["cases"]]
+            return [case["where"] for case in self.netloft("hard_cases", "float", "--size", "small", "--json").json()["cases"]]
 
         self.assertEqual(words(), ["unstable", "unstable"])
-        self.netloft("stability", "float", "--size", "small", "--update-references")
+        self.netloft("hard_cases", "float", "--size", "small", "--update-references")
         self.assertEqual(list(json.loads((self.folder / "float/references.json").read_text())), ["swings/there"])
         self.assertEqual(words(), ["flutters", "unstable"])
 

@@ -46,7 +46,7 @@ class Streams(InFreshFolder):
         os.mkfifo(self.folder / "pipe.study" / "manifest.jsonl")
         for words in (["run", "pipe.toml"], ["check", "pipe.toml"], ["draw", "pipe.toml"], ["diff", "pipe.hdf", "pipe.hdf"],
                       ["test", "./pipe.so"], ["study", "plan", "pipe.toml"], ["study", "run", "pipe.study"],
-                      ["study", "collect", "pipe.study"], ["stability", "pipe.toml"], ["import", "femnet", "pipe.toml"]):
+                      ["study", "collect", "pipe.study"], ["hard_cases", "pipe.toml"], ["import", "femnet", "pipe.toml"]):
             with self.subTest(command=words):
                 ended = self.netloft(*words)
                 self.assertIn(ended.code, (2, 4))

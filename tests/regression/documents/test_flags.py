@@ -15,6 +15,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM, SOURCE = os.environ["NETLOFT_PROGRAM"], Path(os.environ["NETLOFT_SOURCE_DIR"])
+HARD_CASES = Path(PROGRAM).with_name("hard_cases")
 PLUGINS = os.environ["NETLOFT_TEST_PLUGINS"]
 ROPE, MOTION, GEAR = "rope.toml", "motion.toml", "gear.toml"
 AT_SEA = SOURCE / "gear-library/scenes/gov-like-67m.toml"
@@ -23,7 +24,7 @@ SCENE = "--set parts.rope.cells=20 --threads 1 --scene-plugins " + COMMON
 
 # What is typed, and what it says or which file it leaves. In this order; later ones read what earlier ones wrote.
 COMMANDS = (
-    ("netloft --help", "stability"),
+    ("netloft --help", "calibrate"),
     ("netloft --version", "netloft "),
     ("netloft --cflags", "-std="),
     (f"netloft run {ROPE} {SCENE} --strategy direct --solver newton --error -o error.hdf", '"converged"'),
@@ -56,9 +57,9 @@ COMMANDS = (
     (f"netloft scope {AT_SEA} {COMMON} --set gear.nodes=600 --threads 1 --scene-plugins --strategy auto --solver newton --depth 65:67:2 "
      "--warp 3.3:3.4:2 --heel -40:40 --spread 1:200 -o scope.svg; ls scope.svg", "scope.svg"),
     (f"netloft scope {AT_SEA} --set gear.nodes=600 --depth 65:67:2 --warp 3.3:3.4:2 --heel -40:40 --output scope.html", "headline"),
-    (f"netloft stability tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --draw 2 --work 1000 "
+    (f"hard_cases tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --draw 2 --work 1000 "
      f"--seconds-per-case 5 --threads 1 --html matrix.html {COMMON}", '"newton"'),
-    ("netloft stability tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
+    ("hard_cases tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
     ("netloft import femnet gears/01_two_bars.don --mesh gears/01_two_bars.mdg --json -o bars.toml; ls bars.toml bars.mesh", "bars.mesh"),
     ("netloft import femnet gears/01_two_bars.don --divide -o divided.toml; ls divided.mesh", "divided.mesh"),
     ("netloft import femnet gears/09_hauling.don --motion -o moving.toml; grep dynamic moving.toml", "dynamic"),
@@ -87,7 +88,8 @@ FLAG = re.compile(r"^ +(?:(-\w),)?(--[\w-]+)", re.MULTILINE)
 
 
 def flags_in_help(*command):
-    text = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, timeout=20).stdout
+    program = [HARD_CASES] if command == ("hard_cases",) else [PROGRAM, *command]
+    text = subprocess.run([*program, "--help"], capture_output=True, text=True, timeout=20).stdout
     return {long: short for short, long in FLAG.findall(text)}
 
 
@@ -101,9 +103,9 @@ def subcommands(*command):
 
 
 def typed_flags(line):
-    """(command, flag) of the first command of a line that is netloft's."""
-    words = next(re.finditer(r"netloft [^;&]*", line)).group()
-    words = shlex.split(words)[1:]
+    """(command, flag) of the first command of a line that is netloft's, or of hard_cases, which is a command itself."""
+    words = shlex.split(next(re.finditer(r"(?:netloft|hard_cases) [^;&]*", line)).group())
+    words = words if words[0] == "hard_cases" else words[1:]
     command = words[0] if not words[0].startswith("-") else ""
     command = " ".join(words[:2]) if command in NESTED else command
     return {(command, word) for word in words if re.match(r"--?[a-z]", word)}
@@ -146,7 +148,7 @@ class Flags(unittest.TestCase):
         typed = set().union(*(typed_flags(line) for line, _ in COMMANDS))
         listed = subcommands()
         self.assertGreater(len(listed), 15)
-        for command in ["", *listed]:
+        for command in ["", *listed, "hard_cases"]:
             for flag, short in flags_in_help(*command.split()).items():
                 if flag == "--help" and command:
                     continue  # asked for here

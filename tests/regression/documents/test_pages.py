@@ -27,14 +27,15 @@ STANDS_FOR = (
     (r"^netloft study estimate( FOLDER --at .*)?$", "netloft study estimate ropes.study --at density=2000"),
     (r"^netloft study (\w+)$", r"netloft study \1 ropes.study"), (r"^(netloft study .*)\bFOLDER\b", r"\1ropes.study"), (r"--items \d+", "--items 1"),
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
-    (r"\bSIZE\b", "small"), (r"^\./bootstrap ", "netloft "), (r"io/compare/work-precision", "work-precision"))
+    (r"\bSIZE\b", "small"), (r"^\./bootstrap hard-cases ", "hard_cases "), (r"^\./bootstrap ", "netloft "),
+    (r"^build/release/bin/", ""), (r"io/compare/work-precision", "work-precision"))
 COARSER = (
     (r"^(netloft compare .*)--accuracy \S+", r"\1--accuracy 1e-1:1e-1 --repeats 1 --set analysis.duration=0.5"),
     (r"^(netloft compare .*)--tolerance \S+", r"\1--tolerance 1e-3:1e-2"), (r"^(netloft compare .*)--cells \S+", r"\1--cells 4,8,16"),
     (r"^(netloft compare .*(scene|panel)\.toml)", r"\1 --set parts.net.cells=[4,4] --repeats 1"),
     (r"^(netloft compare .*)--set parts\.net\.cells=\[8,8\]", r"\1"), (r"^(netloft refine .*)--nodes \S+", r"\1--nodes 150,300"),
-    (r"^(netloft stability .*)--size \S+", r"\1--size small"), (r"^(?!.* --case )(netloft stability .*)", r"\1 --case flat-sketch"),
-    (r"^(netloft stability .*)", r"\1 --seconds-per-case 0.2"),
+    (r"^(hard_cases .*)--size \S+", r"\1--size small"), (r"^(?!.* --case )(hard_cases .*)", r"\1 --case flat-sketch"),
+    (r"^(hard_cases .*)", r"\1 --seconds-per-case 0.2"),
     (r"^(netloft run .*(scene|panel)\.toml)", r"\1 --set parts.net.cells=[8,8]"),
     (r"^(netloft run .*panel-in-current\.toml).*", r"\1 --set parts.net.cells=[8,8] --set analysis.duration=0.5"))
 NEED = ("arkode", "kinsol")  # built only where their libraries are
@@ -46,7 +47,7 @@ def commands_of(text):
     found = [re.sub(r"\s+#.*$", "", line) for line in lines]
     found += [" ".join(words.split()) for words in re.findall(r"`([^`]+)`", BLOCK.sub("", text))]
     found = [line for line in found if not re.fullmatch(r"netloft \w+ \d+", line)]  # the first line of a file: netloft mesh 1
-    return [line for line in found if re.match(r"netloft \S+ +[^-\s]|netloft stability -|\./bootstrap run \S", line)]
+    return [line for line in found if re.match(r"netloft \S+ +[^-\s]|(build/release/bin/)?hard_cases \S|\./bootstrap (run|hard-cases) \S", line)]
 
 
 def as_tested(command):

@@ -18,12 +18,13 @@ BUILD, SOURCE = (Path(os.environ[name]) for name in ("NETLOFT_BINARY_DIR", "NETL
 README = SOURCE / "README.md"
 BLOCK = re.compile(r"^```(\w*) ?(\S*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 BUILT = ((re.compile(r"^\./bootstrap test"), f"ctest --test-dir {BUILD} --show-only"),
+         (re.compile(r"^\./bootstrap hard-cases "), "hard_cases "),
          (re.compile(r"^\./bootstrap "), "netloft "),
          (re.compile(r"\$PWD/build/release"), str(BUILD)))
 COARSER = ((re.compile(r"^netloft run .*(83-112|fewer-floats)"), " --set gear.nodes=300"),
            (re.compile(r"^netloft run .*dead-weight"), " --set parts.net.cells=[8,8]"),
            (re.compile(r"^netloft compare"), " --set parts.net.cells=[8,8] --repeats 1 --tolerance 1e-8:1e-6"),
-           (re.compile(r"^netloft stability"), " --case flat-sketch"))
+           (re.compile(r"^hard_cases "), " --case flat-sketch"))
 
 
 def as_tested(line):

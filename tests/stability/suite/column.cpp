@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/stability/suite/column.hpp"
+
+#include "io/case/case.hpp"
+
+namespace netloft::hard_cases {
+
+namespace {
+
+constexpr const char* kAuto = "auto";
+
+void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+std::string Column::head() const {
+  if (!title.empty()) return title;
+  if (strategy.empty() || solver.empty()) return strategy + solver;
+  return strategy + " with " + solver;
+}
+
+Column column_of(const std::string& solver) { return {solver, ""}; }
+
+void leave_out(const std::vector<std::string>& parts, Column& column) {
+  if (parts.empty() || component_of(column.strategy) != kAuto) return;
+  std::string all;
+  for (const auto& part : parts) all += (all.empty() ? "" : "+") + part;
+  const std::string key = "without=";
+  std::string& text = column.strategy;
+  for (auto at = text.find_first_of(":,"); at != std::string::npos; at = text.find_first_of(":,", at + 1))
+    if (text.compare(at + 1, key.size(), key) == 0) {
+      text.insert(at + 1 + key.size(), all + "+");
+      return;
+    }
+  text += (text == kAuto ? ":" : ",") + key + all;
+}
+
+std::string component_of(const std::string& specification) {
+  return specification.substr(0, specification.find(':'));
+}
+
+/// What a column is called it is: nothing that is set takes another solver or strategy in its place.
+std::vector<std::string> overrides_of(const Column& column) {
+  std::vector<std::string> all = column.overrides;
+  if (!column.solver.empty()) append(all, io::overrides_of("solver", column.solver));
+  if (!column.strategy.empty()) append(all, io::overrides_of("strategy", column.strategy));
+  return all;
+}
+
+}  // namespace netloft::hard_cases

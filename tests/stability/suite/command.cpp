@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/stability/suite/command.hpp"
+
+#include "io/cli/commands.hpp"
+#include "io/cli/error_json.hpp"
+#include "io/cli/replaced_file.hpp"
+#include "io/cli/session.hpp"
+#include "io/cli/terminal.hpp"
+#include "io/cli/watchdog.hpp"
+#include "io/files/whole_file.hpp"
+#include "io/scene/dynamics.hpp"
+#include "tests/stability/suite/matrix.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+namespace netloft::hard_cases {
+
+using namespace io;
+
+namespace {
+
+/// The columns that --strategy and --solver name; else the suite's.
+std::vector<Column> named_columns(const Suite& suite, const SuiteOptions& options) {
+  std::vector<Column> columns;
+  for (const auto& strategy : options.strategies) columns.push_back({"", strategy});
+  for (const auto& solver : options.solvers) columns.push_back(column_of(solver));
+  return columns.empty() ? suite.columns : columns;
+}
+
+/// What the suite gives a solver of that name.
+std::vector<std::string> overrides_in(const Suite& suite, const std::string& solver) {
+  const auto same = std::find_if(suite.columns.begin(), suite.columns.end(), [&](const auto& column) {
+    return component_of(column.solver) == component_of(solver);
+  });
+  return solver.empty() || same == suite.columns.end() ? std::vector<std::string>{} : same->overrides;
+}
+
+std::vector<Column> wanted_columns(const Suite& suite, const SuiteOptions& o) {
+  auto columns = named_columns(suite, o);
+  for (auto& column : columns) {
+    if (!o.solvers.empty()) column.overrides = overrides_in(suite, column.solver);
+    leave_out(o.without, column);
+    column.overrides.insert(column.overrides.end(), o.shared.set.begin(), o.shared.set.end());
+  }
+  return columns;
+}
+
+bool is_asked_for(const SuiteOptions& o) { return !o.solvers.empty() || !o.strategies.empty(); }
+
+/// Throws UsageError for a column that was asked for by name and is not there, or cannot be understood.
+bool is_there(const Column& column, Registry& registry, bool asked_for) {
+  try {
+    overrides_of(column);
+    const std::string solver = component_of(column.solver);
+    if (!solver.empty() && !is_integrator(registry, solver)) registry.solver(solver);
+    if (!column.strategy.empty()) registry.strategy(component_of(column.strategy));
+    return true;
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  } catch (const PluginRefused& e) {
+    if (asked_for) throw;
+    return false;
+  }
+}
+
+std::vector<Column> find_columns(const Suite& suite, const SuiteOptions& options, Registry& registry,
+                                 Terminal& terminal) {
+  std::vector<Column> columns;
+  for (auto& column : wanted_columns(suite, options)) {
+    if (is_there(column, registry, is_asked_for(options)))
+      columns.push_back(std::move(column));
+    else
+      terminal.say("there is no " + column.head() + ": left out");
+  }
+  if (columns.empty())
+    throw UsageError{"there is none of the suite's solvers; name one with --solver or --strategy"};
+  return columns;
+}
+
+/// Returns `code`, or kOther where the page cannot be written. There is none of a suite that was interrupted.
+int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const std::vector<Row>& rows,
+                 Terminal& terminal, int code) {
+  std::puts((options.shared.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
+  const std::string& page = options.html;
+  if (page.empty() || code == kInterrupted) return code;
+  return write_last(terminal, code, [&] { write_whole(page, matrix_html(title, rows)); });
+}
+
+/// Whether the first column got all of it right.
+bool first_is_right(const std::vector<Row>& rows) {
+  return std::all_of(rows.begin(), rows.end(),
+                     [](const Row& row) { return is_right(row.cells.front().verdict.where); });
+}
+
+/// What there is of the matrix when a plugin does not come back.
+class MatrixSoFar {
+ public:
+  MatrixSoFar(const MatrixTitle& title, const SuiteOptions& options, Terminal& terminal)
+      : title_(title), options_(options), terminal_(terminal) {}
+
+  void add(const Row& row) {
+    terminal_.say(row_text(row));
+    rows_.push_back(row);
+  }
+  int end(const Overdue& overdue) const {
+    terminal_.say("netloft: " + overdue.sentence + "; the suite ends here, after " +
+                  std::to_string(rows_.size()) + " of its cases");
+    return print_matrix(title_, options_, rows_, terminal_,
+                        overdue.interrupted ? kInterrupted : kNotConverged);
+  }
+
+ private:
+  const MatrixTitle& title_;
+  const SuiteOptions& options_;
+  Terminal& terminal_;
+  std::vector<Row> rows_;
+};
+
+RunOptions run_options(const SuiteOptions& o, MatrixSoFar& matrix, Watchdog& watchdog) {
+  RunOptions run;
+  run.sizes = o.sizes.empty() ? std::vector<std::string>{"small", "medium"} : o.sizes;
+  run.pattern = o.pattern;
+  run.seconds = o.seconds;
+  run.work = o.work;
+  run.update = o.update_references;
+  run.threads = std::max(1, o.shared.threads);
+  run.watch = {.interrupt = &interrupt_flag(), .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  run.on_row = [&](const Row& row) { matrix.add(row); };
+  return run;
+}
+
+std::string what_is_left(const SuiteOptions& o, std::size_t cases) {
+  return "the suite ends here, after " + std::to_string(cases) + " of its cases" +
+         (o.update_references ? "; no reference is renewed" : "") +
+         (o.html.empty() ? "" : "; not written: " + o.html);
+}
+
+}  // namespace
+
+int run_hard_cases(const SuiteOptions& o) {
+  Terminal terminal(o.shared.color);
+  Registry registry;
+  find_plugins(o.shared, registry);
+  Diagnostics diagnostics;
+  if (o.update_references && !o.shared.set.empty())
+    throw UsageError{
+        "--update-references keeps answers of the cases as they are written; --set changes them"};
+  require_ending("--html", o.html, {".html", ".htm"});
+  require_place(o.html, {});
+  const std::filesystem::path folder = o.suite;
+  const Suite suite = read_suite(folder, o.draw, diagnostics);
+  if (diagnostics.errors()) {
+    terminal.say(diagnostics.render(terminal.color()));
+    if (o.shared.json) std::puts(errors_json(diagnostics, kWrongInput).c_str());
+    return kWrongInput;
+  }
+  const auto columns = find_columns(suite, o, registry, terminal);
+  References references(suite.folder / "references.json");
+  catch_interrupts();
+  const MatrixTitle title{folder.string(), o.draw};
+  MatrixSoFar matrix(title, o, terminal);
+  Watchdog watchdog([&](const Overdue& overdue) { return matrix.end(overdue); });
+  const auto rows = run_suite(suite, columns, references, registry, run_options(o, matrix, watchdog));
+  if (rows.empty() && !interrupt_flag())
+    throw UsageError{"no case of " + folder.string() + " has these names and sizes"};
+  if (o.update_references && !interrupt_flag()) references.save();
+
+  const int code = first_is_right(rows) ? kDone : kNotConverged;
+  if (interrupt_flag())
+    return print_matrix(title, o, rows, terminal, end_interrupted(terminal, what_is_left(o, rows.size())));
+  return print_matrix(title, o, rows, terminal, code);
+}
+
+}  // namespace netloft::hard_cases

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cli/command_line/program.hpp"
+#include "tests/stability/suite/command.hpp"
+
+int main(int argc, char** argv) {
+  using namespace netloft;
+  hard_cases::SuiteOptions options;
+  CLI::App app{"Runs strategies and solvers on the suite of hard cases, and prints how they did.",
+               "hard_cases"};
+  hard_cases::add_options(app, options);
+  return io::run_program(app, options.shared, argc, argv, [&] {
+    io::require_memory_to_solve();
+    return hard_cases::run_hard_cases(options);
+  });
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tests/stability/suite/run.hpp"
+
+namespace netloft::hard_cases {
+
+/// How one column did on all rows, or on those of one kind.
+struct Tally {
+  std::string solver;
+  std::size_t cases = 0;
+  std::size_t right = 0, claimed_wrong = 0;  // as judge.hpp has it
+  std::size_t unconfirmed = 0;               // right, but no other solver knows a stable equilibrium
+  std::size_t factorisations = 0;
+  double cpu_seconds = 0;
+};
+std::vector<Tally> tally(const std::vector<Row>& rows);
+
+/// By kind of case, which is the file of the suite that it stands in; in the order of the rows.
+struct KindTally {
+  std::string kind;
+  std::vector<Tally> columns;
+};
+std::vector<KindTally> tally_by_kind(const std::vector<Row>& rows);
+
+/// The matrix of cases and solvers: for a terminal, for a program, and as a page of its own.
+struct MatrixTitle {
+  std::string folder;
+  std::uint64_t draw = 1;
+};
+std::string row_text(const Row& row);
+std::string matrix_text(const MatrixTitle& title, const std::vector<Row>& rows);
+std::string matrix_json(const MatrixTitle& title, const std::vector<Row>& rows);
+std::string matrix_html(const MatrixTitle& title, const std::vector<Row>& rows);
+
+}  // namespace netloft::hard_cases

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/stability/suite/options.hpp"
+
+#include "io/cli/command_line/shared.hpp"
+
+#include <limits>
+
+namespace netloft::hard_cases {
+
+namespace {
+
+void add_columns(CLI::App& app, SuiteOptions& s) {
+  io::as_words(
+      app.add_option("--strategy", s.strategies, "strategy; may be repeated, and stand beside solvers"),
+      io::kMethod);
+  io::as_words(
+      app.add_option("--without", s.without, "leave out an attempt of the strategy auto; may be repeated"),
+      "PART");
+  io::add_set_option(app, s.shared, "a value of every scene: analysis.newton.damping=0.1");
+  io::as_words(app.add_option("--solver", s.solvers, "solver, as run takes it; may be repeated"),
+               io::kMethod);
+}
+
+void add_cases(CLI::App& app, SuiteOptions& s) {
+  app.add_option("--size", s.sizes, "about 200, 800 and 12000 unknowns; else small,medium")
+      ->check(CLI::IsMember({"small", "medium", "large"}))
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--case", s.pattern, "only cases whose name contains this")->type_name("TEXT");
+  app.add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+}
+
+void add_budgets(CLI::App& app, SuiteOptions& s) {
+  app.add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
+      ->check(io::numbers_between(0.001, 1e6));
+  app.add_option("--work", s.work, "for one case, in iterations of Newton's method for its scene; else any")
+      ->check(io::numbers_between(1.0, 1e9));
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, SuiteOptions& s) {
+  app.add_option("SUITE", s.suite, "folder of the suite; else tests/stability here");
+  add_columns(app, s);
+  add_cases(app, s);
+  add_budgets(app, s);
+  app.add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
+  app.add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
+  app.add_option("--threads", s.shared.threads, "threads of the assembly; else one")
+      ->check(CLI::Range(1, 1024));
+  io::add_plugin_options(app, s.shared);
+}
+
+}  // namespace netloft::hard_cases

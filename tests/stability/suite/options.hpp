@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/cli/options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace netloft::hard_cases {
+
+/// The command line, taken apart.
+struct SuiteOptions {
+  io::Options shared;  // what commands of Netloft know, too
+  std::string suite = "tests/stability";
+  std::vector<std::string> solvers;     // --solver, may be repeated; none: those of the suite
+  std::vector<std::string> strategies;  // --strategy, may be repeated
+  std::vector<std::string> without;     // --without, may be repeated
+  std::vector<std::string> sizes;       // --size
+  std::string pattern;                  // --case
+  std::string html;                     // --html FILE
+  std::uint64_t draw = 1;               // --draw
+  double seconds = 0;                   // --seconds-per-case; 0: the default of the size
+  double work = 0;                      // --work; 0: any
+  bool update_references = false;       // --update-references
+};
+
+/// All options of the program, which are read into `options`.
+void add_options(CLI::App& app, SuiteOptions& options);
+
+}  // namespace netloft::hard_cases

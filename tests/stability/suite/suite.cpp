@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/stability/suite/suite.hpp"
+
+#include "io/toml/document.hpp"
+#include "tests/stability/suite/draw.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace netloft::hard_cases {
+
+using namespace io;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSolvers = "solvers.toml";
+
+std::vector<std::string> read_words(TableReader& table, const char* key, const char* doc) {
+  return table.texts(key, {.doc = doc, .fallback = std::vector<std::string>{}});
+}
+
+/// Reads one file of the suite: a scene, its sizes, and the cases made of it.
+class GroupReader {
+ public:
+  GroupReader(const fs::path& file, std::uint64_t number, Diagnostics& diagnostics,
+              std::vector<HardCase>& out)
+      : file_(file),
+        number_(number),
+        diagnostics_(diagnostics),
+        document_(Document::load(file, {}, diagnostics)),
+        out_(out) {}
+
+  void read() {
+    if (diagnostics_.errors()) return;
+    TableReader root(document_.root(), diagnostics_);
+    group_.scene = file_.parent_path() / root.text("scene", {.doc = "scene file, from here"});
+    group_.overrides = read_words(root, "set", "values of the scene, path=value");
+    read_sizes(root.table("sizes"), group_.sizes);
+    const io::Value* cases = root.raw("case");
+    const Array* array = cases ? cases->as<Array>() : nullptr;
+    if (!array) root.error("case", "is missing: [[case]] tables with a name and a start");
+    if (array)
+      for (const io::Value& entry : array->items) read_entry(entry);
+    root.finish();
+  }
+
+ private:
+  static void read_sizes(TableReader table, std::map<std::string, std::vector<std::string>>& sizes) {
+    for (const auto& size : kSizes)
+      if (table.has(size)) sizes[size] = read_words(table, size.c_str(), "values of the scene, path=value");
+    table.finish();
+  }
+
+  /// A [[case]], or as many as `count` says if it is drawn.
+  void read_entry(const io::Value& entry) {
+    TableReader plain(entry, diagnostics_, "case");
+    if (!plain.has("vary")) return read_case(entry, "", 1, false);
+    const auto count = plain.integer("count", {.doc = "cases that are drawn", .lo = 1, .hi = 1000});
+    const std::string name = plain.text("name", {.doc = "of the case"});
+    for (std::int64_t k = 1; k <= count; ++k) {
+      const std::string suffix = "-" + std::to_string(k);
+      Dice dice(file_.stem().string() + "/" + name + suffix, number_);
+      io::Value filled = entry;
+      fill_in(filled, draw(plain.table("vary"), dice));
+      read_case(filled, suffix, dice.next() >> 16, true);
+    }
+  }
+
+  void read_case(const io::Value& value, const std::string& suffix, std::uint64_t seed, bool drawn) {
+    TableReader table(value, diagnostics_, "case");
+    for (const char* key : {"vary", "count"}) table.raw(key);
+    HardCase c = group_;
+    c.name = file_.stem().string() + "/" + table.text("name", {.doc = "of the case"}) + suffix;
+    c.about = table.text("about", {.doc = "what is hard about it", .fallback = ""});
+    if (table.has("scene")) c.scene = file_.parent_path() / table.text("scene", {.doc = "scene file"});
+    for (auto& word : read_words(table, "set", "values of the scene, path=value"))
+      c.overrides.push_back(std::move(word));
+    if (table.has("sizes")) c.sizes.clear(), read_sizes(table.table("sizes"), c.sizes);
+    c.start = read_start(table, seed);
+    const std::string expected = table.choice(
+        "expected", {.allowed = {"unique", "stable", "none"}, .doc = "what the right answer is"});
+    c.expected = expected == "unique" ? Expected::unique
+                 : expected == "none" ? Expected::none
+                                      : Expected::stable;
+    c.neutral = table.boolean("neutral", {.doc = "something may move without force", .fallback = false});
+    c.drawn = drawn;
+    c.reference = table.text("reference", {.doc = "name of its answer", .fallback = c.name});
+    table.finish();
+    if (std::any_of(out_.begin(), out_.end(), [&](const auto& other) { return other.name == c.name; }))
+      table.error("name", "there is a case " + c.name + " already");
+    out_.push_back(std::move(c));
+  }
+
+  fs::path file_;
+  std::uint64_t number_;
+  Diagnostics& diagnostics_;
+  Document document_;
+  HardCase group_;
+  std::vector<HardCase>& out_;
+};
+
+Column read_column(TableReader& table) {
+  const std::string solver = table.text("use", {.doc = "solver, as --solver takes it", .fallback = ""});
+  Column column = column_of(solver);
+  column.strategy =
+      table.text("strategy", {.doc = "strategy, as --strategy takes it", .fallback = column.strategy});
+  if (column.solver.empty() && column.strategy.empty())
+    table.error("use", "is missing: a solver, or a strategy under the key strategy");
+  column.overrides = read_words(table, "set", "values of the scene, path=value");
+  column.sizes = read_words(table, "sizes", "sizes that it is run at; all if left out");
+  column.title = table.text("title", {.doc = "head of the column; else what it runs", .fallback = ""});
+  return column;
+}
+
+std::vector<Column> read_columns(const fs::path& file, Diagnostics& diagnostics) {
+  std::vector<Column> columns;
+  const Document document = Document::load(file, {}, diagnostics);
+  TableReader root(document.root(), diagnostics);
+  for (auto& table : root.tables("solver", Presence::required, "the columns of the matrix"))
+    columns.push_back(read_column(table));
+  root.finish();
+  return columns;
+}
+
+std::vector<fs::path> find_files(const fs::path& folder, Diagnostics& diagnostics) {
+  std::set<fs::path> files;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed))
+    if (entry.path().extension() == ".toml" && entry.path().filename() != kSolvers)
+      files.insert(entry.path());
+  if (files.empty())
+    diagnostics.error({}, folder.string() + " holds no suite: a folder with TOML files of cases is expected");
+  return {files.begin(), files.end()};
+}
+
+}  // namespace
+
+Suite read_suite(const fs::path& folder, std::uint64_t number, Diagnostics& diagnostics) {
+  Suite suite{folder, {}, {}};
+  for (const auto& file : find_files(folder, diagnostics))
+    GroupReader(file, number, diagnostics, suite.cases).read();
+  if (!diagnostics.errors()) suite.columns = read_columns(folder / kSolvers, diagnostics);
+  return suite;
+}
+
+const char* name_of(Expected expected) {
+  switch (expected) {
+    case Expected::unique:
+      return "unique";
+    case Expected::none:
+      return "none";
+    default:
+      return "stable";
+  }
+}
+
+}  // namespace netloft::hard_cases

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tests/stability/suite/column.hpp"
+#include "tests/stability/suite/start.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace netloft::hard_cases {
+
+/// What the right answer is. unique: one place, the reference's. stable: the reference's or another stable
+/// one of no higher energy. none: there is no equilibrium, and it has to be said so.
+enum class Expected { unique, stable, none };
+
+/// One hard case: a scene, how it is changed, and the start it is given.
+struct HardCase {
+  std::string name;   // "panel/noise-of-two-meshes"
+  std::string about;  // a sentence
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;                     // of all sizes
+  std::map<std::string, std::vector<std::string>> sizes;  // "small" -> overrides
+  std::vector<StartStep> start;
+  Expected expected = Expected::stable;
+  bool neutral = false;   // something may move without force: only the energy is compared
+  bool drawn = false;     // made of random numbers: its reference is the best answer of the run
+  std::string reference;  // cases that share one answer share this name
+};
+
+struct Suite {
+  std::filesystem::path folder;
+  std::vector<HardCase> cases;
+  std::vector<Column> columns;
+};
+
+/// Sizes in the order they are run.
+inline const std::vector<std::string> kSizes{"small", "medium", "large"};
+
+/// Reads solvers.toml and every other TOML file of the folder. `number` is that of the draw: another one
+/// changes all random numbers of drawn cases. Use what is returned only if there are no errors.
+Suite read_suite(const std::filesystem::path& folder, std::uint64_t number, io::Diagnostics& diagnostics);
+
+const char* name_of(Expected expected);
+
+}  // namespace netloft::hard_cases
