@@ -2,6 +2,7 @@
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
+#include <barrier>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -251,14 +252,17 @@ Finding same_energy_alone(Bench& b) { return same_alone(b, NETLOFT_WANT_ENERGY, 
 
 namespace {
 
-constexpr int kRoundsPerThread = 50;
+constexpr int kRoundsPerThread = 50, kRoundsApart = 10;
 
-/// One thread's share: evaluates its tile again and again.
+/// One thread's share: evaluates its tile again and again. Now and then it waits for the other one, which a
+/// busy machine may begin when this one had ended.
 std::size_t count_differences(const Bench& b, const netloft_term& term, const States& s, std::uint32_t want,
-                              const Answer& expected) {
+                              const Answer& expected, std::barrier<>& both) {
   std::size_t differences = 0;
-  for (int round = 0; round < kRoundsPerThread; ++round)
+  for (int round = 0; round < kRoundsPerThread; ++round) {
+    if (round % kRoundsApart == 0) both.arrive_and_wait();
     differences += first_difference(expected, b.specimen->evaluate(term, s, want), s.count) < s.count;
+  }
   return differences;
 }
 
@@ -267,11 +271,12 @@ std::string differs_between_threads(const Bench& b, const netloft_term& term, co
   const Answer first = b.specimen->evaluate(term, one, want), second = b.specimen->evaluate(term, two, want);
   std::size_t there = 0;
   int number = 0;
+  std::barrier both(2);
   std::thread other([&] {
     number = number_of_this_thread();
-    there = count_differences(b, term, two, want, second);
+    there = count_differences(b, term, two, want, second, both);
   });
-  const std::size_t here = count_differences(b, term, one, want, first);
+  const std::size_t here = count_differences(b, term, one, want, first, both);
   other.join();
   wait_until_gone(number);
   return here + there == 0 ? ""
