@@ -181,13 +181,6 @@ int number_of_this_thread() {
 #endif
 }
 
-int number_of_a_new_thread() {
-  int number = 0;
-  std::thread([&] { number = number_of_this_thread(); }).join();
-  wait_until_gone(number);
-  return number;
-}
-
 void wait_until_gone(int thread) {
   const std::filesystem::path task = "/proc/self/task/" + std::to_string(thread);
   while (std::filesystem::exists(task)) std::this_thread::yield();

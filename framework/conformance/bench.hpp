@@ -14,8 +14,6 @@ namespace netloft::conformance {
 using Threads = std::vector<int>;
 Threads threads_now();
 int number_of_this_thread();
-/// The number that the system gives to a thread which begins now. When this returns, that thread is gone.
-int number_of_a_new_thread();
 /// Waits until the system no longer shows a thread that was joined.
 void wait_until_gone(int thread);
 

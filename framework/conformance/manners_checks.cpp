@@ -299,9 +299,12 @@ namespace {
 /// which they begin: of two threads of our own, one before and one after, the second has the next number.
 template <class Work>
 bool nothing_begins_during(Work&& work) {
-  const int before = number_of_a_new_thread();
+  int before = 0, after = 0;
+  std::thread one([&] { before = number_of_this_thread(); });
   work();
-  return number_of_a_new_thread() == before + 1;
+  std::thread two([&] { after = number_of_this_thread(); });
+  one.join(), two.join();
+  return after == before + 1;
 }
 
 enum class Starts { none, some, unknown };
@@ -314,11 +317,15 @@ Starts threads_started_by(Work&& work) {
   using Clock = std::chrono::steady_clock;
   constexpr int kProof = 20, kTries = 2000;
   for (int quiet = 0, tries = 0; tries < kTries && quiet < kProof; ++tries) {
-    const auto begun = Clock::now();
-    if (nothing_begins_during(work)) return Starts::none;
-    const auto end = Clock::now() + (Clock::now() - begun);
+    Clock::duration took{};
+    const auto timed_work = [&] {
+      const auto begun = Clock::now();
+      work();
+      took = Clock::now() - begun;
+    };
+    if (nothing_begins_during(timed_work)) return Starts::none;
     quiet += nothing_begins_during([&] {
-      while (Clock::now() < end) std::this_thread::yield();
+      for (const auto end = Clock::now() + took; Clock::now() < end;) continue;
     });
     if (quiet == kProof) return Starts::some;
   }
