@@ -3,11 +3,17 @@
 
 #include "framework/conformance/checks.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <thread>
 
 namespace netloft::conformance {
 
@@ -19,7 +25,7 @@ constexpr int kTriesPerState = 200;
 }  // namespace
 
 Bench::Bench(const ElementType& t, const ConformanceOptions& o)
-    : type(t), options(o), sampler(t, o.seed), threads_before(count_threads()) {
+    : type(t), options(o), sampler(t, o.seed), threads_before(threads_now()) {
   make_elements();
   if (specimen) make_states();
 }
@@ -157,10 +163,27 @@ std::vector<double> Bench::force_scale(const netloft_term& term, const States& s
   return scale;
 }
 
-std::size_t count_threads() {
+Threads threads_now() {
+  Threads numbers;
   std::error_code none;
-  const std::filesystem::directory_iterator tasks("/proc/self/task", none), end;
-  return none ? 0 : static_cast<std::size_t>(std::distance(begin(tasks), end));
+  for (std::filesystem::directory_iterator task("/proc/self/task", none), end; task != end;
+       task.increment(none))
+    numbers.push_back(std::stoi(task->path().filename().string()));
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+int number_of_this_thread() {
+#if defined(__linux__)
+  return gettid();
+#else
+  return 0;
+#endif
+}
+
+void wait_until_gone(int thread) {
+  const std::filesystem::path task = "/proc/self/task/" + std::to_string(thread);
+  while (std::filesystem::exists(task)) std::this_thread::yield();
 }
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
@@ -177,10 +200,11 @@ Finding judged_defaults(std::span<const netloft_parameter> table, std::size_t by
   return judged(faults.empty() ? "" : faults.front());
 }
 
-Finding no_more_threads_than(std::size_t before) {
-  if (before == 0) return nothing_to_ask("this system does not show the threads of a program");
-  const std::size_t now = count_threads();
-  return now <= before ? Finding{} : failed(std::to_string(now - before) + " more threads");
+Finding no_more_threads_than(const Threads& before) {
+  if (before.empty()) return nothing_to_ask("this system does not show the threads of a program");
+  Threads more;
+  std::ranges::set_difference(threads_now(), before, std::back_inserter(more));
+  return more.empty() ? Finding{} : failed(std::to_string(more.size()) + " more threads");
 }
 
 States moved(const States& from, const std::vector<double>& direction, const std::vector<double>& step) {

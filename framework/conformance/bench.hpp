@@ -10,6 +10,13 @@
 
 namespace netloft::conformance {
 
+/// Threads of this program by their numbers, in ascending order; none where the system does not show them.
+using Threads = std::vector<int>;
+Threads threads_now();
+int number_of_this_thread();
+/// Waits until the system no longer shows a thread that was joined.
+void wait_until_gone(int thread);
+
 /// One element type on the bench: a family of sampled elements, each in a sampled state in which all terms
 /// have a force.
 struct Bench {
@@ -36,7 +43,7 @@ struct Bench {
   const ElementType& type;
   ConformanceOptions options;
   Sampler sampler;
-  std::size_t threads_before;
+  Threads threads_before;
   Sample sample;
   std::unique_ptr<Specimen> specimen;  // null: see `refusal` or `escape`
   std::vector<States> tiles;
@@ -51,9 +58,6 @@ struct Bench {
   void remember(States& states);
   bool is_settled(States& states, const netloft_term& term);
 };
-
-/// Threads of this program.
-std::size_t count_threads();
 
 /// states + step·direction, [dof][64] with a step per lane. The current moves along its derivative with
 /// depth.

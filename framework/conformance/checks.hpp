@@ -20,7 +20,7 @@ Finding judged(const std::string& fault);
 /// Whether defaults, and samples of what has none, are within the ranges of their parameters. (bench.cpp)
 Finding judged_defaults(std::span<const netloft_parameter> table, std::size_t bytes, const Values& sampled);
 /// Skipped where the system does not show threads. (bench.cpp)
-Finding no_more_threads_than(std::size_t before);
+Finding no_more_threads_than(const Threads& before);
 
 // Does it answer at all? (answering_checks.cpp)
 Finding makes_elements(Bench&);

@@ -8,10 +8,10 @@ namespace netloft::conformance {
 class MethodBench {
  public:
   MethodBench(std::span<const netloft_parameter> table, std::size_t bytes, const ConformanceOptions& o)
-      : threads_before(count_threads()),
+      : threads_before(threads_now()),
         parameters(table, bytes, required_of(table, ParameterSampler(table, o.seed).parameters(0)), faults) {}
 
-  std::size_t threads_before;
+  Threads threads_before;
   std::vector<std::string> faults;
   std::string thrown;
   ParameterBlock parameters;

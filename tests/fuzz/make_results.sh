@@ -12,4 +12,4 @@ run "$1" dynamics/released-rope.toml "$2/rope-in-time.hdf" --set analysis.output
 mkdir -p "$2/rope-that-runs.hdf.new" && rm -f "$2/rope-that-runs.hdf.part"
 run "$1" dynamics/released-rope.toml "$2/rope-that-runs.hdf" --set parts.rope.cells=2 --set analysis.output_interval=0.5 \
   --set analysis.duration=2 || [[ -s $2/rope-that-runs.hdf.part ]]
-run "$1" 83-112-flume-3.0kn.toml "$2/half-gear.hdf" --set gear.nodes=100 --set analysis.max_seconds=2
+run "$1" 83-112-flume-3.0kn.toml "$2/half-gear.hdf" --set gear.nodes=100 --set analysis.max_iterations=20

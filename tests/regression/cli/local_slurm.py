@@ -90,7 +90,7 @@ class LocalSlurm:
         said = subprocess.run([find("sinfo"), "-h", "-o", "%T"], env=self.environment, capture_output=True, text=True)
         return said.stdout.strip() == "idle"
 
-    def wait_for(self, happened, seconds=30):
+    def wait_for(self, happened, seconds=120):
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             if happened():

@@ -5,6 +5,7 @@ NETLOFT_PROGRAM names the program, NETLOFT_SOURCE_DIR the source tree.
 """
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -62,7 +63,8 @@ class Finished:
     def __init__(self, process):
         self.code = process.returncode
         self.out = process.stdout.decode("utf-8", "replace")
-        self.err = process.stderr.decode("utf-8", "replace")
+        # Anything takes longer than the second after which there are signs of life, on a machine that is busy enough.
+        self.err = re.sub(r'(?m)^(progress |\{"event": "progress", ).*\n', "", process.stderr.decode("utf-8", "replace"))
 
     def json(self):
         """Standard output, which must be one JSON object and nothing else."""
@@ -93,6 +95,18 @@ class InFreshFolder(unittest.TestCase):
     def netloft(self, *words, environment=None, **how):
         return Finished(subprocess.run(self.command(*words), cwd=self.folder, stdin=subprocess.DEVNULL,
                                        capture_output=True, timeout=120, env=environment or self.environment(), **how))
+
+    def cut_journal(self, size, result, *words):
+        """Leaves of a motion what a kill leaves, whenever it may come: whole outputs and a part of the next one, `size` bytes."""
+        in_the_way = self.folder / f"{result}.new"
+        in_the_way.mkdir()  # its outputs stay a journal
+        stuck = self.netloft("run", *words, "-o", result)
+        assert stuck.code == 1, stuck.err
+        in_the_way.rmdir()
+        part = self.folder / f"{result}.part"
+        assert part.stat().st_size > size, "it has fewer outputs"
+        os.truncate(part, size)
+        return part
 
     def files(self):
         return {str(p.relative_to(self.folder)): p.read_bytes() for p in self.folder.rglob("*") if p.is_file()}

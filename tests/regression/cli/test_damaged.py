@@ -2,9 +2,6 @@
 """Results and journals with flipped bits: every command says so, names the dataset, and shows no wrong number."""
 import random
 import re
-import signal
-import subprocess
-import time
 import unittest
 
 import h5py
@@ -83,13 +80,7 @@ class Damaged(InFreshFolder):
                     self.assertEqual((ended.code, ended.out), (0, said))
 
     def journal_of_a_killed_run(self):
-        run = subprocess.Popen(self.command("run", *MOTION, "-o", "damaged.hdf"), cwd=self.folder, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-        part = self.folder / "damaged.hdf.part"
-        while run.poll() is None and not (part.exists() and part.stat().st_size > 200_000):
-            time.sleep(0.001)
-        run.send_signal(signal.SIGKILL)
-        run.wait()
+        part = self.cut_journal(200_000, "damaged.hdf", *MOTION)
         return part, part.read_bytes()
 
     def test_journal_is_refused_by_every_command(self):

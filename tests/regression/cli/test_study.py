@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Studies: a manifest, items that anybody may compute, one table. Nothing is lost, nothing counts twice."""
+import contextlib
 import csv
 import json
 import os
@@ -31,6 +32,12 @@ range = ["8 kN", "12 kN"]
 draws = 6
 """
 ITEMS, POINTS = 6, 6 * 12
+
+
+def state_of(pid):
+    """T: stopped, Z and X: dead (proc_pid_stat)."""
+    with open(f"/proc/{pid}/stat") as f:
+        return f.read().rpartition(")")[2].split()[0]
 
 
 class Studies(InFreshFolder):
@@ -346,6 +353,26 @@ class LostStudies(Studies):
         except OSError:
             return []
 
+    def stopped_worker_of(self, engine):
+        """A worker that goes on when it is told to, so that its engine cannot come to its end; None if the engine has."""
+        while engine.poll() is None:
+            for pid in self.workers_of(engine):
+                with contextlib.suppress(ProcessLookupError, FileNotFoundError):
+                    os.kill(pid, signal.SIGSTOP)
+                    while (state := state_of(pid)) not in "TZX":
+                        time.sleep(0.001)
+                    if state == "T":
+                        return pid
+        return None
+
+    def begin_and_stop_a_worker(self, *words):
+        while True:
+            for record in self.records():
+                record.unlink()
+            engine = self.begin(*words)
+            if pid := self.stopped_worker_of(engine):
+                return engine, pid
+
     def test_killed_engines(self):
         for records in (0, 1, 3):
             engine = self.begin("--jobs", "2")
@@ -356,16 +383,12 @@ class LostStudies(Studies):
         self.assert_resumed()
 
     def test_killed_workers_harm_one_item_each_and_are_named(self):
-        engine = self.begin("--jobs", "1")
-        killed = set()  # the engine may not have waited yet for one that is dead
-        while engine.poll() is None and len(killed) < 2:
-            for pid in set(self.workers_of(engine)) - killed:
-                time.sleep(0.005)
-                try:
-                    os.kill(pid, signal.SIGKILL)
-                    killed.add(pid)
-                except ProcessLookupError:
-                    pass
+        engine, pid = self.begin_and_stop_a_worker("--jobs", "1")
+        killed = []
+        while pid and len(killed) < 2:
+            os.kill(pid, signal.SIGKILL)
+            killed.append(pid)
+            pid = self.stopped_worker_of(engine) if len(killed) < 2 else None
         self.assertEqual(engine.wait(), 1)
         self.assertEqual(self.study("collect", "s.study", code=1).err.count("was ended by signal 9"), len(killed))
         missing = [r for r in self.rows() if r["status"] == "missing"]
@@ -374,11 +397,11 @@ class LostStudies(Studies):
         self.assert_resumed()
 
     def test_an_interrupt_ends_workers_and_is_resumed(self):
-        engine = self.begin("--jobs", "2")
-        while not self.workers_of(engine) and engine.poll() is None:
-            time.sleep(0.001)
+        engine, pid = self.begin_and_stop_a_worker("--jobs", "2")
         engine.send_signal(signal.SIGTERM)
-        self.assertEqual(engine.wait(timeout=20), 130)
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGCONT)
+        self.assertEqual(engine.wait(timeout=100), 130)
         self.assert_resumed()
 
     @unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")

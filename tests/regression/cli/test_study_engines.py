@@ -97,7 +97,8 @@ class BySlurm(Engines):
         job = self.submit("--parsable").stdout.strip()
         while len(self.missing()) == ITEMS:
             time.sleep(0.02)
-        subprocess.run([local_slurm.find("scancel"), "--signal=KILL", "--full", job], env=self.slurm.environment, check=True)
+        # A fast machine is done by now.
+        subprocess.run([local_slurm.find("scancel"), "--signal=KILL", "--full", job], env=self.slurm.environment, check=False)
         ended = self.submit("--wait")
         self.assertEqual(ended.returncode, 0, ended.stderr)
         self.assert_same_table()

@@ -94,7 +94,8 @@ class TrawlInMotion(unittest.TestCase):
         self.run_it(*settings)
         wanted = series_of(self.output)
         self.output.unlink()
-        part = Path(str(self.output) + ".part")
+        part, in_the_way = Path(str(self.output) + ".part"), Path(str(self.output) + ".new")
+        in_the_way.mkdir()  # no result is made, so that the journal stays even if this process sleeps until the motion has ended
         run = subprocess.Popen(command(self.output, *settings), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         while run.poll() is None:
             try:
@@ -104,6 +105,7 @@ class TrawlInMotion(unittest.TestCase):
                 time.sleep(1e-3)
         run.send_signal(signal.SIGKILL)
         run.wait()
+        in_the_way.rmdir()
         self.assertTrue(part.exists())
         answer = self.run_it(*settings, options=("--resume",))
         self.assertGreater(answer["resumed_from"], 0)

@@ -5,6 +5,7 @@
 #include <netloft/solver.hpp>
 #include <netloft/strategy.hpp>
 
+#include <cstdio>
 #include <cstdlib>
 #include <vector>
 
@@ -12,7 +13,9 @@ using namespace netloft;
 
 namespace {
 
+/// Who has to know when it is there, to interrupt it, asks for a word.
 [[noreturn]] void loop_for_ever() {
+  if (std::getenv("HOSTILE_TELLS")) std::fputs("hostile loops\n", stderr);
   for (volatile std::uint64_t i = 0;; i = i + 1) {
   }
 }
